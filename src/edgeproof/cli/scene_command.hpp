@@ -104,6 +104,8 @@ private:
     scene::Digits digits_;
 };
 
+/// The argument of --format. Throws InputError for another name: checked before any work.
+[[nodiscard]] report::TableFormat format_of(const std::string& name);
 /// Of a scene that was given by quantities: what its file would hold, on stderr.
 void show_as_file(const SceneOptions& options);
 /// To --out, whole or not at all, or to stdout; wrapped where that is a terminal.

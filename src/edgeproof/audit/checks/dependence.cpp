@@ -95,6 +95,12 @@ AlgebraicDependence look_for_relations(const Claim& claim, const FreeFormulas& f
     return by_relations(formulas.quantities, static_cast<unsigned>(degree), under, evidence);
 }
 
+void add_finding(const Claim& claim, const std::string& is, const ComparedNumbers& numbers,
+                 unsigned digits, Outcome& outcome) {
+    outcome.note = claim.text("of") + " is " + is + " of the others near the point drawn";
+    add_pair(numbers, digits, outcome.evidence);
+}
+
 /// A proof, at a point drawn, that the quantity is no function of the others.
 void judge_independent(const Claim& claim, const GradientRank& rank, bool says_independent,
                        unsigned digits, Outcome& outcome) {
@@ -105,13 +111,13 @@ void judge_independent(const Claim& claim, const GradientRank& rank, bool says_i
     } else if (const auto holds = Confirmation::less(none, left); holds && says_independent) {
         outcome.verdict = Judgement(*holds);
     }
-    outcome.note = claim.text("of") + " is no function of the others near the point drawn";
-    add_pair({"gradient outside of the span of the others",
-              {left, ""},
-              "of a function of them",
-              {none, ""},
-              rank.at()},
-             digits, outcome.evidence);
+    add_finding(claim, "no function",
+                {"gradient outside of the span of the others",
+                 {left, ""},
+                 "of a function of them",
+                 {none, ""},
+                 rank.at()},
+                digits, outcome);
 }
 
 /// A proof that the gradient of the quantity lies in the span of the others near a point drawn, so
@@ -127,13 +133,13 @@ void judge_function(const Claim& claim, const GradientRank& rank, bool says_inde
                holds && !says_independent) {
         outcome.verdict = Judgement(*holds);
     }
-    outcome.note = claim.text("of") + " is a function of the others near the point drawn";
-    add_pair({"rank of all gradients if it were none",
-              {of_independent, ""},
-              "rank proved",
-              {found, ""},
-              rank.at()},
-             digits, outcome.evidence);
+    add_finding(claim, "a function",
+                {"rank of all gradients if it were none",
+                 {of_independent, ""},
+                 "rank proved",
+                 {found, ""},
+                 rank.at()},
+                digits, outcome);
 }
 
 /// Whether a quantity is a function of others, P', P'', b', b'', ... being free: it is one, near a

@@ -23,8 +23,10 @@ namespace edgeproof::report {
 void write_plot_files(const Plot& plot, const std::string& svg,
                       const std::filesystem::path& folder);
 
-/// The plot as .svg (gnuplot draws it) or as .csv: the argument of an option --figure. Throws
-/// InputError for another ending, and for .svg where there is no gnuplot.
+/// Throws InputError for a file of an option --figure that cannot be written: an ending other than
+/// .svg and .csv, .svg where there is no gnuplot, and as io::check_output.
+void check_figure(const std::filesystem::path& file);
+/// The plot as .svg (gnuplot draws it) or as .csv. Throws as check_figure.
 void write_figure(const Plot& plot, const std::filesystem::path& file);
 
 /// The SVG made part of a page: no prolog, ids of its own, no ground of its own, and black taken

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scenes with very many digits, asked in a process of their own.
+"""Scenes with very many digits, and relations, found in a process of their own.
 
 A single operation on numbers of many thousand digits (a hypergeometric function, say) may take
-minutes, and no library that does it looks up meanwhile. A process can be ended at any time: so Ctrl-C
-ends it at once, and nothing goes on computing unseen.
+minutes, and so may one expansion of a formula. No library that does it looks up meanwhile. A process
+can be ended at any time: so Ctrl-C ends it at once, and nothing goes on computing unseen.
 """
 
 from __future__ import annotations
@@ -14,9 +14,10 @@ import pickle
 import subprocess
 import sys
 import threading
+from collections.abc import Callable
 from typing import Any
 
-from ._edgeproof import NativeScene
+from ._edgeproof import NativeScene, relations
 from .errors import Error
 
 # Below, no single operation was seen to take as long as a second.
@@ -45,15 +46,22 @@ def _end(child: subprocess.Popen[bytes]) -> None:
             child.stdin.close()
 
 
-def run(text: str, file: str, asked: dict[str, Any]) -> dict[str, Any]:
-    """NativeScene(text, file).run(**asked). What ends the wait ends the work."""
+def _values(text: str, file: str, asked: dict[str, Any]) -> dict[str, Any]:
+    return NativeScene(text, file).run(**asked)
+
+
+_WORK: dict[str, Callable[..., Any]] = {"values": _values, "relations": relations}
+
+
+def run(work: str, *arguments: Any) -> Any:
+    """What _WORK[work](*arguments) returns. What ends the wait ends the work."""
     # Not in our session: a terminal sends its Ctrl-C to us alone, who may want to go on.
     with subprocess.Popen([sys.executable, "-c", _CHILD], stdin=subprocess.PIPE,
                           stdout=subprocess.PIPE, start_new_session=True) as child:
         assert child.stdin is not None and child.stdout is not None
         try:
             pickle.dump(sys.path, child.stdin)
-            pickle.dump((text, file, asked), child.stdin)
+            pickle.dump((work, arguments), child.stdin)
             child.stdin.flush()  # and left open: where we end, it reads the end
             found = pickle.load(child.stdout)
         except (EOFError, BrokenPipeError):
@@ -65,7 +73,6 @@ def run(text: str, file: str, asked: dict[str, Any]) -> dict[str, Any]:
             raise
     if isinstance(found, Exception):
         raise found
-    assert isinstance(found, dict)
     return found
 
 
@@ -76,11 +83,11 @@ def _end_with_the_parent() -> None:
 
 def serve() -> None:
     """The child: reads what is asked, writes the values or the error."""
-    text, file, asked = pickle.load(sys.stdin.buffer)
+    work, arguments = pickle.load(sys.stdin.buffer)
     threading.Thread(target=_end_with_the_parent, daemon=True).start()
     found: Any
     try:
-        found = NativeScene(text, file).run(**asked)
+        found = _WORK[work](*arguments)
     except Exception as error:
         found = error
     pickle.dump(found, sys.stdout.buffer)

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scenes with very many digits, computed in a process of their own.
+"""Scenes with very many digits, and relations, computed in a process of their own.
 
 A single operation on numbers of many thousand digits (such as a hypergeometric function) may take
-minutes, and the libraries do not check for an interruption meanwhile. A process can be ended at
-any time: so Ctrl-C ends the computation at once, and nothing continues in the background.
+minutes, and so may the expansion of one formula. The libraries do not check for an interruption
+meanwhile. A process can be ended at any time: so Ctrl-C ends the computation at once, and nothing
+continues in the background.
 """
 
 from __future__ import annotations
@@ -14,9 +15,10 @@ import pickle
 import subprocess
 import sys
 import threading
+from collections.abc import Callable
 from typing import Any
 
-from ._edgeproof import NativeScene
+from ._edgeproof import NativeScene, relations
 from .errors import Error
 
 # Up to this number of digits, no single operation was seen to take a second.
@@ -45,15 +47,22 @@ def _end(child: subprocess.Popen[bytes]) -> None:
             child.stdin.close()
 
 
-def run(text: str, file: str, asked: dict[str, Any]) -> dict[str, Any]:
-    """NativeScene(text, file).run(**asked). An exception that ends the wait ends the child, too."""
+def _values(text: str, file: str, asked: dict[str, Any]) -> dict[str, Any]:
+    return NativeScene(text, file).run(**asked)
+
+
+_WORK: dict[str, Callable[..., Any]] = {"values": _values, "relations": relations}
+
+
+def run(work: str, *arguments: Any) -> Any:
+    """Returns _WORK[work](*arguments). An exception that ends the wait ends the child, too."""
     # In a session of its own: a terminal sends Ctrl-C only to this process, which may continue.
     with subprocess.Popen([sys.executable, "-c", _CHILD], stdin=subprocess.PIPE,
                           stdout=subprocess.PIPE, start_new_session=True) as child:
         assert child.stdin is not None and child.stdout is not None
         try:
             pickle.dump(sys.path, child.stdin)
-            pickle.dump((text, file, asked), child.stdin)
+            pickle.dump((work, arguments), child.stdin)
             child.stdin.flush()  # left open: if this process ends, the child reads the end
             found = pickle.load(child.stdout)
         except (EOFError, BrokenPipeError):
@@ -65,7 +74,6 @@ def run(text: str, file: str, asked: dict[str, Any]) -> dict[str, Any]:
             raise
     if isinstance(found, Exception):
         raise found
-    assert isinstance(found, dict)
     return found
 
 
@@ -76,11 +84,11 @@ def _end_with_the_parent() -> None:
 
 def serve() -> None:
     """The child's work: reads the questions, writes the values or the error."""
-    text, file, asked = pickle.load(sys.stdin.buffer)
+    work, arguments = pickle.load(sys.stdin.buffer)
     threading.Thread(target=_end_with_the_parent, daemon=True).start()
     found: Any
     try:
-        found = NativeScene(text, file).run(**asked)
+        found = _WORK[work](*arguments)
     except Exception as error:
         found = error
     pickle.dump(found, sys.stdout.buffer)

@@ -9,7 +9,7 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from . import _edgeproof
+from . import _apart, _edgeproof
 from ._numbers import whole
 from .errors import InputError
 
@@ -82,8 +82,10 @@ def relations(quantities: Sequence[str], degree: int = 4, *, symmetric: bool = F
     if not asked:
         raise InputError("there is no quantity", 'give some, such as ["left.c0", "right.c0", "b1"]')
     named = [free] if isinstance(free, str) else list(free)
-    data = json.loads(_edgeproof.relations(asked, whole(degree, "degree"), symmetric,
-                                           list((given or {}).items()), named))
+    arguments = (asked, whole(degree, "degree"), symmetric, list((given or {}).items()), named)
+    found = (_apart.run("relations", *arguments) if _apart.can_start()
+             else _edgeproof.relations(*arguments))
+    data = json.loads(found)
     return Relations(quantities=tuple(asked), degree=int(data["degree"]),
                      relations=tuple(Relation(**row) for row in data["rows"]),
                      complete=data["complete"] == "yes", monomials=int(data["monomials"]),

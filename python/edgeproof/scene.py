@@ -179,7 +179,7 @@ class Scene:
         most = _apart.MOST_DIGITS_HERE_INTEGRATED if self._native.integrated else \
             _apart.MOST_DIGITS_HERE
         if count > most and _apart.can_start():
-            return _apart.run(self.text, self.file or "", asked)
+            return _apart.run("values", self.text, self.file or "", asked)
         return self._native.run(**asked)
 
     # The contact.

@@ -2,7 +2,7 @@
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/run.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "tests/support/namespaces.hpp"
+#include "tests/audit/small_ledger.hpp"
 
 #include <doctest/doctest.h>
 
@@ -125,18 +125,14 @@ Q = ["friction*Es/(4*R)*(a^2*(pi - 2*asin(t/a) - sin(2*asin(t/a))) - z^2*(pi - 2
 )toml";
 
 Ledger slip_ledger(const std::string& claim) {
-    return parse_ledger(slip_head + "[[claim]]\nid = \"A\"\nkind = \"value\"\n" + claim + '\n',
-                        "slip.toml");
+    return small_ledger::ledger_of("kind = \"value\"\n" + claim, slip_head);
 }
 
 Outcome slip_outcome(const std::string& over, const std::string& of, const std::string& says,
                      const std::string& more = "") {
     const Ledger ledger = slip_ledger("over = \"" + over + "\"\nof = \"" + of + "\"\nsays = \"" +
                                       says + "\"\n" + more);
-    AuditOptions options;
-    options.digits = 30;
-    options.threads = 1;
-    return run_audit(ledger, options).claims[0].outcome;
+    return small_ledger::audit_of(ledger, 30).claims[0].outcome;
 }
 
 void stands(const std::string& over, const std::string& of, const std::string& says,

@@ -62,13 +62,18 @@ a = ["3/4"]
 Es = ["7/3"]
 )";
 
-inline AuditResult audit_of(const std::string& claim, unsigned digits = 34) {
-    const Ledger ledger =
-        parse_ledger(head + "[[claim]]\nid = \"C\"\n" + claim + '\n', "small.toml");
+inline Ledger ledger_of(const std::string& claim, const std::string& families = head) {
+    return parse_ledger(families + "[[claim]]\nid = \"C\"\n" + claim + '\n', "small.toml");
+}
+
+inline AuditResult audit_of(const Ledger& ledger, unsigned digits = 34) {
     AuditOptions options;
     options.digits = digits;
     options.threads = 1;
     return run_audit(ledger, options);
+}
+inline AuditResult audit_of(const std::string& claim, unsigned digits = 34) {
+    return audit_of(ledger_of(claim), digits);
 }
 
 inline ClaimResult result_of(const std::string& claim, unsigned digits = 34) {

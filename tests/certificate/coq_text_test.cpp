@@ -60,5 +60,17 @@ TEST_CASE("ids of claims as names in Coq: no file of the theory, no word of the 
     CHECK(certificate::coq_name("EQ30.L") == "EQ30_L");
     CHECK(certificate::coq_name("7-b") == "claim_7_b");
     CHECK(certificate::coq_name("Contact") == "claim_Contact");
-    CHECK(certificate::coq_name("fun") == "claim_fun");
+    for (const std::string word : // the keywords of Coq's reference manual
+         {"Axiom", "CoFixpoint", "Definition", "Fixpoint", "Hypothesis", "Parameter",
+          "Prop",  "SProp",      "Set",        "Theorem",  "Type",       "Variable",
+          "as",    "at",         "cofix",      "else",     "end",        "fix",
+          "for",   "forall",     "fun",        "if",       "in",         "let",
+          "match", "return",     "then",       "where",    "with"}) {
+        CHECK(certificate::coq_name(word) == "claim_" + word);
+    }
+    // Of the library, and of share/edgeproof/coq.
+    CHECK(certificate::coq_name("R") == "claim_R");
+    CHECK(certificate::coq_name("is_load") == "claim_is_load");
+    CHECK(certificate::coq_name("is_loaded") == "is_loaded");
+    CHECK(certificate::coq_name("sigma") == "sigma");
 }

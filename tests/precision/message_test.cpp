@@ -55,9 +55,14 @@ TEST_CASE("a message is one line, and does not echo an oversized text") {
     const InputError error("a = \"" + std::string(100'000, '1') + "\x1b\": it is\nwrong",
                            "write 1");
     const std::string said = error.at("f.toml", 3).what();
-    CHECK(said.size() < 1000);
+    CHECK(said.size() < 300);
     CHECK(said.find("f.toml:3: a = \"111") == 0);
     CHECK(said.find("\\x1b\": it is wrong; write 1") != std::string::npos);
+    const InputError words("no " + std::string(200, 'p') + " and " + std::string(201, 'q'),
+                           std::string(5000, 'r'));
+    CHECK(std::string(words.what()).find("no " + std::string(200, 'p') + " and qqq") == 0);
+    CHECK(std::string(words.what()).size() < 620);
+    CHECK(std::string(words.at(std::string(5000, 's'), 7).what()).size() < 930);
 }
 
 TEST_CASE("shortened: the ends stay, characters stay whole") {

@@ -125,6 +125,18 @@ def test_integrals_of_many_digits_end_soon(digits):
     assert seconds < 2.5
 
 
+@pytest.mark.parametrize("asked", [
+    "['right.c9', 'left.c9'], degree=3",
+    "['P2', 'P1'], given={'P2': '((m+1)*P1/a+b)^40*((P1+a+b)^30-(P1-a)^30)'}, free=['m'], degree=12",
+])
+def test_relations_end_soon(asked):
+    """One expansion of a formula takes minutes."""
+    code = ALONE.replace("PROFILE", SINH).replace("WORK", f"edgeproof.relations({asked})")
+    out, err, seconds = run(code, after=1)
+    assert out.splitlines()[0] == "interrupted", err
+    assert seconds < 4  # 2, and a margin for a busy machine
+
+
 def test_an_exception_of_progress_ends_the_work(source):
     code = f"LEDGER = {str(source / 'verify/moore-hills.toml')!r}\n" + RAISED
     done = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True,

@@ -26,6 +26,42 @@ std::string in_comment(std::string text) {
     return text;
 }
 
+namespace {
+
+/// The keywords of Coq's reference manual (chapter "Basic notions", 8.16; `exists`, `exists2`,
+/// `IF`, `mod` and `using` of its notations and of earlier versions), words that begin a statement,
+/// and the names of the library that theorems use.
+constexpr auto words_of_coq = std::to_array<std::string_view>(
+    {"_",     "Axiom", "CoFixpoint", "Definition", "Fixpoint", "Hypothesis", "Parameter",
+     "Prop",  "SProp", "Set",        "Theorem",    "Type",     "Variable",   "as",
+     "at",    "cofix", "else",       "end",        "fix",      "for",        "forall",
+     "fun",   "if",    "in",         "let",        "match",    "return",     "then",
+     "where", "with",  "IF",         "exists",     "exists2",  "mod",        "using",
+     "by",    "is",    "of",         "Lemma",      "Proof",    "Qed",        "Print",
+     "R",     "PI",    "sqrt",       "exp",        "ln",       "sin",        "cos",
+     "tan",   "asin",  "acos",       "atan",       "Rabs",     "Rpower",     "Rmax",
+     "Rmin",  "Rplus", "Rmult",      "Rdiv",       "Rinv",     "is_RInt",    "RInt"});
+
+/// Whether a Coq file defines or states something of that name.
+bool defines(std::string_view file, std::string_view name) {
+    constexpr auto starts = std::to_array<std::string_view>(
+        {"Definition ", "Fixpoint ", "Inductive ", "Record ", "Lemma ", "Theorem ", "Ltac "});
+    return std::any_of(starts.begin(), starts.end(), [&](std::string_view start) {
+        const std::string sought = std::string(start) + std::string(name);
+        for (std::size_t at = file.find(sought); at != std::string_view::npos;
+             at = file.find(sought, at + 1)) {
+            const std::size_t end = at + sought.size();
+            if (end == file.size() ||
+                std::string_view(" :\n({.").find(file[end]) != std::string_view::npos) {
+                return true;
+            }
+        }
+        return false;
+    });
+}
+
+} // namespace
+
 std::string coq_name(const std::string& id) {
     std::string name = io::FileStem(id).text();
     for (char& c : name) {
@@ -33,16 +69,12 @@ std::string coq_name(const std::string& id) {
             (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
         c = plain ? c : '_';
     }
-    // Coq's keywords. The names of the imported Coq files are excluded, too.
-    static constexpr auto taken = std::to_array<std::string_view>(
-        {"as",    "at",      "cofix",  "else", "end",        "exists", "exists2",
-         "fix",   "for",     "forall", "fun",  "if",         "in",     "let",
-         "match", "mod",     "return", "then", "using",      "where",  "with",
-         "Lemma", "Theorem", "Prop",   "Set",  "Definition", "SProp",  "Type"});
     const bool letter = !name.empty() && (name.front() < '0' || name.front() > '9');
-    const bool is_taken = std::find(taken.begin(), taken.end(), name) != taken.end() ||
-                          std::any_of(theory_files().begin(), theory_files().end(),
-                                      [&](const TheoryFile& f) { return f.name == name; });
+    const bool is_taken =
+        std::find(words_of_coq.begin(), words_of_coq.end(), name) != words_of_coq.end() ||
+        std::any_of(theory_files().begin(), theory_files().end(), [&](const TheoryFile& f) {
+            return f.name == name || defines(f.content, name);
+        });
     return letter && !is_taken ? name : "claim_" + name;
 }
 

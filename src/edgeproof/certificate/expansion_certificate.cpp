@@ -82,7 +82,7 @@ struct Coefficients {
 class Words {
 public:
     Words(const audit::Claim& claim, const Expanded& e)
-        : claim_(claim), names_(smooth_contact(e.symmetric).names) {
+        : claim_(claim), in_theorem_(smooth_contact(e.symmetric).names), names_(in_theorem_) {
         for (const char* name : {"eps", "X", "S", "sigma"}) {
             names_.emplace(name, name);
         }
@@ -94,8 +94,16 @@ public:
                 part.arg(3) != formula::Expr::symbol("X")) {
                 throw NotStated(fmt::format("{} is not stated in Coq", to_text(part)));
             }
-            integral_ = fmt::format("(fun {} => {}) {} X", part.arg(1).name(),
-                                    coq_text(part.arg(0), names_), coq_text(part.arg(2), names_));
+            const std::string& variable = part.arg(1).name();
+            const std::string in_coq = coq_name(variable);
+            if (in_theorem_.contains(variable)) {
+                throw NotStated(
+                    fmt::format("the variable {} of an integral hides another", variable));
+            }
+            CoqNames inside = names_;
+            inside.insert_or_assign(variable, in_coq);
+            integral_ = fmt::format("(fun {} => {}) {} X", in_coq, coq_text(part.arg(0), inside),
+                                    coq_text(part.arg(2), names_));
             return std::string("(I eps)");
         });
     }
@@ -108,6 +116,7 @@ public:
 
 private:
     const audit::Claim& claim_;
+    CoqNames in_theorem_; ///< of the contact
     CoqNames names_;
     std::string integral_;
 };

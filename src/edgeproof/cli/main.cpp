@@ -9,6 +9,7 @@
 #include "edgeproof/report/text/program_line.hpp"
 
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <string_view>
@@ -93,6 +94,10 @@ int main(int argc, char** argv) {
         return 2;
     } catch (const std::bad_alloc&) {
         say("out of memory; ask for fewer digits");
+        return 2;
+    } catch (const std::filesystem::filesystem_error& e) {
+        say("a file or folder cannot be used: " + e.code().message() +
+            "; give another name, or a folder that is there");
         return 2;
     } catch (const std::exception& e) {
         say(e.what());

@@ -31,14 +31,6 @@ Rounding rounding_of(const std::string& name) {
                      "write nearest, down, up or enclosure");
 }
 
-report::TableFormat format_of(const std::string& name) {
-    const auto format = report::table_format(name);
-    if (!format) {
-        throw InputError("--format " + name + " is no format", "write csv, json, md or tex");
-    }
-    return *format;
-}
-
 /// Returns the scene for the quantities on the command line.
 scene::Scene stated_scene(const SceneOptions& o) {
     scene::SceneEntries entries = o.stated.entries();
@@ -127,6 +119,14 @@ void add_fact(std::vector<report::Fact>& facts, const std::string& key,
 }
 
 } // namespace
+
+report::TableFormat format_of(const std::string& name) {
+    const auto format = report::table_format(name);
+    if (!format) {
+        throw InputError("--format " + name + " is no format", "write csv, json, md or tex");
+    }
+    return *format;
+}
 
 void add_given_scene(CLI::App& sub, SceneOptions& o) {
     sub.add_option("scene", o.scene, "the scene (TOML); -: standard input");

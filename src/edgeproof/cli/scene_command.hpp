@@ -104,6 +104,8 @@ private:
     scene::Digits digits_;
 };
 
+/// Reads the argument of --format. Throws InputError for another name: checked before any work.
+[[nodiscard]] report::TableFormat format_of(const std::string& name);
 /// Shows on stderr the file for a scene that was given by quantities.
 void show_as_file(const SceneOptions& options);
 /// Writes to --out, whole or not at all, or to stdout; wraps lines on a terminal.

@@ -3,6 +3,8 @@
 
 #include "edgeproof/precision/message.hpp"
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace edgeproof {
@@ -10,19 +12,34 @@ namespace {
 
 constexpr std::size_t most_bytes = 600; ///< of the problem, and of the text after it
 
+constexpr std::size_t most_bytes_of_name = 300; ///< of a file
+constexpr std::size_t most_bytes_of_word = 200; ///< of a number, a name or a path that is quoted
+
+/// The text with the middle of each longer word left out.
+std::string with_short_words(const std::string& text) {
+    std::string all;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find(' ', at), text.size());
+        all += shortened(std::string_view(text).substr(at, end - at), most_bytes_of_word);
+        all += end < text.size() ? " " : "";
+        at = end + 1;
+    }
+    return all;
+}
+
 std::string one_line(const std::string& file, std::size_t line, const std::string& problem,
                      const std::string& instead) {
     std::string text;
     if (!file.empty()) {
-        text += file;
+        text += shortened(file, most_bytes_of_name);
         if (line != 0) {
             text += ':' + std::to_string(line);
         }
         text += ": ";
     }
-    text += shortened(problem, most_bytes);
+    text += shortened(with_short_words(problem), most_bytes);
     if (!instead.empty()) {
-        text += "; " + shortened(instead, most_bytes);
+        text += "; " + shortened(with_short_words(instead), most_bytes);
     }
     text = printable(text); // one line, without line breaks from the input
     return text;

@@ -11,7 +11,8 @@
 namespace edgeproof::validation {
 namespace {
 
-constexpr long most_asked_terms = 1000;
+/// Divided differences, the second route to a coefficient, take digits and points with its order.
+constexpr long most_asked_terms = 20;
 
 scene::Scene read_case_scene(const io::TomlSection& section) {
     (void)section.section("profile"); // a missing profile is reported first

@@ -192,3 +192,12 @@ TEST_CASE("the tilt is enclosed over extreme ratios" * doctest::test_suite("slow
     CHECK(fault_of_enclosure(flat, "0.3", "-0.3 + 1e-25") == "");
     CHECK(fault_of_enclosure(flat, "1e4", "-1e-21") == "");
 }
+
+TEST_CASE("the enclosure of a tilt ends at every precision that is too low for the moment") {
+    for (long bits = 180; bits <= 260; bits += 4) {
+        CAPTURE(bits);
+        CHECK_THROWS_AS((void)enclose_tilt(TiltedPunch::wedge(exact("0.1")), exact("1"), exact("1"),
+                                           exact("1e-90"), bits),
+                        BudgetError);
+    }
+}

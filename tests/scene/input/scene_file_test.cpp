@@ -160,3 +160,36 @@ TEST_CASE("bodies of different materials do shear where Dundurs' beta is 0") {
     CHECK_THROWS_AS((void)parsed(sheared("200", "1/2", "100", "1/2", tension)), InputError);
     CHECK_NOTHROW((void)parsed(sheared("200", "1/2", "200", "1/2", tension)));
 }
+
+TEST_CASE(
+    "what defines a contact is 0 or between 1e-10000 and 1e10000, places are not limited so") {
+    const auto line_of = [](const std::string& text) {
+        try {
+            (void)parsed(text);
+        } catch (const InputError& error) {
+            CAPTURE(error.what());
+            CHECK(std::string_view(error.what()).find("between 1e-10000 and 1e10000") !=
+                  std::string_view::npos);
+            CHECK(std::string_view(error.what()).size() < 300);
+            return error.line();
+        }
+        return std::size_t{0};
+    };
+    const auto scene = [](const std::string& R, const std::string& P) {
+        return "[profile]\nkind = \"hertz\"\nR = \"" + R + "\"\n[load]\nP = \"" + P +
+               "\"\ncontact_modulus = \"1\"\n[ask]\nu = [\"1e-90000\"]\n";
+    };
+    CHECK(line_of(scene("1", "1")) == 0);
+    CHECK(line_of(scene("1e10000", "1e-10000")) == 0);
+    CHECK(line_of(scene("1.01e10000", "1")) == 3);
+    CHECK(line_of(scene("-2e10000", "1")) == 3);
+    CHECK(line_of(scene("1", "9.99e-10001")) == 5);
+    CHECK(line_of(scene("1", "pi*1e-99999")) == 5);
+    CHECK(line_of(scene("exp(23100)", "1")) == 3); // 1.6e10032
+    CHECK(line_of(scene("exp(23000)", "1")) == 0); // 6.0e9988
+    CHECK(line_of(scene("0." + std::string(10001, '0') + "1", "1")) == 3);
+    const std::string piecewise = "[profile]\nkind = \"piecewise\"\nknots = [\"0\"]\n"
+                                  "slopes = [\"x\", \"1e-10001*x\"]\n";
+    CHECK(line_of(piecewise + load_text) == 4);
+    CHECK(line_of(profile_text + load_text + "[shear]\nQ = \"1e-10001\"\n") == 9);
+}

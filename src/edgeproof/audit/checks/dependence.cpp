@@ -95,6 +95,12 @@ AlgebraicDependence look_for_relations(const Claim& claim, const FreeFormulas& f
     return by_relations(formulas.quantities, static_cast<unsigned>(degree), under, evidence);
 }
 
+void add_finding(const Claim& claim, const std::string& is, const ComparedNumbers& numbers,
+                 unsigned digits, Outcome& outcome) {
+    outcome.note = claim.text("of") + " is " + is + " of the others near the point drawn";
+    add_pair(numbers, digits, outcome.evidence);
+}
+
 /// Judges from a proof, at a drawn point, that the quantity is not a function of the others.
 void judge_independent(const Claim& claim, const GradientRank& rank, bool says_independent,
                        unsigned digits, Outcome& outcome) {
@@ -105,13 +111,13 @@ void judge_independent(const Claim& claim, const GradientRank& rank, bool says_i
     } else if (const auto holds = Confirmation::less(none, left); holds && says_independent) {
         outcome.verdict = Judgement(*holds);
     }
-    outcome.note = claim.text("of") + " is not a function of the others near the point drawn";
-    add_pair({"gradient outside of the span of the others",
-              {left, ""},
-              "of a function of them",
-              {none, ""},
-              rank.at()},
-             digits, outcome.evidence);
+    add_finding(claim, "not a function",
+                {"gradient outside of the span of the others",
+                 {left, ""},
+                 "of a function of them",
+                 {none, ""},
+                 rank.at()},
+                digits, outcome);
 }
 
 /// Judges from a proof that near a drawn point the quantity's gradient lies in the span of the
@@ -127,13 +133,13 @@ void judge_function(const Claim& claim, const GradientRank& rank, bool says_inde
                holds && !says_independent) {
         outcome.verdict = Judgement(*holds);
     }
-    outcome.note = claim.text("of") + " is a function of the others near the point drawn";
-    add_pair({"rank of all gradients if it were none",
-              {of_independent, ""},
-              "rank proved",
-              {found, ""},
-              rank.at()},
-             digits, outcome.evidence);
+    add_finding(claim, "a function",
+                {"rank of all gradients if it were none",
+                 {of_independent, ""},
+                 "rank proved",
+                 {found, ""},
+                 rank.at()},
+                digits, outcome);
 }
 
 /// Checks if a quantity is a function of others, where P', P'', b', b'', ... are free: it is one

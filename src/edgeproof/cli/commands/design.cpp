@@ -5,6 +5,7 @@
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/figures/design_figure.hpp"
+#include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/tables/design_table.hpp"
 #include "edgeproof/scene/design/run_design.hpp"
 
@@ -32,8 +33,11 @@ int run(const DesignCommandOptions& o) {
     digits.count = o.digits.empty() ? 30
                                     : static_cast<unsigned>(whole_number(
                                           "--digits", o.digits, 2, scene::most_design_digits));
+    (void)format_of(o.format);
     io::check_output(o.out);
-    io::check_output(o.figure);
+    if (!o.figure.empty()) {
+        report::check_figure(o.figure);
+    }
     if (!o.figure.empty() && design.parameters.size() != 1) {
         throw InputError("--figure draws the reach against one parameter",
                          "leave it out, or fix one of the two");

@@ -38,10 +38,7 @@ void draw_slip_figures(const std::string& folder) {
 }
 
 int slip_table(const SlipTableRequest& o) {
-    const auto format = report::table_format(o.format);
-    if (!format) {
-        throw InputError("--format " + o.format + " is no format", "write csv, json, md or tex");
-    }
+    const report::TableFormat format = format_of(o.format);
     io::check_output(o.out);
     if (!o.figures.empty()) {
         io::check_folder(o.figures); // the folder is made when there is something to write
@@ -63,7 +60,7 @@ int slip_table(const SlipTableRequest& o) {
     if (!o.figures.empty()) {
         draw_slip_figures(o.figures);
     }
-    io::write_output(o.out.empty() ? "-" : o.out, write_table(table, *format));
+    io::write_output(o.out.empty() ? "-" : o.out, write_table(table, format));
     return 0;
 }
 

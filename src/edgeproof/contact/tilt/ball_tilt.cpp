@@ -11,7 +11,7 @@ namespace edgeproof::contact {
 namespace {
 
 constexpr unsigned lost_digits = 12;
-constexpr unsigned fewest_tilt_digits = 6;
+constexpr int fewest_tilt_digits = 6;
 
 } // namespace
 
@@ -32,9 +32,10 @@ EnclosedTilt enclose_tilt(const TiltedPunch& punch, const formula::Exact& contac
         [&](const formula::Exact& alpha) { // positive if the tilt is greater than alpha
             return moment - BallContact(punch.at(alpha), contact_modulus, load, bits).moment();
         };
-    for (unsigned k = digits; k >= fewest_tilt_digits; k -= digits / 8 + 1) {
-        formula::Exact lo = found.neighbour(k, -1);
-        formula::Exact hi = found.neighbour(k, 1);
+    const int step = static_cast<int>(digits) / 8 + 1;
+    for (int k = static_cast<int>(digits); k >= fewest_tilt_digits; k -= step) {
+        formula::Exact lo = found.neighbour(static_cast<unsigned>(k), -1);
+        formula::Exact hi = found.neighbour(static_cast<unsigned>(k), 1);
         if (formula::Exact(hi.expr() - lo.expr()).sign() < 0) {
             std::swap(lo, hi);
         }

@@ -120,21 +120,22 @@ void write_plot_files(const Plot& plot, const std::string& svg,
     }
 }
 
-void write_figure(const Plot& plot, const std::filesystem::path& file) {
-    if (file.extension() == ".csv") {
-        io::write_whole(file, to_csv(plot));
-        return;
-    }
-    if (file.extension() != ".svg") {
+void check_figure(const std::filesystem::path& file) {
+    if (file.extension() != ".svg" && file.extension() != ".csv") {
         throw InputError("--figure " + file.string() + " is neither .svg nor .csv",
                          "name the file so");
     }
-    const auto gnuplot = find_gnuplot();
-    if (!gnuplot) {
+    if (file.extension() == ".svg" && !find_gnuplot()) {
         throw InputError("there is no gnuplot to draw " + file.string(),
                          "install gnuplot-nox, or write a .csv");
     }
-    io::write_whole(file, draw_svg(plot, *gnuplot));
+    io::check_output(file);
+}
+
+void write_figure(const Plot& plot, const std::filesystem::path& file) {
+    check_figure(file);
+    io::write_whole(file, file.extension() == ".csv" ? to_csv(plot)
+                                                     : draw_svg(plot, find_gnuplot().value()));
 }
 
 std::string inline_svg(const std::string& svg, const Plot& plot) {

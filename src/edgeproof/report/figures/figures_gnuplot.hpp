@@ -23,8 +23,10 @@ namespace edgeproof::report {
 void write_plot_files(const Plot& plot, const std::string& svg,
                       const std::filesystem::path& folder);
 
-/// Writes the plot as .svg (by gnuplot) or as .csv: the argument of an option --figure. Throws
-/// InputError for another ending, and for .svg without gnuplot.
+/// Throws InputError if a file of an option --figure cannot be written: for an ending other than
+/// .svg and .csv, for .svg without gnuplot, and as io::check_output.
+void check_figure(const std::filesystem::path& file);
+/// Writes the plot as .svg (by gnuplot) or as .csv. Throws as check_figure.
 void write_figure(const Plot& plot, const std::filesystem::path& file);
 
 /// Prepares the SVG for a page: without a prolog, with unique ids, without a background, and with

@@ -6,6 +6,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/scene/input/contact_constant.hpp"
 
 #include <array>
 #include <functional>
@@ -33,7 +34,7 @@ contact::Profile read_cylinders(const io::TomlSection& section, bool two,
     section.allow(two ? std::vector<std::string_view>{"kind", "R", "R1", "R2"}
                       : std::vector<std::string_view>{"kind", "R"});
     const auto curvature = [&](std::string_view key) {
-        const formula::Exact R = section.exact(key);
+        const formula::Exact R = contact_constant(section, key);
         if (io::at_place(section.file(), section.line(key), [&] { return R.sign(); }) == 0) {
             section.reject(key, std::string(key) + " is zero",
                            "give a radius; a flat body is left out");
@@ -52,7 +53,7 @@ contact::Profile read_cylinders(const io::TomlSection& section, bool two,
     formula::Expr sum = curvature(!pair ? "R" : section.has("R1") ? "R1" : "R2");
     if (section.has("R1") && section.has("R2")) {
         sum = sum + curvature("R2");
-        radii = Radii{section.exact("R1"), section.exact("R2")};
+        radii = Radii{contact_constant(section, "R1"), contact_constant(section, "R2")};
     }
     const formula::Exact C(sum);
     const char* const key = !pair ? "R" : section.has("R1") ? "R1" : "R2";
@@ -109,6 +110,7 @@ contact::Profile read_piecewise(const io::TomlSection& section) {
     std::vector<formula::Exact> knots;
     if (section.has("knots")) {
         for (const auto& item : section.exacts("knots")) {
+            check_size(section, "knots", item.value.expr(), item.value.text());
             knots.push_back(item.value);
         }
     }
@@ -120,6 +122,7 @@ contact::Profile read_piecewise(const io::TomlSection& section) {
             throw InputError("slope \"" + text + "\": " + error.problem(), error.instead())
                 .at(section.file(), section.line("slopes"));
         }
+        check_size(section, "slopes", slopes.back(), text);
     }
     return located(section, {}, [&] {
         return symmetric ? contact::Profile::piecewise_symmetric(knots, slopes)
@@ -133,7 +136,7 @@ void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scen
     scene.profile_line = section.line();
     const std::string kind = section.text("kind");
     const auto get = [&](std::string_view key) {
-        formula::Exact value = section.exact(key);
+        formula::Exact value = contact_constant(section, key);
         (void)io::at_place( // every parameter is compared with zero
             section.file(), section.line(key), [&] { return value.sign(); },
             "write " + std::string(key) + " as a simpler number, or 0 where it is zero");

@@ -6,6 +6,7 @@
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_limits.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/input/contact_constant.hpp"
 #include "edgeproof/scene/input/file_kind.hpp"
 #include "edgeproof/scene/input/read_ask.hpp"
 #include "edgeproof/scene/input/read_profile.hpp"
@@ -28,8 +29,8 @@ struct Materials {
 formula::Exact composite_modulus(const io::TomlSection& load, Materials& materials,
                                  std::optional<Bodies>& bodies) {
     const auto body = [&](const char* E_key, const char* nu_key) {
-        const formula::Exact E = load.exact(E_key);
-        const formula::Exact nu = load.exact(nu_key);
+        const formula::Exact E = contact_constant(load, E_key);
+        const formula::Exact nu = contact_constant(load, nu_key);
         if (sign_of(load, E_key, E) <= 0) {
             load.reject(E_key, std::string(E_key) + " = " + E.text() + " is not positive",
                         "give Young's modulus > 0");
@@ -65,7 +66,7 @@ formula::Exact read_modulus(const io::TomlSection& load, Materials& materials,
             load.reject("contact_modulus", "the contact modulus is given twice",
                         "give contact_modulus, or E1, nu1, E2 and nu2");
         }
-        formula::Exact modulus = load.exact("contact_modulus");
+        formula::Exact modulus = contact_constant(load, "contact_modulus");
         if (sign_of(load, "contact_modulus", modulus) <= 0) {
             load.reject("contact_modulus",
                         "contact_modulus = " + modulus.text() + " is not positive", "give E* > 0");
@@ -96,7 +97,7 @@ void read_load(const io::TomlSection& load, Scene& scene, Materials& materials) 
                     "give one of a = \"...\" and P = \"...\"");
     }
     const std::string_view given = key;
-    const formula::Exact value = load.exact(key);
+    const formula::Exact value = contact_constant(load, key);
     if (sign_of(load, key, value) <= 0) {
         load.reject(key, std::string(key) + " = " + value.text() + " is not positive",
                     std::string("give ") + key + " > 0");
@@ -111,7 +112,7 @@ void read_load(const io::TomlSection& load, Scene& scene, Materials& materials) 
             load.reject("M", "a moment M is given with " + std::string(given),
                         "give P and M, or a and the tilt alpha in [profile]");
         }
-        scene.moment = load.exact("M");
+        scene.moment = contact_constant(load, "M");
     }
 }
 
@@ -151,7 +152,7 @@ void read_friction(const io::TomlSection& shear, contact::ShearSpec& spec, Scene
     if (!shear.has("friction")) {
         return;
     }
-    spec.friction = shear.exact("friction");
+    spec.friction = contact_constant(shear, "friction");
     scene.friction_line = shear.line("friction");
     scene.tension_line = shear.line(shear.has("bulk_tension") ? "bulk_tension" : "friction");
     if (sign_of(shear, "friction", *spec.friction) <= 0) {
@@ -176,8 +177,9 @@ void read_shear(const io::TomlSection& shear, const Materials& materials, Scene&
                      "add Q = \"...\" or bulk_tension = \"...\", or leave [shear] out");
     }
     contact::ShearSpec spec;
-    spec.Q = shear.has("Q") ? shear.exact("Q") : formula::Exact();
-    spec.bulk_tension = shear.has("bulk_tension") ? shear.exact("bulk_tension") : formula::Exact();
+    spec.Q = shear.has("Q") ? contact_constant(shear, "Q") : formula::Exact();
+    spec.bulk_tension =
+        shear.has("bulk_tension") ? contact_constant(shear, "bulk_tension") : formula::Exact();
     if (sign_of(shear, "Q", spec.Q) == 0 &&
         sign_of(shear, "bulk_tension", spec.bulk_tension) == 0) {
         shear.reject(shear.line(), "the shear section has no load: Q and bulk_tension are zero",

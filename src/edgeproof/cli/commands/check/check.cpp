@@ -12,6 +12,7 @@
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/report/figures/agreement_figure.hpp"
+#include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/tables/agreement_report.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"
 
@@ -136,7 +137,9 @@ int check(const CheckOptions& o) {
         return self_test(o.answers, o.self, o.threads);
     }
     io::check_output(o.junit);
-    io::check_output(o.figure);
+    if (!o.figure.empty()) {
+        report::check_figure(o.figure);
+    }
     report::Conformance result;
     result.target = target_of(o);
     const std::size_t errors = whole_number("--errors", o.errors, 0, 1'000'000'000);

@@ -39,18 +39,17 @@ TEST_CASE("verify names the certificate of a verdict, and what the verdict rests
     REQUIRE(run(folder, "certify own.toml --out certificates").code == 0);
     const auto with = verified_claim(folder);
     CHECK(with.at("verdict") == "refuted");
-    CHECK(with.at("certificate") == "certificates/c0.v");
+    CHECK(with.at("certificate") == "certificates/claim_c0.v");
     CHECK(with.at("rests_on") == "theorem");
-    CHECK(run(folder, "verify own.toml --digits 20").out.find("theorem: certificates/c0.v") !=
-          std::string::npos);
-    CHECK(file_text(folder.path() / "out/verdicts.md").find("`certificates/c0.v`") !=
+    CHECK(run(folder, "verify own.toml --digits 20").out.find("claim_c0.v") != std::string::npos);
+    CHECK(file_text(folder.path() / "out/verdicts.md").find("`certificates/claim_c0.v`") !=
           std::string::npos);
 
     folder.write("own.toml", wedge_ledger(wedge_right)); // the certificate is about another formula
     CHECK(verified_claim(folder).at("certificate").is_null());
     REQUIRE(run(folder, "certify own.toml --out certificates").code == 0);
     const auto confirmed = verified_claim(folder);
-    CHECK(confirmed.at("certificate") == "certificates/c0.v");
+    CHECK(confirmed.at("certificate") == "certificates/claim_c0.v");
     CHECK(confirmed.at("rests_on") == "enclosures"); // a theorem about one contact
 }
 
@@ -60,7 +59,7 @@ TEST_CASE("verify shows no certificate that is stated in other definitions") {
     REQUIRE(run(folder, "certify own.toml --out elsewhere").code == 0);
     CHECK(verified_claim(folder).at("certificate").is_null());
     CHECK(verified_claim(folder, " --certificates elsewhere").at("certificate") ==
-          "elsewhere/c0.v");
+          "elsewhere/claim_c0.v");
     const auto theory = folder.path() / "elsewhere/Edges.v";
     folder.write("elsewhere/Edges.v", file_text(theory) + "\n");
     CHECK(verified_claim(folder, " --certificates elsewhere").at("certificate").is_null());
@@ -80,7 +79,7 @@ TEST_CASE("the page links to the certificate from where it is written") {
         REQUIRE(end != std::string::npos);
         const std::size_t begin = page.rfind("href=\"", end) + 6;
         const auto linked = folder.path() / out / page.substr(begin, end - begin);
-        CHECK(std::filesystem::equivalent(linked, folder.path() / "proofs/c0.v"));
+        CHECK(std::filesystem::equivalent(linked, folder.path() / "proofs/claim_c0.v"));
     }
     folder.write("own.toml", wedge_ledger(wedge_right)); // the certificate is about another formula
     REQUIRE(run(folder, "verify own.toml --digits 20 --certificates proofs --out out").code == 0);

@@ -200,7 +200,7 @@ TEST_CASE("a malformed question is bad input, with its line") {
               .rfind("a.csv:3: unknown quantity", 0) == 0);
     CHECK(refusal(good + "2,power-law,-3,1,,,1,1,p,right,0.1,0.3\n").rfind("a.csv:3: ", 0) == 0);
     CHECK(refusal(good + "2" + hertz_cells + "q,right,0.1,0.3\n")
-              .rfind("a.csv:3: q is asked for", 0) == 0);
+              .rfind("a.csv:3: q is requested", 0) == 0);
     CHECK_THROWS_AS((void)echoed_answers(parse_csv("id,value\n1,2\n", "a.csv")), InputError);
     CHECK_THROWS_AS((void)echoed_answers(parse_csv("id,kind,quantity\n1,2,3\n", "a.csv")),
                     InputError);

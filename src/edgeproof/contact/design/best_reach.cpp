@@ -41,7 +41,7 @@ public:
 
     [[nodiscard]] BestReach run() {
         count_.most = share_of_samples * options_.budget;
-        sample(ranges_, SampleGrid::of(ranges_.size(), is_dear(*problem_.edges[0])));
+        sample(ranges_, SampleGrid::of(ranges_.size(), is_costly(*problem_.edges[0])));
         if (sampled_.value.empty()) {
             throw BudgetError("no reach is found anywhere in the range");
         }

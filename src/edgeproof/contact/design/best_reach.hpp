@@ -74,9 +74,9 @@ struct SampleGrid {
     int first = 96;
     int later = 16;
     int rounds = 14; ///< to what binary64 tells apart: beside a root of the parameter it counts
-    [[nodiscard]] static SampleGrid of(std::size_t parameters, bool dear = false) {
-        return parameters == 1 ? (dear ? SampleGrid{24, 8, 14} : SampleGrid{})
-                               : (dear ? SampleGrid{8, 4, 8} : SampleGrid{24, 6, 14});
+    [[nodiscard]] static SampleGrid of(std::size_t parameters, bool costly = false) {
+        return parameters == 1 ? (costly ? SampleGrid{24, 8, 14} : SampleGrid{})
+                               : (costly ? SampleGrid{8, 4, 8} : SampleGrid{24, 6, 14});
     }
     /// All of them, ends of cells included.
     [[nodiscard]] std::size_t count(std::size_t parameters) const {

@@ -38,7 +38,7 @@ public:
           const Rational& shown, const DesignOptions& options)
         : problem_(problem), ranges_(ranges), shown_(shown), target_(shown + options.gap),
           options_(options), tolerance_(problem.tolerance, cover_bits),
-          fewer_(is_dear(*problem.edges[0]) ? 4U : 1U) {}
+          fewer_(is_costly(*problem.edges[0]) ? 4U : 1U) {}
 
     /// The widest boxes first, so that what is left at the end of the budget is narrow.
     [[nodiscard]] CoveredRange run() {

@@ -80,7 +80,7 @@ protected:
 };
 
 /// Samples are fewer where an evaluation takes long.
-[[nodiscard]] inline bool is_dear(const ErrorFamily& f) { return f.cost().at > 60; }
+[[nodiscard]] inline bool is_costly(const ErrorFamily& f) { return f.cost().at > 60; }
 
 /// A scene's numbers as formulas in the names of its parameters.
 struct ParametricLoad {

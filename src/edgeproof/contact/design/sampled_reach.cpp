@@ -14,7 +14,7 @@ namespace {
 
 constexpr long sample_bits = 96;
 constexpr int sample_points = 160;
-constexpr int dear_sample_points = 48;          ///< where an evaluation takes long
+constexpr int costly_sample_points = 48;        ///< where an evaluation takes long
 constexpr double width_of_a_crossing = 0x1p-48; // relative
 constexpr int bits_of_an_extremum = 27;         // values are flat there: half of those of a double
 /// An extremum of |f| by less than this share of the tolerance is looked at more closely.
@@ -146,7 +146,7 @@ SampledReach sampled_reach(const ReachProblem& problem, const std::vector<double
             return result;
         }
         EdgeSamples(*errors[i], problem.tolerance.convert_to<double>(), end, length / 2,
-                    is_dear(*problem.edges[i]) ? dear_sample_points : sample_points, whole)
+                    is_costly(*problem.edges[i]) ? costly_sample_points : sample_points, whole)
             .into(result, i);
     }
     std::sort(result.extrema.begin(), result.extrema.end(),

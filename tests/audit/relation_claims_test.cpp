@@ -73,6 +73,11 @@ TEST_CASE("a difference beyond the digits at hand is found with more of them") {
 }
 
 TEST_CASE("an inequality that fails at one point is not confirmed") {
+    // x = a/3, u = L/3, is a place of the scan, and the value there is 0 or nearly 0.
+    for (const unsigned digits : {15U, 30U, 120U}) {
+        CHECK(verdict_of(relation("(x-a/3)^2 <= 0", "holds = \"nowhere\""), digits) == "undecided");
+        CHECK(verdict_of(relation("(x-a/3)^2 > 0"), digits) == "undecided");
+    }
     // With equality at u = L/7 or u = 3 L/7, which no place of the scan meets.
     CHECK(verdict_of(relation("(u/L-1/7)^2 <= 0", "holds = \"nowhere\""), 15) == "undecided");
     CHECK(verdict_of(relation("(u/L-1/7)^2 > 0"), 15) == "undecided");

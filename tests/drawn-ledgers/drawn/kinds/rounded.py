@@ -107,7 +107,9 @@ def text_of(units, exponent, rng):
 
 
 def interval(units, exponent):
-    return (units - mpf(1) / 2) * mpf(10) ** exponent, (units + mpf(1) / 2) * mpf(10) ** exponent
+    """Half a unit on both sides; a tie lies inside, despite the roundoff of the ends."""
+    half = mpf(1) / 2 + mpf(10) ** -40
+    return (units - half) * mpf(10) ** exponent, (units + half) * mpf(10) ** exponent
 
 
 def _drawn(rng, exact):

@@ -112,7 +112,8 @@ bool MarginScan::nearly_changes(bool holding) const {
         const Real m = sign * places_[i].margin.difference;
         const Real r = sign * places_[i + 1].margin.difference;
         const Real nearby = std::max(Real(abs(l)), Real(abs(r)));
-        if (m <= l && m <= r && abs(m) <= negligible * nearby && abs(m) > equal * nearby) {
+        const bool counts_as_equal = equal > 0 && abs(m) <= equal * nearby;
+        if (m <= l && m <= r && abs(m) <= negligible * nearby && !counts_as_equal) {
             return true;
         }
     }

@@ -2,7 +2,7 @@
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/ledger/ledger.hpp"
-#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/audit/contact_formula.hpp"
 #include "tests/support/namespaces.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/curved/integrated_zones.hpp"
+#include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
-#include "edgeproof/formula/exact/enclosed_constant.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/formula/definitions.hpp"
+#include "edgeproof/formula/expr.hpp"
 
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"

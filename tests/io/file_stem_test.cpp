@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/io/file_stem.hpp"
+#include "edgeproof/io/output_file.hpp"
 
 #include "tests/support/namespaces.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/quadrature/root_ends.hpp"
+#include "edgeproof/quadrature/near_singularity.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <boost/math/constants/constants.hpp>

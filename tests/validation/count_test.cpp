@@ -2,8 +2,6 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/validation/counts/count.hpp"
-#include "edgeproof/validation/counts/count_contact.hpp"
-#include "edgeproof/validation/counts/count_state.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>

@@ -4,7 +4,7 @@
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/validation/enclosed_value.hpp"
-#include "edgeproof/validation/run_cases.hpp"
+#include "edgeproof/validation/hard_cases.hpp"
 #include "tests/support/namespaces.hpp"
 #include "tests/support/paths.hpp"
 

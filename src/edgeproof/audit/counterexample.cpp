@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/counterexample_parts.hpp"
+#include "edgeproof/audit/counterexample.hpp"
 #include "edgeproof/audit/sample/formal_values.hpp"
 #include "edgeproof/audit/symbolic/symbolic.hpp"
-#include "edgeproof/formula/exact/enclosed_constant.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 

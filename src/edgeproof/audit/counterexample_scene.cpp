@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/counterexample_parts.hpp"
+#include "edgeproof/audit/counterexample.hpp"
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/precision/error.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/parts/quoted_figure.hpp"
 #include "edgeproof/certificate/parts.hpp"
-#include "edgeproof/certificate/theory/sampled_statement.hpp"
 #include "edgeproof/certificate/theory/statement.hpp"
 
 #include <fmt/format.h>

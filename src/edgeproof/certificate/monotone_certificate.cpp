@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/certificate/parts.hpp"
-#include "edgeproof/certificate/theory/sampled_statement.hpp"
 #include "edgeproof/certificate/theory/statement.hpp"
 
 #include <fmt/format.h>

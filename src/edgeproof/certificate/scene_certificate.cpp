@@ -3,7 +3,7 @@
 
 #include "edgeproof/certificate/parts.hpp"
 #include "edgeproof/certificate/stated_contact.hpp"
-#include "edgeproof/certificate/theory/sampled_statement.hpp"
+#include "edgeproof/certificate/theory/statement.hpp"
 #include "edgeproof/formula/parse.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "edgeproof/certificate/stated_contact.hpp"
 
 #include "edgeproof/certificate/parts.hpp"
-#include "edgeproof/certificate/theory/sampled_statement.hpp"
+#include "edgeproof/certificate/theory/statement.hpp"
 
 #include <fmt/format.h>
 

@@ -3,6 +3,7 @@
 #include "edgeproof/audit/run.hpp"
 
 #include <string>
+#include <vector>
 
 namespace edgeproof::cli {
 
@@ -12,5 +13,9 @@ namespace edgeproof::cli {
 [[nodiscard]] audit::AuditResult judged_ledger(const audit::Ledger& ledger, unsigned digits,
                                                int threads, const std::string& only,
                                                bool timed = false);
+
+/// Writes a line on stderr for each claim of a ledger that could not be read or judged. Returns the
+/// exit status: 2, or 0 if there are none.
+[[nodiscard]] int report_claim_errors(const std::vector<audit::ClaimError>& errors);
 
 } // namespace edgeproof::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/parallel/processes.hpp"
+#include "edgeproof/parallel/distributed_work.hpp"
 
 #include <memory>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/scene/input/scene_entries.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -4,6 +4,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -70,5 +71,17 @@ std::size_t terminal_width() {
 }
 
 std::size_t width_to_wrap_at() { return ::isatty(STDOUT_FILENO) == 1 ? terminal_width() : 0; }
+
+void ProgramMessages::operator()(std::string_view text) {
+    const std::string_view now = text.substr(0, std::min(text.size(), most_bytes - shown_));
+    std::fwrite(now.data(), 1, now.size(), stderr);
+    shown_ += now.size();
+    if (now.size() < text.size() && !cut_) {
+        cut_ = true;
+        std::fprintf(stderr, "\nedgeproof: the program's messages beyond %zu bytes are left out\n",
+                     most_bytes);
+    }
+    std::fflush(stderr);
+}
 
 } // namespace edgeproof::cli

@@ -4,10 +4,10 @@
 ///   input/result_table.hpp  ResultTable: a program's table, with any columns and separators
 ///   exact_contact.hpp       ExactContact: the scene's own solution
 ///   alignment.hpp           AlignedResult: sign, origin, nodes with their exact pressure
-///   origin.hpp              origin_of(): the scene's origin in the coordinates of the data
+///   alignment.hpp              origin_of(): the scene's origin in the coordinates of the data
 ///   data_edges.hpp          DataContact: edges, force and elements of the data
 ///   measures.hpp            Errors: relative to the peak, to p itself, in the L2 norm; by distance
-///   coverage.hpp            undetermined(): quantities that the nodes do not determine
+///   data_edges.hpp            undetermined(): quantities that the nodes do not determine
 ///   edge_fit.hpp            EdgeFit: c_0 and c_1 by least squares
 ///   causes.hpp              Diagnosis: mistakes that would explain wrong data
 ///   convergence.hpp         Convergence: orders and extrapolated values of several meshes
@@ -17,7 +17,6 @@
 #include "edgeproof/comparison/input/result_table.hpp"
 #include "edgeproof/comparison/measures/alignment.hpp"
 #include "edgeproof/comparison/measures/convergence.hpp"
-#include "edgeproof/comparison/measures/coverage.hpp"
 #include "edgeproof/comparison/measures/data_edges.hpp"
 #include "edgeproof/comparison/measures/edge_fit.hpp"
 #include "edgeproof/comparison/measures/exact_contact.hpp"

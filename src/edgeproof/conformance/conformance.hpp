@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 /// Reference values, and the comparison of other programs' numbers with them.
-///   asked_contact.hpp  a profile under a load, as parameters in text
+///   question.hpp  a profile under a load, as parameters in text
 ///   question.hpp       Question: a value requested for a contact (scene/input/quantity.hpp)
 ///   recipe.hpp         Recipe: grids of contacts and the questions for each, from TOML
 ///   recipe_grid.hpp    RecipeGrid: a recipe of any number of rows, in pieces
 ///   parallel_for.hpp   pieces of work on several threads
-///   distributed_work.hpp pieces of work by several processes (processes.hpp), one of which leads
-///   reference.hpp      references: the answers, the same on any number of threads
+///   distributed_work.hpp pieces of work by several processes (distributed_work.hpp), one of which
+///   leads reference.hpp      references: the answers, the same on any number of threads
 ///   number_text.hpp    the grammar of numbers in answers
 ///   answers.hpp        the answers of another program, right or wrong
 ///   child_process.hpp  runs another program, text in and text out
@@ -26,7 +26,6 @@
 #include "edgeproof/conformance/causes/convention.hpp"
 #include "edgeproof/conformance/causes/corruption.hpp"
 #include "edgeproof/conformance/causes/unit_mistake.hpp"
-#include "edgeproof/conformance/questions/asked_contact.hpp"
 #include "edgeproof/conformance/questions/conditioning.hpp"
 #include "edgeproof/conformance/questions/question.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
@@ -37,4 +36,3 @@
 #include "edgeproof/io/csv.hpp"
 #include "edgeproof/parallel/distributed_work.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"
-#include "edgeproof/parallel/processes.hpp"

@@ -33,7 +33,6 @@
 ///   design/design.hpp                 the parameter for which an approximation reaches farthest
 #include "edgeproof/contact/batch/batch_pressure.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
-#include "edgeproof/contact/curved/integrated_zones.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/curved/slope_monotonicity.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"

@@ -5,14 +5,12 @@
 ///   cost_route.hpp  the routes in each arithmetic, with one interface for all
 ///   measure.hpp     CostCell: a route at a number of digits over the points of a case
 ///   growth.hpp      how cost grows with the digits, and the cost of a proof
-///   effects.hpp     the cost of tilt, shear, expansions and extents in a scene
-///   sampled_scene.hpp, speed_scan.hpp  random scenes: which take much longer than others
+///   growth.hpp     the cost of tilt, shear, expansions and extents in a scene
+///   speed_scan.hpp, speed_scan.hpp  random scenes: which take much longer than others
 ///   machine.hpp     the machine on which times were taken
 #include "edgeproof/cost/cost_case.hpp"
 #include "edgeproof/cost/cost_route.hpp"
-#include "edgeproof/cost/effects.hpp"
 #include "edgeproof/cost/growth.hpp"
 #include "edgeproof/cost/machine.hpp"
 #include "edgeproof/cost/measure.hpp"
-#include "edgeproof/cost/sampled_scene.hpp"
 #include "edgeproof/cost/speed_scan.hpp"

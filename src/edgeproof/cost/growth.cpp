@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cost/growth.hpp"
+#include "edgeproof/cost/measure.hpp"
+#include "edgeproof/parallel/parallel_for.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +72,94 @@ std::vector<BoundCost> bound_costs(const std::vector<CostCell>& cells) {
         }
     }
     return all;
+}
+
+namespace {
+
+constexpr double enough_seconds_of_an_effect = 0.05;
+constexpr std::size_t fewest_runs = 3;
+constexpr std::size_t most_runs = 9;
+
+struct Added {
+    const char* name;
+    const char* base;
+    const char* profile;
+    const char* load;
+    const char* shear;
+    const char* ask;
+};
+
+constexpr const char* flat = "kind = \"flat-and-rounded\"\nt = \"0.4\"\nR = \"1\"\n";
+constexpr const char* tilted =
+    "kind = \"tilted-flat-and-rounded\"\nalpha = \"1/10\"\nt = \"0.4\"\nR = \"1\"\n";
+constexpr const char* untilted = "kind = \"tilted-flat-and-rounded\"\nt = \"0.4\"\nR = \"1\"\n";
+constexpr const char* by_edge = "a = \"1\"\n";
+constexpr const char* by_force = "P = \"1/2\"\n";
+constexpr const char* by_moment = "P = \"1/2\"\nM = \"-1/50\"\n";
+
+const Added effects[] = {
+    {"pressures of a symmetric punch", "", flat, by_edge, "", ""},
+    {"P given instead of a", "pressures of a symmetric punch", flat, by_force, "", ""},
+    {"tilt", "pressures of a symmetric punch", tilted, by_edge, "", ""},
+    {"tilt found from P and M", "tilt", untilted, by_moment, "", ""},
+    {"both edges of a tilted punch", "tilt", tilted, by_edge, "",
+     "edges = [\"right\", \"left\"]\n"},
+    {"shear under full stick", "pressures of a symmetric punch", flat, by_edge, "Q = \"0.1\"\n",
+     ""},
+    {"shear and bulk tension", "pressures of a symmetric punch", flat, by_edge,
+     "Q = \"0.1\"\nbulk_tension = \"0.2\"\n", ""},
+    {"shear in proportion to P", "pressures of a symmetric punch", flat, by_edge,
+     "Q = \"0.1\"\npath = \"together\"\n", ""},
+    {"expansion to 3 terms", "pressures of a symmetric punch", flat, by_edge, "", "terms = 3\n"},
+    {"expansion to 10 terms", "pressures of a symmetric punch", flat, by_edge, "", "terms = 10\n"},
+    {"expansion to 3 terms, tilted", "tilt", tilted, by_edge, "", "terms = 3\n"},
+    {"extents of 1 and 3 terms", "pressures of a symmetric punch", flat, by_edge, "",
+     "terms = [1, 3]\ntolerance = \"5%\"\nquantities = [\"extent\"]\n"},
+};
+
+scene::Scene scene_of(const Added& e, unsigned digits) {
+    std::string text =
+        std::string("[profile]\n") + e.profile + "[load]\n" + e.load + "contact_modulus = \"1\"\n";
+    if (*e.shear != '\0') {
+        text += std::string("[shear]\n") + e.shear;
+    }
+    text += "[ask]\n" + std::string(e.ask) + "digits = " + std::to_string(digits) + "\n";
+    if (std::string_view(e.ask).find("extent") == std::string_view::npos) {
+        text += "u = [\"1e-8\", \"1e-6\", \"1e-4\", \"1e-3\", \"0.01\", \"0.03\", \"0.1\", "
+                "\"0.2\", \"0.3\", \"0.45\"]\n";
+    }
+    return scene::parse_scene(text, e.name);
+}
+
+} // namespace
+
+std::vector<EffectCost>
+effect_costs(unsigned digits, bool timed,
+             const std::function<void(std::size_t, std::size_t)>& progress) {
+    std::vector<EffectCost> costs;
+    for (const Added& e : effects) {
+        check_interruption();
+        if (progress) {
+            progress(costs.size(), std::size(effects));
+        }
+        const scene::Scene scene = scene_of(e, digits);
+        EffectCost cost{e.name, e.base, run_scene(scene).work, 0, 1};
+        std::vector<double> seconds;
+        double spent = 0;
+        while (timed && (seconds.size() < fewest_runs ||
+                         (spent < enough_seconds_of_an_effect && seconds.size() < most_runs))) {
+            const double begun = parallel::thread_seconds();
+            (void)run_scene(scene);
+            seconds.push_back(parallel::thread_seconds() - begun);
+            spent += seconds.back();
+        }
+        cost.seconds = quartiles(std::move(seconds)).median;
+        const auto base = std::find_if(costs.begin(), costs.end(),
+                                       [&](const EffectCost& c) { return c.effect == cost.base; });
+        cost.ratio = base != costs.end() && base->seconds > 0 ? cost.seconds / base->seconds : 1;
+        costs.push_back(std::move(cost));
+    }
+    return costs;
 }
 
 } // namespace edgeproof::cost

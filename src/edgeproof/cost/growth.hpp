@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/law/work.hpp"
 #include "edgeproof/cost/measure.hpp"
 #include "edgeproof/roots/power_law_fit.hpp"
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,5 +39,20 @@ struct BoundCost {
 };
 /// Returns an entry for each case and number of digits that has both.
 [[nodiscard]] std::vector<BoundCost> bound_costs(const std::vector<CostCell>& cells);
+
+/// A scene with one thing more than its base, run by the method of `edgeproof pressure`.
+struct EffectCost {
+    std::string effect; ///< "shear under full stick"
+    std::string base;   ///< the effect with which it is compared; empty: it is itself a base
+    contact::Work work; ///< the counted work
+    double seconds = 0; ///< of the processor, for the whole scene, median over repeats
+    double ratio = 1;   ///< of `seconds` to the base's
+};
+
+/// Measures what a tilt, shear, expansions and extents add to ten pressures of a punch. Throws
+/// Interrupted.
+[[nodiscard]] std::vector<EffectCost>
+effect_costs(unsigned digits, bool timed,
+             const std::function<void(std::size_t, std::size_t)>& progress);
 
 } // namespace edgeproof::cost

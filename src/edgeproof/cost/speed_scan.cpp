@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cost/speed_scan.hpp"
-
 #include "edgeproof/cost/measure.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"
+#include "edgeproof/validation/counts/sample.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <map>
 #include <mutex>
@@ -72,6 +73,122 @@ std::vector<SpeedCell> scan_speed(const SpeedOptions& options) {
     std::stable_sort(all.begin(), all.end(),
                      [](const SpeedCell& x, const SpeedCell& y) { return x.ratio() > y.ratio(); });
     return all;
+}
+
+namespace {
+
+using validation::Dice;
+
+/// A function h(y) with h(0) = 0 that increases for y > 0.
+struct Slope {
+    const char* h;
+    bool odd = false;     ///< it may be the slope of both sides
+    bool bounded = false; ///< too weak to balance another side
+    bool ends = false;    ///< defined for y <= 1 only
+};
+
+constexpr std::array<Slope, 26> slopes{{
+    {"y + y^3", true},
+    {"y + 5*y^9", true},
+    {"y + y^2/3"},
+    {"y^(3/2)"},
+    {"sqrt(y)"},
+    {"y^(1/3)"},
+    {"y^(7/3)"},
+    {"y^(5/8)"},
+    {"y^(1/10)", false, true},
+    {"y^(21/2)"},
+    {"sqrt(y + 1) - 1"},
+    {"sqrt(y + 1/1000) - sqrt(1/1000)"},
+    {"sqrt(y^2 + 1/10000) - 1/100"},
+    {"sinh(2*y)", true},
+    {"exp(3*y) - 1"},
+    {"y + sin(9*y)/10", true},
+    {"log(1 + 20*y)", false, true},
+    {"tanh(5*y)", true, true},
+    {"tanh(40*y)", true, true},
+    {"atan(10*y)", true, true},
+    {"asinh(30*y)", true, true},
+    {"y/(1 + y)", false, true},
+    {"gamma(2 + y) - 1"},
+    {"y/sqrt(101/100 - y^2)", true, false, true},
+    {"tan(3*y/2)", true, false, true},
+    {"atanh(99*y/100) + asin(y*2/3)", true, false, true},
+}};
+
+const Slope& drawn_slope(Dice& dice, bool odd, bool unbounded, bool endless) {
+    for (;;) {
+        const Slope& s = slopes.at(dice.below(slopes.size()));
+        if ((s.odd || !odd) && !(s.bounded && unbounded) && !(s.ends && endless)) {
+            return s;
+        }
+    }
+}
+
+std::string with_argument(const std::string& h, const std::string& y) {
+    std::string text;
+    for (std::size_t i = 0; i < h.size(); ++i) {
+        const bool alone = h[i] == 'y'; // no function's name contains a y
+        text += alone ? "(" + y + ")" : h.substr(i, 1);
+    }
+    return text;
+}
+
+std::string list(const std::string& first, const std::string& second = {},
+                 const std::string& third = {}) {
+    std::string text = "[\"" + first + "\"";
+    for (const std::string& more : {second, third}) {
+        text += more.empty() ? "" : ", \"" + more + "\"";
+    }
+    return text + "]";
+}
+
+std::string curved_scene(Dice& dice) {
+    const std::string a = dice.decimal(3, dice.between(-3, 2));
+    const bool force_given = dice.below(3) == 0;
+    const std::string steep = "1/" + std::to_string(dice.between(3, 40));
+    const std::string half = a + "/" + std::to_string(dice.between(2, 30));
+    const auto slope = [&](bool odd, bool unbounded, const std::string& y) {
+        return steep + "*(" +
+               with_argument(drawn_slope(dice, odd, unbounded, force_given).h, y + "/" + a) + ")";
+    };
+    std::string profile = "kind = \"piecewise\"\n";
+    switch (dice.below(4)) {
+    case 0: // one formula
+        profile += "symmetric = true\nknots = []\nslopes = " + list(slope(true, false, "x"));
+        break;
+    case 1: // a flat, and a curve beyond it
+        profile += "symmetric = true\nknots = " + list(half) +
+                   "\nslopes = " + list("0", slope(false, false, "(x - " + half + ")"));
+        break;
+    case 2: // a cylinder, and an added curve beyond a knot
+        profile += "symmetric = true\nknots = " + list(half) + "\nslopes = " +
+                   list("x/(3*" + a + ")",
+                        "x/(3*" + a + ") + " + slope(false, false, "(x - " + half + ")"));
+        break;
+    default: { // two different sides, with a flat between them
+        const std::string left = slope(false, true, "(-x)");
+        profile += "knots = " + list("0", half) + "\nslopes = " +
+                   list("-(" + left + ")", "0", slope(false, true, "(x - " + half + ")"));
+        break;
+    }
+    }
+    const std::string load =
+        force_given ? "P = \"" + a + "/" + std::to_string(dice.between(100, 9999)) + "\""
+                    : "a = \"" + a + "\"";
+    return "[profile]\n" + profile + "\n[load]\n" + load + "\ncontact_modulus = \"1\"\n";
+}
+
+} // namespace
+
+SampledScene sampled_scene(std::uint64_t seed, std::size_t number) {
+    const std::string ask = "[ask]\nu = [\"a/1000000\", \"a/3\"]\n";
+    if (number % 2 == 0) {
+        Dice dice(Dice(seed ^ (0x9fb21c651e98df25U * (number + 1))).next());
+        return {"piecewise (curved)", curved_scene(dice) + ask};
+    }
+    const validation::SampledContact contact = validation::sampled_contact(seed, number, 0);
+    return {std::string(validation::sampled_profiles.at(contact.profile)), contact.text + ask};
 }
 
 } // namespace edgeproof::cost

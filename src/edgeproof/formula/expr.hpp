@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <set>
 #include <span>
@@ -132,5 +133,34 @@ using Path = std::vector<std::size_t>;
 struct ExprHash {
     [[nodiscard]] std::size_t operator()(const Expr& e) const noexcept { return e.hash(); }
 };
+
+/// Names with their formulas, which may contain other names of the map.
+using Definitions = std::map<std::string, Expr, std::less<>>;
+
+/// Substitutes the definitions into each other, so that no result contains a defined name. Throws
+/// InputError if a name depends on itself, with the cycle: "P2 -> P3 -> P2".
+[[nodiscard]] Definitions put_into_each_other(const Definitions& definitions);
+
+/// Returns e with the names replaced by the results of put_into_each_other.
+[[nodiscard]] Expr put_in(const Definitions& resolved, Expr e);
+
+/// Adds a name to those that are being replaced, and removes it in the destructor. Throws
+/// InputError if the name is already among them.
+class Replacing {
+public:
+    Replacing(std::vector<std::string>& names, const std::string& name);
+    ~Replacing() { names_.pop_back(); }
+    Replacing(const Replacing&) = delete;
+    Replacing& operator=(const Replacing&) = delete;
+
+private:
+    std::vector<std::string>& names_;
+};
+
+/// Returns q as a quotient, 3/2 rather than 1.5.
+[[nodiscard]] inline Expr quotient_of(const Rational& q) {
+    const Expr top = Expr::number(Rational(numerator(q)));
+    return denominator(q) == 1 ? top : top / Expr::number(Rational(denominator(q)));
+}
 
 } // namespace edgeproof::formula

@@ -8,11 +8,9 @@
 ///   exact/exact.hpp             Exact: a constant such as "pi/16", and its value at any precision
 ///   parity.hpp                  even and odd functions, recognised by their form
 ///   exact/identity.hpp          zeros and signs proved by exact algebra
-///   evaluation/evaluate.hpp     the value of an Expr in any number type
-///   evaluation/environment.hpp  Values: names with values, for an evaluation
+///   evaluation/evaluate.hpp     Values: names with values; the value of an Expr in any number type
 ///   evaluation/program.hpp      Program: an Expr compiled for many evaluations
 #include "edgeproof/formula/builtin.hpp"
-#include "edgeproof/formula/evaluation/environment.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/evaluation/program.hpp"
 #include "edgeproof/formula/exact/exact.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/parse.hpp"
 
-#include "edgeproof/formula/decimal_token.hpp"
+#include "edgeproof/formula/fold.hpp"
 #include "edgeproof/formula/names.hpp"
 
 #include <algorithm>

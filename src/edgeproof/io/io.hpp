@@ -4,8 +4,8 @@
 ///   toml/toml_section.hpp  TomlSection: the strict TOML reader, with exact numbers
 ///   text_file.hpp          read_text: a file as text, or the reason why it cannot be read
 ///   error_place.hpp        adds the file and the line to an error
-///   toml/toml_limits.hpp   limits of a TOML file: its size and its nesting
+///   toml/toml_text.hpp     text of TOML; limits of a TOML file: its size and its nesting
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/text_file.hpp"
-#include "edgeproof/io/toml/toml_limits.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
+#include "edgeproof/io/toml/toml_text.hpp"

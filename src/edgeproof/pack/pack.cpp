@@ -1,9 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/pack/pack.hpp"
-
+#include "edgeproof/comparison/measures/exact_contact.hpp"
+#include "edgeproof/conformance/questions/conditioning.hpp"
+#include "edgeproof/conformance/questions/recipe.hpp"
+#include "edgeproof/conformance/questions/reference.hpp"
 #include "edgeproof/io/sha256.hpp"
+#include "edgeproof/io/toml/toml_section.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
 
 namespace edgeproof::pack {
 namespace {
@@ -57,6 +69,223 @@ std::string manifest(const std::vector<PackFile>& files, const Origin& origin) {
         text += io::sha256(file.text) + "  " + file.name + "\n";
     }
     return text;
+}
+
+namespace {
+
+constexpr unsigned pack_digits = 50;
+/// A row with a relative condition number up to this is well conditioned and allows 4 units in the
+/// last place; others allow proportionally more.
+constexpr double well_conditioned = 8;
+constexpr double units_of_well_conditioned = 4;
+
+/// The columns of the contact, and the keys in them.
+constexpr std::array<std::pair<const char*, const char*>, 13> contact_columns{
+    {{"kind", "kind"},
+     {"m", "m"},
+     {"C", "C"},
+     {"phi", "phi"},
+     {"alpha", "alpha"},
+     {"t", "t"},
+     {"R", "R"},
+     {"a", "a"},
+     {"P", "P"},
+     {"M", "M"},
+     {"E", "contact_modulus"},
+     {"Q", "Q"},
+     {"S", "bulk_tension"}}};
+
+std::string double_text(double x) { return fmt::format("{:.17g}", x); }
+
+/// True if the columns can describe the contact.
+bool has_columns(const conformance::AskedContact& contact) {
+    return std::ranges::all_of(contact.parameters,
+                               [](const conformance::Parameter& p) {
+                                   return std::ranges::any_of(
+                                       contact_columns,
+                                       [&](const auto& column) { return p.key == column.second; });
+                               }) &&
+           parameter_text(contact, "kind") != "piecewise";
+}
+
+std::string contact_cells(const conformance::AskedContact& contact) {
+    std::string out;
+    for (const auto& [column, key] : contact_columns) {
+        const std::string text = parameter_text(contact, key);
+        const bool word = std::string_view(column) == "kind";
+        out += "," + (word           ? text
+                      : text.empty() ? std::string("nan")
+                                     : double_text(formula::Exact::parse(text).to<double>()));
+    }
+    return out;
+}
+
+class RowWriter {
+public:
+    RowWriter(const conformance::Questions& questions, bool with_scale, const PackOptions& options)
+        : questions_(questions), with_scale_(with_scale) {
+        reference_options_.digits = {pack_digits, Rounding::nearest, true};
+        reference_options_.threads = options.threads;
+        reference_options_.progress = options.progress;
+    }
+
+    PackRows write(const std::vector<std::string>& reasons) {
+        const auto answers = references_or_why(questions_, reference_options_);
+        std::vector<conformance::Reference> references(answers.size());
+        std::vector<std::size_t> which;
+        std::vector<scene::PrintedValue> texts(answers.size());
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            if (!answers[i].reference || !answers[i].reference->value.proved) {
+                continue;
+            }
+            references[i] = *answers[i].reference;
+            texts[i] = printed(references[i].value, reference_options_.digits);
+            if (texts[i].complete && !texts[i].undecided && texts[i].binary64 &&
+                *texts[i].binary64 != 0 && std::isnormal(*texts[i].binary64)) {
+                which.push_back(i);
+            }
+        }
+        conformance::ReferenceOptions quiet = reference_options_;
+        quiet.progress = {};
+        const auto conditions = conditioning(questions_, references, which, quiet);
+        PackRows rows;
+        rows.left_out = answers.size();
+        for (const std::size_t i : which) {
+            const auto& condition = conditions[i];
+            if (condition) {
+                rows.text += reasons.empty() ? "" : "# " + reasons[i] + "\n";
+                rows.text += row(i, texts[i], condition->number());
+                ++rows.rows;
+                --rows.left_out;
+            }
+        }
+        return rows;
+    }
+
+private:
+    [[nodiscard]] std::string row(std::size_t i, const scene::PrintedValue& value,
+                                  double condition) {
+        const conformance::Question& q = questions_.list[i];
+        const double units =
+            units_of_well_conditioned * std::max(1.0, std::ceil(condition / well_conditioned));
+        const auto& contact = questions_.contacts[q.contact];
+        return q.id + contact_cells(contact) +
+               fmt::format(",{},{},{},{},{},{},{},{},{:.3g},{:.0f}\n",
+                           q.at_edge() ? scene::edge_name(q.edge) : "none",
+                           q.u ? double_text(q.u->to<double>()) : "nan", symbol_of(q),
+                           scale_of(q.contact), value.text, value.bound,
+                           double_text(*value.binary64), hexadecimal(*value.binary64), condition,
+                           std::min(units, 1e15));
+    }
+    [[nodiscard]] std::string scale_of(std::size_t contact) {
+        if (!with_scale_) {
+            return "nan";
+        }
+        auto found = scales_.find(contact);
+        if (found == scales_.end()) {
+            const comparison::ExactContact exact(questions_.contacts[contact].scene);
+            found = scales_.emplace(contact, fmt::format("{:.6g}", exact.scale().value)).first;
+        }
+        return found->second;
+    }
+
+    const conformance::Questions& questions_;
+    bool with_scale_;
+    conformance::ReferenceOptions reference_options_;
+    std::map<std::size_t, std::string> scales_;
+};
+
+/// The quantity of a hard case, by the names of questions; nothing if no row can hold it.
+std::optional<scene::NamedQuantity> wanted_of(const io::TomlSection& hard_case) {
+    const std::string quantity = hard_case.text("quantity");
+    const std::string n = hard_case.written_or("n", "0");
+    if (quantity == "pressure") {
+        return scene::quantity_named("p");
+    }
+    if (quantity == "shear") {
+        return scene::quantity_named("q");
+    }
+    if (quantity == "coefficient") {
+        return scene::quantity_named("c_" + n);
+    }
+    if (quantity == "shear-coefficient") {
+        return scene::quantity_named("s_" + n);
+    }
+    if (quantity == "load") {
+        return scene::quantity_named("P");
+    }
+    return quantity == "left-edge" ? scene::quantity_named("b") : std::nullopt;
+}
+
+} // namespace
+
+std::string pack_columns() {
+    std::string out = "id";
+    for (const auto& [column, key] : contact_columns) {
+        out += std::string(",") + column;
+    }
+    return out + ",edge,u,quantity,scale,value,bound,binary64,hex,condition,ulps\n";
+}
+
+PackRows recipe_rows(std::string_view text, const std::string& file, bool with_scale,
+                     const PackOptions& options) {
+    const conformance::Recipe recipe = conformance::parse_recipe(text, file);
+    const conformance::Questions asked = rounded_to_binary64(recipe.questions);
+    return RowWriter(asked, with_scale, options).write({});
+}
+
+PackRows hard_case_rows(std::string_view text, const std::string& file,
+                        const PackOptions& options) {
+    const io::TomlSection top = io::TomlSection::parse(text, file);
+    const io::TomlSection cases = top.section("cases");
+    conformance::Questions asked;
+    asked.file = file;
+    std::vector<std::string> reasons;
+    for (const std::string& name : cases.keys()) {
+        const io::TomlSection one = cases.section(name);
+        const auto wanted = wanted_of(one);
+        if (!wanted || one.has("undecided")) {
+            continue;
+        }
+        std::vector<conformance::Parameter> parameters;
+        for (const char* section : {"profile", "load", "shear"}) {
+            if (one.has(section)) {
+                const io::TomlSection part = one.section(section);
+                for (const std::string& key : part.keys()) {
+                    if (part.is_list(key)) {
+                        parameters.push_back({"slopes", "", 0}); // no column can hold a list
+                    } else {
+                        parameters.push_back({key, part.written(key), 0});
+                    }
+                }
+            }
+        }
+        try {
+            conformance::AskedContact contact;
+            contact.parameters = parameters;
+            if (!has_columns(contact)) {
+                continue;
+            }
+            conformance::Question q;
+            q.id = "hard:" + name;
+            q.contact = asked.contacts.size();
+            q.quantity = wanted->quantity;
+            q.k = wanted->k;
+            q.line = one.line();
+            q.edge = one.has("edge") && one.text("edge") == "left" ? contact::Edge::left
+                                                                   : contact::Edge::right;
+            if (q.at_point()) {
+                q.u = conformance::rounded_to_binary64(one.exact("u"));
+            }
+            asked.contacts.push_back(conformance::make_asked_contact(
+                conformance::rounded_to_binary64(std::move(parameters)), file, one.line()));
+            asked.list.push_back(std::move(q));
+            reasons.push_back(one.text("class") + ": " + one.text("reason"));
+        } catch (const Error&) {
+            // Not a question in binary64: rounding has changed the contact or the place.
+        }
+    }
+    return RowWriter(asked, false, options).write(reasons);
 }
 
 } // namespace edgeproof::pack

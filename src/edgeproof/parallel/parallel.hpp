@@ -2,5 +2,3 @@
 #pragma once
 #include "edgeproof/parallel/distributed_work.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"
-#include "edgeproof/parallel/processes.hpp"
-#include "edgeproof/parallel/thread_seconds.hpp"

@@ -7,6 +7,7 @@
 #include <tbb/task_arena.h>
 
 #include <atomic>
+#include <ctime>
 #include <exception>
 #include <limits>
 #include <memory>
@@ -58,6 +59,12 @@ void work_through(const PieceSource& next, unsigned threads,
     if (error) {
         std::rethrow_exception(error);
     }
+}
+
+double thread_seconds() {
+    timespec now{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 } // namespace edgeproof::parallel

@@ -21,4 +21,7 @@ void work_through(const PieceSource& next, unsigned threads,
 /// The numbers 0, ..., n - 1.
 [[nodiscard]] PieceSource all_pieces(std::size_t n);
 
+/// Processor time of this thread so far, in seconds.
+[[nodiscard]] double thread_seconds();
+
 } // namespace edgeproof::parallel

@@ -14,7 +14,7 @@
 ///   arb_values.hpp  values of Arb's types that clear themselves
 ///   elementary.hpp  the arc tangent, sinh x and e^x - 1 of Real, by Arb
 ///   bounded_cache.hpp  tables of bounded size
-///   instantiate.hpp  the number types for which code is compiled
+///   arithmetic.hpp  the number types for which code is compiled
 ///   escalate.hpp    precision doubled until an enclosure is narrow enough
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/ball/ball.hpp"

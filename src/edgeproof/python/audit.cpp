@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/run.hpp"
-
-#include "edgeproof/certificate/certificate_folder.hpp"
+#include "edgeproof/certificate/certificate.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/python/bindings.hpp"
 #include "edgeproof/python/without_gil.hpp"
-#include "edgeproof/report/verdicts/golden.hpp"
+#include "edgeproof/report/tables/design_table.hpp"
 #include "edgeproof/report/verdicts/verdict_writers.hpp"
 
 #include <pybind11/stl.h>
@@ -79,6 +78,27 @@ py::dict verify(const std::string& ledger, long digits, const std::string& only,
 void bind_audit(py::module_& module) {
     module.def("verify", &verify, py::arg("ledger"), py::arg("digits"), py::arg("only"),
                py::arg("threads"), py::arg("progress"));
+}
+
+namespace {
+
+/// Returns the JSON of `edgeproof relations`.
+std::string relations(std::vector<std::string> quantities, long degree, bool symmetric,
+                      std::vector<std::pair<std::string, std::string>> given,
+                      std::vector<std::string> free) {
+    const audit::RelationQuestion question{std::move(quantities), degree, symmetric,
+                                           std::move(given), std::move(free)};
+    return without_gil([&] {
+        return write_table(report::relations_table(question, asked_relations(question)),
+                           report::TableFormat::json);
+    });
+}
+
+} // namespace
+
+void bind_relations(py::module_& module) {
+    module.def("relations", &relations, py::arg("quantities"), py::arg("degree"),
+               py::arg("symmetric"), py::arg("given"), py::arg("free"));
 }
 
 } // namespace edgeproof::python

@@ -6,7 +6,7 @@
 
 /// The Python module: the library's values, scenes, audits and conformance checks as Python
 /// objects. It computes nothing itself. Each source has one function, which adds its part:
-///   errors.cpp   the library's exceptions as those of edgeproof.errors
+///   module.cpp   the library's exceptions as those of edgeproof.errors
 ///   value.cpp    Value
 ///   scene.cpp    NativeScene
 ///   audit.cpp    verify

@@ -6,7 +6,7 @@
 #include "edgeproof/python/native_scene.hpp"
 #include "edgeproof/python/results.hpp"
 #include "edgeproof/python/without_gil.hpp"
-#include "edgeproof/scene/input/scene_entries.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <pybind11/numpy.h>

@@ -3,7 +3,6 @@
 
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/python/bindings.hpp"
-#include "edgeproof/python/undecided.hpp"
 
 #include <pybind11/operators.h>
 #include <pybind11/stl.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 
+#include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/instantiate.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/quadrature/level_estimate.hpp"
 #include "edgeproof/quadrature/tanh_sinh_nodes.hpp"

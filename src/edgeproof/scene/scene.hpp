@@ -7,11 +7,11 @@
 ///   plan.hpp         Plan: the effects that a scene needs, and their counts
 ///   quantity.hpp     the table of quantities: names, places, units, evaluators
 ///   value_route.hpp  ValueRoute: one interface for all ways to compute values
-///   exact_ball.hpp   exact constants as balls
+///   enclosure.hpp   exact constants as balls
 ///   bounded_value.hpp  BoundedValue: a value, its error, its route; printing
 ///   run_scene.hpp    run_scene: carries out the plan and counts the work
-///   scene_values.hpp SceneValues: single numbers of a scene
-#include "edgeproof/formula/exact/exact_ball.hpp"
+///   run_scene.hpp SceneValues: single numbers of a scene
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
 #include "edgeproof/scene/input/points.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
@@ -20,4 +20,3 @@
 #include "edgeproof/scene/route/plan.hpp"
 #include "edgeproof/scene/route/value_route.hpp"
 #include "edgeproof/scene/run_scene.hpp"
-#include "edgeproof/scene/scene_values.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/precision/elementary/gamma_taylor.hpp"
+#include "edgeproof/precision/arithmetic.hpp"
+#include "edgeproof/precision/elementary/elementary.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/repeated_product.hpp"
 
 #include <cmath>
 #include <vector>

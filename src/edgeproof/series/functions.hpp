@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/elementary/elementary.hpp"
-#include "edgeproof/precision/elementary/gamma_taylor.hpp"
-#include "edgeproof/precision/repeated_product.hpp"
 #include "edgeproof/series/truncated.hpp"
 
 #include <cmath>

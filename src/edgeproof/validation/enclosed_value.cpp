@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/validation/enclosed_value.hpp"
 
-#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/scene_values.hpp"
+#include "edgeproof/scene/run_scene.hpp"
 
 namespace edgeproof::validation {
 namespace {

@@ -3,7 +3,9 @@
 #include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,5 +42,58 @@ struct HardCase {
 /// Throws InputError with file and line for malformed input.
 [[nodiscard]] std::vector<HardCase> parse_hard_cases(std::string_view text,
                                                      const std::string& file);
+
+/// The arithmetics in which the textbook formula is evaluated, in the order of the columns.
+inline constexpr std::array<std::string_view, 4> plain_arithmetics{"double", "long double",
+                                                                   "__float128", "MPFR 50"};
+
+struct CaseSecondRoute {
+    std::string route;
+    std::string value;   ///< with the requested digits, or the reason why there is no value
+    unsigned digits = 0; ///< that agree with the enclosure, at most those of the enclosure
+    bool agrees = false; ///< in all requested digits, to 1 unit of the last
+};
+
+struct CaseOutcome {
+    std::string value; ///< as printed
+    std::string bound;
+    std::string route;
+    bool proved = false;
+    bool complete = false; ///< all requested digits are given
+    unsigned digits = 0;   ///< digits that the enclosure proves
+    std::vector<CaseSecondRoute> second_routes;
+    std::array<unsigned, plain_arithmetics.size()> plain{}; ///< digits of the textbook formula
+    bool undecided = false; ///< as the case expects: an estimate, with which both routes agree
+    std::string fault;      ///< empty if ball and both routes agree
+};
+
+struct CaseOptions {
+    unsigned digits = 50;
+    unsigned threads = 0; ///< 0: as many as the machine has
+    std::function<void(std::size_t, std::size_t)> progress = {};
+};
+
+/// Computes one case by balls to `digits` digits, by two routes in Real at the same number, and by
+/// the textbook formula in double, long double, __float128 and 50-digit MPFR. Errors are not thrown
+/// but reported as the fault of the case.
+[[nodiscard]] CaseOutcome run_case(const HardCase& c, unsigned digits);
+
+/// Computes all cases, in order. Throws Interrupted.
+[[nodiscard]] std::vector<CaseOutcome> run_cases(const std::vector<HardCase>& cases,
+                                                 const CaseOptions& options);
+
+/// The correct digits for a class: those of the worst and of the median case.
+struct FamilySummary {
+    std::string family;
+    std::size_t cases = 0;
+    std::size_t agree = 0; ///< ball and both routes agree
+    std::array<unsigned, plain_arithmetics.size()> worst{};
+    std::array<unsigned, plain_arithmetics.size()> median{};
+    unsigned worst_proved = 0;
+    unsigned median_proved = 0;
+};
+/// Returns a summary of each class, in the order of first occurrence.
+[[nodiscard]] std::vector<FamilySummary> summary(const std::vector<HardCase>& cases,
+                                                 const std::vector<CaseOutcome>& outcomes);
 
 } // namespace edgeproof::validation

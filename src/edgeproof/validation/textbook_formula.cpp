@@ -3,8 +3,8 @@
 
 #include "edgeproof/contact/law/edge_expansion.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
+#include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/instantiate.hpp"
 #include "edgeproof/validation/enclosed_value.hpp"
 #include "edgeproof/validation/plain_tanh_sinh.hpp"
 

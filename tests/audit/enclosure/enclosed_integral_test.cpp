@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
-#include "edgeproof/audit/enclosure/exact_zero.hpp"
+#include "edgeproof/audit/enclosure/integrand_parts.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"

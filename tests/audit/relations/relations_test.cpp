@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/relations/asked_relations.hpp"
 #include "edgeproof/audit/relations/relations.hpp"
-#include "edgeproof/audit/relations/residue.hpp"
+#include "edgeproof/audit/relations/residue_sample.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/symbolic/equivalence.hpp"
+#include "edgeproof/audit/symbolic/symbolic.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "tests/support/namespaces.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/symbolic/polynomial_factors.hpp"
-
 #include "edgeproof/audit/symbolic/ginac_bridge.hpp"
+
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/agreement.hpp"
-#include "edgeproof/conformance/causes/failing_rows.hpp"
+#include "edgeproof/conformance/causes/convention.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/design/edge_sum.hpp"
+#include "edgeproof/contact/design/edge_function.hpp"
 #include "edgeproof/precision/ball/acb_include.hpp"
 #include "edgeproof/precision/ball/arb_include.hpp"
 #include "tests/support/namespaces.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/enclosure/ball_peak.hpp"
+#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "tests/contact/scenes.hpp"

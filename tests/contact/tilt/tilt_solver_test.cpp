@@ -3,7 +3,6 @@
 
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/law/forward.hpp"
-#include "edgeproof/contact/tilt/ball_tilt.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/contact/scenes.hpp"
 #include "tests/support/namespaces.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 
-#include "edgeproof/formula/evaluation/environment.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "tests/support/namespaces.hpp"
 

@@ -3,7 +3,6 @@
 
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
-#include "edgeproof/report/figures/figures_residual.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "tests/support/namespaces.hpp"
 

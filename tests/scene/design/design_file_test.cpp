@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/design/design_file.hpp"
-#include "edgeproof/scene/design/design_text.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>

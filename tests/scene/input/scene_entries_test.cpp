@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/input/scene_entries.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 #include "tests/scene/scene_text.hpp"
 

@@ -2,7 +2,7 @@
 #include "edgeproof/audit/agreement/enclosures.hpp"
 
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
-#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 

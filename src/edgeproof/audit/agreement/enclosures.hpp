@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
-#include "edgeproof/audit/ledger/audit_result.hpp"
+#include "edgeproof/audit/ledger/ledger.hpp"
 #include "edgeproof/audit/ledger/printed_formula.hpp"
 
 #include <array>

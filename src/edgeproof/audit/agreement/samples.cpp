@@ -2,7 +2,7 @@
 #include "edgeproof/audit/agreement/samples.hpp"
 
 #include "edgeproof/audit/agreement/undefined.hpp"
-#include "edgeproof/audit/enclosure/enclosed_condition.hpp"
+#include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/audit/sample/naive_integral.hpp"
 #include "edgeproof/formula/magnitude.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -59,10 +59,6 @@ std::string sampling_key(const Claim& claim, unsigned digits, std::size_t most) 
     }
     return key;
 }
-
-} // namespace
-
-namespace {
 
 /// True if the values in Real differ by more than their errors: then balls must decide.
 bool seems_different(const SampleAgreement& s, double digits_needed) {

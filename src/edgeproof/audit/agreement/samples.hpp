@@ -2,7 +2,6 @@
 #pragma once
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/ledger/judgement.hpp"
-#include "edgeproof/audit/ledger/outcome.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
 

@@ -2,9 +2,9 @@
 #include "edgeproof/audit/agreement/undefined.hpp"
 
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
-#include "edgeproof/audit/enclosure/exact_zero.hpp"
+#include "edgeproof/audit/enclosure/integrand_parts.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
-#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/formula/magnitude.hpp"
 #include "edgeproof/precision/error.hpp"
 

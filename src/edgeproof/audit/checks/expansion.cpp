@@ -4,7 +4,7 @@
 #include "edgeproof/audit/checks/parts/decimal_fit.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/audit/sample/formal_values.hpp"
-#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>

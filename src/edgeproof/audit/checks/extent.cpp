@@ -5,7 +5,7 @@
 #include "edgeproof/audit/checks/parts/enclosed_reach.hpp"
 #include "edgeproof/audit/checks/parts/quoted_figure.hpp"
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
-#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/checks/parts/margin_scan.hpp"
+#include "edgeproof/audit/checks/parts/margin.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>

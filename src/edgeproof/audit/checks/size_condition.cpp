@@ -2,8 +2,7 @@
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/size_extents.hpp"
 #include "edgeproof/audit/checks/parts/size_scan.hpp"
-#include "edgeproof/audit/enclosure/enclosed_condition.hpp"
-#include "edgeproof/formula/evaluation/environment.hpp"
+#include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/error.hpp"
 

@@ -4,11 +4,10 @@
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/decimal_fit.hpp"
 #include "edgeproof/audit/checks/parts/enclosed_loads.hpp"
-#include "edgeproof/audit/checks/parts/proved_optimum.hpp"
-#include "edgeproof/audit/diagnosis/ratio.hpp"
+#include "edgeproof/audit/checks/parts/enclosed_reach.hpp"
+#include "edgeproof/audit/diagnosis/diagnosis.hpp"
 #include "edgeproof/audit/sample/linear_loads.hpp"
-#include "edgeproof/formula/exact/enclosed_constant.hpp"
-#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>

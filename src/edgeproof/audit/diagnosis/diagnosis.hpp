@@ -2,9 +2,12 @@
 #pragma once
 #include "edgeproof/audit/diagnosis/edits.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
+#include "edgeproof/audit/sample/evaluated_scene.hpp"
+#include "edgeproof/formula/expr.hpp"
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace edgeproof::audit {
 
@@ -31,5 +34,17 @@ void diagnose(const RefutedFormula& refuted, Outcome& outcome);
 [[nodiscard]] EditAlphabet alphabet_for(const Claim& claim, const formula::Expr& printed,
                                         const formula::Expr& exact,
                                         const SceneSpec* scene = nullptr);
+
+/// The ratio printed/exact for given values of the parameters.
+struct RatioSample {
+    Variables parameters;
+    Real ratio;
+};
+
+/// Returns the ratio as a closed form that agrees with every sample to `digits` digits: a sign, a
+/// rational, a power of pi, and whole, half or quarter powers of the parameters. Returns nothing if
+/// there is no such form of moderate size, or too few samples to decide.
+[[nodiscard]] std::optional<formula::Expr> recognise_ratio(const std::vector<RatioSample>& samples,
+                                                           unsigned digits);
 
 } // namespace edgeproof::audit

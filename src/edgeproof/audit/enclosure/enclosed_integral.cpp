@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
 
-#include "edgeproof/audit/enclosure/exact_zero.hpp"
 #include "edgeproof/audit/enclosure/integrand.hpp"
 #include "edgeproof/audit/enclosure/integrand_parts.hpp"
-#include "edgeproof/audit/enclosure/line_integral.hpp"
 #include "edgeproof/audit/enclosure/piece_integrals.hpp"
 #include "edgeproof/precision/error.hpp"
 

@@ -10,7 +10,7 @@
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
-#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosure/integrand.hpp"
 
-#include "edgeproof/audit/enclosure/integrand_state.hpp"
+#include "edgeproof/audit/enclosure/integrand_program.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/enclosure/integrand_state.hpp"
+#include "edgeproof/audit/enclosure/integrand_program.hpp"
 
 #include <algorithm>
 

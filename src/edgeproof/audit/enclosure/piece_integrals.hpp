@@ -47,4 +47,8 @@ private:
     unsigned digits_;
 };
 
+/// Returns the integral of f, in the variable of its centre, along the straight line from v to w.
+/// For boxes v and w, the result contains the integral between any two of their points.
+[[nodiscard]] Box line_integral(Integrand& f, const Box& v, const Box& w, unsigned digits);
+
 } // namespace edgeproof::audit

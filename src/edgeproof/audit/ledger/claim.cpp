@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/claim.hpp"
 
-#include "edgeproof/audit/ledger/scope.hpp"
-#include "edgeproof/formula/definitions.hpp"
+#include "edgeproof/audit/ledger/ledger_names.hpp"
+#include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>

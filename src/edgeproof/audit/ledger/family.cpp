@@ -2,8 +2,8 @@
 #include "edgeproof/audit/ledger/family.hpp"
 
 #include "edgeproof/contact/curved/proved_slip.hpp"
-#include "edgeproof/formula/definitions.hpp"
-#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/expr.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/split_mix.hpp"

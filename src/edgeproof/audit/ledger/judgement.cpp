@@ -104,4 +104,79 @@ Judgement Judgement::of_readings(const std::vector<Judgement>& readings) {
     return is(Verdict::undecided) > 0 ? Judgement() : readings.front();
 }
 
+Evidence& Evidence::add(std::string_view key, EvidenceItem value) {
+    for (Entry& entry : entries_) {
+        if (entry.first == key) {
+            entry.second = std::move(value);
+            return *this;
+        }
+    }
+    entries_.emplace_back(std::string(key), std::move(value));
+    return *this;
+}
+
+const EvidenceItem* Evidence::find(std::string_view key) const {
+    for (const Entry& entry : entries_) {
+        if (entry.first == key) {
+            return &entry.second;
+        }
+    }
+    return nullptr;
+}
+
+namespace {
+
+struct OneLine {
+    std::string operator()(const std::string& text) const { return text; }
+    std::string operator()(long count) const { return std::to_string(count); }
+    std::string operator()(bool yes) const { return yes ? "yes" : "no"; }
+    std::string operator()(const std::vector<EvidenceItem>& list) const {
+        std::string text;
+        for (const EvidenceItem& item : list) {
+            text += (text.empty() ? "" : ", ") + item.text();
+        }
+        return text;
+    }
+    std::string operator()(const Evidence& nested) const {
+        std::string text;
+        for (const auto& [key, item] : nested.entries()) {
+            text += (text.empty() ? "" : ", ") + key + " " + item.text();
+        }
+        return text;
+    }
+};
+
+} // namespace
+
+std::string EvidenceItem::text() const { return std::visit(OneLine{}, value_); }
+
+std::string_view name_of(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::proved:
+        return "proved";
+    case Verdict::confirmed:
+        return "confirmed";
+    case Verdict::imprecise:
+        return "imprecise";
+    case Verdict::refuted:
+        return "refuted";
+    case Verdict::underspecified:
+        return "underspecified";
+    case Verdict::undecided:
+        return "undecided";
+    case Verdict::definition:
+        break;
+    }
+    return "definition";
+}
+
+std::optional<Verdict> find_verdict(std::string_view name) {
+    for (const Verdict verdict : all_verdicts) {
+        if (name_of(verdict) == name) {
+            return verdict;
+        }
+    }
+    return std::nullopt;
+}
+
 } // namespace edgeproof::audit

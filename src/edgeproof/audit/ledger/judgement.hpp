@@ -1,14 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/audit/ledger/verdict.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
+#include <array>
+#include <concepts>
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 namespace edgeproof::audit {
+
+/// The verdict on a claim; always computed, never written in a ledger.
+enum class Verdict {
+    proved,         ///< by a symbolic identity: printed minus derived is zero
+    confirmed,      ///< agrees to the digits needed at every sample, or rounds to what is quoted
+    imprecise,      ///< off by one unit in the last quoted place, or true under one reading only
+    refuted,        ///< proved wrong by enclosures
+    underspecified, ///< cannot be evaluated as printed
+    undecided,      ///< the evidence at the budget given does not decide
+    definition,     ///< nothing to check
+};
+
+inline constexpr std::array all_verdicts{
+    Verdict::proved,         Verdict::confirmed, Verdict::imprecise, Verdict::refuted,
+    Verdict::underspecified, Verdict::undecided, Verdict::definition};
+
+[[nodiscard]] std::string_view name_of(Verdict verdict);
+[[nodiscard]] std::optional<Verdict> find_verdict(std::string_view name);
+
+/// True if the claim is right as it stands.
+[[nodiscard]] constexpr bool holds(Verdict verdict) {
+    return verdict == Verdict::proved || verdict == Verdict::confirmed ||
+           verdict == Verdict::definition;
+}
 
 /// A proof that a claim fails, at one sample or in one part. It can be made only from enclosures,
 /// never from a value in `Real`, an exception or a limit of the program.
@@ -102,5 +130,76 @@ struct OurLimit {
 
 /// The enclosure of a formula at a sample.
 using EnclosedValue = std::variant<Ball, NoValue, OurLimit>;
+
+class EvidenceItem;
+
+/// The reasons for a verdict: keys with values, in the order in which they were added. JSON and the
+/// tables keep this order. Computed numbers are stored as text, already rounded.
+class Evidence {
+public:
+    using Entry = std::pair<std::string, EvidenceItem>;
+
+    /// Adds `key`, or replaces its value without changing the order.
+    Evidence& add(std::string_view key, EvidenceItem value);
+    [[nodiscard]] const std::vector<Entry>& entries() const noexcept { return entries_; }
+    [[nodiscard]] bool empty() const noexcept;
+    /// Returns nullptr if the key is missing.
+    [[nodiscard]] const EvidenceItem* find(std::string_view key) const;
+
+private:
+    std::vector<Entry> entries_;
+};
+
+/// A text, an integer, a Boolean, a list, or nested evidence.
+class EvidenceItem {
+public:
+    using Value = std::variant<std::string, long, bool, std::vector<EvidenceItem>, Evidence>;
+
+    EvidenceItem(std::string text) : value_(std::move(text)) {} // NOLINT: converts on purpose
+    EvidenceItem(std::string_view text) : value_(std::string(text)) {}   // NOLINT
+    EvidenceItem(const char* text) : value_(std::string(text)) {}        // NOLINT
+    template <std::same_as<bool> B> EvidenceItem(B yes) : value_(yes) {} // NOLINT
+    template <std::integral N>
+    requires(!std::same_as<N, bool>) EvidenceItem(N count)
+        : value_(static_cast<long>(count)) {}                                 // NOLINT
+    EvidenceItem(std::vector<EvidenceItem> list) : value_(std::move(list)) {} // NOLINT
+    EvidenceItem(Evidence nested) : value_(std::move(nested)) {}              // NOLINT
+    EvidenceItem(const std::vector<std::string>& texts)                       // NOLINT
+        : value_(std::vector<EvidenceItem>(texts.begin(), texts.end())) {}
+
+    [[nodiscard]] const Value& value() const noexcept { return value_; }
+    /// Returns the value on one line, for tables.
+    [[nodiscard]] std::string text() const;
+
+private:
+    Value value_;
+};
+
+inline bool Evidence::empty() const noexcept { return entries_.empty(); }
+
+/// Shows how a verdict by samples depends on their number, in the order in which they are drawn.
+struct SampleUse {
+    std::size_t samples = 0;
+    std::size_t refuting = 0;       ///< samples with a difference beyond both error bounds
+    std::size_t first_refuting = 0; ///< the first of them, counted from 1; 0: none
+    std::size_t worst = 0;          ///< the sample of least agreement, counted from 1
+    double digits = 0;              ///< the digits of agreement there; negative: no value there
+    double first_half_digits = 0;   ///< the fewest digits of agreement in the first half
+};
+
+/// The result of a check.
+struct Outcome {
+    Judgement verdict;
+    std::string note;                    ///< one line for the table
+    std::optional<std::string> correct;  ///< the corrected formula, itself confirmed or proved
+    std::optional<std::string> computed; ///< the computed figure or formula
+    Evidence evidence;
+    std::optional<SampleUse> sample_use; ///< for a verdict by agreement at samples
+};
+
+/// Confirmed as a rounded formula: right to the printed digits of its decimals.
+[[nodiscard]] inline bool is_rounded(const Outcome& outcome) {
+    return outcome.verdict == Verdict::confirmed && outcome.evidence.find("rounded") != nullptr;
+}
 
 } // namespace edgeproof::audit

@@ -2,12 +2,15 @@
 #pragma once
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/ledger/family.hpp"
+#include "edgeproof/audit/ledger/judgement.hpp"
 #include "edgeproof/audit/ledger/printed_source.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace edgeproof::audit {
@@ -56,5 +59,30 @@ enum class ClaimErrors { thrown, kept };
 /// Reads a ledger from text; `file` is the name used in errors.
 [[nodiscard]] Ledger parse_ledger(std::string_view text, const std::string& file,
                                   ClaimErrors errors = ClaimErrors::thrown);
+
+/// A file of theorems about a claim that Coq checks.
+struct TheoremFile {
+    std::string path;           ///< as shown, in the ledger's folder: "certificates/EQ18.v"
+    bool whole_verdict = false; ///< the theorems prove all of the verdict
+    std::string file;           ///< the path of the file
+};
+
+/// The result for one claim: the outcome under each reading, and the combined outcome.
+struct ClaimResult {
+    Claim claim;
+    Outcome outcome;
+    std::vector<std::pair<std::string, Outcome>> readings;
+    std::optional<TheoremFile> certificate; ///< set by certificate::attach_certificates
+    std::optional<double> seconds;          ///< processor time, if it was measured
+};
+
+/// The results of an audit, in the order of the ledger.
+struct AuditResult {
+    std::string ledger;
+    std::string source;
+    unsigned digits = 0;
+    std::vector<ClaimResult> claims;
+    std::vector<ClaimError> errors; ///< of selected claims without a result, in order
+};
 
 } // namespace edgeproof::audit

@@ -2,7 +2,7 @@
 #include "edgeproof/audit/ledger/ledger_family.hpp"
 
 #include "edgeproof/audit/ledger/ledger.hpp"
-#include "edgeproof/audit/ledger/scene_names.hpp"
+#include "edgeproof/audit/ledger/ledger_names.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"

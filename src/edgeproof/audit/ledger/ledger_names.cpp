@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/ledger_names.hpp"
-
 #include "edgeproof/audit/ledger/ledger.hpp"
-#include "edgeproof/audit/ledger/scene_names.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <set>
 
 namespace edgeproof::audit {
@@ -217,6 +217,113 @@ Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim) {
         put_own_first(v, ledger, claim);
     }
     return v;
+}
+
+const std::vector<std::string>& scene_symbols() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all{"a", "b", "Es", "P", "M", "L", "u", "x"};
+        for (int k = 1; k <= 9; ++k) {
+            all.push_back("P" + std::to_string(k));
+            all.push_back("b" + std::to_string(k));
+        }
+        for (int k = 0; k <= 9; ++k) {
+            all.push_back("right_c" + std::to_string(k));
+            all.push_back("left_c" + std::to_string(k));
+            all.push_back("right_s" + std::to_string(k));
+            all.push_back("left_s" + std::to_string(k));
+        }
+        return all;
+    }();
+    return names;
+}
+
+const std::vector<std::string>& slip_symbols() {
+    static const std::vector<std::string> names{"right_d", "left_d", "stick_a", "stick_b"};
+    return names;
+}
+
+bool is_full_stick_symbol(std::string_view name) {
+    return (name.starts_with("right_s") && name.size() == 8) ||
+           (name.starts_with("left_s") && name.size() == 7);
+}
+
+const std::vector<std::pair<std::string, unsigned>>& scene_functions() {
+    static const std::vector<std::pair<std::string, unsigned>> functions{
+        {"p", 1},    {"g1", 1},          {"Pof", 1},        {"P1of", 1}, {"bof", 1},
+        {"binv", 1}, {"right_local", 2}, {"left_local", 2}, {"q", 1}};
+    return functions;
+}
+
+namespace {
+
+constexpr std::string_view below = "stress below the surface";
+constexpr std::string_view point = "point contact";
+constexpr std::string_view sliding = "friction";
+
+struct Word {
+    std::string_view name;
+    bool prefix; ///< true: the name may continue with any characters
+    std::string_view topic;
+};
+/// In lower case; the first match is used.
+constexpr std::array words{Word{"sig0", false, ""},           Word{"sig", true, below},
+                           Word{"tau", true, below},          Word{"sxx", false, below},
+                           Word{"syy", false, below},         Word{"szz", false, below},
+                           Word{"sxy", false, below},         Word{"sxz", false, below},
+                           Word{"s_", true, below},           Word{"mises", true, below},
+                           Word{"von_mises", true, below},    Word{"vonmises", true, below},
+                           Word{"tresca", true, below},       Word{"j2", false, below},
+                           Word{"y", false, below},           Word{"z", false, below},
+                           Word{"depth", true, below},        Word{"sphere", true, point},
+                           Word{"ball", true, point},         Word{"ellips", true, point},
+                           Word{"ellipt", true, point},       Word{"circular", true, point},
+                           Word{"cone", true, point},         Word{"parabol", true, point},
+                           Word{"axisymmetric", true, point}, Word{"point", true, point},
+                           Word{"mu", false, sliding},        Word{"mu_", true, sliding},
+                           Word{"friction", true, sliding},   Word{"slip", true, sliding},
+                           Word{"stick", true, sliding},      Word{"coulomb", true, sliding}};
+
+} // namespace
+
+std::optional<std::string_view> outside_of_scope(std::string_view name) {
+    std::string small(name);
+    std::transform(small.begin(), small.end(), small.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const Word& word : words) {
+        if (small == word.name || (word.prefix && small.starts_with(word.name))) {
+            return word.topic.empty() ? std::nullopt : std::optional(word.topic);
+        }
+    }
+    return std::nullopt;
+}
+
+InputError with_scope(const InputError& error) {
+    const std::string& problem = error.problem();
+    for (const std::string_view start :
+         {std::string_view("unknown name '"), std::string_view("unknown function '")}) {
+        if (!problem.starts_with(start)) {
+            continue;
+        }
+        const std::string name =
+            problem.substr(start.size(), problem.find('\'', start.size()) - start.size());
+        const auto topic = outside_of_scope(name);
+        if (topic == sliding) {
+            return InputError(problem + ": friction is a parameter of the family",
+                              "add friction and Q to the parameters of the family, and write "
+                              "friction, right.d, left.d, stick_a, stick_b; or define the name if "
+                              "it is something else")
+                .at(error.file(), error.line());
+        }
+        if (topic) {
+            return InputError(problem + ": " + std::string(*topic) +
+                                  " is outside what Edgeproof computes",
+                              "it computes p(x) and q(x) of plane contacts, their "
+                              "edges, forces and expansions at the edges; leave the claim out, or "
+                              "define the name if it is something else")
+                .at(error.file(), error.line());
+        }
+    }
+    return error;
 }
 
 } // namespace edgeproof::audit

@@ -1,5 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/ledger/claim.hpp"
+#include "edgeproof/audit/ledger/ledger_names.hpp"
 #include "edgeproof/audit/relations/relations.hpp"
+#include "edgeproof/formula/expr.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
 
 namespace edgeproof::audit {
 namespace {
@@ -85,6 +94,80 @@ std::optional<std::string> solved_text(const PolynomialRelation& relation,
         bottom = "(" + bottom + ")";
     }
     return quantities[quantity].name + " = " + top + (bottom == "1" ? "" : "/" + bottom);
+}
+
+namespace {
+
+Vocabulary names_of(const RelationQuestion& question) {
+    Vocabulary vocabulary;
+    for (const std::string& name : scene_symbols()) {
+        if (name != "u" && name != "x" && name != "M") {
+            vocabulary.symbols.add(name);
+        }
+    }
+    vocabulary.symbols.add("Q");
+    vocabulary.symbols.add("sig0");
+    for (const std::string& name : question.free) {
+        vocabulary.symbols.add(name);
+    }
+    return vocabulary;
+}
+
+/// True for names computed from P1, b1, ...: a + b and the multipliers.
+bool is_derived(std::string_view name) {
+    return name == "L" || name.starts_with("right_") || name.starts_with("left_");
+}
+
+formula::Expr formula_of(const std::string& of, const std::string& text,
+                         const Vocabulary& vocabulary) {
+    try {
+        return parse_formula(text, vocabulary);
+    } catch (const InputError& error) {
+        throw InputError(of + text + ": " + error.problem(), error.instead());
+    }
+}
+
+} // namespace
+
+AskedRelations asked_relations(const RelationQuestion& question) {
+    if (question.degree < 1 || question.degree > most_relation_degree) {
+        throw InputError("degree = " + std::to_string(question.degree) + " is out of range",
+                         "give a whole number from 1 to " + std::to_string(most_relation_degree));
+    }
+    const Vocabulary vocabulary = names_of(question);
+    SymbolicCase under;
+    under.symmetric = question.symmetric;
+    for (const auto& [name, formula] : question.given) {
+        const std::string as_given = "given " + name + "=";
+        if (!vocabulary.symbols.has(name)) {
+            throw InputError(fmt::format("{}{}: there is no '{}'", as_given, formula, name),
+                             "give P1, P2, ..., b, b1, ... as formulas in the free quantities");
+        }
+        formula::Expr e = formula_of(as_given, formula, vocabulary);
+        std::set<std::string> names = free_symbols(e);
+        names.insert(name);
+        if (const auto it = std::ranges::find_if(names, is_derived); it != names.end()) {
+            throw InputError(fmt::format("{}{}: '{}' follows from others", as_given, formula, *it),
+                             "give P1, P2, ..., b, b1, ... as formulas in the free quantities");
+        }
+        if (!under.names.emplace(name, std::move(e)).second) {
+            throw InputError(fmt::format("{} is given twice", name), "give each name one formula");
+        }
+    }
+    under.names = put_into_each_other(under.names);
+    AskedRelations asked;
+    for (const std::string& text : question.quantities) {
+        asked.quantities.push_back({text, formula_of("", text, vocabulary)});
+    }
+    try {
+        asked.found =
+            find_relations(asked.quantities, static_cast<unsigned>(question.degree), under);
+    } catch (const InputError&) {
+        throw;
+    } catch (const Error& error) {
+        throw InputError(error.what(), "write quotients of polynomials of low degree");
+    }
+    return asked;
 }
 
 } // namespace edgeproof::audit

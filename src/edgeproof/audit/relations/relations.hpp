@@ -4,9 +4,11 @@
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/rational.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Polynomial relations with rational coefficients between quantities of a contact that hold for
@@ -58,5 +60,33 @@ struct FoundRelations {
 [[nodiscard]] std::optional<std::string> solved_text(const PolynomialRelation& relation,
                                                      const std::vector<RelatedQuantity>& quantities,
                                                      std::size_t quantity);
+
+inline constexpr long most_relation_degree = 12;
+
+/// A search for relations, as the user writes it (docs/relations.md).
+struct RelationQuestion {
+    std::vector<std::string> quantities; ///< "left.c1", "b1", "L", ...
+    long degree = 4;
+    bool symmetric = false;                                 ///< b = a
+    std::vector<std::pair<std::string, std::string>> given; ///< not free: {"P2", "m*P1/a"}
+    std::vector<std::string> free;                          ///< additional free names: "m"
+};
+
+/// The result of find_relations, and the quantities in which it is written.
+struct AskedRelations {
+    std::vector<RelatedQuantity> quantities;
+    FoundRelations found;
+};
+
+/// Searches for relations. Throws InputError for a degree outside 1 ... 12, unknown names and
+/// malformed formulas, and as find_relations does; Interrupted.
+[[nodiscard]] AskedRelations asked_relations(const RelationQuestion& question);
+
+/// The exponents of a formula's scaling with the units of force, of length and of shear force.
+using ScalingWeights = std::array<Rational, 3>;
+
+/// Finds the weights from the expression tree. Returns nothing if the terms of a sum have different
+/// weights, or if a function other than sqrt is called.
+[[nodiscard]] std::optional<ScalingWeights> scaling_weights(const formula::Expr& e);
 
 } // namespace edgeproof::audit

@@ -2,8 +2,8 @@
 #pragma once
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/ledger/family.hpp"
+#include "edgeproof/audit/ledger/judgement.hpp"
 #include "edgeproof/audit/ledger/ledger.hpp"
-#include "edgeproof/audit/ledger/outcome.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 
 #include <atomic>

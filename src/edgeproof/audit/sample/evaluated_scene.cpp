@@ -3,7 +3,6 @@
 
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/sample/evaluated_scene_environment.hpp"
-#include "edgeproof/audit/sample/evaluated_scene_state.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/precision/error.hpp"
 

@@ -1,14 +1,82 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/audit/sample/evaluated_scene_state.hpp"
-#include "edgeproof/formula/evaluation/environment.hpp"
+#include "edgeproof/audit/sample/evaluated_scene.hpp"
+#include "edgeproof/audit/sample/naive_integral.hpp"
+#include "edgeproof/contact/curved/proved_slip.hpp"
+#include "edgeproof/contact/law/contact_law.hpp"
+#include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <functional>
 
 namespace edgeproof::audit {
+
+/// The family of contacts of an EvaluatedScene, and its parameters, at one precision.
+struct EvaluatedSceneLevel {
+    EvaluatedSceneLevel(const SceneSpec& spec, const contact::Profile& profile);
+
+    contact::ContactLaw<Real> law;
+    std::map<std::string, Real, std::less<>> parameters;
+    contact::Extent<Real> extent;
+    std::optional<contact::Extent<Real>> last_extent;     ///< of the contact with right edge at .a
+    std::optional<std::pair<Real, Real>> last_right_edge; ///< y and b^{-1}(y)
+    std::optional<std::pair<Real, Real>> last_force_rate; ///< s and P'(s)
+
+    /// Returns the contact of the family whose right edge is at s.
+    const contact::Extent<Real>& extent_at(const Real& s);
+    /// Returns P'(s).
+    Real force_rate_at(const Real& s);
+    /// Returns b^{-1}(y).
+    Real right_edge_of(const Real& y);
+};
+
+/// The data of an EvaluatedScene: the exact contact, and its family of contacts.
+struct EvaluatedSceneState {
+    EvaluatedSceneState(SceneSpec scene, unsigned digits_wanted, Effort effort);
+
+    SceneSpec spec;
+    unsigned digits;
+    /// Enough for integrals evaluated as printed; plain formulas use the same precision.
+    NaivePrecision precision;
+    contact::Profile profile;
+    contact::NormalContact contact;
+    std::map<std::string, Real, std::less<>> derived; ///< P, P1, ..., computed on first use
+    std::array<std::vector<Real>, 2> expansions;      ///< right, left
+    std::map<unsigned, EvaluatedSceneLevel> levels;   ///< by digits
+    /// p by the distance from the right edge and from the left edge; integrals of p share nodes.
+    std::array<std::map<Real, Real>, 2> pressures;
+
+    /// For a scene with friction, by bits; null if this number of bits does not give an enclosure.
+    std::map<long, std::unique_ptr<contact::ProvedSlip>> slips;
+
+    /// Returns the level of the working precision. Far from their ends, integrands need few digits;
+    /// this saves time only if all their parts have as few.
+    EvaluatedSceneLevel& here();
+    /// Returns the level with the precision of plain formulas.
+    [[nodiscard]] const EvaluatedSceneLevel& top() const {
+        return levels.at(precision.integrand());
+    }
+    const std::vector<Real>& expansion(contact::Edge edge, std::size_t terms);
+    /// Returns the value of a name that is not a parameter, place or variable; nullopt if unknown.
+    std::optional<Real> derived_symbol(std::string_view name);
+    /// Returns p at a place other than the sample's: at the nodes of integrals.
+    Real pressure_at_node(const Place& at);
+    Real call(const std::string& name, std::span<const Real> args, const Place* place);
+    /// Returns the values of the argument of a function at which it is not analytic.
+    std::vector<Real> critical_arguments(const std::string& function);
+    [[nodiscard]] contact::ShearLoad<Real> shear_load() const;
+    [[nodiscard]] std::vector<Real> shear_coefficients(contact::Edge edge, std::size_t terms) const;
+    [[nodiscard]] Place place_of_x(const Real& x) const;
+    /// Returns the middle of the enclosure of a quantity of partial slip.
+    Real of_slip(const std::function<Ball(const contact::ProvedSlip&)>& quantity);
+    /// Returns right_d, left_d, stick_a or stick_b; nullopt for another name, and without friction.
+    std::optional<Real> slip_symbol(std::string_view name);
+    /// Returns q(x), under partial slip if the scene has friction.
+    Real traction(const Place& at);
+};
 
 /// The formula environment of an EvaluatedScene: names, functions along the family of contacts, and
 /// integrals evaluated as printed.

@@ -3,7 +3,6 @@
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/quadrature/near_singularity.hpp"
-#include "edgeproof/quadrature/root_ends.hpp"
 
 #include <algorithm>
 #include <optional>

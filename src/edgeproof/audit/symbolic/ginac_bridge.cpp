@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/symbolic/ginac_bridge.hpp"
 
-#include "edgeproof/formula/quotient.hpp"
+#include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <ginac/ginac.h>

@@ -3,9 +3,15 @@
 #include "edgeproof/audit/symbolic/ginac_roots.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rational.hpp"
 
+#include <flint/flint.h>
+#include <flint/fmpz.h>
+#include <flint/fmpz_mpoly.h>
+#include <flint/fmpz_mpoly_factor.h>
 #include <ginac/ginac.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -112,6 +118,174 @@ std::vector<ex> polynomial_over_root(const ex& e, const ex& s, const ex& hi) {
         q.push_back(roots.restored(over.coeff(s, k) / under));
     }
     return q;
+}
+
+namespace {
+
+using GiNaC::ex;
+using GiNaC::is_a;
+
+struct Monomial {
+    Rational coefficient{1};
+    std::vector<ulong> exponents;
+};
+
+/// Returns the variables in the order of their names, which is the same on every run.
+std::vector<ex> variables_of(const ex& polynomial) {
+    std::vector<ex> all;
+    for (auto part = polynomial.preorder_begin(); part != polynomial.preorder_end(); ++part) {
+        const auto same = [&](const ex& v) { return v.is_equal(*part); };
+        if (is_a<GiNaC::symbol>(*part) && std::none_of(all.begin(), all.end(), same)) {
+            all.push_back(*part);
+        }
+    }
+    std::sort(all.begin(), all.end(), [](const ex& x, const ex& y) {
+        return GiNaC::ex_to<GiNaC::symbol>(x).get_name() <
+               GiNaC::ex_to<GiNaC::symbol>(y).get_name();
+    });
+    return all;
+}
+
+void multiply(Monomial& monomial, const ex& factor, const std::vector<ex>& variables) {
+    if (is_a<GiNaC::numeric>(factor)) {
+        const formula::Expr number = to_expr(factor);
+        if (number.rational() == nullptr) {
+            throw Error("a polynomial has a coefficient that is not rational");
+        }
+        monomial.coefficient *= *number.rational();
+        return;
+    }
+    const bool power = is_a<GiNaC::power>(factor);
+    const ex base = power ? factor.op(0) : factor;
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+        if (base.is_equal(variables[i])) {
+            const long k = power ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_long() : 1;
+            monomial.exponents[i] += static_cast<ulong>(k);
+            return;
+        }
+    }
+    throw Error("a polynomial was expected");
+}
+
+Monomial monomial_of(const ex& term, const std::vector<ex>& variables) {
+    Monomial monomial;
+    monomial.exponents.resize(variables.size());
+    if (is_a<GiNaC::mul>(term)) {
+        for (const ex& factor : term) {
+            multiply(monomial, factor, variables);
+        }
+    } else {
+        multiply(monomial, term, variables);
+    }
+    return monomial;
+}
+
+GiNaC::numeric numeric_of(const fmpz_t n) {
+    char* const text = fmpz_get_str(nullptr, 10, n);
+    GiNaC::numeric value(text);
+    flint_free(text);
+    return value;
+}
+
+class IntegerPolynomial {
+public:
+    explicit IntegerPolynomial(const std::vector<ex>& variables) : variables_(variables) {
+        fmpz_mpoly_ctx_init(context_, static_cast<slong>(variables.size()), ORD_LEX);
+        fmpz_mpoly_init(polynomial_, context_);
+        fmpz_mpoly_factor_init(factors_, context_);
+    }
+    IntegerPolynomial(const IntegerPolynomial&) = delete;
+    IntegerPolynomial& operator=(const IntegerPolynomial&) = delete;
+    ~IntegerPolynomial() {
+        fmpz_mpoly_factor_clear(factors_, context_);
+        fmpz_mpoly_clear(polynomial_, context_);
+        fmpz_mpoly_ctx_clear(context_);
+    }
+
+    void add(const Integer& coefficient, const std::vector<ulong>& exponents) {
+        fmpz_t c;
+        fmpz_init(c);
+        fmpz_set_mpz(c, coefficient.backend().data());
+        fmpz_mpoly_push_term_fmpz_ui(polynomial_, c, exponents.data(), context_);
+        fmpz_clear(c);
+    }
+    [[nodiscard]] ex factors() {
+        fmpz_mpoly_sort_terms(polynomial_, context_);
+        fmpz_mpoly_combine_like_terms(polynomial_, context_);
+        if (fmpz_mpoly_factor(factors_, polynomial_, context_) == 0) {
+            throw Error("a polynomial was not factored");
+        }
+        ex product = constant();
+        fmpz_mpoly_t factor;
+        fmpz_mpoly_init(factor, context_);
+        for (slong i = 0; i < fmpz_mpoly_factor_length(factors_, context_); ++i) {
+            fmpz_mpoly_factor_get_base(factor, factors_, i, context_);
+            const slong k = fmpz_mpoly_factor_get_exp_si(factors_, i, context_);
+            product *= GiNaC::pow(in_symbols(factor), static_cast<long>(k));
+        }
+        fmpz_mpoly_clear(factor, context_);
+        return product;
+    }
+
+private:
+    [[nodiscard]] ex constant() const {
+        fmpz_t c;
+        fmpz_init(c);
+        fmpz_mpoly_factor_get_constant_fmpz(c, factors_, context_);
+        const GiNaC::numeric value = numeric_of(c);
+        fmpz_clear(c);
+        return value;
+    }
+    [[nodiscard]] ex in_symbols(fmpz_mpoly_t factor) const {
+        ex sum = 0;
+        fmpz_t c;
+        fmpz_init(c);
+        std::vector<ulong> exponents(variables_.size());
+        for (slong i = 0; i < fmpz_mpoly_length(factor, context_); ++i) {
+            fmpz_mpoly_get_term_coeff_fmpz(c, factor, i, context_);
+            fmpz_mpoly_get_term_exp_ui(exponents.data(), factor, i, context_);
+            ex term = numeric_of(c);
+            for (std::size_t v = 0; v < variables_.size(); ++v) {
+                term *= GiNaC::pow(variables_[v], exponents[v]);
+            }
+            sum += term;
+        }
+        fmpz_clear(c);
+        return sum;
+    }
+
+    const std::vector<ex>& variables_;
+    fmpz_mpoly_ctx_t context_;
+    fmpz_mpoly_t polynomial_;
+    fmpz_mpoly_factor_t factors_;
+};
+
+} // namespace
+
+GiNaC::ex polynomial_factors(const GiNaC::ex& polynomial) {
+    GiNaC::exmap replaced;
+    const ex expanded = polynomial.expand().to_rational(replaced).expand();
+    const std::vector<ex> variables = variables_of(expanded);
+    if (variables.empty()) {
+        return polynomial;
+    }
+    std::vector<Monomial> terms;
+    if (is_a<GiNaC::add>(expanded)) {
+        for (const ex& term : expanded) {
+            terms.push_back(monomial_of(term, variables));
+        }
+    } else {
+        terms.push_back(monomial_of(expanded, variables));
+    }
+    Integer common = 1;
+    for (const Monomial& term : terms) {
+        common = lcm(common, Integer(denominator(term.coefficient)));
+    }
+    IntegerPolynomial whole(variables);
+    for (const Monomial& term : terms) {
+        whole.add(Integer(numerator(Rational(term.coefficient * common))), term.exponents);
+    }
+    return (whole.factors() / GiNaC::numeric(common.str().c_str())).subs(replaced);
 }
 
 } // namespace edgeproof::audit::ginac

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/commands/bounds_tables.hpp"
-#include "edgeproof/cli/program_messages.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/child_process.hpp"
 #include "edgeproof/io/output_file.hpp"

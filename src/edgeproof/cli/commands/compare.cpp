@@ -13,9 +13,8 @@
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/figures/comparison_figures.hpp"
-#include "edgeproof/report/page/comparison_page.hpp"
+#include "edgeproof/report/page/cost_page.hpp"
 #include "edgeproof/report/tables/comparison_report.hpp"
-#include "edgeproof/report/tables/self_test_table.hpp"
 
 #include <cstdio>
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/relations/asked_relations.hpp"
+#include "edgeproof/audit/relations/relations.hpp"
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/report/tables/relations_table.hpp"
+#include "edgeproof/report/tables/design_table.hpp"
 
 #include <memory>
 #include <string>

@@ -6,7 +6,6 @@
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
-#include "edgeproof/report/figures/slip_figures.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/conformance/questions/recipe_grid.hpp"
 #include "edgeproof/io/checkpoint_file.hpp"
-#include "edgeproof/parallel/processes.hpp"
+#include "edgeproof/parallel/distributed_work.hpp"
 #include "edgeproof/report/tables/table.hpp"
 
 #include <filesystem>

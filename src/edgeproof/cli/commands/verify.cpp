@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/run.hpp"
-#include "edgeproof/certificate/certificate_folder.hpp"
-#include "edgeproof/cli/claim_errors.hpp"
+#include "edgeproof/certificate/certificate.hpp"
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/judged_ledger.hpp"
 #include "edgeproof/cli/shipped_file.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/comparison/causes/suspect_contacts.hpp"
+#include "edgeproof/comparison/causes/suspects.hpp"
 #include "edgeproof/comparison/input/result_table.hpp"
 #include "edgeproof/comparison/measures/alignment.hpp"
 #include "edgeproof/comparison/measures/data_edges.hpp"
@@ -56,5 +56,12 @@ struct Diagnosis {
 /// Diagnoses the shear traction, if the pressure is right.
 [[nodiscard]] Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
                                        SuspectContacts& suspects, const ExactContact& exact);
+
+/// Finds pressures that carry fewer digits than are written: rounded to a number of significant
+/// digits or decimals, or numbers of binary32; accepted if the errors away from the edges (by a
+/// fiftieth of the contact) are no larger than this rounding explains. For binary32, 16 units in
+/// the last place of the largest pressure are allowed for a computation.
+[[nodiscard]] std::optional<Cause>
+cause_in_digits(const ResultTable& table, const AlignedResult& data, const ExactContact& exact);
 
 } // namespace edgeproof::comparison

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/causes/suspect_maker.hpp"
-#include "edgeproof/comparison/measures/origin.hpp"
+#include "edgeproof/comparison/causes/suspects.hpp"
+#include "edgeproof/comparison/measures/alignment.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/causes/suspect_maker.hpp"
+#include "edgeproof/comparison/causes/suspects.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 
 #include <map>

@@ -3,7 +3,6 @@
 
 #include "edgeproof/comparison/input/result_header.hpp"
 #include "edgeproof/comparison/input/result_lines.hpp"
-#include "edgeproof/comparison/input/written_digits.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"

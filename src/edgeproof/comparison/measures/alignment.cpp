@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/measures/alignment.hpp"
-
-#include "edgeproof/comparison/measures/origin.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 namespace edgeproof::comparison {
 namespace {
@@ -180,6 +181,177 @@ AlignedResult align(const ResultTable& table, const ExactContact& exact,
                     const std::optional<Rational>& origin) {
     const PrecisionScope scope(ExactContact::place_digits);
     return Aligner(table, exact).align(origin);
+}
+
+namespace {
+
+constexpr double least_shift = 0.02;     ///< relative to a + b
+constexpr double loaded_fraction = 0.02; ///< of the largest pressure of the data
+constexpr std::size_t most_fitted = 300;
+constexpr double search_width = 1e-9; ///< relative to a + b
+
+/// The sum of squares of p minus the best multiple of the exact one, for an origin of the data at
+/// `origin`. The multiple is free, so that a wrong factor of p does not change the origin.
+double mismatch(const std::vector<RoughPoint>& points, const ExactContact& exact, double origin) {
+    std::vector<double> right;
+    double products = 0;
+    double squares = 0;
+    const auto width = [&](std::size_t i) {
+        return 0.5 * ((i + 1 < points.size() ? points[i + 1].x : points[i].x) -
+                      (i > 0 ? points[i - 1].x : points[i].x));
+    };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        check_interruption();
+        right.push_back(exact.pressure(points[i].x - origin));
+        products += width(i) * points[i].p * right[i];
+        squares += width(i) * right[i] * right[i];
+    }
+    const double scale = squares > 0 ? products / squares : 1;
+    double sum = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double difference = points[i].p - scale * right[i];
+        sum += width(i) * difference * difference;
+    }
+    return sum;
+}
+
+double refined_origin(const std::vector<RoughPoint>& all, const ExactContact& exact, double start) {
+    std::vector<RoughPoint> points;
+    const std::size_t step = std::max<std::size_t>(1, all.size() / most_fitted);
+    for (std::size_t i = 0; i < all.size(); i += step) {
+        points.push_back(all[i]);
+    }
+    constexpr double golden = 0.381966011250105;
+    double lower = start - 0.1 * exact.length();
+    double upper = start + 0.1 * exact.length();
+    double s1 = lower + golden * (upper - lower);
+    double s2 = upper - golden * (upper - lower);
+    double f1 = mismatch(points, exact, s1);
+    double f2 = mismatch(points, exact, s2);
+    // Far from 0, doubles are further apart than the requested width.
+    constexpr int most_steps = 60;
+    for (int k = 0; k < most_steps && upper - lower > search_width * exact.length(); ++k) {
+        if (f1 < f2) {
+            upper = s2;
+            s2 = s1;
+            f2 = f1;
+            s1 = lower + golden * (upper - lower);
+            f1 = mismatch(points, exact, s1);
+        } else {
+            lower = s1;
+            s1 = s2;
+            f1 = f2;
+            s2 = upper - golden * (upper - lower);
+            f2 = mismatch(points, exact, s2);
+        }
+    }
+    return 0.5 * (lower + upper);
+}
+
+/// Returns the power of ten between 10^-5 and 10^-4 of the length.
+Rational round_step(double length) {
+    Rational step(1, 100000);
+    for (double unit = 10; unit <= length; unit *= 10) {
+        step *= 10;
+    }
+    for (double unit = 1; unit > length; unit /= 10) {
+        step /= 10;
+    }
+    return step;
+}
+
+Integer floor(const Rational& q) {
+    const Integer n = numerator(q);
+    const Integer d = denominator(q);
+    Integer quotient = n / d; // rounded towards zero
+    return quotient * d > n ? Integer(quotient - 1) : quotient;
+}
+
+/// An origin that programs often use; preferred if the fitted one agrees with it.
+struct UsualOrigin {
+    double origin;
+    std::string_view what;
+};
+constexpr double same_origin = 1e-4; ///< relative to a + b
+
+} // namespace
+
+std::optional<Support> support_of(const std::vector<RoughPoint>& points) {
+    double most = 0;
+    for (const RoughPoint& point : points) {
+        most = std::max(most, point.p);
+    }
+    const auto loaded = [&](const RoughPoint& point) { return point.p > loaded_fraction * most; };
+    const auto first = std::ranges::find_if(points, loaded);
+    if (first == points.end()) {
+        return {};
+    }
+    auto last = points.end() - 1;
+    while (!loaded(*last)) {
+        --last;
+    }
+    constexpr double high = 0.4; // an end of the data at such a pressure is not an edge
+    Support s;
+    s.left = first == points.begin() ? first->x : 0.5 * (first->x + (first - 1)->x);
+    s.right = last + 1 == points.end() ? last->x : 0.5 * (last->x + (last + 1)->x);
+    s.left_falls = first != points.begin() || first->p < high * most;
+    s.right_falls = last + 1 != points.end() || last->p < high * most;
+    return s;
+}
+
+std::optional<FoundOrigin> origin_of(const std::vector<RoughPoint>& points, const Support& support,
+                                     const std::optional<contact::Edge>& half,
+                                     const ExactContact& exact) {
+    const double length = exact.length();
+    const double left = -exact.b().value;
+    const double right = exact.a().value;
+    double start = 0.5 * (support.left + support.right) - 0.5 * (left + right);
+    if (half) {
+        start = *half == contact::Edge::right ? points.front().x : points.back().x;
+    } else if (!support.left_falls || !support.right_falls) {
+        // The data end inside the contact: the one edge in them is aligned with the exact one.
+        start = support.right_falls  ? support.right - right
+                : support.left_falls ? support.left - left
+                                     : 0;
+    }
+    if (!(std::abs(start) >= least_shift * length)) {
+        return {};
+    }
+    double found = refined_origin(points, exact, start);
+    if (!std::isfinite(found) || std::abs(found) < least_shift * length) {
+        return {}; // the data's own edges had shifted the middle
+    }
+    if (!(mismatch(points, exact, found) <= 0.5 * mismatch(points, exact, 0))) {
+        return {}; // no better than the present origin
+    }
+    const std::array usual{
+        UsualOrigin{-left, ": x is measured from the left edge of the contact"},
+        UsualOrigin{-right, ": x is measured from the right edge of the contact"},
+        UsualOrigin{-0.5 * (left + right), ": x is measured from the middle of the contact"},
+        UsualOrigin{points.front().x, ": it is at the first node"},
+        UsualOrigin{points.back().x, ": it is at the last node"},
+    };
+    FoundOrigin origin;
+    for (const UsualOrigin& candidate : usual) {
+        if (origin.what.empty() && std::abs(candidate.origin - found) < same_origin * length &&
+            std::abs(candidate.origin) > least_shift * length) {
+            found = candidate.origin;
+            origin.what = candidate.what;
+        }
+    }
+    origin.exact = Real(found);
+    if (origin.what.empty()) {
+        // A round number within the resolution of the search is chosen; otherwise the last digit of
+        // the origin is uncertain.
+        const Rational step = round_step(length);
+        const Rational units = exact_rational(found) / step;
+        const Rational round = step * Rational(floor(units + Rational(1, 2)));
+        const bool meant = std::abs((round - exact_rational(found)).convert_to<double>()) <
+                           10 * search_width * length;
+        origin.exact = meant ? Real(round) : origin.exact;
+        origin.uncertainty = meant ? 0 : 2 * search_width * length;
+    }
+    return origin;
 }
 
 } // namespace edgeproof::comparison

@@ -23,7 +23,7 @@ struct Convention {
 
 /// Searches the failing rows for numbers of few digits, for questions interpreted differently
 /// (unit_mistake.hpp), and for a uniform factor (2, 1/2, pi, units of other systems, ... or any
-/// other), a sign, and exchanged edges (factor_mistake.hpp): for each quantity at both edges, else
+/// other), a sign, and exchanged edges (unit_mistake.hpp): for each quantity at both edges, else
 /// at one. A convention is accepted if at least 3 failing rows, and 9 of 10, follow it within their
 /// own scatter, this scatter is below 3 %, and it leaves less than a quarter of the error. A
 /// convention that explains several quantities is reported once.
@@ -35,5 +35,28 @@ struct Convention {
 [[nodiscard]] std::vector<std::string> unexplained(const Answers& answers,
                                                    const Agreements& agreements,
                                                    const std::vector<Convention>& conventions);
+
+/// Collects the rows that fail, at most the first `most`, from answers in blocks; conventions are
+/// inferred from these rows.
+class FailingRows {
+public:
+    static constexpr std::size_t most = 10'000;
+
+    void add(const Answers& answers, const Agreements& agreements);
+    /// True if there are more than are kept.
+    [[nodiscard]] bool cut() const { return seen_ > answers_.given.size(); }
+    [[nodiscard]] std::size_t seen() const { return seen_; }
+    [[nodiscard]] std::size_t kept() const { return answers_.given.size(); }
+    /// Calls infer_conventions() for the rows kept.
+    [[nodiscard]] std::vector<Convention> conventions(const ReferenceOptions& options) const;
+    /// Calls unexplained() for the rows kept.
+    [[nodiscard]] std::vector<std::string>
+    unexplained_by(const std::vector<Convention>& conventions) const;
+
+private:
+    Answers answers_;
+    Agreements agreements_;
+    std::size_t seen_ = 0;
+};
 
 } // namespace edgeproof::conformance

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/conformance/causes/convention.hpp"
+#include "edgeproof/precision/real.hpp"
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace edgeproof::conformance {
@@ -21,5 +24,19 @@ namespace edgeproof::conformance {
 /// Each quantity is checked separately.
 [[nodiscard]] std::vector<Convention> infer_precision_loss(const Answers& answers,
                                                            const Agreements& agreements);
+
+/// A failing row: the ratio of the answer to the reference, and to the reference at the other edge.
+struct FailingRow {
+    std::size_t question;
+    Real ratio;
+    std::optional<Real> mirrored;
+};
+
+/// Checks if the answers are the references, at the same or at the other edge, times one number
+/// other than 1. The number is the median ratio; its scatter determines which named factors are
+/// possible. The nearest of these is reported, and the others are listed. `named`: only a factor
+/// with a name; else any.
+[[nodiscard]] std::optional<Convention>
+infer_factor(const std::string& of, const std::vector<FailingRow>& rows, bool named);
 
 } // namespace edgeproof::conformance

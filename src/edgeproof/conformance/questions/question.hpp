@@ -1,15 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/conformance/questions/asked_contact.hpp"
+#include "edgeproof/scene/input/points.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace edgeproof::conformance {
+
+/// One entry of [profile], [load] or [shear] of a scene file, as text: exact, and the same in a
+/// recipe, in a question and in an answer. The items of a list (knots, slopes) are joined by "; ".
+struct Parameter {
+    std::string key;
+    std::string text;
+    std::size_t line = 0; ///< in the file that it was read from
+};
+
+/// The allowed keys of parameters, in the order of columns.
+[[nodiscard]] const std::vector<std::string_view>& parameter_keys();
+/// Returns "profile", "load" or "shear". The key must be one of parameter_keys().
+[[nodiscard]] std::string_view section_of(std::string_view key);
+/// True for knots and slopes.
+[[nodiscard]] bool is_list_key(std::string_view key);
+/// True for kind, slopes, symmetric and path: not a number, and the same for every program.
+[[nodiscard]] bool is_word_key(std::string_view key);
+[[nodiscard]] std::vector<std::string> list_items(std::string_view text);
+
+/// A profile under a load, the subject of questions. Contacts with the same parameters are equal.
+struct AskedContact {
+    std::vector<Parameter> parameters; ///< in the order of parameter_keys()
+    scene::Scene scene;                ///< `ask` empty
+};
+
+/// Reads the parameters as in a scene file. Throws InputError with the parameter's own line of
+/// `file`, or else with `line`.
+[[nodiscard]] AskedContact make_asked_contact(std::vector<Parameter> parameters,
+                                              const std::string& file, std::size_t line);
+
+/// Returns the parameters with every number replaced by the exact text of the nearest binary64.
+[[nodiscard]] std::vector<Parameter> rounded_to_binary64(std::vector<Parameter> parameters);
+[[nodiscard]] formula::Exact rounded_to_binary64(const formula::Exact& x);
 
 /// A value requested for a contact (scene/input/quantity.hpp).
 struct Question : scene::AskedValue {
@@ -44,5 +80,51 @@ struct Questions {
 /// tilt is given.
 void check_askable(const AskedContact& contact, const scene::AskedValue& asked,
                    const std::string& file, std::size_t line);
+
+/// Distances from an edge: a list, or a range with its line.
+struct AskedPoints {
+    std::vector<scene::AskedPoint> listed;
+    std::optional<scene::PointRange> range = {};
+    std::size_t range_line = 0;
+
+    [[nodiscard]] std::size_t size() const { return range ? range->size() : listed.size(); }
+    [[nodiscard]] scene::AskedPoint at(std::size_t i) const {
+        return range ? scene::AskedPoint{range->at(i), range_line} : listed.at(i);
+    }
+};
+
+/// The questions for one contact of a recipe, in the order of the rows; ids lack the part of the
+/// contact. A question at a point is made on demand, so that memory does not grow with the points
+/// of a range.
+class AskedList {
+public:
+    AskedList() = default;
+    explicit AskedList(AskedPoints points) : points_(std::move(points)) {}
+    void add(const std::vector<Question>& questions);
+    /// Appends the questions `at_each` for every point; their ids are the part after the point.
+    void add_at_points(const std::string& before_point, const std::vector<Question>& at_each);
+
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] Question at(std::size_t i) const;
+    /// The question i without its point.
+    [[nodiscard]] const Question& pattern(std::size_t i) const;
+    /// Returns all questions, but for a range only those at the first point: enough to find
+    /// duplicates and questions that cannot be asked.
+    [[nodiscard]] std::vector<Question> telling() const;
+    [[nodiscard]] const AskedPoints& points() const { return points_; }
+
+private:
+    struct Part {
+        std::size_t first = 0;
+        std::vector<Question> each;
+        bool at_points = false;
+        std::string before_point = {};
+    };
+    [[nodiscard]] const Part& part_of(std::size_t i) const;
+
+    AskedPoints points_;
+    std::vector<Part> parts_;
+    std::size_t size_ = 0;
+};
 
 } // namespace edgeproof::conformance

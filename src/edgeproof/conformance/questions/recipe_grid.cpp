@@ -3,7 +3,7 @@
 
 #include "edgeproof/conformance/questions/reference.hpp"
 #include "edgeproof/io/text_file.hpp"
-#include "edgeproof/io/toml/toml_limits.hpp"
+#include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/conformance/questions/asked_list.hpp"
+#include "edgeproof/conformance/questions/question.hpp"
 
 #include <cstddef>
 #include <cstdint>

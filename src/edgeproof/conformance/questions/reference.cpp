@@ -5,7 +5,7 @@
 #include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/scene/scene_values.hpp"
+#include "edgeproof/scene/run_scene.hpp"
 
 #include <atomic>
 #include <map>

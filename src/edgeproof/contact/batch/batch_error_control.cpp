@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/batch/batch_integral.hpp"
-#include "edgeproof/quadrature/bernstein.hpp"
+#include "edgeproof/quadrature/holomorphic_reach.hpp"
 
 #include <algorithm>
 #include <cmath>

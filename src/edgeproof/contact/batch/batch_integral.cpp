@@ -4,7 +4,7 @@
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/formula/parity.hpp"
-#include "edgeproof/precision/ball/raw.hpp"
+#include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/quadrature/level_estimate.hpp"
 #include "edgeproof/quadrature/tanh_sinh_nodes.hpp"

@@ -2,7 +2,7 @@
 #include "edgeproof/contact/batch/batch_piece.hpp"
 
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
-#include "edgeproof/formula/exact/enclosed_constant.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/ball/acb_values.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/quadrature/gauss_legendre.hpp"

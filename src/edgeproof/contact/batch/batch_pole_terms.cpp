@@ -3,7 +3,6 @@
 
 #include "edgeproof/contact/law/logarithmic_pressure.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
-#include "edgeproof/precision/ball/raw.hpp"
 #include "edgeproof/precision/error.hpp"
 
 /// The closed forms of the batch routes: poles close to a piece, and corners.

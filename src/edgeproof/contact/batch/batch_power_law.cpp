@@ -3,10 +3,9 @@
 
 #include "edgeproof/contact/batch/batch_circle.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
-#include "edgeproof/precision/ball/raw.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/quadrature/bernstein.hpp"
 #include "edgeproof/quadrature/gauss_legendre.hpp"
+#include "edgeproof/quadrature/holomorphic_reach.hpp"
 #include "edgeproof/quadrature/level_estimate.hpp"
 #include "edgeproof/quadrature/tanh_sinh_nodes.hpp"
 

@@ -3,7 +3,7 @@
 #include "edgeproof/contact/batch/batch_pressure.hpp"
 #include "edgeproof/contact/batch/batch_sums.hpp"
 #include "edgeproof/contact/batch/real_power.hpp"
-#include "edgeproof/quadrature/product_rule.hpp"
+#include "edgeproof/quadrature/gauss_legendre.hpp"
 
 #include <cstddef>
 #include <map>

@@ -2,7 +2,6 @@
 #include "edgeproof/contact/batch/real_power.hpp"
 
 #include "edgeproof/precision/ball/ball.hpp"
-#include "edgeproof/precision/ball/raw.hpp"
 
 #include <bit>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/design/error_family.hpp"
-#include "edgeproof/contact/design/linear_edges.hpp"
+#include "edgeproof/contact/design/linear_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
 

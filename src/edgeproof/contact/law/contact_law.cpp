@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/law/contact_law.hpp"
 
-#include "edgeproof/contact/law/law_series.hpp"
+#include "edgeproof/contact/law/kernels.hpp"
 #include "edgeproof/precision/ball/special.hpp"
 #include "edgeproof/precision/error.hpp"
 

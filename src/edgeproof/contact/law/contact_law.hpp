@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/law/edge_search.hpp"
+#include "edgeproof/contact/law/kernels.hpp"
 #include "edgeproof/contact/law/measure.hpp"
-#include "edgeproof/contact/law/power_law.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
 
 #include <cstddef>

@@ -5,7 +5,7 @@
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/series/polynomial.hpp"
-#include "edgeproof/series/reversion.hpp"
+#include "edgeproof/series/truncated.hpp"
 
 #include <cstddef>
 #include <utility>

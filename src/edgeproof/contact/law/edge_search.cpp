@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/law/edge_search.hpp"
 
+#include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/instantiate.hpp"
 
 #include <cmath>
 

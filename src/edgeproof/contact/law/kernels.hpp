@@ -3,6 +3,8 @@
 #include "edgeproof/contact/law/field.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -149,6 +151,57 @@ struct LeftBalanceKernel { // consistency, left of the origin: pi - h
     template <class U> static U between(const Extent<U>&, const Mark<U>& m, const Mark<U>& n) {
         const U pi = Field<U>::pi(m.h);
         return n.y * (pi - n.h) - m.y * (pi - m.h) + n.w - m.w;
+    }
+};
+
+/// b(a + z) as a power series of type S by Newton's method on the consistency condition
+/// (docs/expansions.md, "The series of the law: the consistency condition"). Each step doubles the
+/// number of correct terms. `a` is the series a + z, `b` its left edge at z = 0 (lengths).
+/// `imbalance(e)` is the right side less the left side of the condition for edges that are series;
+/// `left_rate(e)` is the integral of sqrt((a-v)/(v+b)) dg', so that
+/// -left_rate/(a + b) is the derivative of the imbalance with respect to b.
+template <class S, class T, class Imbalance, class Rate>
+[[nodiscard]] S left_edge_by_newton(const S& a, const T& b, const Imbalance& imbalance,
+                                    const Rate& left_rate) {
+    using F = Field<S>;
+    S series(b, 1);
+    for (std::size_t known = 1; known < a.order();) {
+        known = std::min(2 * known, a.order());
+        const Extent<S> trial{F::resized(a, known), F::resized(series, known)};
+        S gap = imbalance(trial);
+        F::set_constant(gap, Field<T>::number(0, b)); // the condition holds at z = 0
+        // Newton's step: b - C/C_b with C_b = -left_rate/(a + b)
+        series = trial.b + gap / (left_rate(trial) / trial.length());
+        F::set_constant(series, b);
+    }
+    return series;
+}
+
+/// The contact law of g' = C sgn(x) |x|^m: P = factor a^(m+1) with factor = E* C (sqrt(pi)/2)
+/// Gamma(1 + m/2)/Gamma((3 + m)/2) (moore-hills EQ11; docs/mechanics.md, "Closed forms of the
+/// law"), over any field that has powers.
+template <class T> struct PowerLaw {
+    T exponent; ///< m
+    T factor;   ///< in force per unit length over length^(m+1)
+
+    /// The normal force P per unit length for the half-width a (length).
+    [[nodiscard]] T force(const T& a) const {
+        using std::pow;
+        return T(factor * pow(a, T(exponent + 1)));
+    }
+    /// dP/da, in force per unit length over length.
+    [[nodiscard]] T force_rate(const T& a) const {
+        using std::pow;
+        return T(factor * (exponent + 1) * pow(a, exponent));
+    }
+    /// dP/da as a power series, for a half-width that is a power series.
+    template <class S> [[nodiscard]] S force_rate_series(const S& a) const {
+        return pow(a, exponent) * T(factor * (exponent + 1));
+    }
+    /// The half-width a (length) for the normal force P per unit length.
+    [[nodiscard]] T half_width(const T& P) const {
+        using std::pow;
+        return T(pow(T(P / factor), T(1 / (exponent + 1))));
     }
 };
 

@@ -2,7 +2,7 @@
 #include "edgeproof/contact/profile/profile_checks.hpp"
 
 #include "edgeproof/contact/profile/slope.hpp"
-#include "edgeproof/formula/exact/enclosed_constant.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/exact_rational.hpp"
 

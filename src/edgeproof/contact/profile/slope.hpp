@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/profile/profile.hpp"
-#include "edgeproof/formula/evaluation/environment.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/series/divided_difference.hpp"

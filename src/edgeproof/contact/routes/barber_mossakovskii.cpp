@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/routes/pressure_routes.hpp"
-#include "edgeproof/precision/instantiate.hpp"
+#include "edgeproof/precision/arithmetic.hpp"
 
 #include <algorithm>
 #include <type_traits>

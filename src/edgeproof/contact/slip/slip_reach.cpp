@@ -2,7 +2,7 @@
 #include "edgeproof/contact/slip/slip_reach.hpp"
 
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
-#include "edgeproof/formula/exact/enclosed_constant.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 

@@ -4,7 +4,6 @@
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/repeated_product.hpp"
 
 #include <concepts>
 #include <span>

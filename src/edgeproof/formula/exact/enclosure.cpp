@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/exact/enclosure.hpp"
-
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/ball/arb_values.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
+#include <string>
 #include <vector>
 
 namespace edgeproof::formula {
@@ -168,6 +168,39 @@ std::optional<Enclosure> enclose(const Expr& constant, long bits) {
     mpfr_set_prec(result.upper.backend().data(), bits + 2);
     arb_get_interval_mpfr(result.lower.backend().data(), result.upper.backend().data(), ball);
     return result;
+}
+
+Ball BallConstants::symbol(std::string_view name) {
+    throw Error("the constant has a variable " + std::string(name));
+}
+
+Ball enclosed_constant(const Expr& e, long bits) {
+    if (const Rational* q = e.rational()) {
+        return {*q, bits};
+    }
+    return evaluate<Ball>(e, BallConstants{bits});
+}
+
+Ball enclosed_constant(const Exact& x, long bits) { return enclosed_constant(x.expr(), bits); }
+
+Ball ball_of(const Exact& x, long bits) {
+    if (x.is_rational()) {
+        return Ball(x.rational(), bits);
+    }
+    const auto e = enclose(x.expr(), bits);
+    if (!e) {
+        throw BudgetError("'" + x.text() + "' cannot be enclosed");
+    }
+    return Ball::from_interval(e->lower, e->upper, bits);
+}
+
+long bits_for(unsigned digits) { return static_cast<long>(digits) * 10 / 3 + 16; }
+
+std::optional<Rational> rational_of(const Exact& x) {
+    if (x.is_rational()) {
+        return x.rational();
+    }
+    return {};
 }
 
 } // namespace edgeproof::formula

@@ -32,7 +32,7 @@ struct TomlTable {
 class TomlSection {
 public:
     /// Returns the top level of a file. `file` is the name in errors. Refuses a text beyond the
-    /// limits of toml_limits.hpp, and control characters other than tab and newline in a key or a
+    /// limits of toml_text.hpp, and control characters other than tab and newline in a key or a
     /// text.
     [[nodiscard]] static TomlSection parse(std::string_view text, const std::string& file);
 

@@ -2,7 +2,6 @@
 #include "edgeproof/precision/elementary/ratio_series.hpp"
 
 #include "edgeproof/precision/bounded_cache.hpp"
-#include "edgeproof/precision/elementary/gmp_integer.hpp"
 
 #include <algorithm>
 #include <cmath>

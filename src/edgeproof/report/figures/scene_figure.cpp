@@ -4,7 +4,7 @@
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/scene/scene_values.hpp"
+#include "edgeproof/scene/run_scene.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/slip/slip_reach.hpp"
+#include "edgeproof/report/figures/figures.hpp"
 #include "edgeproof/report/figures/figures_paper.hpp"
 #include "edgeproof/report/tables/table.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
@@ -41,5 +42,10 @@ struct SlipTableOptions {
 /// tolerance, for all of the paper's profiles at both edges, under Q alone. Throws InputError for
 /// malformed tolerances, BudgetError if the budget does not decide one of them.
 [[nodiscard]] Table slip_table(const std::string& paper, const SlipTableOptions& options);
+
+/// Plots the size of the slip zone at an edge against Q/(f P), exact and by one, two and three
+/// terms: a plot for each of the paper's profiles and each edge that differs. Columns: load (Q/(f
+/// P)), d, d1, d2, d3, as fractions of the distance from the edge to the origin.
+[[nodiscard]] std::vector<Plot> slip_plots(const std::string& paper);
 
 } // namespace edgeproof::report

@@ -30,7 +30,7 @@ struct Erratum {
 /// misprints."
 [[nodiscard]] std::string errata_count(const std::vector<Erratum>& errata);
 
-/// A later result computed with a line as printed (audit/later_results.hpp).
+/// A later result computed with a line as printed (audit/run.hpp).
 struct LaterWords {
     std::string claim;
     std::string what;

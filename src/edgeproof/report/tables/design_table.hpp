@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/audit/relations/relations.hpp"
 #include "edgeproof/report/tables/table.hpp"
 #include "edgeproof/scene/design/run_design.hpp"
 
@@ -10,5 +11,9 @@ namespace edgeproof::report {
 [[nodiscard]] Table design_table(const scene::DesignScene& design,
                                  const scene::DesignResult& result,
                                  const contact::DesignOptions& search);
+
+/// The relations found, one row each, and whether these are all.
+[[nodiscard]] Table relations_table(const audit::RelationQuestion& question,
+                                    const audit::AskedRelations& asked);
 
 } // namespace edgeproof::report

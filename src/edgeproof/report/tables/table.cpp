@@ -4,7 +4,6 @@
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"
-#include "edgeproof/report/text/text_width.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -26,5 +28,12 @@ void add_csv_cell(std::string& line, std::string_view text);
 
 /// Returns text for a LaTeX paragraph or cell, without commands of its own.
 [[nodiscard]] std::string latex_text(std::string_view text);
+
+/// Returns the number of UTF-8 code points as the number of columns; nearly all texts are ASCII.
+[[nodiscard]] inline std::size_t text_width(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+    }));
+}
 
 } // namespace edgeproof::report

@@ -2,7 +2,6 @@
 #include "edgeproof/report/text/tex_math.hpp"
 
 #include "edgeproof/report/text/html_markup.hpp"
-#include "edgeproof/report/text/tex_tokens.hpp"
 
 #include <algorithm>
 #include <array>

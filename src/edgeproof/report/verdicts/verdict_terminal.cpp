@@ -3,7 +3,7 @@
 
 #include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/precision/message.hpp"
-#include "edgeproof/report/text/text_width.hpp"
+#include "edgeproof/report/text/escape.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/input/bounded_value.hpp"
 
-#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/rounding/at_a_glance.hpp"
 
 #include <algorithm>

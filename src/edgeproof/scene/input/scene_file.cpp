@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/input/scene_file.hpp"
-
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/text_file.hpp"
-#include "edgeproof/io/toml/toml_limits.hpp"
+#include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/input/contact_constant.hpp"
 #include "edgeproof/scene/input/file_kind.hpp"
 #include "edgeproof/scene/input/read_ask.hpp"
 #include "edgeproof/scene/input/read_profile.hpp"
@@ -289,6 +287,91 @@ Scene parse_scene(std::string_view text, const std::string& file, std::string_vi
 Scene read_scene(const std::filesystem::path& file, std::string_view asked) {
     return parse_scene(io::read_text(file, "scene (TOML)", io::most_toml_bytes),
                        io::input_name(file), asked);
+}
+
+namespace {
+
+std::string toml_string(const std::string& key, const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+            throw InputError(key + " holds a control character", "write a number or a word");
+        }
+        out += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+    }
+    return out + "\"";
+}
+
+std::string toml_entry(const SceneEntry& entry) {
+    if (const auto* text = std::get_if<std::string>(&entry.value)) {
+        return toml_string(entry.key, *text);
+    }
+    if (const auto* yes = std::get_if<bool>(&entry.value)) {
+        return *yes ? "true" : "false";
+    }
+    std::string list;
+    for (const std::string& item : std::get<std::vector<std::string>>(entry.value)) {
+        list += (list.empty() ? "" : ", ") + toml_string(entry.key, item);
+    }
+    return "[" + list + "]";
+}
+
+} // namespace
+
+std::string scene_text(const SceneEntries& entries) {
+    std::string text;
+    if (!entries.title.empty()) {
+        text += "title = " + toml_string("title", entries.title) + "\n";
+    }
+    const auto section = [&](const char* name, const std::vector<SceneEntry>& list) {
+        if (list.empty()) {
+            return;
+        }
+        text += std::string(text.empty() ? "" : "\n") + "[" + name + "]\n";
+        for (const SceneEntry& entry : list) {
+            text += entry.key + " = " + toml_entry(entry) + "\n";
+        }
+    };
+    section("profile", entries.profile);
+    section("load", entries.load);
+    section("shear", entries.shear);
+    section("ask", entries.ask);
+    return text;
+}
+
+Scene make_scene(const SceneEntries& entries) {
+    try {
+        return parse_scene(scene_text(entries), "");
+    } catch (const InputError& error) {
+        throw InputError(error.problem(), error.instead()); // the user did not write the lines
+    }
+}
+
+namespace {
+
+constexpr int shown_digits = 8;
+
+} // namespace
+
+void refuse_sliding(const Scene& scene, const Real& force) {
+    const contact::ShearSpec& shear = *scene.shear;
+    const Real most = force * shear.friction->to<Real>();
+    throw InputError("the contact slides: Q = " + shear.Q.text() +
+                         ", but f P = " + most.str(shown_digits),
+                     "give a smaller Q, or a greater friction, so that |Q| < f P")
+        .at(scene.file, scene.friction_line);
+}
+
+void refuse_tension(const Scene& scene, contact::Edge edge, bool reached, const Real& least,
+                    const Real& most) {
+    throw InputError("bulk_tension = " + scene.shear->bulk_tension.text() +
+                         " moves the stick zone " + (reached ? "to the " : "beyond the ") +
+                         edge_name(edge) +
+                         (reached ? " edge to within all digits, so that nothing slips there"
+                                  : " edge, which would slip in the direction opposite to Q"),
+                     "give a bulk_tension between " + least.str(shown_digits) + " and " +
+                         most.str(shown_digits) + ", the bounds for this Q")
+        .at(scene.file, scene.tension_line);
 }
 
 } // namespace edgeproof::scene

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/routes/extent.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/contact/routes/shear_traction.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
+#include "edgeproof/precision/real.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
 #include "edgeproof/scene/input/place.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
@@ -14,6 +16,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace edgeproof::io {
@@ -109,5 +112,36 @@ struct Scene {
 
 /// Reads a tolerance exactly: "1%", "0.01", "1/100". Throws InputError unless it is positive.
 [[nodiscard]] formula::Exact parse_tolerance(std::string_view text);
+
+/// One key of a section with its value: a number or a word as text, a boolean, or a list of texts.
+struct SceneEntry {
+    std::string key;
+    std::variant<std::string, bool, std::vector<std::string>> value;
+};
+
+/// A scene that is not read from a file: the keys of a scene file (docs/file-formats.md), section
+/// by section. A section without entries is left out.
+struct SceneEntries {
+    std::string title;
+    std::vector<SceneEntry> profile;
+    std::vector<SceneEntry> load;
+    std::vector<SceneEntry> shear;
+    std::vector<SceneEntry> ask = {};
+};
+
+/// Returns the text of the equivalent scene file. Throws InputError for a text with a control
+/// character.
+[[nodiscard]] std::string scene_text(const SceneEntries& entries);
+
+/// Returns the scene, checked as if it was read from a file. Throws InputError, without file and
+/// line, in the same cases as read_scene.
+[[nodiscard]] Scene make_scene(const SceneEntries& entries);
+
+/// Refuses a scene with |Q| >= f P, with the line of the friction; `force` is P.
+[[noreturn]] void refuse_sliding(const Scene& scene, const Real& force);
+/// Refuses a scene whose stick zone would extend beyond an edge (or reaches it: `reached`), with
+/// the line of the bulk tension: sigma_0 has to lie between the two limits.
+[[noreturn]] void refuse_tension(const Scene& scene, contact::Edge edge, bool reached,
+                                 const Real& least, const Real& most);
 
 } // namespace edgeproof::scene

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/curved/integrated_contact.hpp"
-#include "edgeproof/contact/curved/integrated_zones.hpp"
+#include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/contact/enclosure/ball_peak.hpp"
+#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
-#include "edgeproof/contact/slip/cycle_energy.hpp"
-#include "edgeproof/contact/tilt/ball_tilt.hpp"
-#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/contact/tilt/tilt_solver.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/scene/route/omitted_terms.hpp"
-#include "edgeproof/scene/route/peak.hpp"
 #include "edgeproof/scene/route/plan.hpp"
 
 #include <cstddef>

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/route/ball_places.hpp"
-
-#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/contact/enclosure/ball_extent.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace edgeproof::scene {
 namespace {
@@ -129,6 +130,158 @@ void BallPlaces::know(contact::Edge edge) {
             known_[edge] = *rational;
         }
     }
+}
+
+namespace {
+
+formula::ExactNumber exactly(const formula::Exact& x) { return formula::ExactNumber::of(x.expr()); }
+
+/// The exact values of those results that are rational numbers.
+struct ExactExtents {
+    std::optional<Rational> length;
+    std::optional<Rational> first_exit;
+    std::optional<Rational> measure;
+    std::vector<std::optional<Rational>> crossings;
+};
+
+class ExtentInBalls {
+public:
+    ExtentInBalls(BallRefinement& balls, const Scene& scene, const Plan& plan, contact::Edge edge,
+                  std::size_t n)
+        : balls_(balls), scene_(scene), plan_(plan), edge_(edge), n_(n) {}
+
+    [[nodiscard]] std::optional<ExtentValues> found() {
+        contact::BallExtentSearch search(
+            [&](long bits) -> const contact::ProvedPressure& {
+                BallLevel* level = balls_.at_level(bits);
+                if (level == nullptr) {
+                    throw BudgetError("too few bits to enclose the edges");
+                }
+                return level->proved_pressure();
+            },
+            edge_, n_, *scene_.ask.tolerance, scene_.ask.part);
+        const auto enclosed = [&](const Ball& x) { return has_digits(x, plan_.digits); };
+        std::optional<contact::EnclosedExtents> best;
+        ExactExtents exact;
+        for (long bits = plan_.bits; bits <= balls_.last_bits(); bits *= 2) {
+            try {
+                best = search.at(bits);
+            } catch (const BudgetError&) {
+                if (search.evaluations() > contact::BallExtentSearch::most_evaluations) {
+                    break;
+                }
+                continue;
+            }
+            exact = exact_extents(*best, *balls_.at_level(bits));
+            bool all = (exact.first_exit || enclosed(best->first_exit)) &&
+                       (exact.measure || enclosed(best->measure));
+            for (std::size_t k = 0; k < best->crossings.size(); ++k) {
+                all = all && (exact.crossings[k] || enclosed(best->crossings[k]));
+            }
+            if (all) {
+                break;
+            }
+        }
+        if (!best) {
+            return {};
+        }
+        const auto proved = [](const Ball& x, const std::optional<Rational>& q) {
+            return BoundedValue{x, true, "sign changes", q};
+        };
+        const auto of_length = [&](const std::optional<Rational>& q) {
+            return q && exact.length ? std::optional(Rational(*q / *exact.length)) : std::nullopt;
+        };
+        ExtentValues values;
+        values.edge = edge_;
+        values.n = n_;
+        values.leaves = best->leaves;
+        values.first_exit = proved(best->first_exit, exact.first_exit);
+        values.measure = proved(best->measure, exact.measure);
+        values.first_exit_fraction =
+            proved(best->first_exit / best->length, of_length(exact.first_exit));
+        values.measure_fraction = proved(best->measure / best->length, of_length(exact.measure));
+        for (std::size_t k = 0; k < best->crossings.size(); ++k) {
+            values.crossings.push_back(proved(best->crossings[k], exact.crossings[k]));
+        }
+        if (scene_.ask.process_zone) {
+            values.covers_zone = certainly_less(
+                ball_of(*scene_.ask.process_zone, best->length.bits()), best->first_exit);
+        }
+        return values;
+    }
+
+private:
+    [[nodiscard]] ExactExtents exact_extents(const contact::EnclosedExtents& found,
+                                             const BallLevel& level) {
+        ExactExtents result;
+        result.crossings.resize(found.crossings.size());
+        const auto part = [&](const formula::Exact& fraction) {
+            return balls_.exact_value(
+                [&](ExactValues& e) { return e.length() * exactly(fraction); }, level,
+                found.length * ball_of(fraction, found.length.bits()));
+        };
+        result.length = part(formula::Exact::of(Rational(1)));
+        if (!result.length) {
+            return result;
+        }
+        bool all = true;
+        for (std::size_t k = 0; k < found.crossings.size(); ++k) {
+            result.crossings[k] =
+                found.single[k] ? exact_crossing(found.crossings[k], level) : std::nullopt;
+            all = all && result.crossings[k];
+        }
+        const auto start = part(scene_.ask.part.from);
+        const auto end = part(scene_.ask.part.to);
+        result.first_exit = !found.starts_within ? start
+                            : !found.leaves      ? end
+                                                 : result.crossings.front();
+        if (!all || !start || !end) {
+            return result;
+        }
+        Rational measure = 0;
+        Rational entered = *start;
+        bool within = found.starts_within;
+        for (const auto& u : result.crossings) {
+            measure += within ? Rational(*u - entered) : Rational(0);
+            entered = *u;
+            within = !within;
+        }
+        measure += within ? Rational(*end - entered) : Rational(0);
+        if (contains(found.measure, measure)) {
+            result.measure = measure;
+        }
+        return result;
+    }
+    /// Returns the crossing in a ball that contains one, if the error there is exactly the
+    /// tolerance.
+    [[nodiscard]] std::optional<Rational> exact_crossing(const Ball& u, const BallLevel& level) {
+        const auto q = may_be_a_limit(u, plan_.digits, has_digits(u, plan_.digits))
+                           ? contact::simplest_rational(u)
+                           : std::nullopt;
+        if (!q || *q <= 0) {
+            return {};
+        }
+        const formula::ExactNumber tolerance = exactly(*scene_.ask.tolerance);
+        const auto off = [&](ExactValues& e) {
+            const formula::ExactNumber error = e.error(edge_, formula::ExactNumber(*q), n_, false);
+            return error == tolerance || error == -tolerance ? formula::ExactNumber(*q)
+                                                             : formula::ExactNumber::unknown();
+        };
+        return balls_.exact_value(off, level, u);
+    }
+
+    BallRefinement& balls_;
+    const Scene& scene_;
+    const Plan& plan_;
+    contact::Edge edge_;
+    std::size_t n_;
+};
+
+} // namespace
+
+std::optional<ExtentValues> enclosed_extent(BallRefinement& balls, const Scene& scene,
+                                            const Plan& plan, contact::Edge edge, std::size_t n) {
+    return ExtentInBalls(balls, scene, plan, edge, n).found();
 }
 
 } // namespace edgeproof::scene

@@ -3,6 +3,7 @@
 #include "edgeproof/scene/route/ball_refinement.hpp"
 #include "edgeproof/scene/route/value_route.hpp"
 
+#include <cstddef>
 #include <map>
 #include <optional>
 
@@ -39,5 +40,11 @@ private:
     std::optional<Rational> known_length_;
     std::map<contact::Edge, Rational> known_;
 };
+
+/// Returns the extents to which n terms stay within the scene's tolerance, proved by the signs of
+/// the error between the crossings; nothing if the budget does not decide.
+[[nodiscard]] std::optional<ExtentValues> enclosed_extent(BallRefinement& balls, const Scene& scene,
+                                                          const Plan& plan, contact::Edge edge,
+                                                          std::size_t n);
 
 } // namespace edgeproof::scene

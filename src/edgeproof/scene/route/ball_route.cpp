@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/curved/slope_monotonicity.hpp"
 #include "edgeproof/contact/profile/profile_checks.hpp"
-#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/route/ball_extents.hpp"
 #include "edgeproof/scene/route/ball_places.hpp"
 #include "edgeproof/scene/route/ball_refinement.hpp"
 #include "edgeproof/scene/route/ball_slips.hpp"

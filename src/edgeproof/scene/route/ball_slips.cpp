@@ -4,7 +4,7 @@
 #include "edgeproof/contact/slip/slip_reach.hpp"
 #include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/input/slip_checks.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 #include "edgeproof/scene/route/exact_values.hpp"
 
 #include "edgeproof/contact/law/shear.hpp"
-#include "edgeproof/scene/route/peak.hpp"
+#include "edgeproof/scene/route/plan.hpp"
 
 namespace edgeproof::scene {
 

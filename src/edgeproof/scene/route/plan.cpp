@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/route/plan.hpp"
-
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -252,6 +251,20 @@ private:
 Plan make_plan(const Scene& scene) {
     check(scene);
     return Planner(scene).make();
+}
+
+bool peaks_in_the_middle(const Scene& scene) {
+    if (!scene.profile || scene.profile->kind() != contact::Profile::Kind::power_law) {
+        return false;
+    }
+    const formula::Exact& m = scene.profile->parameters().at("m");
+    return m.sign() > 0 &&
+           formula::Exact(m.expr() - formula::Expr::number(Rational(1))).sign() <= 0;
+}
+
+void refuse_infinite_peak(const Real& x) {
+    throw DomainError("there is no greatest pressure: it is infinite at the corner x = " +
+                      x.str(8));
 }
 
 } // namespace edgeproof::scene

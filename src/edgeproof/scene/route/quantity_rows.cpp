@@ -4,7 +4,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/route/ball_level.hpp"
 #include "edgeproof/scene/route/exact_values.hpp"
-#include "edgeproof/scene/route/peak.hpp"
+#include "edgeproof/scene/route/plan.hpp"
 #include "edgeproof/scene/route/real_level.hpp"
 #include "edgeproof/scene/route/value_route.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/route/real_level.hpp"
 
-#include "edgeproof/contact/routes/cycle_energy.hpp"
+#include "edgeproof/contact/routes/partial_slip.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/roots/extremum.hpp"
-#include "edgeproof/scene/route/peak.hpp"
+#include "edgeproof/scene/route/plan.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/routes/partial_slip.hpp"
-#include "edgeproof/formula/exact/exact_ball.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/scene/route/plan.hpp"
 
 #include <map>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/validation/counts/binary64_count.hpp"
 
-#include "edgeproof/validation/counts/contacts_counted.hpp"
+#include "edgeproof/validation/counts/state_text.hpp"
 
 #include <sstream>
 

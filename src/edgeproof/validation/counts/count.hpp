@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/scene/input/bounded_value.hpp"
 #include "edgeproof/validation/counts/sample.hpp"
 
 #include <array>
@@ -8,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace edgeproof::validation {
@@ -80,5 +82,28 @@ struct CountResult {
 /// routes in Real. The result does not depend on the number of threads. Contacts in `state` are not
 /// repeated, unless they had findings.
 [[nodiscard]] CountResult count_values(const CountOptions& options, CountState& state);
+
+struct CountedContact {
+    std::map<std::size_t, CountCell> cells; ///< as in CountState
+    std::vector<CountFinding> findings;
+};
+
+/// Throws Interrupted; then no value of the contact is counted.
+[[nodiscard]] CountedContact count_contact(const CountOptions& options, std::size_t number,
+                                           std::size_t values);
+
+/// Returns the faults of one value; empty if there are none. `error` is the rounding error allowed
+/// for `second`. Adds to the cell.
+[[nodiscard]] std::string held_to(const scene::BoundedValue& first,
+                                  const scene::BoundedValue& finer, const Real& second,
+                                  const Real& error, unsigned digits, CountCell& cell);
+
+/// Writes the contacts without findings, one line each; those with findings are left out, so that
+/// they are repeated.
+[[nodiscard]] std::string write_count_state(const CountState& state);
+/// Throws InputError with the line for a text that is not such a state, or one of another seed,
+/// number of values or digits than `wanted`.
+[[nodiscard]] CountState parse_count_state(std::string_view text, const std::string& file,
+                                           const CountState& wanted);
 
 } // namespace edgeproof::validation

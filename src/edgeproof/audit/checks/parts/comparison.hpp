@@ -3,7 +3,6 @@
 #include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/diagnosis/diagnosis.hpp"
-#include "edgeproof/audit/diagnosis/ratio.hpp"
 #include "edgeproof/audit/symbolic/symbolic.hpp"
 
 #include <memory>

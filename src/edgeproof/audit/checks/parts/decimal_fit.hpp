@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/ledger/judgement.hpp"
-#include "edgeproof/audit/ledger/outcome.hpp"
 #include "edgeproof/audit/ledger/printed_formula.hpp"
 
 #include <functional>

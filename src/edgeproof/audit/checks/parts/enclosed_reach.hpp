@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
+#include "edgeproof/audit/ledger/judgement.hpp"
+#include "edgeproof/contact/design/design.hpp"
 #include "edgeproof/contact/enclosure/ball_extent.hpp"
 
 #include <optional>
@@ -25,5 +27,24 @@ struct EnclosedReach {
 };
 [[nodiscard]] EnclosedReach enclosed_reach(const SceneSpec& scene, const ReachQuestion& question,
                                            unsigned digits);
+
+inline constexpr long optimum_bits = 256;
+
+/// The proved best value of a parameter (contact/design), and the shortfall of a claimed value.
+struct ProvedOptimum {
+    contact::BestReach best;
+    Ball claimed_reach; ///< proved, too
+    Ball falls_short;   ///< 1 - claimed_reach/best
+    bool proved = false;
+    bool is_best = false; ///< no value reaches farther than the claimed one by more than the gap
+    std::string text; ///< "m = 0.66796..., where one term reaches 0.45016... of the contact; ..."
+
+    void add_to(Evidence& evidence) const;
+};
+
+/// The gap is at most a millionth of the best reach.
+[[nodiscard]] ProvedOptimum proved_optimum(const contact::ReachProblem& problem,
+                                           const contact::ParameterRange& range,
+                                           const Ball& claimed, const std::string& parameter);
 
 } // namespace edgeproof::audit

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/commands/check/check_kinds.hpp"
-#include "edgeproof/cli/program_messages.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/conformance/answers/program_driver.hpp"

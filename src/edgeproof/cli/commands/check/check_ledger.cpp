@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/run.hpp"
-#include "edgeproof/cli/claim_errors.hpp"
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/commands/check/check_kinds.hpp"
+#include "edgeproof/cli/judged_ledger.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/report/verdicts/verdict_writers.hpp"
 

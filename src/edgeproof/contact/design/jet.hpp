@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -62,5 +64,22 @@ template <class T> [[nodiscard]] T lifted(const Ball& x) { return T(x); }
     arb_indeterminate(x.data());
     return x;
 }
+
+/// Jets as a field of the formulas of contact/law. Of a number that is not certainly positive the
+/// root has no finite derivatives.
+template <> struct Field<Jet> {
+    static Jet number(int k, const Jet& like) { return Jet(Field<Ball>::number(k, like.v)); }
+    static Jet pi(const Jet& like) { return Jet(Ball::pi(like.v.bits())); }
+    static Jet over(const Jet& x, int k) { return x / k; }
+    static bool vanishes(const Jet& x) {
+        const auto is_zero = [](const Ball& d) { return Field<Ball>::vanishes(d); };
+        return is_zero(x.v) && std::ranges::all_of(x.g, is_zero) &&
+               std::ranges::all_of(x.h, is_zero);
+    }
+    static Jet times(const Jet& weight, const Jet& x) { return weight * x; }
+    static Jet root(const Jet& x) { return sqrt(x); }
+    static Jet angle(const Jet& near, const Jet& far) { return atan(sqrt(near / far)) * 2; }
+    template <class Mark> static Jet other_angle(const Mark& m) { return pi(m.h) - m.h; }
+};
 
 } // namespace edgeproof::contact

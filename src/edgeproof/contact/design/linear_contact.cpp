@@ -1,132 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/linear_contact.hpp"
-#include "edgeproof/contact/enclosure/fields.hpp"
+#include "edgeproof/contact/law/logarithmic_pressure.hpp"
 
 #include <functional>
 
 namespace edgeproof::contact {
 namespace {
 
-/// Of a knot inside for some parameters of the box and outside for others: every member is
-/// continuous there, that of a knot outside being that of the edge, at 0 and a + b from the edges.
-/// Not so derivatives: of jets nothing is known then.
-LinearContact<Ball>::Mark mark_by_an_edge(const Ball& length, Ball right, Ball left) {
-    Ball& far = contains_zero(left) ? right : left;
-    far = Ball::hull(far, length);
-    return {right,
-            left,
-            (left - right) / 2,
-            Field<Ball>::root(right * left),
-            Field<Ball>::angle(right, left),
-            false};
+/// The mark of a knot that is not certainly outside. If it is inside for some parameters of the box
+/// and outside for others, every member is continuous there, since a knot outside has the mark of
+/// the edge, at the distances 0 and a + b from the edges. Derivatives are not continuous: a jet is
+/// then not finite.
+Mark<Ball> mark_inside(const Ball& length, Ball right, Ball left) {
+    if (!certainly_positive(right) || !certainly_positive(left)) {
+        Ball& far = contains_zero(left) ? right : left;
+        far = Ball::hull(far, length);
+    }
+    return mark_between(right, left);
+}
+Mark<Jet> mark_inside(const Jet& /*length*/, const Jet& right, const Jet& left) {
+    return mark_between(right, left);
 }
 
 } // namespace
 
-template <class T>
-typename LinearContact<T>::Mark LinearContact<T>::right_end(const T& a, const T& b) const {
-    return {constant(0), a + b, (a + b) / 2, constant(0), constant(0), true};
-}
-template <class T>
-typename LinearContact<T>::Mark LinearContact<T>::left_end(const T& a, const T& b) const {
-    return {a + b, constant(0), -((a + b) / 2), constant(0), T(Ball::pi(bits)), true};
-}
-template <class T>
-typename LinearContact<T>::Mark LinearContact<T>::mark(const T& a, const T& b, const T& v) const {
-    const T right = a - v;
-    const T left = v + b;
-    if (certainly_negative(value_in(right))) {
-        return right_end(a, b);
-    }
-    if (certainly_negative(value_in(left))) {
-        return left_end(a, b);
-    }
-    if constexpr (std::is_same_v<T, Ball>) {
-        if (!certainly_positive(right) || !certainly_positive(left)) {
-            return mark_by_an_edge(a + b, right, left);
+template <class T> std::vector<Mark<T>> LinearContact<T>::marks(const Extent<T>& e) const {
+    std::vector<Mark<T>> all;
+    for (const T& knot : slope.knots) {
+        const T right = e.a - knot;
+        const T left = e.b + knot;
+        if (certainly_negative(value_in(right))) {
+            all.push_back(right_end(e));
+        } else if (certainly_negative(value_in(left))) {
+            all.push_back(left_end(e));
+        } else {
+            all.push_back(mark_inside(e.length(), right, left));
         }
     }
-    return {right, left, (left - right) / 2, sqrt(right * left), atan(sqrt(right / left)) * 2,
-            false};
+    return all;
 }
 
 template <class T>
-template <class AtKnot, class Between>
-T LinearContact<T>::over_measure(const T& a, const T& b, const AtKnot& at_knot,
-                                 const Between& between) const {
-    T sum = constant(0);
-    Mark previous = left_end(a, b);
-    for (std::size_t i = 0; i <= knots.size(); ++i) {
-        const Mark next = i < knots.size() ? mark(a, b, knots[i]) : right_end(a, b);
-        sum += pieces[i].rate * between(i, previous, next);
-        if (i < knots.size() && (corner[i] || i == origin)) {
-            sum += at_knot(i, next);
-        }
-        previous = next;
+template <class Kernel>
+T LinearContact<T>::over_measure(const Extent<T>& e) const {
+    return over_linear_measure<Kernel>(slope, e, marks(e));
+}
+
+template <class T> T LinearContact<T>::imbalance(const T& a, const T& b) const {
+    const Extent<T> e{a, b};
+    T sum = linear_imbalance(slope, e, marks(e));
+    if (!slope.has_corner(slope.origin)) {
+        // g'(0) is not 0 in a tilted corrective contact; the integral of 1/w is pi.
+        sum += slope.pieces[slope.origin].at_origin * Field<T>::pi(a);
     }
     return sum;
 }
 
-template <class T> T LinearContact<T>::imbalance(const T& a, const T& b) const {
-    const T pi = T(Ball::pi(bits));
-    return over_measure(
-        a, b,
-        [&](std::size_t i, const Mark& m) {
-            if (i != origin) {
-                return i > origin ? jumps[i] * m.h : -(jumps[i] * (pi - m.h));
-            }
-            // g'(0+) weighs on the right, -g'(0-) on the left.
-            return pieces[i + 1].at_origin * m.h + pieces[i].at_origin * (pi - m.h);
-        },
-        [&](std::size_t i, const Mark& m, const Mark& n) {
-            if (i > origin) {
-                return n.y * n.h - m.y * m.h + m.w - n.w;
-            }
-            return -(n.y * (pi - n.h) - m.y * (pi - m.h) + n.w - m.w);
-        });
-}
-
 template <class T> T LinearContact<T>::imbalance_rate(const T& a, const T& b) const {
-    const T d = (a + b) / 2;
-    const T sum = over_measure(
-        a, b,
-        [&](std::size_t i, const Mark& m) {
-            return m.outside || !corner[i] ? constant(0) : jumps[i] * m.right / m.w;
-        },
-        [&](std::size_t, const Mark& m, const Mark& n) { return n.w - m.w + d * (m.h - n.h); });
-    return -(sum / (a + b));
+    return -(over_measure<LeftRateKernel>({a, b}) / (a + b));
 }
 
 template <class T> T LinearContact<T>::force(const T& a, const T& b) const {
-    const T d = (a + b) / 2;
-    return modulus / 2 *
-           over_measure(
-               a, b,
-               [&](std::size_t i, const Mark& m) {
-                   return corner[i] ? jumps[i] * m.w : constant(0);
-               },
-               [&](std::size_t, const Mark& m, const Mark& n) {
-                   return (n.y * n.w - m.y * m.w + d * d * (m.h - n.h)) / 2;
-               });
+    return modulus / 2 * over_measure<ForceKernel>({a, b});
 }
 
 template <class T> T LinearContact<T>::force_rate(const T& a, const T& b) const {
-    const T d = (a + b) / 2;
-    return modulus / 2 *
-           over_measure(
-               a, b,
-               [&](std::size_t i, const Mark& m) {
-                   return m.outside || !corner[i] ? constant(0) : jumps[i] * m.left / m.w;
-               },
-               [&](std::size_t, const Mark& m, const Mark& n) {
-                   return m.w - n.w + d * (m.h - n.h);
-               });
+    return modulus / 2 * over_measure<RightRateKernel>({a, b});
 }
 
 template <class T> T LinearContact<T>::arc(const T& a, const T& b) const {
-    return over_measure(
-        a, b, [&](std::size_t, const Mark&) { return constant(0); },
-        [](std::size_t, const Mark& m, const Mark& n) { return m.h - n.h; });
+    const Extent<T> e{a, b};
+    return arc_of(slope, e, marks(e));
 }
 
 template <class T>
@@ -134,21 +78,16 @@ LinearContact<T> linear_contact(const ParametricSlope& slope, const formula::Exp
                                 const ParameterValues<T>& value) {
     LinearContact<T> c;
     c.bits = value.bits();
-    c.origin = slope.origin;
-    c.corner = slope.corner;
     c.modulus = value(contact_modulus);
     for (const formula::Expr& knot : slope.knots) {
-        c.knots.push_back(value(knot));
+        c.slope.knots.push_back(value(knot));
     }
     for (const ParametricSlope::Piece& piece : slope.pieces) {
-        c.pieces.push_back({value(piece.at_origin), value(piece.rate)});
+        c.slope.pieces.push_back({value(piece.at_origin), value(piece.rate)});
     }
-    for (std::size_t i = 0; i < c.knots.size(); ++i) {
-        const auto at = [&](const typename LinearContact<T>::Piece& p) {
-            return p.at_origin + p.rate * c.knots[i];
-        };
-        c.jumps.push_back(slope.corner[i] ? at(c.pieces[i + 1]) - at(c.pieces[i]) : c.constant(0));
-    }
+    c.slope.corners = slope.corner;
+    c.slope.origin = slope.origin;
+    c.slope.find_jumps();
     return c;
 }
 

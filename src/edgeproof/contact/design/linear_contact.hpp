@@ -1,53 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/design/error_family.hpp"
+#include "edgeproof/contact/law/linear_measure.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace edgeproof::contact {
 
-/// A contact on a piecewise linear slope whose knots, slopes and edges are balls or jets: the
-/// kernels of contact/law/kernels.hpp, over these types.
+/// A contact on a piecewise linear slope whose knots, slopes and edges are balls or jets. The
+/// integrals are those of contact/law over these types. `a`, `b`: the distances of the edges from
+/// the origin. A result is not finite if an edge may lie on a knot.
 template <class T> struct LinearContact {
-    struct Piece {
-        T at_origin;
-        T rate;
-    };
-    struct Mark {
-        T right; ///< a - v
-        T left;  ///< v + b
-        T y;     ///< v - (a - b)/2
-        T w;     ///< sqrt((a - v)(v + b))
-        T h;     ///< 2 atan sqrt((a - v)/(v + b))
-        bool outside = false;
-    };
-    std::vector<T> knots;
-    std::vector<Piece> pieces;
-    std::vector<T> jumps;
-    std::vector<bool> corner;
-    std::size_t origin = 0;
-    T modulus;
+    LinearSlope<T> slope;
+    T modulus; ///< E*
     long bits = 64;
 
     [[nodiscard]] T constant(long k) const { return T(Ball(k, bits)); }
-    [[nodiscard]] Mark mark(const T& a, const T& b, const T& v) const;
-    [[nodiscard]] Mark right_end(const T& a, const T& b) const;
-    [[nodiscard]] Mark left_end(const T& a, const T& b) const;
-    /// Positive where the left edge lies further out (eqn:Consistency).
+    /// Positive if the left edge must lie further out (moore-hills EQ20).
     [[nodiscard]] T imbalance(const T& a, const T& b) const;
-    /// Its derivative by b.
+    /// The derivative of the imbalance with respect to b.
     [[nodiscard]] T imbalance_rate(const T& a, const T& b) const;
+    /// The normal force P per unit length (moore-hills EQ22).
     [[nodiscard]] T force(const T& a, const T& b) const;
     /// dP/da along the family of contacts.
     [[nodiscard]] T force_rate(const T& a, const T& b) const;
-    /// The integral of g'' over the angle h.
+    /// The integral of g'' over the angle h (1/length).
     [[nodiscard]] T arc(const T& a, const T& b) const;
 
 private:
-    template <class AtKnot, class Between>
-    [[nodiscard]] T over_measure(const T& a, const T& b, const AtKnot& at_knot,
-                                 const Between& between) const;
+    template <class Kernel> [[nodiscard]] T over_measure(const Extent<T>& e) const;
+    [[nodiscard]] std::vector<Mark<T>> marks(const Extent<T>& e) const;
 };
 
 template <class T>

@@ -43,17 +43,17 @@ template <class T> struct LinearError {
         : length(edges.a + edges.b), arc(contact.arc(edges.a, edges.b)),
           fraction(question.unit == ReachUnit::fraction), bits(contact.bits) {
         const bool right = question.edge == Edge::right;
-        for (std::size_t i = 0; i < contact.knots.size(); ++i) {
-            const T from_right = edges.a - contact.knots[i];
-            const T from_left = edges.b + contact.knots[i];
+        for (std::size_t i = 0; i < contact.slope.knots.size(); ++i) {
+            const T from_right = edges.a - contact.slope.knots[i];
+            const T from_left = edges.b + contact.slope.knots[i];
             if (certainly_negative(value_in(from_right)) ||
                 certainly_negative(value_in(from_left))) {
                 continue;
             }
-            T drop = contact.pieces[i].rate - contact.pieces[i + 1].rate;
+            T drop = contact.slope.rate_drop(i);
             drop *= right ? 1 : -1;
-            knots.push_back({right ? from_right : from_left, contact.jumps[i], drop,
-                             static_cast<bool>(contact.corner[i])});
+            knots.push_back({right ? from_right : from_left, contact.slope.jump(i), drop,
+                             contact.slope.has_corner(i)});
         }
         inverse_powers = {number(Rational(1))};
         for (std::size_t k = 0; k < question.terms; ++k) {

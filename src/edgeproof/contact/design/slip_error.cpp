@@ -131,7 +131,7 @@ template <class T> struct SlippingContact {
         LinearContact<T> c = contact;
         if (tension) {
             const T tilt = *tension * tau * force / (contact.modulus * 2);
-            for (auto& piece : c.pieces) {
+            for (auto& piece : c.slope.pieces) {
                 piece.at_origin += tilt;
             }
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A table of pressures made by all processors. Values are put where they belong, so that the table
-// is the same whatever the number of threads.
+// is the same for every number of threads.
 #include "edgeproof/contact/contact.hpp"
 #include "edgeproof/parallel/parallel.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

@@ -63,7 +63,7 @@ TEST_CASE("hard-cases.toml: at least 200 cases, at least 10 in each class of the
                              "m = 5/8 +- 1e-20",
                              "m = 1e4",
                              "b on a knot",
-                             "b 1e-25 beside a knot",
+                             "b 1e-25 from a knot",
                              "alpha = 1e-25",
                              "just past the flat",
                              "residual of 20 terms at u = 1e-10",

@@ -6,7 +6,7 @@ import sys
 
 
 def run(command, **options):
-    """A program that ends when this one is told to by SIGTERM, and whatever that has started in the same way."""
+    """A program that ends when this one is stopped by SIGTERM, together with all processes that it has started."""
     before = signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     try:
         with subprocess.Popen(command, **options) as child:

@@ -117,7 +117,7 @@ def main(program, solve, header, options=()):
     try:
         scene = Scene(arguments.scene)
     except (OSError, ValueError, KeyError) as error:
-        give_up(f"{arguments.scene}: {error!r}; give a scene as hertz.toml beside this program")
+        give_up(f"{arguments.scene}: {error!r}; give a scene such as hertz.toml in the folder of this program")
     arguments.out.mkdir(parents=True, exist_ok=True)
     files = []
     for elements in arguments.elements:

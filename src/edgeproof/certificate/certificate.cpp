@@ -215,10 +215,10 @@ have none.
   says what the load of a contact, the condition of consistency and the pressure (Barber and
   Mossakovskii's integral) are; `Edges.v` what the coefficients at an edge are; `slope` in a profile's
   file is its g'(x).
-- The reading of what is certified: a printed formula's text in the theorem beside the TeX, both in the
+- The reading of what is certified: a printed formula's text in the theorem next to the TeX, both in the
   claim's file; the numbers of a scene.
 
-Not trusted: the program that wrote the files. A theorem that is false, whatever is wrong in the
+Not trusted: the program that wrote the files. A theorem that is false, for any error in the
 program, is not accepted.
 
 A theorem says that a pressure or coefficient exists which is as defined, and which differs from the

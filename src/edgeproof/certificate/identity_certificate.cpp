@@ -84,7 +84,7 @@ void certify_identity(const audit::ClaimResult& result, const audit::Ledger& led
                                                     : "identity contact left a b b1")));
     certificate.theorems = {
         {name,
-         given ? "for all symmetric contacts of such a load, whatever its factor, printed = derived"
+         given ? "for all symmetric contacts of such a load, with any factor, printed = derived"
          : symmetric ? "for all symmetric contacts, printed = derived"
                      : "for all contacts, printed = derived"}};
     certificate.whole_verdict = true;

@@ -8,7 +8,7 @@
 namespace edgeproof::cli {
 namespace {
 
-std::string told(const std::string& what, std::string_view name,
+std::string unknown_name(const std::string& what, std::string_view name,
                  const std::vector<std::string>& known) {
     const std::vector<std::string_view> candidates(known.begin(), known.end());
     return "unknown " + what + " '" + shortened(name, 60) + "'; " + one_of(name, candidates);
@@ -54,7 +54,7 @@ std::string unknown_on_command_line(const CLI::App& app, int argc, const char* c
             const std::string name(word.substr(0, word.find('=')));
             const CLI::Option* option = current->get_option_no_throw(name);
             if (option == nullptr) {
-                return told("option", name, options_of(*current));
+                return unknown_name("option", name, options_of(*current));
             }
             const bool value_follows =
                 option->get_expected_min() > 0 && option->get_type_size() > 0 && name == word;
@@ -62,7 +62,7 @@ std::string unknown_on_command_line(const CLI::App& app, int argc, const char* c
         } else if (const CLI::App* sub = subcommand(*current, word)) {
             current = sub;
         } else if (!subcommands_of(*current).empty()) {
-            return told("subcommand", word, subcommands_of(*current));
+            return unknown_name("subcommand", word, subcommands_of(*current));
         }
     }
     return {};

@@ -236,9 +236,9 @@ void ask_terms(scene::Scene& scene) {
 }
 
 void ask_for(scene::Scene& scene, const SceneOptions& o, scene::QuantityGroup own,
-             const std::vector<scene::QuantityGroup>& beside) {
+             const std::vector<scene::QuantityGroup>& other_groups) {
     std::set<scene::QuantityGroup> all{own};
-    for (const scene::QuantityGroup group : beside) {
+    for (const scene::QuantityGroup group : other_groups) {
         if (scene.ask.wants(group)) {
             all.insert(group);
         }
@@ -246,8 +246,8 @@ void ask_for(scene::Scene& scene, const SceneOptions& o, scene::QuantityGroup ow
     for (const scene::QuantityGroup group : scene.ask.quantities) {
         if (!o.quantities.empty() && !all.contains(group)) {
             std::string given = group_name(own);
-            for (std::size_t i = 0; i < beside.size(); ++i) {
-                given += (i + 1 == beside.size() ? " or " : ", ") + group_name(beside[i]);
+            for (std::size_t i = 0; i < other_groups.size(); ++i) {
+                given += (i + 1 == other_groups.size() ? " or " : ", ") + group_name(other_groups[i]);
             }
             throw InputError("--quantity " + o.quantities + ": this command does not give the " +
                                  group_name(group),

@@ -155,8 +155,8 @@ AtomicFile::AtomicFile(std::filesystem::path file, Content content)
         }
         return;
     }
-    std::error_code told_below;
-    std::filesystem::create_directories(folder_of(target_.path), told_below);
+    std::error_code reported_below;
+    std::filesystem::create_directories(folder_of(target_.path), reported_below);
     remove_left_over(target_.path);
     fd_ = open_unnamed(folder_of(target_.path));
     if (fd_ < 0) {

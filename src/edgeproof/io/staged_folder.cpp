@@ -90,11 +90,11 @@ void StagedFolder::fill(const std::function<void(const fs::path&)>& write) const
     try {
         write(path());
     } catch (const InputError& error) {
-        throw told(error);
+        throw with_final_names(error);
     }
 }
 
-InputError StagedFolder::told(const InputError& error) const {
+InputError StagedFolder::with_final_names(const InputError& error) const {
     std::string problem = error.problem();
     const std::string stage = path().string();
     for (std::size_t at = 0; (at = problem.find(stage, at)) != std::string::npos;) {

@@ -30,7 +30,7 @@ public:
     void fill(const std::function<void(const std::filesystem::path&)>& write) const;
     /// Returns the error for the user if a file cannot be written there: with the final name of the
     /// file.
-    [[nodiscard]] InputError told(const InputError& error) const;
+    [[nodiscard]] InputError with_final_names(const InputError& error) const;
     /// Throws InputError; or Interrupted, and then nothing is moved.
     void commit();
 

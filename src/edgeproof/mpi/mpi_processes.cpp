@@ -26,10 +26,10 @@ public:
         MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
         if (provided < MPI_THREAD_FUNNELED) {
             MPI_Finalize();
-            throw Error("this MPI does not allow threads beside it");
+            throw Error("this MPI does not support threads");
         }
-        check(MPI_Comm_rank(MPI_COMM_WORLD, &rank_), "tell a rank");
-        check(MPI_Comm_size(MPI_COMM_WORLD, &size_), "tell a size");
+        check(MPI_Comm_rank(MPI_COMM_WORLD, &rank_), "return a rank");
+        check(MPI_Comm_size(MPI_COMM_WORLD, &size_), "return a size");
     }
     ~MpiProcesses() override { MPI_Finalize(); }
 
@@ -48,7 +48,7 @@ public:
             return {};
         }
         int size = 0;
-        check(MPI_Get_count(&status, MPI_CHAR, &size), "tell a message's size");
+        check(MPI_Get_count(&status, MPI_CHAR, &size), "return the size of a message");
         Message message{static_cast<std::size_t>(status.MPI_SOURCE),
                         std::string(static_cast<std::size_t>(size), '\0')};
         check(MPI_Recv(message.text.data(), size, MPI_CHAR, status.MPI_SOURCE, tag, MPI_COMM_WORLD,

@@ -286,7 +286,7 @@ void add_bounds(CLI::App& app, int& code) {
 
     CLI::App* words = sub->add_subcommand(
         "binary64",
-        "values in double words (p, q, sums of terms, relative errors), held against balls; exit 1 "
+        "values in double words (p, q, sums of terms, relative errors), compared with balls; exit 1 "
         "where one is not correctly rounded");
     auto b = std::make_shared<Binary64Choice>();
     words->add_option("--values", b->values, "how many")->capture_default_str();
@@ -298,7 +298,7 @@ void add_bounds(CLI::App& app, int& code) {
     words->callback([b, &code] { code = binary64(*b); });
 
     CLI::App* honest = sub->add_subcommand(
-        "honesty", "the errors that routes claim beside those that they have: ours, and other "
+        "honesty", "the errors that routes claim, compared with their true errors: ours, and other "
                    "libraries' used plainly");
     auto h = std::make_shared<HonestyChoice>();
     honest->add_option("--digits", h->digits, "digits asked for")->capture_default_str();

@@ -49,7 +49,7 @@ void write_folder(const CertifyOptions& o, io::StagedFolder& staged,
                                         std::filesystem::path(o.file).filename().string(), only),
                             std::string(report::program_version)});
     } catch (const InputError& error) {
-        throw staged.told(error);
+        throw staged.with_final_names(error);
     }
     staged.commit();
     std::size_t theorems = 0;

@@ -218,7 +218,7 @@ int compare_results(const CompareOptions& o) {
 
 void add_compare(CLI::App& app, int& code) {
     CLI::App* sub = app.add_subcommand(
-        "compare", "results of a mesh (x and p), held against the exact contact");
+        "compare", "results of a mesh (x and p), compared with the exact contact");
     auto o = std::make_shared<CompareOptions>();
     sub->add_option("scene", o->scene, "the scene (TOML)");
     sub->add_option(
@@ -234,7 +234,7 @@ void add_compare(CLI::App& app, int& code) {
     sub->add_option("--of", o->of, "peak, local or L2: what that error is relative to")
         ->capture_default_str();
     sub->add_option("--edge-zone", o->zone,
-                    "leave out nodes beside the edges: 2e (elements), or a length")
+                    "leave out the nodes near the edges: 2e (elements), or a length")
         ->capture_default_str();
     sub->add_option("--tolerance-a", o->tolerance_a, "pass with a and b within this");
     sub->add_option("--tolerance-P", o->tolerance_P, "pass with P within this");

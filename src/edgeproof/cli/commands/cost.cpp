@@ -109,7 +109,7 @@ int cost(const CostArguments& a) {
         try {
             write_cost_page(report, staged->path());
         } catch (const InputError& error) {
-            throw staged->told(error);
+            throw staged->with_final_names(error);
         }
         staged->commit();
     }

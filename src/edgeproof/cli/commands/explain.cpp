@@ -213,7 +213,7 @@ void add_explain(CLI::App& app, int& code) {
     auto o = std::make_shared<ExplainOptions>();
     o->format = "md";
     add_scene_options(*sub, *o);
-    sub->add_flag("--run", o->run, "do it, and show what was done beside what was planned");
+    sub->add_flag("--run", o->run, "run the scene, and show the work done next to the plan");
     sub->callback([o, &code] { code = explain(*o); });
 }
 

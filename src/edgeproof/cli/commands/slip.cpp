@@ -28,7 +28,7 @@ int slip(const SceneOptions& o) {
     ask_at_edges(scene, o);
     if (!scene.slips()) {
         throw InputError("the scene has no friction, so that nothing slips",
-                         "add friction = \"0.6\" to [shear], beside Q")
+                         "add friction = \"0.6\" to [shear], in addition to Q")
             .at(scene.file, scene.load_line);
     }
     ask_terms(scene);

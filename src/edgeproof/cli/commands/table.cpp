@@ -146,13 +146,13 @@ void add_table(CLI::App& app, int& code) {
     sub->add_option("recipe", o->recipe, "the recipe (TOML)")->required();
     sub->add_option("--out", o->out,
                     "write to this file, whole or not at all; what is done of a long table is "
-                    "kept beside it (.part), and the same command goes on from there");
+                    "kept next to it (.part), and the same command goes on from there");
     sub->add_option("--format", o->format, "csv, json, md or tex")->capture_default_str();
     sub->add_option("--threads", o->threads,
                     "threads (default: one a processor; one each of several processes that "
                     "mpirun or srun started)");
     sub->add_flag("--check", o->check,
-                  "make the table anew and compare it with --out (default: the .csv beside the "
+                  "make the table anew and compare it with --out (default: the .csv next to the "
                   "recipe); exit 1 where a digit differs");
     sub->add_option("--every", o->every, "with --check: every Nth row only");
     sub->callback([o, &code] {

@@ -45,16 +45,16 @@ bool some_claim_fails(const audit::AuditResult& result) {
 void attach_certificates(const VerifyOptions& o, const audit::Ledger& ledger,
                          audit::AuditResult& result) {
     namespace fs = std::filesystem;
-    const fs::path beside = fs::path(o.ledger).parent_path();
+    const fs::path ledger_folder = fs::path(o.ledger).parent_path();
     const fs::path folder =
-        o.certificates.empty() ? beside / "certificates" : fs::path(o.certificates);
+        o.certificates.empty() ? ledger_folder / "certificates" : fs::path(o.certificates);
     if (!o.certificates.empty() && !fs::is_directory(folder)) {
         throw InputError(
             fmt::format("--certificates {} is no folder", o.certificates),
             fmt::format("make one: edgeproof certify {} --out {}", o.ledger, o.certificates));
     }
     certificate::attach_certificates(result, ledger, folder,
-                                     fs::proximate(folder, beside.empty() ? "." : beside).string());
+                                     fs::proximate(folder, ledger_folder.empty() ? "." : ledger_folder).string());
 }
 
 /// Returns the command for the report. The output folder is left out, so that the report is the
@@ -74,7 +74,7 @@ void write_files(const audit::AuditResult& result, const audit::Ledger& ledger,
         io::write_whole(out / "verdicts.tex", report::verdicts_latex(result));
         report::write_html_report(result, ledger, out, o.threads, command_text(o), o.out);
     } catch (const InputError& error) {
-        throw staged.told(error);
+        throw staged.with_final_names(error);
     }
     staged.commit();
 }
@@ -90,7 +90,7 @@ int verify(const VerifyOptions& o) {
                          "record all of them");
     }
     if (o.record && o.ledger == "-") {
-        throw InputError("--record needs a ledger's name to record beside", "give its file");
+        throw InputError("--record needs a ledger's name to store the record next to it", "give its file");
     }
     const audit::Ledger ledger = read_ledger(o.ledger, audit::ClaimErrors::kept);
     if (ledger.claims.empty() && !ledger.errors.empty()) {
@@ -149,15 +149,15 @@ void add_verify(CLI::App& app, int& code) {
                     "folder for verdicts.json, .csv, .md, .tex, report.html and errata.tex");
     sub->add_option("--only", o->only, "claims whose id matches, such as 'EQ2*'");
     sub->add_option("--certificates", o->certificates,
-                    "folder of theorems made by certify (certificates beside the ledger)");
+                    "folder of theorems made by certify (certificates next to the ledger)");
     sub->add_option("--threads", o->threads, "threads (0: as many as the machine has)")
         ->check(CLI::Range(0, 1024));
-    sub->add_flag("--record", o->record, "write the golden verdicts beside the ledger");
+    sub->add_flag("--record", o->record, "write the golden verdicts next to the ledger");
     sub->add_flag("--strict", o->strict,
                   "exit with 1 also where a claim does not hold: any verdict but proved, confirmed "
                   "and definition");
     sub->add_flag("--profile", o->profile,
-                  "also tell where the processor time goes, claim by claim, and which samples "
+                  "also print where the processor time goes, claim by claim, and which samples "
                   "decide");
     sub->callback([o, &code] {
         o->ledger = file_or_shipped(o->ledger, shipped_ledgers);

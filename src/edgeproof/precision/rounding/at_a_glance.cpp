@@ -61,7 +61,7 @@ struct WholeUnits {
     FmpzValue whole;
     long place = 0;
     double off = 0;    ///< approximate distance of the middle of the ball from it
-    bool told = false; ///< `off` is accurate to a part in 10^12 for every number in the ball
+    bool is_accurate = false; ///< `off` is accurate to a part in 10^12 for every number in the ball
 };
 
 /// Rounds x to `digits` digits; false if that is not decided here.
@@ -103,7 +103,7 @@ bool find_whole_units(const Ball& x, unsigned digits, Rounding mode, WholeUnits&
              : mode == Rounding::down  ? part
                                        : arf_get_d(above, ARF_RND_NEAR);
     to.off = std::abs(to.off);
-    to.told = mag_get_d(arb_radref(units)) < 1e-14 * to.off && to.off > least_off;
+    to.is_accurate = mag_get_d(arb_radref(units)) < 1e-14 * to.off && to.off > least_off;
     return alike && arf_cmpabs_mag(above, arb_radref(units)) > 0;
 }
 
@@ -157,7 +157,7 @@ std::optional<SeenAtAGlance> rounded_at_a_glance(const Ball& x, unsigned digits,
     d.digits.resize(std::strlen(d.digits.c_str()));
     d.exponent = static_cast<long>(d.digits.size()) + units->place;
     d.digits.resize(digits, '0'); // 999 -> 1000
-    if (units->told) {
+    if (units->is_accurate) {
         seen.bound = bound_at_a_glance(units->off, units->place);
     }
     return seen;

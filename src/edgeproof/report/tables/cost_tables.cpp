@@ -191,7 +191,7 @@ Table effect_table(const CostReport& report) {
     Table t = table("What an effect of a scene adds, at " + std::to_string(report.usual_digits()) +
                         " digits",
                     {{"effect", ColumnKind::text},
-                     {"beside", ColumnKind::text},
+                     {"compared with", ColumnKind::text},
                      {"time", ColumnKind::number},
                      {"ratio", ColumnKind::number},
                      {"closed forms", ColumnKind::count},

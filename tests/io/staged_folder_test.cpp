@@ -181,6 +181,6 @@ TEST_CASE("a staged folder: errors name the requested folder, and come before th
     CHECK_THROWS_AS(StagedFolder(own.path() / "file" / "out"), InputError);
     const StagedFolder staged(own.path() / "out");
     const InputError error("cannot write " + (staged.path() / "a.csv").string() + ": full", "x");
-    CHECK(staged.told(error).problem() ==
+    CHECK(staged.with_final_names(error).problem() ==
           "cannot write " + (own.path() / "out" / "a.csv").string() + ": full");
 }

@@ -83,10 +83,10 @@ void certify_identity(const audit::ClaimResult& result, const audit::Ledger& led
                                         : symmetric ? "identity_symmetric contact a P1 P2 P3"
                                                     : "identity contact left a b b1")));
     certificate.theorems = {
-        {name,
-         given ? "for all symmetric contacts of such a load, with any factor, printed = derived"
-         : symmetric ? "for all symmetric contacts, printed = derived"
-                     : "for all contacts, printed = derived"}};
+        {name, given
+                   ? "for all symmetric contacts of such a load, with any factor, printed = derived"
+               : symmetric ? "for all symmetric contacts, printed = derived"
+                           : "for all contacts, printed = derived"}};
     certificate.whole_verdict = true;
     certificate.leaves_out = "the load and the left edge are taken to be smooth functions of the "
                              "right edge, as the expansion needs";

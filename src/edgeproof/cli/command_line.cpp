@@ -9,7 +9,7 @@ namespace edgeproof::cli {
 namespace {
 
 std::string unknown_name(const std::string& what, std::string_view name,
-                 const std::vector<std::string>& known) {
+                         const std::vector<std::string>& known) {
     const std::vector<std::string_view> candidates(known.begin(), known.end());
     return "unknown " + what + " '" + shortened(name, 60) + "'; " + one_of(name, candidates);
 }

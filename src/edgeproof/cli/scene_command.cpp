@@ -51,22 +51,10 @@ scene::Scene stated_scene(const SceneOptions& o) {
     if (!o.quantities.empty()) {
         entries.ask.push_back({"quantities", parts_of(o.quantities)});
     }
-    try {
-        scene::Scene scene = scene::parse_scene(scene_text(entries), "");
-        scene.file = "command line";
-        // Errors in a scene given on the command line have no line numbers.
-        for (std::size_t* line : {&scene.profile_line, &scene.load_line, &scene.ask_line,
-                                  &scene.friction_line, &scene.tension_line}) {
-            *line = 0;
-        }
-        for (scene::AskedPoint& point : scene.ask.u) {
-            point.line = 0;
-        }
-        o.as_file = scene_text(entries);
-        return scene;
-    } catch (const InputError& error) {
-        throw InputError(error.problem(), error.instead());
-    }
+    scene::Scene scene = scene::make_scene(entries);
+    scene.file = "command line";
+    o.as_file = scene_text(entries);
+    return scene;
 }
 
 scene::Scene given_scene(const SceneOptions& o) {
@@ -80,9 +68,7 @@ scene::Scene given_scene(const SceneOptions& o) {
     if (o.scene.empty()) {
         return stated_scene(o);
     }
-    scene::SceneEntries asked;
-    asked.ask = o.stated.asked();
-    return scene::read_scene(file_or_shipped(o.scene, shipped_scenes), scene_text(asked));
+    return scene::read_scene(file_or_shipped(o.scene, shipped_scenes), o.stated.asked());
 }
 
 void ask_quantities(scene::Scene& scene, const std::string& list) {
@@ -247,7 +233,8 @@ void ask_for(scene::Scene& scene, const SceneOptions& o, scene::QuantityGroup ow
         if (!o.quantities.empty() && !all.contains(group)) {
             std::string given = group_name(own);
             for (std::size_t i = 0; i < other_groups.size(); ++i) {
-                given += (i + 1 == other_groups.size() ? " or " : ", ") + group_name(other_groups[i]);
+                given +=
+                    (i + 1 == other_groups.size() ? " or " : ", ") + group_name(other_groups[i]);
             }
             throw InputError("--quantity " + o.quantities + ": this command does not give the " +
                                  group_name(group),

@@ -47,8 +47,8 @@ void check_state(const std::string& file);
 void ask_at_edges(scene::Scene& scene, const SceneOptions& options);
 /// Sets the numbers of terms: those of --terms, else the scene's, else 1, 2, 3.
 void ask_terms(scene::Scene& scene);
-/// Restricts the quantities to the command's own, and those of `other_groups` that --quantity or the
-/// scene names. Throws InputError if --quantity names another.
+/// Restricts the quantities to the command's own, and those of `other_groups` that --quantity or
+/// the scene names. Throws InputError if --quantity names another.
 void ask_for(scene::Scene& scene, const SceneOptions& options, scene::QuantityGroup own,
              const std::vector<scene::QuantityGroup>& other_groups);
 /// Throws InputError, which names the option.

@@ -102,8 +102,8 @@ bool StatedScene::given() const {
                        });
 }
 
-std::vector<scene::SceneEntry> StatedScene::asked() const {
-    std::vector<scene::SceneEntry> asked;
+scene::SceneEntries::Section StatedScene::asked() const {
+    scene::SceneEntries::Section asked;
     for (const char* const key : {"u", "x"}) {
         if (const std::string& list = quantities_.at(key); !list.empty()) {
             asked.push_back({key, parts_of(list)});

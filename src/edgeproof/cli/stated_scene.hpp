@@ -19,7 +19,7 @@ public:
     [[nodiscard]] bool given() const;
     /// Returns the entries of [ask], which may accompany a file as well: points and the process
     /// zone.
-    [[nodiscard]] std::vector<scene::SceneEntry> asked() const;
+    [[nodiscard]] scene::SceneEntries::Section asked() const;
     /// Returns the content of the scene's file. Throws InputError for none or several profiles, and
     /// for a parameter that the profile does not have.
     [[nodiscard]] scene::SceneEntries entries() const;

@@ -117,17 +117,17 @@ void average_rows(std::vector<ComputedRow>& list) {
 
 } // namespace
 
-std::string scene_text(const SceneKeys& keys) {
-    std::map<std::string, std::string> sections;
+scene::Scene scene_of(const SceneKeys& keys) {
+    scene::SceneEntries entries;
     for (const auto& [key, value] : keys) {
         const std::size_t dot = key.find('.');
-        sections[key.substr(0, dot)] += key.substr(dot + 1) + " = \"" + value + "\"\n";
+        const std::string section = key.substr(0, dot);
+        (section == "profile" ? entries.profile
+         : section == "load"  ? entries.load
+                              : entries.shear)
+            .push_back({key.substr(dot + 1), value});
     }
-    std::string text;
-    for (const auto& [section, lines] : sections) {
-        text += "[" + section + "]\n" + lines;
-    }
-    return text;
+    return scene::make_scene(entries);
 }
 
 const std::vector<TestedContact>& tested_contacts() {

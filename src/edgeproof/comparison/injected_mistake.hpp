@@ -14,7 +14,7 @@ namespace edgeproof::comparison {
 
 /// The keys of a scene file, such as "profile.R" -> "2".
 using SceneKeys = std::map<std::string, std::string>;
-[[nodiscard]] std::string scene_text(const SceneKeys& keys);
+[[nodiscard]] scene::Scene scene_of(const SceneKeys& keys);
 
 struct TestedContact {
     std::string name;

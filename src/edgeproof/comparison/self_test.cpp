@@ -30,7 +30,7 @@ std::optional<Data> computed(const Program& program, bool shear) {
         SceneKeys keys = program.keys;
         std::erase_if(
             keys, [shear](const auto& key) { return !shear && key.first.starts_with("shear."); });
-        const ExactContact contact(scene::parse_scene(scene_text(keys), "self-test.toml"));
+        const ExactContact contact(scene_of(keys));
         // If a program takes |x| for u, the pressure covers twice the contact.
         const double reach = 0.23 * contact.length();
         const double whole = program.p ? std::max(contact.a().value, contact.b().value) : 0;
@@ -119,7 +119,7 @@ public:
 
     void contact(const TestedContact& tested) {
         const bool shear = tested.keys.contains("shear.Q");
-        SuspectContacts suspects(scene::parse_scene(scene_text(tested.keys), "self-test.toml"));
+        SuspectContacts suspects(scene_of(tested.keys));
         const ExactContact exact(suspects.scene());
         for (const InjectedMistake& mistake : injected_mistakes()) {
             if (mistake.of_shear != shear) {

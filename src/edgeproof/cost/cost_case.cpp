@@ -39,24 +39,29 @@ std::vector<formula::Exact> listed(const std::vector<const char*>& texts) {
     return u;
 }
 
-scene::Scene unit_contact(const std::string& name, const std::string& profile) {
-    return scene::parse_scene(
-        "[profile]\n" + profile + "\n[load]\na = \"1\"\ncontact_modulus = \"1\"\n", name);
+using Section = scene::SceneEntries::Section;
+
+scene::Scene unit_contact(const std::string& name, const Section& profile) {
+    scene::Scene scene = scene::make_scene({"", profile, {{"a", "1"}, {"contact_modulus", "1"}}});
+    scene.file = name;
+    return scene;
 }
 
 } // namespace
 
 std::vector<CostCase> usual_cases() {
-    const std::string flat = "kind = \"flat-and-rounded\"\nt = \"0.4\"\nR = \"1\"";
-    const std::string wedge = "kind = \"power-law\"\nm = \"0\"\nC = \"1\"";
-    const std::string power = "kind = \"power-law\"\nm = \"1/2\"\nC = \"1\"";
-    const std::string tilted_wedge = "kind = \"tilted-wedge\"\nphi = \"pi/16\"\nalpha = \"pi/32\"";
-    const std::string tilted_flat =
-        "kind = \"tilted-flat-and-rounded\"\nalpha = \"1/10\"\nt = \"1/2\"\nR = \"2\"";
-    const std::string curved = "kind = \"piecewise\"\nsymmetric = true\nknots = [\"1/2\"]\n"
-                               "slopes = [\"x/10\", \"x/10 + (x - 1/2)^3\"]";
+    const Section flat{{"kind", "flat-and-rounded"}, {"t", "0.4"}, {"R", "1"}};
+    const Section wedge{{"kind", "power-law"}, {"m", "0"}, {"C", "1"}};
+    const Section power{{"kind", "power-law"}, {"m", "1/2"}, {"C", "1"}};
+    const Section tilted_wedge{{"kind", "tilted-wedge"}, {"phi", "pi/16"}, {"alpha", "pi/32"}};
+    const Section tilted_flat{
+        {"kind", "tilted-flat-and-rounded"}, {"alpha", "1/10"}, {"t", "1/2"}, {"R", "2"}};
+    const Section curved{{"kind", "piecewise"},
+                         {"symmetric", true},
+                         {"knots", std::vector<std::string>{"1/2"}},
+                         {"slopes", std::vector<std::string>{"x/10", "x/10 + (x - 1/2)^3"}}};
     std::vector<CostCase> cases;
-    const auto add = [&](const std::string& name, const std::string& profile,
+    const auto add = [&](const std::string& name, const Section& profile,
                          std::vector<formula::Exact> u, const char* near = "0") {
         cases.push_back({name, unit_contact(name, profile), contact::Edge::right, std::move(u),
                          formula::Exact::parse(near)});

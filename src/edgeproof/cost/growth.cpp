@@ -80,55 +80,77 @@ constexpr double enough_seconds_of_an_effect = 0.05;
 constexpr std::size_t fewest_runs = 3;
 constexpr std::size_t most_runs = 9;
 
+using Section = scene::SceneEntries::Section;
+using Texts = std::vector<std::string>;
+
 struct Added {
     const char* name;
     const char* base;
-    const char* profile;
-    const char* load;
-    const char* shear;
-    const char* ask;
+    Section profile;
+    Section load;
+    Section shear = {};
+    Section ask = {};
 };
 
-constexpr const char* flat = "kind = \"flat-and-rounded\"\nt = \"0.4\"\nR = \"1\"\n";
-constexpr const char* tilted =
-    "kind = \"tilted-flat-and-rounded\"\nalpha = \"1/10\"\nt = \"0.4\"\nR = \"1\"\n";
-constexpr const char* untilted = "kind = \"tilted-flat-and-rounded\"\nt = \"0.4\"\nR = \"1\"\n";
-constexpr const char* by_edge = "a = \"1\"\n";
-constexpr const char* by_force = "P = \"1/2\"\n";
-constexpr const char* by_moment = "P = \"1/2\"\nM = \"-1/50\"\n";
+const Section flat{{"kind", "flat-and-rounded"}, {"t", "0.4"}, {"R", "1"}};
+const Section tilted{
+    {"kind", "tilted-flat-and-rounded"}, {"alpha", "1/10"}, {"t", "0.4"}, {"R", "1"}};
+const Section untilted{{"kind", "tilted-flat-and-rounded"}, {"t", "0.4"}, {"R", "1"}};
+const Section by_edge{{"a", "1"}};
+const Section by_force{{"P", "1/2"}};
+const Section by_moment{{"P", "1/2"}, {"M", "-1/50"}};
 
 const Added effects[] = {
-    {"pressures of a symmetric punch", "", flat, by_edge, "", ""},
-    {"P given instead of a", "pressures of a symmetric punch", flat, by_force, "", ""},
-    {"tilt", "pressures of a symmetric punch", tilted, by_edge, "", ""},
-    {"tilt found from P and M", "tilt", untilted, by_moment, "", ""},
-    {"both edges of a tilted punch", "tilt", tilted, by_edge, "",
-     "edges = [\"right\", \"left\"]\n"},
-    {"shear under full stick", "pressures of a symmetric punch", flat, by_edge, "Q = \"0.1\"\n",
-     ""},
-    {"shear and bulk tension", "pressures of a symmetric punch", flat, by_edge,
-     "Q = \"0.1\"\nbulk_tension = \"0.2\"\n", ""},
-    {"shear in proportion to P", "pressures of a symmetric punch", flat, by_edge,
-     "Q = \"0.1\"\npath = \"together\"\n", ""},
-    {"expansion to 3 terms", "pressures of a symmetric punch", flat, by_edge, "", "terms = 3\n"},
-    {"expansion to 10 terms", "pressures of a symmetric punch", flat, by_edge, "", "terms = 10\n"},
-    {"expansion to 3 terms, tilted", "tilt", tilted, by_edge, "", "terms = 3\n"},
-    {"extents of 1 and 3 terms", "pressures of a symmetric punch", flat, by_edge, "",
-     "terms = [1, 3]\ntolerance = \"5%\"\nquantities = [\"extent\"]\n"},
+    {"pressures of a symmetric punch", "", flat, by_edge},
+    {"P given instead of a", "pressures of a symmetric punch", flat, by_force},
+    {"tilt", "pressures of a symmetric punch", tilted, by_edge},
+    {"tilt found from P and M", "tilt", untilted, by_moment},
+    {"both edges of a tilted punch",
+     "tilt",
+     tilted,
+     by_edge,
+     {},
+     {{"edges", Texts{"right", "left"}}}},
+    {"shear under full stick", "pressures of a symmetric punch", flat, by_edge, {{"Q", "0.1"}}},
+    {"shear and bulk tension",
+     "pressures of a symmetric punch",
+     flat,
+     by_edge,
+     {{"Q", "0.1"}, {"bulk_tension", "0.2"}}},
+    {"shear in proportion to P",
+     "pressures of a symmetric punch",
+     flat,
+     by_edge,
+     {{"Q", "0.1"}, {"path", "together"}}},
+    {"expansion to 3 terms", "pressures of a symmetric punch", flat, by_edge, {}, {{"terms", "3"}}},
+    {"expansion to 10 terms",
+     "pressures of a symmetric punch",
+     flat,
+     by_edge,
+     {},
+     {{"terms", "10"}}},
+    {"expansion to 3 terms, tilted", "tilt", tilted, by_edge, {}, {{"terms", "3"}}},
+    {"extents of 1 and 3 terms",
+     "pressures of a symmetric punch",
+     flat,
+     by_edge,
+     {},
+     {{"terms", Texts{"1", "3"}}, {"tolerance", "5%"}, {"quantities", Texts{"extent"}}}},
 };
 
 scene::Scene scene_of(const Added& e, unsigned digits) {
-    std::string text =
-        std::string("[profile]\n") + e.profile + "[load]\n" + e.load + "contact_modulus = \"1\"\n";
-    if (*e.shear != '\0') {
-        text += std::string("[shear]\n") + e.shear;
+    scene::SceneEntries entries{"", e.profile, e.load, e.shear, e.ask};
+    entries.load.push_back({"contact_modulus", "1"});
+    entries.ask.push_back({"digits", std::to_string(digits)});
+    const bool extents = std::any_of(e.ask.begin(), e.ask.end(),
+                                     [](const auto& entry) { return entry.key == "tolerance"; });
+    if (!extents) {
+        entries.ask.push_back({"u", Texts{"1e-8", "1e-6", "1e-4", "1e-3", "0.01", "0.03", "0.1",
+                                          "0.2", "0.3", "0.45"}});
     }
-    text += "[ask]\n" + std::string(e.ask) + "digits = " + std::to_string(digits) + "\n";
-    if (std::string_view(e.ask).find("extent") == std::string_view::npos) {
-        text += "u = [\"1e-8\", \"1e-6\", \"1e-4\", \"1e-3\", \"0.01\", \"0.03\", \"0.1\", "
-                "\"0.2\", \"0.3\", \"0.45\"]\n";
-    }
-    return scene::parse_scene(text, e.name);
+    scene::Scene scene = scene::make_scene(entries);
+    scene.file = e.name;
+    return scene;
 }
 
 } // namespace

@@ -28,10 +28,10 @@ namespace {
 using Texts = std::vector<std::string>;
 using Keys = std::vector<std::pair<std::string, std::variant<bool, std::string, Texts>>>;
 
-std::vector<scene::SceneEntry> entries_of(const Keys& keys) {
-    std::vector<scene::SceneEntry> entries;
+scene::SceneEntries::Section entries_of(const Keys& keys) {
+    scene::SceneEntries::Section entries;
     for (const auto& [key, value] : keys) {
-        scene::SceneEntry entry{key, {}};
+        io::TomlEntry entry{key, {}};
         std::visit([&](const auto& v) { entry.value = v; }, value);
         entries.push_back(std::move(entry));
     }
@@ -42,7 +42,10 @@ NativeScene from_entries(const std::string& title, const Keys& profile, const Ke
                          const Keys& shear) {
     const scene::SceneEntries entries{title, entries_of(profile), entries_of(load),
                                       entries_of(shear)};
-    return without_gil([&] { return NativeScene(scene_text(entries), make_scene(entries)); });
+    return without_gil([&] {
+        scene::Scene scene = make_scene(entries);
+        return NativeScene(scene_text(entries), std::move(scene));
+    });
 }
 
 py::dict run(const NativeScene& self, std::optional<Texts> edges, std::optional<Texts> u,

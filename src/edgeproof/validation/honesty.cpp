@@ -162,7 +162,7 @@ struct Asked {
 /// A family of contacts with a = 1, E* = 1.
 struct Family {
     const char* name;
-    const char* profile;
+    scene::SceneEntries::Section profile;
     std::array<const char*, 3> near_knot; ///< u of points near the knot or the apex
     /// K, m, t, gamma; K empty: no integral.
     std::array<const char*, 4> integral;
@@ -170,29 +170,29 @@ struct Family {
 
 const std::array<Family, 6> families{{
     {"Hertz",
-     "kind = \"power-law\"\nm = \"1\"\nC = \"1\"",
+     {{"kind", "power-law"}, {"m", "1"}, {"C", "1"}},
      {"1 - 1e-4", "1 - 1e-8", "1 - 1e-12"},
      {"pi/2", "1", "0", "1"}},
     {"power law, m = 1/2",
-     "kind = \"power-law\"\nm = \"1/2\"\nC = \"1\"",
+     {{"kind", "power-law"}, {"m", "1/2"}, {"C", "1"}},
      {"1 - 1e-4", "1 - 1e-8", "1 - 1e-12"},
      // (m + 1) C sqrt(pi)/2 gamma(5/4)/gamma(7/4)
      {"3/4*sqrt(pi)*gamma(5/4)/gamma(7/4)", "1/2", "0", "1"}},
     {"wedge",
-     "kind = \"power-law\"\nm = \"0\"\nC = \"1\"",
+     {{"kind", "power-law"}, {"m", "0"}, {"C", "1"}},
      {"1 - 1e-4", "1 - 1e-8", "1 - 1e-12"},
      {"1", "0", "0", "1"}},
     {"flat-and-rounded, t/a = 0.4",
-     "kind = \"flat-and-rounded\"\nt = \"0.4\"\nR = \"1\"",
+     {{"kind", "flat-and-rounded"}, {"t", "0.4"}, {"R", "1"}},
      {"0.6 - 1e-4", "0.6 + 1e-8", "0.6 - 1e-12"},
      {"1", "0", "0.4", "1"}},
     {"tilted wedge",
-     "kind = \"tilted-wedge\"\nphi = \"pi/16\"\nalpha = \"pi/32\"",
+     {{"kind", "tilted-wedge"}, {"phi", "pi/16"}, {"alpha", "pi/32"}},
      {"1 - 1e-4", "1 - 1e-8", "1 - 1e-12"},
      // The angle of the apex is h = 3 pi/4 (phi = 2 alpha), so that gamma = cot^2(3 pi/8).
      {"pi/16/tan(3*pi/8)", "0", "0", "1/tan(3*pi/8)^2"}},
     {"tilted flat-and-rounded",
-     "kind = \"tilted-flat-and-rounded\"\nalpha = \"1/10\"\nt = \"1/2\"\nR = \"2\"",
+     {{"kind", "tilted-flat-and-rounded"}, {"alpha", "1/10"}, {"t", "1/2"}, {"R", "2"}},
      {"6/5 - 1e-4", "6/5 + 1e-8", "6/5 - 1e-12"},
      {"", "", "", ""}},
 }};
@@ -202,10 +202,9 @@ const std::array<Family, 6> families{{
 std::vector<HonestyPoint> honesty_points() {
     std::vector<HonestyPoint> points;
     for (const Family& f : families) {
-        const scene::Scene scene =
-            scene::parse_scene("[profile]\n" + std::string(f.profile) +
-                                   "\n[load]\na = \"1\"\ncontact_modulus = \"1\"\n",
-                               f.name);
+        scene::Scene scene =
+            scene::make_scene({"", f.profile, {{"a", "1"}, {"contact_modulus", "1"}}});
+        scene.file = f.name;
         const std::array<Asked, 4> asked{{{"u < 1e-12 a", {"1e-30", "1e-20", "1e-13"}},
                                           {"u < 1e-3 a", {"1e-9", "1e-6", "1e-4"}},
                                           {"u < a", {"1/20", "1/5", "1/2"}},

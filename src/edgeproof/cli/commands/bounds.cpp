@@ -284,10 +284,10 @@ void add_bounds(CLI::App& app, int& code) {
     add_output(*counting, n->output);
     counting->callback([n, &code] { code = count(*n); });
 
-    CLI::App* words = sub->add_subcommand(
-        "binary64",
-        "values in double words (p, q, sums of terms, relative errors), compared with balls; exit 1 "
-        "where one is not correctly rounded");
+    CLI::App* words =
+        sub->add_subcommand("binary64", "values in double words (p, q, sums of terms, relative "
+                                        "errors), compared with balls; exit 1 "
+                                        "where one is not correctly rounded");
     auto b = std::make_shared<Binary64Choice>();
     words->add_option("--values", b->values, "how many")->capture_default_str();
     words->add_option("--seed", b->seed, "what they are drawn from")->capture_default_str();

@@ -53,8 +53,9 @@ void attach_certificates(const VerifyOptions& o, const audit::Ledger& ledger,
             fmt::format("--certificates {} is no folder", o.certificates),
             fmt::format("make one: edgeproof certify {} --out {}", o.ledger, o.certificates));
     }
-    certificate::attach_certificates(result, ledger, folder,
-                                     fs::proximate(folder, ledger_folder.empty() ? "." : ledger_folder).string());
+    certificate::attach_certificates(
+        result, ledger, folder,
+        fs::proximate(folder, ledger_folder.empty() ? "." : ledger_folder).string());
 }
 
 /// Returns the command for the report. The output folder is left out, so that the report is the
@@ -90,7 +91,8 @@ int verify(const VerifyOptions& o) {
                          "record all of them");
     }
     if (o.record && o.ledger == "-") {
-        throw InputError("--record needs a ledger's name to store the record next to it", "give its file");
+        throw InputError("--record needs a ledger's name to store the record next to it",
+                         "give its file");
     }
     const audit::Ledger ledger = read_ledger(o.ledger, audit::ClaimErrors::kept);
     if (ledger.claims.empty() && !ledger.errors.empty()) {

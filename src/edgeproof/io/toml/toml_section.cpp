@@ -24,6 +24,16 @@ struct TomlSection::Source {
         const auto found = made.find(&n);
         return found == made.end() ? n.source().begin.line : found->second;
     }
+    /// Adds a value that is not parsed.
+    template <class Value>
+    toml::node& add(toml::table& to, const std::string& key, std::size_t line, Value&& value) {
+        toml::source_region at;
+        at.begin.line = static_cast<toml::source_index>(line);
+        toml::node& node =
+            to.insert_or_assign(toml::key(key, at), std::forward<Value>(value)).first->second;
+        made[&node] = line;
+        return node;
+    }
 };
 
 namespace {
@@ -215,19 +225,13 @@ TomlSection TomlSection::parse(std::string_view text, const std::string& file) {
 TomlSection TomlSection::made(const std::vector<TomlTable>& tables, const std::string& file) {
     auto source = std::make_shared<Source>();
     source->file = file;
-    const auto add = [&](toml::table& to, const std::string& key, std::size_t line, auto&& value) {
-        toml::source_region at;
-        at.begin.line = static_cast<toml::source_index>(line);
-        const auto [place, is_new] =
-            to.insert_or_assign(toml::key(key, at), std::forward<decltype(value)>(value));
-        source->made[&place->second] = line;
-        return &place->second;
-    };
     for (const TomlTable& table : tables) {
-        toml::table& to = *add(source->root, table.name, table.line, toml::table{})->as_table();
+        toml::table& to =
+            *source->add(source->root, table.name, table.line, toml::table{}).as_table();
         for (const TomlEntry& entry : table.entries) {
             if (const auto* list = std::get_if<std::vector<std::string>>(&entry.value)) {
-                toml::array& items = *add(to, entry.key, entry.line, toml::array{})->as_array();
+                toml::array& items =
+                    *source->add(to, entry.key, entry.line, toml::array{}).as_array();
                 for (const std::string& item : *list) {
                     items.push_back(item);
                 }
@@ -235,15 +239,55 @@ TomlSection TomlSection::made(const std::vector<TomlTable>& tables, const std::s
                     source->made[&item] = entry.line;
                 }
             } else if (const auto* flag = std::get_if<bool>(&entry.value)) {
-                add(to, entry.key, entry.line, *flag);
+                source->add(to, entry.key, entry.line, *flag);
             } else {
-                add(to, entry.key, entry.line, std::get<std::string>(entry.value));
+                source->add(to, entry.key, entry.line, std::get<std::string>(entry.value));
             }
         }
     }
     check_characters(source->root, *source);
     const void* top = &source->root;
     return {std::move(source), top};
+}
+
+TomlSection TomlSection::changed(const std::vector<std::string_view>& names,
+                                 const Change& change) const {
+    std::vector<TomlTable> tables;
+    for (const std::string_view name : names) {
+        if (!has(name)) {
+            continue;
+        }
+        const TomlSection from = section(name);
+        TomlTable to{std::string(name), from.line(), {}};
+        for (const std::string& key : from.keys()) {
+            const auto text_of = [&](const std::string& text) {
+                return change(name, key, &text).value_or(text);
+            };
+            TomlEntry entry{key, {}, from.line(key)};
+            const toml::node& value = Access{from}.node(key);
+            if (value.is_table()) {
+                if (auto text = change(name, key, nullptr)) {
+                    entry.value = std::move(*text);
+                    to.entries.push_back(std::move(entry));
+                }
+                continue;
+            }
+            if (const auto* flag = value.as_boolean()) {
+                entry.value = flag->get();
+            } else if (value.is_array()) {
+                std::vector<std::string> list;
+                for (const std::string& text : from.written_list(key)) {
+                    list.push_back(text_of(text));
+                }
+                entry.value = std::move(list);
+            } else {
+                entry.value = text_of(from.written(key));
+            }
+            to.entries.push_back(std::move(entry));
+        }
+        tables.push_back(std::move(to));
+    }
+    return made(tables, file());
 }
 
 void TomlSection::allow(const std::vector<std::string_view>& keys) const {

@@ -3,7 +3,9 @@
 #include "edgeproof/formula/exact/exact.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -39,6 +41,15 @@ public:
     /// Returns the top level of a file with these tables; there is no text.
     [[nodiscard]] static TomlSection made(const std::vector<TomlTable>& tables,
                                           const std::string& file);
+
+    /// The new text of a value of a section. `text` is the present one as written in the file; for
+    /// a table in braces it is null. Returns nothing if the value stays as it is.
+    using Change = std::function<std::optional<std::string>(
+        std::string_view section, std::string_view key, const std::string* text)>;
+    /// Returns the top level of a file like this one, with the same lines, in which values of the
+    /// sections `names`, also those in lists, are changed. Other sections are left out.
+    [[nodiscard]] TomlSection changed(const std::vector<std::string_view>& names,
+                                      const Change& change) const;
 
     /// Refuses all other keys.
     void allow(const std::vector<std::string_view>& keys) const;

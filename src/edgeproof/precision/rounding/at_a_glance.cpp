@@ -60,7 +60,7 @@ const ArbValue& power_of_ten(ulong k, long bits) {
 struct WholeUnits {
     FmpzValue whole;
     long place = 0;
-    double off = 0;    ///< approximate distance of the middle of the ball from it
+    double off = 0;           ///< approximate distance of the middle of the ball from it
     bool is_accurate = false; ///< `off` is accurate to a part in 10^12 for every number in the ball
 };
 

@@ -261,14 +261,13 @@ std::optional<contact::ParametricLoad> load_of(const DesignFormulas& of, std::st
 } // namespace
 
 std::vector<std::unique_ptr<contact::ErrorFamily>> DesignScene::errors(std::string& why_not) const {
-    const io::TomlSection top = io::TomlSection::parse(scene_text_, file);
     contact::ErrorQuestion question;
     question.terms = terms;
     question.unit = unit;
     for (const Parameter& p : parameters) {
         question.names.push_back(p.name);
     }
-    const DesignFormulas of(top, question.names);
+    const DesignFormulas of(*top_, question.names);
     const std::string kind = of.kind();
     std::vector<std::unique_ptr<contact::ErrorFamily>> all;
     const auto load = load_of(of, why_not);
@@ -307,8 +306,8 @@ std::vector<std::unique_ptr<contact::ErrorFamily>> DesignScene::errors(std::stri
             return all;
         }
     }
-    if (shear && top.section("shear").has("path") &&
-        top.section("shear").text("path") == "together") {
+    if (shear && top_->section("shear").has("path") &&
+        top_->section("shear").text("path") == "together") {
         why_not =
             "P and Q grow together: q = (Q/P) p, whose relative error is that of the pressure";
         return all;

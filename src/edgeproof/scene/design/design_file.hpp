@@ -61,7 +61,7 @@ public:
 private:
     friend DesignScene parse_design(std::string_view text, const std::string& file,
                                     const DesignQuestion& asked);
-    std::string scene_text_; ///< without [design] and [parameters]; line numbers are kept
+    std::optional<io::TomlSection> top_; ///< the file
 };
 
 /// Reads a design. If a scene has no [design], `asked` gives the question, including the tolerance.
@@ -70,13 +70,6 @@ private:
 [[nodiscard]] DesignScene parse_design(std::string_view text, const std::string& file,
                                        const DesignQuestion& asked = {});
 
-/// Returns a TOML text without the named sections; the line numbers do not change.
-[[nodiscard]] std::string without_sections(std::string_view text,
-                                           const std::vector<std::string>& names);
-/// Replaces `key = { ... }` of a section by `key = "value"`, and each name of `values` in a quoted
-/// text of [profile], [load] and [shear] by its value in parentheses.
-[[nodiscard]] std::string with_values(std::string_view text,
-                                      const std::map<std::string, std::string>& values);
 /// Replaces names in a formula by their values in parentheses.
 [[nodiscard]] std::string with_names_replaced(std::string_view formula,
                                               const std::map<std::string, std::string>& values);

@@ -9,6 +9,8 @@
 #include "edgeproof/scene/input/read_ask.hpp"
 #include "edgeproof/scene/input/read_profile.hpp"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace edgeproof::scene {
@@ -236,11 +238,12 @@ void read_sections(const io::TomlSection& top, Scene& scene) {
 }
 
 /// Errors in an [ask] given on the command line, and errors of its points, have no line numbers.
-void read_asked_instead(std::string_view asked, const io::TomlSection& profile, Scene& scene) {
+void read_asked_instead(const std::vector<io::TomlEntry>& asked, const io::TomlSection& profile,
+                        Scene& scene) {
     const std::vector<AskedPoint> points = std::exchange(scene.ask.u, {});
     const std::size_t line = scene.ask_line;
     try {
-        read_ask(io::TomlSection::parse(asked, "").section("ask"), profile, scene);
+        read_ask(io::TomlSection::made({{"ask", 0, asked}}, "").section("ask"), profile, scene);
     } catch (const InputError& error) {
         throw InputError(error.problem(), error.instead());
     }
@@ -262,12 +265,11 @@ Scene read_contact(const io::TomlSection& top) {
     return scene;
 }
 
-Scene parse_scene(std::string_view text, const std::string& file, std::string_view asked) {
-    const io::TomlSection top = io::TomlSection::parse(text, file);
+Scene scene_of(const io::TomlSection& top, const std::vector<io::TomlEntry>& asked) {
     expect_file_kind(top, FileKind::scene);
     top.allow({"title", "units", "profile", "load", "shear", "ask"});
     Scene scene;
-    scene.file = file;
+    scene.file = top.file();
     if (top.has("title")) {
         scene.title = top.text("title");
     }
@@ -284,36 +286,59 @@ Scene parse_scene(std::string_view text, const std::string& file, std::string_vi
     return scene;
 }
 
-Scene read_scene(const std::filesystem::path& file, std::string_view asked) {
+Scene parse_scene(std::string_view text, const std::string& file,
+                  const std::vector<io::TomlEntry>& asked) {
+    return scene_of(io::TomlSection::parse(text, file), asked);
+}
+
+Scene read_scene(const std::filesystem::path& file, const std::vector<io::TomlEntry>& asked) {
     return parse_scene(io::read_text(file, "scene (TOML)", io::most_toml_bytes),
                        io::input_name(file), asked);
 }
 
 namespace {
 
-std::string toml_string(const std::string& key, const std::string& text) {
+std::string toml_string(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-            throw InputError(key + " holds a control character", "write a number or a word");
-        }
         out += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
     }
     return out + "\"";
 }
 
-std::string toml_entry(const SceneEntry& entry) {
+std::vector<std::string> texts_of(const io::TomlEntry& entry) {
     if (const auto* text = std::get_if<std::string>(&entry.value)) {
-        return toml_string(entry.key, *text);
+        return {*text};
     }
+    const auto* list = std::get_if<std::vector<std::string>>(&entry.value);
+    return list != nullptr ? *list : std::vector<std::string>();
+}
+
+/// Refuses control characters, tab and newline included.
+void check_characters(const std::string& key, const std::string& text) {
+    if (std::any_of(text.begin(), text.end(),
+                    [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; })) {
+        throw InputError(key + " holds a control character", "write a number or a word");
+    }
+}
+
+std::string toml_entry(const io::TomlEntry& entry) {
     if (const auto* yes = std::get_if<bool>(&entry.value)) {
         return *yes ? "true" : "false";
     }
     std::string list;
-    for (const std::string& item : std::get<std::vector<std::string>>(entry.value)) {
-        list += (list.empty() ? "" : ", ") + toml_string(entry.key, item);
+    for (const std::string& text : texts_of(entry)) {
+        list += (list.empty() ? "" : ", ") + toml_string(text);
     }
-    return "[" + list + "]";
+    return std::holds_alternative<std::string>(entry.value) ? list : "[" + list + "]";
+}
+
+std::array<std::pair<const char*, const SceneEntries::Section*>, 4>
+sections_of(const SceneEntries& entries) {
+    return {{{"profile", &entries.profile},
+             {"load", &entries.load},
+             {"shear", &entries.shear},
+             {"ask", &entries.ask}}};
 }
 
 } // namespace
@@ -321,29 +346,39 @@ std::string toml_entry(const SceneEntry& entry) {
 std::string scene_text(const SceneEntries& entries) {
     std::string text;
     if (!entries.title.empty()) {
-        text += "title = " + toml_string("title", entries.title) + "\n";
+        text += "title = " + toml_string(entries.title) + "\n";
     }
-    const auto section = [&](const char* name, const std::vector<SceneEntry>& list) {
-        if (list.empty()) {
-            return;
+    for (const auto& [name, section] : sections_of(entries)) {
+        if (section->empty()) {
+            continue;
         }
         text += std::string(text.empty() ? "" : "\n") + "[" + name + "]\n";
-        for (const SceneEntry& entry : list) {
+        for (const io::TomlEntry& entry : *section) {
             text += entry.key + " = " + toml_entry(entry) + "\n";
         }
-    };
-    section("profile", entries.profile);
-    section("load", entries.load);
-    section("shear", entries.shear);
-    section("ask", entries.ask);
+    }
     return text;
 }
 
 Scene make_scene(const SceneEntries& entries) {
+    check_characters("title", entries.title);
+    std::vector<io::TomlTable> tables;
+    for (const auto& [name, section] : sections_of(entries)) {
+        for (const io::TomlEntry& entry : *section) {
+            for (const std::string& text : texts_of(entry)) {
+                check_characters(entry.key, text);
+            }
+        }
+        if (!section->empty()) {
+            tables.push_back({name, 0, *section});
+        }
+    }
     try {
-        return parse_scene(scene_text(entries), "");
+        Scene scene = scene_of(io::TomlSection::made(tables, ""));
+        scene.title = entries.title;
+        return scene;
     } catch (const InputError& error) {
-        throw InputError(error.problem(), error.instead()); // the user did not write the lines
+        throw InputError(error.problem(), error.instead()); // without the line 0
     }
 }
 

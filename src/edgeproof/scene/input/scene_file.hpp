@@ -5,6 +5,7 @@
 #include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/contact/routes/shear_traction.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
+#include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/real.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
 #include "edgeproof/scene/input/place.hpp"
@@ -16,12 +17,7 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
-
-namespace edgeproof::io {
-class TomlSection;
-}
 
 namespace edgeproof::scene {
 
@@ -100,12 +96,15 @@ struct Scene {
 
 /// Reads a scene (examples/README.md describes the format). Throws InputError with file and line
 /// for malformed input: unknown keys and kinds, a load given twice or not at all, malformed
-/// numbers.
-[[nodiscard]] Scene read_scene(const std::filesystem::path& file, std::string_view asked = {});
-/// Like read_scene, but from text; errors name `file`. `asked`: an [ask] of a command line, in
-/// TOML; its keys replace those of the file, and its errors name no file.
+/// numbers. `asked`: keys of [ask] that replace those of the file; their errors name no file.
+[[nodiscard]] Scene read_scene(const std::filesystem::path& file,
+                               const std::vector<io::TomlEntry>& asked = {});
+/// Like read_scene, but from text; errors name `file`.
 [[nodiscard]] Scene parse_scene(std::string_view text, const std::string& file,
-                                std::string_view asked = {});
+                                const std::vector<io::TomlEntry>& asked = {});
+/// Like parse_scene, but from the sections of a file.
+[[nodiscard]] Scene scene_of(const io::TomlSection& top,
+                             const std::vector<io::TomlEntry>& asked = {});
 
 /// Reads [profile], [load] and [shear] of `top` and ignores other sections; the request is empty.
 [[nodiscard]] Scene read_contact(const io::TomlSection& top);
@@ -113,29 +112,24 @@ struct Scene {
 /// Reads a tolerance exactly: "1%", "0.01", "1/100". Throws InputError unless it is positive.
 [[nodiscard]] formula::Exact parse_tolerance(std::string_view text);
 
-/// One key of a section with its value: a number or a word as text, a boolean, or a list of texts.
-struct SceneEntry {
-    std::string key;
-    std::variant<std::string, bool, std::vector<std::string>> value;
-};
-
 /// A scene that is not read from a file: the keys of a scene file (docs/file-formats.md), section
 /// by section. A section without entries is left out.
 struct SceneEntries {
+    using Section = std::vector<io::TomlEntry>;
     std::string title;
-    std::vector<SceneEntry> profile;
-    std::vector<SceneEntry> load;
-    std::vector<SceneEntry> shear;
-    std::vector<SceneEntry> ask = {};
+    Section profile;
+    Section load;
+    Section shear = {};
+    Section ask = {};
 };
 
-/// Returns the text of the equivalent scene file. Throws InputError for a text with a control
-/// character.
-[[nodiscard]] std::string scene_text(const SceneEntries& entries);
-
 /// Returns the scene, checked as if it was read from a file. Throws InputError, without file and
-/// line, in the same cases as read_scene.
+/// line, in the same cases as read_scene. All lines of the scene are 0.
 [[nodiscard]] Scene make_scene(const SceneEntries& entries);
+
+/// Returns the text of the equivalent scene file, to be shown or saved. The entries are those of a
+/// scene that make_scene accepts.
+[[nodiscard]] std::string scene_text(const SceneEntries& entries);
 
 /// Refuses a scene with |Q| >= f P, with the line of the friction; `force` is P.
 [[noreturn]] void refuse_sliding(const Scene& scene, const Real& force);

@@ -10,9 +10,8 @@ using scene::Quantity;
 
 constexpr unsigned look_digits = 20;
 
-std::string entry(const char* key, const std::string& value) {
-    return std::string(key) + " = \"" + value + "\"";
-}
+using Section = scene::SceneEntries::Section;
+using Texts = std::vector<std::string>;
 
 /// One in this many contacts has a curved g', whose integrals take minutes per contact. These are
 /// not the last contacts of a count, for which the other threads would wait.
@@ -20,34 +19,34 @@ constexpr std::size_t curved_every = 2000;
 constexpr std::size_t first_curved = 7;
 
 // One draw per statement, so that all compilers draw the same values from a seed.
-std::string profile_text(Dice& dice, std::size_t profile, const std::string& a) {
+Section profile_entries(Dice& dice, std::size_t profile, const std::string& a) {
     const auto fraction = [&] { return std::to_string(dice.between(1, 98)) + "/99"; };
     switch (profile) {
     case 0: {
         static constexpr std::array<const char*, 9> exponents{"0",   "1",   "2",  "3",     "1/2",
                                                               "5/8", "7/3", "10", "1/1000"};
         const std::string C = dice.decimal(4, dice.between(-3, 1));
-        return "kind = \"power-law\"\n" + entry("m", exponents.at(dice.below(9))) + "\n" +
-               entry("C", C);
+        return {{"kind", "power-law"}, {"m", exponents.at(dice.below(9))}, {"C", C}};
     }
     case 1: {
         static constexpr std::array<const char*, 4> odd{"1/1000000", "999999/1000000", "0", "1/2"};
         const std::string ratio = dice.below(4) == 0 ? odd.at(dice.below(4)) : fraction();
-        return "kind = \"flat-and-rounded\"\n" + entry("t", ratio + "*" + a) + "\n" +
-               entry("R", dice.decimal(3, dice.between(0, 3)));
+        const std::string R = dice.decimal(3, dice.between(0, 3));
+        return {{"kind", "flat-and-rounded"}, {"t", ratio + "*" + a}, {"R", R}};
     }
     case 2: {
         static constexpr std::array<const char*, 3> angles{"pi/16", "1/10", "pi/3"};
         const std::string phi = angles.at(dice.below(3));
         const char* const side = dice.below(2) == 0 ? "" : "-";
-        return "kind = \"tilted-wedge\"\n" + entry("phi", phi) + "\n" +
-               entry("alpha", side + fraction() + "*" + phi);
+        return {{"kind", "tilted-wedge"}, {"phi", phi}, {"alpha", side + fraction() + "*" + phi}};
     }
     case 3: {
         const std::string R = dice.decimal(3, 0);
         const std::string t = fraction();
-        return "kind = \"tilted-flat-and-rounded\"\n" + entry("alpha", fraction() + "/20") + "\n" +
-               entry("t", t + "*" + a) + "\n" + entry("R", R + "*" + a);
+        return {{"kind", "tilted-flat-and-rounded"},
+                {"alpha", fraction() + "/20"},
+                {"t", t + "*" + a},
+                {"R", R + "*" + a}};
     }
     case 4: {
         // Convex for any steepness: each piece starts at the end of the one before.
@@ -55,30 +54,36 @@ std::string profile_text(Dice& dice, std::size_t profile, const std::string& a) 
         const auto right = std::to_string(dice.between(6, 30));
         const auto left = std::to_string(dice.between(6, 30));
         const auto last_knot = std::to_string(dice.between(2, 9));
-        return "kind = \"piecewise\"\nknots = [\"-" + a + "/" + std::to_string(dice.between(2, 9)) +
-               "\", \"0\", \"" + a + "/" + last_knot + "\"]\nslopes = [\"-1/5\", \"-1/" + left +
-               "\", \"1/" + right + "\", \"1/5 + x/(" + outer + "*" + a + ")\"]";
+        const auto first_knot = std::to_string(dice.between(2, 9));
+        return {{"kind", "piecewise"},
+                {"knots", Texts{"-" + a + "/" + first_knot, "0", a + "/" + last_knot}},
+                {"slopes",
+                 Texts{"-1/5", "-1/" + left, "1/" + right, "1/5 + x/(" + outer + "*" + a + ")"}}};
     }
     default: {
         const auto slope = std::to_string(dice.between(2, 30));
-        return "kind = \"piecewise\"\nsymmetric = true\nknots = [\"" + a + "/" +
-               std::to_string(dice.between(2, 5)) + "\"]\nslopes = [\"x/(" + slope + "*" + a +
-               ")\", \"x/(2*" + a + ") + (x/" + a + ")^3\"]";
+        const auto knot = std::to_string(dice.between(2, 5));
+        return {
+            {"kind", "piecewise"},
+            {"symmetric", true},
+            {"knots", Texts{a + "/" + knot}},
+            {"slopes", Texts{"x/(" + slope + "*" + a + ")", "x/(2*" + a + ") + (x/" + a + ")^3"}}};
     }
     }
 }
 
-std::string scene_text(Dice& dice, std::size_t profile, bool by_force) {
+scene::SceneEntries drawn_entries(Dice& dice, std::size_t profile, bool by_force) {
     const std::string a = dice.decimal(3, dice.between(-3, 2));
-    std::string text = "[profile]\n" + profile_text(dice, profile, a) + "\n[load]\n";
-    text += by_force ? entry("P", dice.decimal(3, dice.between(-4, 2))) : entry("a", a);
+    scene::SceneEntries entries{"", profile_entries(dice, profile, a), {}};
+    entries.load.push_back(by_force ? io::TomlEntry{"P", dice.decimal(3, dice.between(-4, 2))}
+                                    : io::TomlEntry{"a", a});
     static constexpr std::array<const char*, 3> moduli{"1", "7/3", "2.1e11"};
-    text += "\n" + entry("contact_modulus", moduli.at(by_force ? 0 : dice.below(3))) + "\n";
+    entries.load.push_back({"contact_modulus", moduli.at(by_force ? 0 : dice.below(3))});
     const char* const side = dice.below(2) == 0 ? "" : "-";
     const std::string tension = dice.decimal(3, dice.between(-3, 1));
-    text += "[shear]\n" + entry("Q", side + dice.decimal(3, dice.between(-3, 1))) + "\n" +
-            entry("bulk_tension", tension) + "\n";
-    return text;
+    const std::string Q = side + dice.decimal(3, dice.between(-3, 1));
+    entries.shear = {{"Q", Q}, {"bulk_tension", tension}};
+    return entries;
 }
 
 class Drawing {
@@ -199,8 +204,10 @@ SampledContact sampled_contact(std::uint64_t seed, std::size_t number, std::size
     // contact in 17 has one.
     contact.profile = number % curved_every == first_curved ? 5 : (dice.below(17) + 3) / 4;
     const bool by_force = dice.below(4) == 0 && contact.profile != 5;
-    contact.text = scene_text(dice, contact.profile, by_force);
-    contact.scene = scene::parse_scene(contact.text, "contact " + std::to_string(number));
+    const scene::SceneEntries entries = drawn_entries(dice, contact.profile, by_force);
+    contact.text = scene_text(entries);
+    contact.scene = scene::make_scene(entries);
+    contact.scene.file = "contact " + std::to_string(number);
     Drawing drawing(dice, contact);
     for (std::size_t i = 0; i < values; ++i) {
         contact.values.push_back(drawing.draw(i));

@@ -200,7 +200,8 @@ void add_check(CLI::App& app, int& code) {
     sub->add_option("--ulps", o->ulps, "pass within N binary64 units in the last place");
     sub->add_flag("--conditioned", o->conditioned,
                   "let errors pass that the rounding of the inputs explains");
-    sub->add_option("--errors", o->errors, "show at most this number of failures")->capture_default_str();
+    sub->add_option("--errors", o->errors, "show at most this number of failures")
+        ->capture_default_str();
     sub->add_option("--junit", o->junit, "write JUnit XML to this file");
     sub->add_option("--figure", o->figure, "draw digits against u into this file (.svg or .csv)");
     sub->add_option("--ledger", o->ledger, "verify the formulas of this ledger instead");

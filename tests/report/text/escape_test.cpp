@@ -174,7 +174,9 @@ TEST_CASE("verdicts of hostile claims keep their rows in every format") {
     for (const std::string& command : commands(latex.substr(latex.find('\n')))) {
         CAPTURE(command);
         CHECK((command == "begin" || command == "end" || command == "hline" ||
-               command == "endhead" || command == "textwidth" || command == "texttt"));
+               command == "endhead" || command == "textwidth" || command == "texttt" ||
+               command == "footnotesize" || command == "raggedright" ||
+               command == "tabularnewline" || command == "allowbreak"));
     }
     const std::string terminal = verdicts_terminal(result, 100, false);
     for (const std::string& text : {markdown, latex, terminal, verdicts_csv(result)}) {

@@ -83,6 +83,30 @@ Json profile_json(const audit::ClaimResult& r, double most) {
     return profile;
 }
 
+/// LaTeX text that can be broken into lines in a narrow column: after operators, brackets and
+/// underscores, and after every fifth digit of a long number.
+std::string breakable_latex(std::string_view text) {
+    constexpr std::string_view breaks_after = "*/,;=()+_^";
+    constexpr std::size_t most_digits = 5;
+    std::string out;
+    std::string part;
+    std::size_t digits = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        const bool digit = c >= '0' && c <= '9';
+        digits = digit ? digits + 1 : 0;
+        part += c;
+        const bool exponent = c == '+' && i > 0 && text[i - 1] == 'e'; // 1e+08
+        if ((breaks_after.find(c) != std::string_view::npos && !exponent) ||
+            digits == most_digits) {
+            out += latex_text(part) + "\\allowbreak{}";
+            part.clear();
+            digits = 0;
+        }
+    }
+    return out + latex_text(part);
+}
+
 } // namespace
 
 std::array<std::size_t, audit::all_verdicts.size()>
@@ -198,22 +222,27 @@ std::string verdicts_markdown(const audit::AuditResult& result) {
 }
 
 std::string verdicts_latex(const audit::AuditResult& result) {
+    // The widths and ten times \tabcolsep (6 pt) are at most the 345 pt of an article on A4.
     std::string out = "% " + printable(result.ledger) + ": " + counts_line(result) + "\n" +
                       "% program: " + program_line() + "\n" +
-                      "% needs the package longtable\n"
-                      "\\begin{longtable}{llllp{0.5\\textwidth}}\n"
-                      "claim & lines & verdict & computed & note \\\\ \\hline \\endhead\n";
+                      "% needs the packages array and longtable\n"
+                      "{\\footnotesize\\begin{longtable}{";
+    for (const char* width : {"0.13", "0.08", "0.16", "0.19", "0.26"}) {
+        out += std::string(">{\\raggedright}p{") + width + "\\textwidth}";
+    }
+    out += "}\nclaim & lines & verdict & computed & note \\tabularnewline \\hline \\endhead\n";
     for (const audit::ClaimResult& r : result.claims) {
-        std::string note = latex_text(r.outcome.note);
+        std::string note = breakable_latex(r.outcome.note);
         if (r.outcome.correct) {
             note += (note.empty() ? "" : "; ") + std::string("correct: \\texttt{") +
-                    latex_text(*r.outcome.correct) + "}";
+                    breakable_latex(*r.outcome.correct) + "}";
         }
-        out += latex_text(r.claim.id) + " & " + lines_text(r.claim) + " & " +
+        out += breakable_latex(r.claim.id) + " & " + lines_text(r.claim) + " & " +
                std::string(name_of(r.outcome.verdict)) + " & " +
-               latex_text(r.outcome.computed.value_or("")) + " & " + note + " \\\\\n";
+               breakable_latex(r.outcome.computed.value_or("")) + " & " + note +
+               " \\tabularnewline\n";
     }
-    return out + "\\end{longtable}\n";
+    return out + "\\end{longtable}}\n";
 }
 
 namespace {

@@ -31,7 +31,8 @@ count_verdicts(const audit::AuditResult& result);
 [[nodiscard]] std::string verdicts_json(const audit::AuditResult& result);
 [[nodiscard]] std::string verdicts_csv(const audit::AuditResult& result);
 [[nodiscard]] std::string verdicts_markdown(const audit::AuditResult& result);
-/// Returns a longtable for LaTeX's `\input`, with the packages needed in comments.
+/// Returns a longtable for LaTeX's `\input`, with the packages needed in comments. Every column has
+/// a fixed width, and the widths together are those of the text of an article on A4.
 [[nodiscard]] std::string verdicts_latex(const audit::AuditResult& result);
 
 /// For a terminal `width` columns wide: the table, the errata, the counts. `colour` adds ANSI

@@ -15,7 +15,7 @@
   };
   const isDark = () => (root.dataset.theme || (system.matches ? "dark" : "light")) === "dark";
   const showTheme = () => {
-    button.setAttribute("aria-pressed", String(isDark()));
+    button.textContent = isDark() ? "Light" : "Dark"; // the theme that a click selects
   };
   const remembered = stored();
   if (remembered === "dark" || remembered === "light") root.dataset.theme = remembered;

@@ -34,4 +34,8 @@ TEST_CASE("the program contains the complete templates") {
     CHECK(report_template::page_html.ends_with("</html>\n"));
     CHECK(report_template::page_css.find("@media print") != std::string_view::npos);
     CHECK(report_template::page_js.ends_with("})();\n"));
+    // A proved claim has its own mark; the button names the theme that a click selects.
+    CHECK(report_template::page_css.find(".proved::before") != std::string_view::npos);
+    CHECK(report_template::page_js.find("isDark() ? \"Light\" : \"Dark\"") !=
+          std::string_view::npos);
 }

@@ -74,6 +74,19 @@ std::string summary(const audit::AuditResult& result) {
            std::to_string(result.digits) + " digits</td></tr>\n</tbody></table>\n";
 }
 
+/// Explains why the number of errors and the number of refuted claims differ.
+std::string errors_and_claims(const std::vector<Erratum>& errata) {
+    std::size_t claims = 0;
+    for (const Erratum& erratum : errata) {
+        claims += erratum.parts.size();
+    }
+    if (claims == errata.size()) {
+        return "";
+    }
+    return fmt::format(" {} claims are refuted: claims about the same place count as one error.",
+                       claims);
+}
+
 std::string fact(const char* name, const std::string& value) {
     return value.empty() ? "" : std::string("<dt>") + name + "</dt><dd>" + value + "</dd>\n";
 }
@@ -205,7 +218,7 @@ std::string html_page(const audit::AuditResult& result, const PageFigures& figur
          {"css", std::string(report_template::page_css)},
          {"js", std::string(report_template::page_js)},
          {"facts", facts(result, head)},
-         {"count", escape_html(errata_count(errata))},
+         {"count", escape_html(errata_count(errata) + errors_and_claims(errata))},
          {"digits", std::to_string(result.digits)},
          {"summary", summary(result)},
          {"errata", errata_list(errata, result, figures, head)},

@@ -86,7 +86,43 @@
   apply();
   follow();
 
-  // On paper the errata, or everything, opened, and shut again afterwards.
+  // Browsers do not break formulas into lines. A long formula is divided before its signs + and -
+  // into parts, between which a line may end. Widths are in px; `paper` is that of A4 or letter
+  // without margins, and `onPaper` the size of a formula on paper compared with the screen.
+  const paper = 630;
+  const onPaper = 0.76;
+  const tokensOf = (node) => node.localName === "mrow" && !node.classList.contains("changed")
+    ? Array.from(node.children).flatMap(tokensOf) : [node];
+  const divide = (math) => {
+    const parts = [[]];
+    for (const token of Array.from(math.children).flatMap(tokensOf)) {
+      const before = parts.at(-1).at(-1);
+      if (/^[+\u2212]$/.test(token.textContent) && before && !/[([]$/.test(before.textContent)) {
+        if (token.localName === "mo") token.setAttribute("form", "infix");
+        parts.push([]);
+      }
+      parts.at(-1).push(token);
+    }
+    if (parts.length < 2) return;
+    const lines = document.createElement("span");
+    if (math.getAttribute("display") === "block") lines.className = "lines";
+    lines.setAttribute("role", "math");
+    lines.setAttribute("aria-label", math.getAttribute("aria-label") || math.textContent);
+    for (const part of parts) {
+      const piece = math.cloneNode(false);
+      for (const name of ["display", "aria-label"]) piece.removeAttribute(name);
+      piece.setAttribute("displaystyle", String(math.getAttribute("display") === "block"));
+      piece.append(...part);
+      lines.append(piece, " ");
+    }
+    math.replaceWith(lines);
+  };
+  for (const math of document.querySelectorAll(".erratum math")) {
+    if (math.getBoundingClientRect().width > Math.min(paper / onPaper, math.parentElement.clientWidth || paper)) divide(math);
+  }
+
+  // On paper the errata, or everything, opened, and shut again afterwards. A formula that is still
+  // too long becomes smaller.
   const whole = byId("print-all");
   whole.parentElement.hidden = false;
   whole.addEventListener("change", () => {
@@ -94,11 +130,19 @@
     else delete root.dataset.print;
   });
   let shut = [];
+  let fitted = [];
   window.addEventListener("beforeprint", () => {
     shut = whole.checked ? claims.filter((claim) => !claim.open) : [];
     for (const claim of shut) claim.open = true;
+    fitted = Array.from(document.querySelectorAll("math"))
+      .map((math) => [math, paper / (math.getBoundingClientRect().width * onPaper)])
+      .filter(([, fit]) => fit < 1);
+    for (const [math, fit] of fitted) math.style.setProperty("--fit", fit.toFixed(3));
   });
-  window.addEventListener("afterprint", () => { for (const claim of shut) claim.open = false; });
+  window.addEventListener("afterprint", () => {
+    for (const claim of shut) claim.open = false;
+    for (const [math] of fitted) math.style.removeProperty("--fit");
+  });
 
   // A line of LaTeX to the clipboard; where there is none, it is selected.
   for (const copy of document.querySelectorAll(".copy-button")) {

@@ -180,7 +180,8 @@ class Scene:
             _apart.MOST_DIGITS_HERE
         if count > most and _apart.can_start():
             return _apart.run("values", self.text, self.file or "", asked)
-        return self._native.run(**asked)
+        values: dict[str, Any] = self._native.run(**asked)
+        return values
 
     # The contact.
 
@@ -290,7 +291,7 @@ class Scene:
         """
         import numpy
 
-        if numpy.ma.is_masked(u):
+        if numpy.ma.is_masked(u):  # type: ignore[no-untyped-call]
             raise InputError("u is an array with masked elements",
                              "give u.compressed(), or put numbers in their place by u.filled(0.1)")
         places = numpy.asarray(u)

@@ -91,8 +91,22 @@
   // without margins, and `onPaper` the size of a formula on paper compared with the screen.
   const paper = 630;
   const onPaper = 0.76;
-  const tokensOf = (node) => node.localName === "mrow" && !node.classList.contains("changed")
-    ? Array.from(node.children).flatMap(tokensOf) : [node];
+  const sign = (text) => {
+    const mo = document.createElementNS("http://www.w3.org/1998/Math/MathML", "mo");
+    mo.setAttribute("stretchy", "false");
+    mo.textContent = text;
+    return mo;
+  };
+  const tokensOf = (node) => {
+    if (node.localName === "mrow" && !node.classList.contains("changed")) {
+      return Array.from(node.children).flatMap(tokensOf);
+    }
+    if (node.localName === "mfrac" && node.getBoundingClientRect().width > paper) {
+      const [over, under] = Array.from(node.children, tokensOf);
+      return [sign("("), ...over, sign(")"), sign("/"), sign("("), ...under, sign(")")];
+    }
+    return [node];
+  };
   const divide = (math) => {
     const parts = [[]];
     for (const token of Array.from(math.children).flatMap(tokensOf)) {

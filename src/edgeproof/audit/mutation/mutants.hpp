@@ -41,6 +41,10 @@ struct MutantFate {
     [[nodiscard]] bool caught() const {
         return verdict == Verdict::refuted || verdict == Verdict::underspecified;
     }
+    /// True if enclosures do not decide: a limit of the program, which accepts no wrong formula.
+    [[nodiscard]] bool undecided() const { return verdict == Verdict::undecided && !equivalent; }
+    /// True if a wrong formula is accepted.
+    [[nodiscard]] bool survives() const { return !caught() && !undecided() && !equivalent; }
 };
 
 struct MutationRun {

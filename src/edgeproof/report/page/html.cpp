@@ -44,17 +44,17 @@ std::string_view meaning(audit::Verdict verdict) {
     case audit::Verdict::proved:
         return "symbolic identity: printed minus derived is zero";
     case audit::Verdict::confirmed:
-        return "agrees to the digits needed at every sample, or rounds to what is quoted";
+        return "the enclosures agree to the required digits, or round to the quoted figure";
     case audit::Verdict::imprecise:
-        return "off by one unit in the last quoted place, or true under one reading only";
+        return "differs by one unit of the last quoted digit, or is true in one reading only";
     case audit::Verdict::refuted:
-        return "different: by disjoint enclosures, or by estimates where the evidence states so";
+        return "different: the enclosures are disjoint";
     case audit::Verdict::underspecified:
         return "cannot be evaluated as printed";
     case audit::Verdict::undecided:
-        return "the evidence at the budget given does not decide";
+        return "the enclosures do not decide";
     case audit::Verdict::definition:
-        return "nothing to check";
+        return "there is nothing to check";
     }
     return "";
 }

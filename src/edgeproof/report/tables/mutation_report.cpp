@@ -20,6 +20,7 @@ struct Count {
     std::size_t refuted = 0;
     std::size_t no_value = 0;
     std::size_t equivalent = 0;
+    std::size_t undecided = 0;
     std::size_t surviving = 0;
     std::size_t named = 0;
 
@@ -28,17 +29,18 @@ struct Count {
         refuted += f.verdict == audit::Verdict::refuted ? 1 : 0;
         no_value += f.caught() && f.verdict != audit::Verdict::refuted ? 1 : 0;
         equivalent += !f.caught() && f.equivalent ? 1 : 0;
-        surviving += !f.caught() && !f.equivalent ? 1 : 0;
+        undecided += f.undecided() ? 1 : 0;
+        surviving += f.survives() ? 1 : 0;
         named += f.named ? 1 : 0;
     }
 };
 
 std::string row(const std::string& name, const Count& c) {
-    return fmt::format("{:<16}{:>6}{:>9}{:>10}{:>12}{:>11}{:>8} ({:.0f} % of those refuted)\n",
-                       name, c.made, c.refuted, c.no_value, c.equivalent, c.surviving, c.named,
-                       c.refuted == 0
-                           ? 0.0
-                           : 100.0 * static_cast<double>(c.named) / static_cast<double>(c.refuted));
+    return fmt::format(
+        "{:<16}{:>6}{:>9}{:>10}{:>12}{:>11}{:>11}{:>8} ({:.0f} % of those refuted)\n", name, c.made,
+        c.refuted, c.no_value, c.equivalent, c.undecided, c.surviving, c.named,
+        c.refuted == 0 ? 0.0
+                       : 100.0 * static_cast<double>(c.named) / static_cast<double>(c.refuted));
 }
 
 std::string quoted(const std::string& text) {
@@ -60,7 +62,7 @@ std::string cells_of(const audit::MutantFate& f) {
 std::vector<const audit::MutantFate*> survivors(const audit::MutationRun& run) {
     std::vector<const audit::MutantFate*> all;
     for (const audit::MutantFate& f : run.fates) {
-        if (!f.caught() && !f.equivalent) {
+        if (f.survives()) {
             all.push_back(&f);
         }
     }
@@ -72,9 +74,9 @@ std::string mutation_text(const audit::MutationRun& run,
     std::string out = fmt::format(
         "{} mutants of {} formulas that hold, out of {} possible mutants; seed {}, {} digits\n\n",
         run.fates.size(), run.claims, run.possible, run.seed, run.originals.digits);
-    out += fmt::format("{:<16}{:>6}{:>9}{:>10}{:>12}{:>11}{:>8}\n", "kind", "made", "refuted",
-                       "no value", "equivalent", "surviving", "named");
-    out += std::string(72, '-') + "\n";
+    out += fmt::format("{:<16}{:>6}{:>9}{:>10}{:>12}{:>11}{:>11}{:>8}\n", "kind", "made", "refuted",
+                       "no value", "equivalent", "undecided", "surviving", "named");
+    out += std::string(83, '-') + "\n";
     Count total;
     for (const std::string& kind : audit::mutation_kinds()) {
         Count c;
@@ -86,15 +88,19 @@ std::string mutation_text(const audit::MutationRun& run,
         }
         out += row(kind, c);
     }
-    out += std::string(72, '-') + "\n" + row("all", total);
-    for (const audit::MutantFate* f : survivors(run)) {
-        out += fmt::format("\nsurvives: {} ({}), {}: {}\n  original {}\n  mutant   {}\n", f->claim,
-                           f->kind, name_of(f->verdict), f->note, f->original, f->mutated);
+    out += std::string(83, '-') + "\n" + row("all", total);
+    for (const audit::MutantFate& f : run.fates) {
+        if (f.survives() || f.undecided()) {
+            out += fmt::format("\n{}: {} ({}), {}: {}\n  original {}\n  mutant   {}\n",
+                               f.survives() ? "survives" : "undecided", f.claim, f.kind,
+                               name_of(f.verdict), f.note, f.original, f.mutated);
+        }
     }
     for (const std::string& line : false_alarms) {
         out += "\nfalse alarm: " + line + "\n";
     }
-    out += fmt::format("\n{} survivors, {} false alarms\n", total.surviving, false_alarms.size());
+    out += fmt::format("\n{} survivors, {} undecided, {} false alarms\n", total.surviving,
+                       total.undecided, false_alarms.size());
     return out;
 }
 

@@ -8,12 +8,12 @@
 
 namespace edgeproof::report {
 
-/// Returns the mutants that were neither refuted nor proved equivalent to the original.
+/// Returns the mutants that survive (MutantFate::survives).
 [[nodiscard]] std::vector<const audit::MutantFate*> survivors(const audit::MutationRun& run);
 
-/// Returns, for each kind of mutation, the numbers of mutants made, refuted, equivalent and
-/// surviving, and how often the diagnosis found the original; then a line for each survivor and
-/// each false alarm.
+/// Returns, for each kind of mutation, the numbers of mutants made, refuted, equivalent, undecided
+/// and surviving, and how often the diagnosis found the original; then a line for each mutant that
+/// survives or is undecided, and for each false alarm.
 [[nodiscard]] std::string mutation_text(const audit::MutationRun& run,
                                         const std::vector<std::string>& false_alarms);
 

@@ -176,7 +176,8 @@ TEST_CASE("verdicts of hostile claims keep their rows in every format") {
         CHECK((command == "begin" || command == "end" || command == "hline" ||
                command == "endhead" || command == "textwidth" || command == "texttt" ||
                command == "footnotesize" || command == "raggedright" ||
-               command == "tabularnewline" || command == "allowbreak"));
+               command == "tabularnewline" || command == "allowbreak" || command == "setlength" ||
+               command == "tabcolsep"));
     }
     const std::string terminal = verdicts_terminal(result, 100, false);
     for (const std::string& text : {markdown, latex, terminal, verdicts_csv(result)}) {

@@ -222,12 +222,12 @@ std::string verdicts_markdown(const audit::AuditResult& result) {
 }
 
 std::string verdicts_latex(const audit::AuditResult& result) {
-    // The widths and ten times \tabcolsep (6 pt) are at most the 345 pt of an article on A4.
+    // The widths and ten times \tabcolsep are at most the 345 pt of an article on A4.
     std::string out = "% " + printable(result.ledger) + ": " + counts_line(result) + "\n" +
                       "% program: " + program_line() + "\n" +
                       "% needs the packages array and longtable\n"
-                      "{\\footnotesize\\begin{longtable}{";
-    for (const char* width : {"0.13", "0.08", "0.16", "0.19", "0.26"}) {
+                      "{\\footnotesize\\setlength{\\tabcolsep}{3pt}\\begin{longtable}{";
+    for (const char* width : {"0.15", "0.10", "0.17", "0.19", "0.30"}) {
         out += std::string(">{\\raggedright}p{") + width + "\\textwidth}";
     }
     out += "}\nclaim & lines & verdict & computed & note \\tabularnewline \\hline \\endhead\n";

@@ -179,8 +179,9 @@ class Scene:
         most = _apart.MOST_DIGITS_HERE_INTEGRATED if self._native.integrated else \
             _apart.MOST_DIGITS_HERE
         if count > most and _apart.can_start():
-            return _apart.run("values", self.text, self.file or "", asked)
-        values: dict[str, Any] = self._native.run(**asked)
+            values: dict[str, Any] = _apart.run("values", self.text, self.file or "", asked)
+        else:
+            values = self._native.run(**asked)
         return values
 
     # The contact.

@@ -72,6 +72,7 @@ private:
 
 } // namespace edgeproof::report
 
+/// @cond formatters of fmt, which doxygen does not place
 template <>
 struct fmt::formatter<edgeproof::report::GnuplotText> : fmt::formatter<std::string_view> {
     template <class Context>
@@ -93,6 +94,7 @@ struct fmt::formatter<edgeproof::report::GnuplotWords> : fmt::formatter<std::str
         return fmt::formatter<std::string_view>::format(value.text(), context);
     }
 };
+/// @endcond
 
 namespace edgeproof::report {
 

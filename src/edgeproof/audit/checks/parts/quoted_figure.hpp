@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/ledger/judgement.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/real.hpp"
 

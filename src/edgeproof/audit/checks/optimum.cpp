@@ -2,6 +2,7 @@
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/enclosed_reach.hpp"
 #include "edgeproof/audit/checks/parts/parameter_sweep.hpp"
+#include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/contact/routes/extent.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

@@ -21,8 +21,8 @@ struct TexFault {
 /// therefore contain only the commands of mathematics and of plain text (LaTeX's, amsmath's, and
 /// `macros`), environments of formulas, and characters that LaTeX prints as they are. Commands that
 /// read or write files or change how TeX reads, `%`, `#`, `^^` and control characters are faults.
-/// Braces and `$` must be balanced, and the end of an environment needs its beginning (a sentence may
-/// stop within an environment). Returns nothing for a text without a fault.
+/// Braces and `$` must be balanced, and the end of an environment needs its beginning (a sentence
+/// may stop within an environment). Returns nothing for a text without a fault.
 [[nodiscard]] std::optional<TexFault> tex_fault(std::string_view tex, const TexMacros& macros);
 
 /// Checks a macro: its name must consist of letters, and its body must have no fault and must not

@@ -90,6 +90,13 @@ public:
                           : full_stick_traction(length(), load(), edge, distance(u));
     }
     [[nodiscard]] Ball distance(const Distance& u) const { return u.enclosure(a(), b(), bits_); }
+    /// The coordinate x of a point.
+    [[nodiscard]] Ball x(contact::Edge edge, const Distance& u) const {
+        if (!u.number()) {
+            return u.x_enclosure(a(), b(), bits_);
+        }
+        return edge == contact::Edge::right ? a() - distance(u) : distance(u) - b();
+    }
     /// Throws DomainError if a corner inside the contact makes the pressure infinite.
     [[nodiscard]] Ball peak() const {
         for (const Ball& corner : proved_pressure().corners(contact::Edge::right)) {
@@ -141,6 +148,20 @@ public:
     }
     [[nodiscard]] Ball slip_size(contact::Edge edge) {
         return slip() != nullptr ? slip()->size(edge) : not_known();
+    }
+    [[nodiscard]] Ball load_ratio() {
+        return slip() != nullptr ? slip()->load_ratio() : not_known();
+    }
+    /// The bulk tension with which the stick zone reaches an edge of the contact: the edge towards
+    /// which Q acts, or the other one.
+    [[nodiscard]] Ball tension_limit(contact::Edge ahead) {
+        const bool forwards = scene_.shear->Q.sign() > 0;
+        try {
+            return slip() == nullptr ? not_known()
+                                     : slip()->tension_limit(forwards ? ahead : opposite(ahead));
+        } catch (const BudgetError&) {
+            return not_known();
+        }
     }
     /// The distance of an edge of the stick zone from the origin.
     [[nodiscard]] Ball stick_edge(contact::Edge edge) {

@@ -66,6 +66,13 @@ py::dict point_of(const scene::RowsAt& point, const Maker& value, const Maker& e
     d["p_local"] = approximations(point, Quantity::local, Quantity::rel, value, error);
     d["q"] = value(q);
     d["q_local"] = approximations(point, Quantity::q_local, Quantity::q_rel, value, error);
+    py::dict others;
+    for (const scene::Row& row : point) {
+        if (row_of(row.asked.quantity).by_its_own_name()) {
+            others[py::str(scene::symbol_of(row.asked))] = value(&row);
+        }
+    }
+    d["others"] = others;
     d["state"] = q != nullptr && q->state ? py::object(py::str(state_name(q->state)))
                                           : py::object(py::none());
     return d;

@@ -76,6 +76,11 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
             value(plan.print_pressure, Quantity::p, plan.terms > 0, Quantity::local, Quantity::rel);
             value(plan.shear, Quantity::q, plan.terms > 0 && plan.expand_shear, Quantity::q_local,
                   Quantity::q_rel);
+            for (const QuantityRow& row : quantity_rows()) {
+                if (row.by_its_own_name() && scene.ask.wants(row.group)) {
+                    at(row.quantity);
+                }
+            }
         }
     }
     for (const contact::Edge edge : plan.edges) {
@@ -136,7 +141,7 @@ private:
         const Quantity quantity = row.asked.quantity;
         const QuantityRow& def = row_of(quantity);
         if (plan_.computes(row.asked.edge) || quantity == Quantity::x || quantity == Quantity::u ||
-            def.of_friction() || (def.of_shear() && !similar(scene_))) {
+            def.of_friction() || def.by_its_own_name() || (def.of_shear() && !similar(scene_))) {
             return false;
         }
         // The mirror image of a place given by x is another place.

@@ -40,6 +40,12 @@ std::vector<report::Column> columns_of(const scene::Scene& scene, const scene::P
             approximations("q_");
         }
     }
+    for (const scene::QuantityRow& row : scene::quantity_rows()) {
+        if (row.by_its_own_name() && scene.ask.wants(row.group)) {
+            const std::string name = scene::symbol_of({row.quantity});
+            value.add(columns, name, name + "_route");
+        }
+    }
     return columns;
 }
 
@@ -114,14 +120,24 @@ std::vector<std::string> row_of_point(const scene::Scene& scene, const scene::Pl
         }
         approximations(scene::QuantityGroup::shear);
     }
+    for (const scene::Row& other : point) {
+        if (row_of(other.asked.quantity).by_its_own_name()) {
+            value.add(row, *other.value, true);
+        }
+    }
     return row;
 }
 
 int pressure(const SceneOptions& o) {
     scene::Scene scene = asked_scene(o);
-    ask_for(
-        scene, o, scene::QuantityGroup::pressure,
-        {scene::QuantityGroup::shear, scene::QuantityGroup::contact, scene::QuantityGroup::peak});
+    std::vector<scene::QuantityGroup> others{
+        scene::QuantityGroup::shear, scene::QuantityGroup::contact, scene::QuantityGroup::peak};
+    for (const scene::QuantityRow& row : scene::quantity_rows()) {
+        if (row.by_its_own_name()) {
+            others.push_back(row.group);
+        }
+    }
+    ask_for(scene, o, scene::QuantityGroup::pressure, others);
     if (scene.ask.u.empty() && scene.ask.wants(scene::QuantityGroup::peak)) {
         scene.ask.quantities.erase(scene::QuantityGroup::pressure);
     }
@@ -135,6 +151,12 @@ int pressure(const SceneOptions& o) {
     }
     if (result.plan.peak) {
         table.notes.emplace_back("p_max: the greatest pressure of the contact");
+    }
+    for (const scene::QuantityRow& row : scene::quantity_rows()) {
+        if (row.by_its_own_name() && scene.ask.wants(row.group)) {
+            table.notes.push_back(scene::symbol_of({row.quantity}) + ": " +
+                                  std::string(row.meaning));
+        }
     }
     if (result.plan.terms > 0) {
         table.notes.emplace_back(

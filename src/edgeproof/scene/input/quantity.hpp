@@ -56,12 +56,12 @@ enum class Quantity {
     measure_fraction, ///< measure/(a + b)
     crossing,         ///< the j-th u at which the error of k terms is the tolerance
     load_ratio,       ///< |Q|/(f P)
-    least_tension, ///< the bulk tension, for the given Q and P, with which the stick zone reaches
-                   ///< an edge of the contact: the least that is allowed
-    most_tension, ///< the greatest that is allowed
+    /// The least bulk tension, for the given Q and P, that keeps the stick zone in the contact.
+    least_tension,
+    most_tension, ///< the greatest one
     slip_terms,   ///< the size of the slip zone by the first k terms
     slip_rel,     ///< |1 - slip_terms/slip|
-    slip_load     ///< the load ratio up to which slip_rel stays within the tolerance
+    slip_load,    ///< the load ratio up to which slip_rel stays within the tolerance
 };
 
 /// Quantities that are planned and computed together; `quantities` of a scene file names them.
@@ -72,7 +72,7 @@ enum class QuantityGroup {
     extent,       ///< the distance up to which n terms stay within a tolerance
     slip,         ///< slip zones: their sizes, and the sizes by n terms
     contact,      ///< a, b, P and M
-    peak          ///< the greatest pressure
+    peak,         ///< the greatest pressure
 };
 
 struct AskedValue {
@@ -140,6 +140,10 @@ struct QuantityRow {
     /// True if the quantity needs [shear] of the scene; plans of other quantities leave it out.
     [[nodiscard]] bool of_shear() const { return needs == Needs::shear || of_friction(); }
     [[nodiscard]] bool at_point() const { return place == Place::point; }
+    /// True for a quantity at a point that a scene asks for by the name of a group of its own.
+    [[nodiscard]] bool by_its_own_name() const {
+        return at_point() && group != QuantityGroup::pressure && group != QuantityGroup::shear;
+    }
     [[nodiscard]] bool at_edge() const { return place != Place::contact; }
 };
 

@@ -60,8 +60,8 @@ public:
     }
 
 private:
-    /// Of first exits, the part of the contact that holds one: most lie by the edge, and what is
-    /// farther off takes long.
+    /// Searches for a first exit near the edge before the whole part: most exits lie there, and the
+    /// rest of the contact takes long.
     [[nodiscard]] std::vector<Row> extent(ValueRoute& route, Scene& scene,
                                           contact::Edge edge) const {
         const formula::Exact whole = scene.ask.part.to;

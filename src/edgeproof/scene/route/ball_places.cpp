@@ -76,7 +76,7 @@ void BallPlaces::refuse_outside_by_edges(contact::Edge edge, const Distance& u) 
             throw DomainError("the point lies outside the contact");
         }
         outside = !certainly_positive(from) || !certainly_less(from, level->length());
-        const auto corners = level->proved_pressure().corners(edge);
+        const auto corners = level->contact().corners(edge);
         if (!outside && std::ranges::none_of(
                             corners, [&](const Ball& corner) { return overlaps(corner, from); })) {
             return;
@@ -116,7 +116,7 @@ std::optional<Rational> BallPlaces::known_x(contact::Edge edge, const Distance& 
 }
 
 void BallPlaces::know(contact::Edge edge) {
-    if (const auto exact = balls_.at_level(length_->bits())->known(edge)) {
+    if (const auto exact = balls_.at_level(length_->bits())->contact().known(edge)) {
         if (const auto rational = rational_of(*exact)) {
             known_[edge] = *rational;
         }
@@ -143,12 +143,12 @@ public:
 
     [[nodiscard]] std::optional<std::vector<Row>> found() {
         contact::BallExtentSearch search(
-            [&](long bits) -> const contact::ProvedPressure& {
+            [&](long bits) -> const contact::ProvedContact& {
                 BallLevel* level = balls_.at_level(bits);
                 if (level == nullptr) {
                     throw BudgetError("too few bits to enclose the edges");
                 }
-                return level->proved_pressure();
+                return level->contact();
             },
             edge_, n_, *scene_.ask.tolerance, scene_.ask.part);
         const auto enclosed = [&](const Ball& x) { return has_digits(x, plan_.digits); };

@@ -25,11 +25,15 @@ digits = 20
 )toml";
     try {
         const scene::Scene cylinder = scene::parse_scene(text, "cylinder");
-        for (const scene::ExtentValues& extent : scene::run_scene(cylinder).extents) {
-            // `proved`: a search by enclosures that leaves no gap; else the route is an estimate,
-            // and how() says so.
-            const scene::BoundedValue& exit = extent.first_exit;
-            std::cout << extent.n
+        const scene::SceneResult result = scene::run_scene(cylinder);
+        for (const scene::Row& row : result.rows) {
+            if (row.asked.quantity != scene::Quantity::extent) {
+                continue; // the contact, and the measures of the same extents
+            }
+            // `proved`: a search by enclosures that leaves no gap; otherwise the route is an
+            // estimate, and how() contains that word.
+            const scene::BoundedValue& exit = *row.value;
+            std::cout << row.asked.k
                       << " within 1 % up to u = " << scene::printed(exit, cylinder.ask.digits).text
                       << (exit.proved ? ", proved" : ", estimated") << '\n';
         }

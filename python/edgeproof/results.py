@@ -68,9 +68,10 @@ class Contact(_Plain):
 class Point(_Plain):
     """A place and its tractions: u inwards from an edge; p and q in units of the contact modulus.
 
-    p_local and q_local have an Approximation for each number of terms asked for. Quantities that
-    were not asked for are None, or empty. With friction, state is "slip" (|q| = friction p),
-    "stick", or "undecided" if the place is too near the end of the stick zone to decide.
+    p_local and q_local have an Approximation for each number of terms asked for; others has the
+    quantities without a field of their own, by name. Quantities that were not asked for are None,
+    or empty. With friction, state is "slip" (|q| = friction p), "stick", or "undecided" if the
+    place is too near the end of the stick zone to decide.
     """
 
     edge: str
@@ -81,6 +82,7 @@ class Point(_Plain):
     q: Value | None
     q_local: tuple[Approximation, ...]
     state: str | None = None
+    others: Mapping[str, Value] = dataclasses.field(default_factory=dict)
 
 
 @dataclasses.dataclass(frozen=True)

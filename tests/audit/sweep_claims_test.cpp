@@ -180,7 +180,7 @@ TEST_CASE("limits of a contact at distances far below the requested digits") {
     };
     CHECK(verdict_of(hertz("abs(1-right_local(3,a-s)/p(a-s))", "0")) == "confirmed");
     CHECK(verdict_of(hertz("abs(1-right_local(3,a-s)/p(a-s))", "1e-90")) == "refuted");
-    // By hand, with v = u/(2a): sqrt(1 - v) = 1 - v/2 - v^2/8 - v^3/16 - ...
+    // Expanded by hand, with v = u/(2a): sqrt(1 - v) = 1 - v/2 - v^2/8 - v^3/16 - ...
     CHECK(verdict_of(hertz("(1-right_local(3,a-s)/p(a-s))*(2*a/s)^3", "-1/16")) == "confirmed");
     CHECK(verdict_of(hertz("(1-right_local(3,a-s)/p(a-s))*(2*a/s)^3", "1/16")) == "refuted");
     // p is of the order of sqrt(s).

@@ -68,7 +68,7 @@ TEST_CASE("ids of claims as names in Coq: no file of the theory, no word of the 
           "match", "return",     "then",       "where",    "with"}) {
         CHECK(certificate::coq_name(word) == "claim_" + word);
     }
-    // Of the library, and of share/edgeproof/coq.
+    // These names are taken by the library and by share/edgeproof/coq.
     CHECK(certificate::coq_name("R") == "claim_R");
     CHECK(certificate::coq_name("is_load") == "claim_is_load");
     CHECK(certificate::coq_name("is_loaded") == "is_loaded");

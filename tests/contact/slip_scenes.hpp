@@ -16,14 +16,11 @@ inline constexpr long slip_bits = 400;
 
 /// A contact with its zones and its slip; f = 3/5.
 struct Slipping {
-    std::unique_ptr<contact::BallContact> closed;
-    std::unique_ptr<contact::IntegratedContact> curved;
+    std::unique_ptr<contact::ProvedContact> of;
     std::unique_ptr<contact::ZoneSolver> zones;
     std::unique_ptr<contact::BallSlip> slip;
-    [[nodiscard]] const contact::ProvedPressure& contact() const {
-        return closed ? static_cast<const contact::ProvedPressure&>(*closed) : *curved;
-    }
-    [[nodiscard]] Ball force() const { return closed ? closed->force() : curved->force(); }
+    [[nodiscard]] const contact::ProvedContact& contact() const { return *of; }
+    [[nodiscard]] Ball force() const { return of->force(); }
 };
 
 /// The shear is given by tau = Q/(f P) and r = sigma_0/Q.
@@ -37,12 +34,13 @@ inline Slipping slipping(const contact::Profile& profile, const std::string& mod
     const bool by_integrals = !contact::BallContact::has_closed_form(profile) ||
                               (exact(r).sign() != 0 && !profile.piecewise_linear());
     if (by_integrals) {
-        s.curved =
+        auto curved =
             std::make_unique<contact::IntegratedContact>(profile, exact(modulus), load, bits);
-        s.zones = integrated_zones(*s.curved);
+        s.zones = integrated_zones(*curved);
+        s.of = std::move(curved);
     } else {
-        s.closed = std::make_unique<contact::BallContact>(profile, exact(modulus), load, bits);
-        s.zones = closed_form_zones(*s.closed);
+        s.of = contact::proved_contact(profile, exact(modulus), load, bits);
+        s.zones = closed_form_zones(*s.of->closed_form());
     }
     const Ball f(Rational(3, 5), bits);
     const Ball Q = ratio * f * s.force();

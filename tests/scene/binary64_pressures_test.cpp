@@ -140,7 +140,7 @@ TEST_CASE("a tilt that is solved for") {
     one.ask.u = {{formula::Exact::of(Rational(0.125)), 0}};
     const SceneResult result = run_scene(one);
     CHECK(pressures(Edge::right, 0.125) ==
-          result.points.at(0).values.p->value.midpoint().convert_to<double>());
+          result.points()[0].at(Quantity::p).value.midpoint().convert_to<double>());
 }
 
 TEST_CASE("a load that no contact carries is refused") {

@@ -38,23 +38,12 @@ std::string faults(const std::string& text) {
     const SceneResult result = run_scene(scene);
     const Digits& digits = scene.ask.digits;
     std::string all = result.plan.proved ? "" : result.plan.proved_why;
-    all += curved_fault(result.contact.a, digits) + curved_fault(result.contact.b, digits);
-    for (const PointRow& row : result.points) {
-        all += curved_fault(*row.values.p, digits);
-        for (const Approximation& a : row.values.p_local) {
-            all +=
-                curved_fault(a.local, digits) + (a.relative_error.proved ? "" : "error estimated");
-        }
-    }
-    for (const EdgeValues& edge : result.coefficients) {
-        for (const BoundedValue& c : edge.c) {
-            all += curved_fault(c, digits);
-        }
-    }
-    for (const ExtentValues& e : result.extents) {
-        for (const BoundedValue* v :
-             {&e.first_exit, &e.measure, &e.first_exit_fraction, &e.measure_fraction}) {
-            all += curved_fault(*v, digits);
+    for (const Row& row : result.rows) {
+        const Quantity quantity = row.asked.quantity;
+        if (row_of(quantity).short_error) {
+            all += row.value->proved ? "" : "error estimated";
+        } else if (quantity != Quantity::x && quantity != Quantity::crossing) {
+            all += curved_fault(*row.value, digits);
         }
     }
     return all;

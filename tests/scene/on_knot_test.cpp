@@ -33,12 +33,12 @@ const char* const one_sided = "kind = \"piecewise\"\nknots = [\"0\", \"1\"]\n"
 
 /// Checks that x is a - u at the right edge and u - b at the left one.
 void check_places(const SceneResult& result) {
-    for (const PointRow& row : result.points) {
-        const Ball u(row.u.rational(), 300);
-        const Ball x =
-            row.edge == Edge::right ? result.contact.a.value - u : u - result.contact.b.value;
-        CHECK(overlaps(row.values.x.value, x));
-        CHECK_FALSE(contains_zero(row.values.x.value));
+    for (const RowsAt& row : result.points()) {
+        const Ball u(row.row(Quantity::x).asked.u->rational(), 300);
+        const Ball x = row.edge() == Edge::right ? result.at(Quantity::a).value - u
+                                                 : u - result.at(Quantity::b).value;
+        CHECK(overlaps(row.at(Quantity::x).value, x));
+        CHECK_FALSE(contains_zero(row.at(Quantity::x).value));
     }
 }
 
@@ -47,26 +47,12 @@ void check_all_proved(const SceneResult& result) {
         CAPTURE(v.how());
         CHECK(v.proved);
     };
-    const ContactValues& contact = result.contact;
-    for (const BoundedValue* v : {&contact.a, &contact.b, &*contact.force, &*contact.moment}) {
-        proved(*v);
+    for (const Row& row : result.rows) {
+        REQUIRE(row.value);
+        proved(*row.value);
     }
-    for (const PointRow& row : result.points) {
-        proved(row.values.x);
-        proved(*row.values.p);
-        for (const Approximation& a : row.values.p_local) {
-            proved(a.local);
-            proved(a.relative_error);
-        }
-    }
-    for (const EdgeValues& edge : result.coefficients) {
-        for (const BoundedValue& c : edge.c) {
-            proved(c);
-        }
-    }
-    for (const ExtentValues& e : result.extents) {
-        proved(e.first_exit);
-        proved(e.measure);
+    for (const Quantity q : {Quantity::a, Quantity::b, Quantity::P, Quantity::M}) {
+        CHECK(result.find(q) != nullptr);
     }
 }
 
@@ -104,13 +90,13 @@ TEST_CASE("a curved g' that is odd in the contact: a knot on the left edge is fo
         run_scene(parsed("[profile]\n" + std::string(curved) +
                          "\n[load]\na = \"1\"\ncontact_modulus = \"1\"\n[ask]\nedges = [\"left\"]\n"
                          "terms = 2\ndigits = 10\nu = \"0.1\"\n"));
-    CHECK(result.contact.b.exactly == Rational(1));
-    CHECK(result.points[0].values.p->proved);
-    CHECK(result.points[0].values.p_local[0].local.proved);
+    CHECK(result.at(Quantity::b).exactly == Rational(1));
+    CHECK(result.points()[0].at(Quantity::p).proved);
+    CHECK(result.points()[0].at(Quantity::local, 2).proved);
     // In |x| < 1, by hand: x/5 gives sqrt(1 - x^2)/10, x^3 gives (x^2 + 1/2) sqrt(1 - x^2)/2. At x
     // = -9/10 the sum is sqrt(19)/10 (1/10 + 131/200) = 151 sqrt(19)/2000.
     const Ball p = sqrt(Ball(19, 200)) * 151 / 2000;
-    CHECK(overlaps(result.points[0].values.p->value, p));
+    CHECK(overlaps(result.points()[0].at(Quantity::p).value, p));
 }
 
 TEST_CASE("values on a knot and near a flat, by hand") {
@@ -119,29 +105,30 @@ TEST_CASE("values on a knot and near a flat, by hand") {
     };
     // Hertz within the arc: R = 2, a = b = 1/5, p = sqrt(u (2/5 - u))/4, c_0 = sqrt(2/5)/4.
     const SceneResult hertz = run_scene(parsed(scene_text(rounded_punch, "P = \"pi*0.005\"")));
-    CHECK(hertz.contact.a.exactly == Rational(1, 5));
-    CHECK(hertz.contact.b.exactly == Rational(1, 5));
-    CHECK(overlaps(hertz.points[1].values.p->value, sqrt(Ball(3, 200)) / 40));
-    for (const EdgeValues& edge : hertz.coefficients) {
+    CHECK(hertz.at(Quantity::a).exactly == Rational(1, 5));
+    CHECK(hertz.at(Quantity::b).exactly == Rational(1, 5));
+    CHECK(overlaps(hertz.points()[1].at(Quantity::p).value, sqrt(Ball(3, 200)) / 40));
+    for (const RowsAt& edge : hertz.at_edges(QuantityGroup::coefficients)) {
         const Ball c0 = sqrt(Ball(Rational(2, 5), 200)) / 4;
-        CHECK(overlaps(edge.c[0].value, c0));
-        CHECK(overlaps(edge.c[1].value, -c0 * 5 / 4));
+        CHECK(overlaps(edge.at(Quantity::c, 0).value, c0));
+        CHECK(overlaps(edge.at(Quantity::c, 1).value, -c0 * 5 / 4));
     }
     // A wedge tilted by a third of its angle: b/a = (1 - sin pi/6)/(1 + sin pi/6) = 1/3
     // (moore-hills.tex, line 301); at x = 2 G = ln((3 + 1)/(3 - 1)), p = ln 2/(10 pi).
     const SceneResult wedge = run_scene(parsed("[profile]\n" + std::string(leaning) +
                                                "\n[load]\na = \"3\"\ncontact_modulus = \"1\"\n"
                                                "[ask]\nu = \"1\"\ndigits = 20\n"));
-    CHECK(wedge.contact.b.exactly == Rational(1));
-    CHECK(overlaps(wedge.points[0].values.p->value, log(Ball(2, 200)) / (Ball::pi(200) * 10)));
+    CHECK(wedge.at(Quantity::b).exactly == Rational(1));
+    CHECK(overlaps(wedge.points()[0].at(Quantity::p).value,
+                   log(Ball(2, 200)) / (Ball::pi(200) * 10)));
     // A flat from -1/2 to 1 is symmetric about 1/4: P = (s^2 acos(t/s) - t sqrt(s^2 - t^2))/2 with
     // t = 3/4, a = 1/4 + s, solved with mpmath at 40 digits. The pressure at s - 1/10 is from
     // mpmath's quad of G over both arcs.
     const SceneResult pad = run_scene(parsed(scene_text(flat, "P = \"0.1\"")));
-    CHECK(text(pad.contact.a) == "1.2310977185734183323");
-    CHECK(text(pad.contact.b) == "0.73109771857341833226");
-    CHECK(text(*pad.points[1].values.p) == "0.083404414351848885849");
-    CHECK(text(*pad.points[3].values.p) == "0.083404414351848885849");
+    CHECK(text(pad.at(Quantity::a)) == "1.2310977185734183323");
+    CHECK(text(pad.at(Quantity::b)) == "0.73109771857341833226");
+    CHECK(text(pad.points()[1].at(Quantity::p)) == "0.083404414351848885849");
+    CHECK(text(pad.points()[3].at(Quantity::p)) == "0.083404414351848885849");
 }
 
 // P of flat-and-rounded at a = 1, t = 1/3 is (acos(1/3) - sqrt(8)/9)/2. The algebra does not know
@@ -152,18 +139,20 @@ TEST_CASE(
                                 "slopes = [\"0\", \"x - 1/3\", \"3*x - 7/3\"]";
     const SceneResult known =
         run_scene(parsed(scene_text(profile, "P = \"(acos(1/3) - sqrt(8)/9)/2\"")));
-    CHECK(known.contact.a.exactly == Rational(1));
+    CHECK(known.at(Quantity::a).exactly == Rational(1));
     check_all_proved(known);
     const SceneResult result =
         run_scene(parsed(scene_text(profile, "P = \"(atan(sqrt(8)) - sqrt(8)/9)/2\"")));
-    CHECK(result.contact.a.proved);
-    CHECK_FALSE(result.contact.a.exactly.has_value());
+    CHECK(result.at(Quantity::a).proved);
+    CHECK_FALSE(result.at(Quantity::a).exactly.has_value());
     for (std::size_t i = 0; i < 2; ++i) {
-        CHECK_FALSE(result.coefficients[i].c[1].proved);
-        CHECK(result.coefficients[i].c[1].how() ==
+        CHECK_FALSE(result.at_edges(QuantityGroup::coefficients)[i].at(Quantity::c, 1).proved);
+        CHECK(result.at_edges(QuantityGroup::coefficients)[i].at(Quantity::c, 1).how() ==
               "series, an edge taken to be on a knot (estimate)");
         for (std::size_t k = 0; k < 2; ++k) {
-            CHECK(overlaps(result.coefficients[i].c[k].value, known.coefficients[i].c[k].value));
+            CHECK(
+                overlaps(result.at_edges(QuantityGroup::coefficients)[i].at(Quantity::c, k).value,
+                         known.at_edges(QuantityGroup::coefficients)[i].at(Quantity::c, k).value));
         }
     }
 }
@@ -174,6 +163,7 @@ TEST_CASE("no first exit in the part: the result states it") {
         "terms = 1\ntolerance = \"1%\"\npart = [\"0\", \"1/100\"]\nquantities = [\"extent\"]\n"));
     // 1 - u/4 ... differs by 1 % at u = 402/10201 (2 (1 - 1.01^-2)), which is beyond 2/100.
     const SceneResult result = run_scene(scene);
-    CHECK_FALSE(result.extents[0].leaves);
-    CHECK(result.extents[0].crossings.empty());
+    const RowsAt extent = result.at_edges(QuantityGroup::extent).at(0);
+    CHECK_FALSE(extent.row(Quantity::extent, 1).reached);
+    CHECK(extent.find(Quantity::crossing, 1) == nullptr);
 }

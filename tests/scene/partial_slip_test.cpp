@@ -33,6 +33,11 @@ const char* const slip_curved =
 
 std::string text_of(const BoundedValue& v, unsigned digits) { return printed(v, {digits}).text; }
 
+/// The rows of the slip zone at one of the edges.
+RowsAt slip_at(const SceneResult& result, std::size_t edge) {
+    return result.at_edges(QuantityGroup::slip).at(edge);
+}
+
 void slip_refused(const std::string& text, const std::string& line) {
     try {
         (void)run_scene(parsed(text));
@@ -89,25 +94,26 @@ TEST_CASE("slip scenes that are refused, with the line") {
 TEST_CASE("a tension within the bound but not in proportion is noted") {
     const auto result = run_scene(parsed(slip_scene(
         hertz_under("P = \"1\""), "Q = \"0.3\"\nbulk_tension = \"0.39\"\nfriction = \"0.6\"")));
-    CHECK_FALSE(result.stick->in_proportion);
-    CHECK(text_of(*result.stick->most_tension, 8) == "0.39659353");
+    CHECK_FALSE(result.in_proportion);
+    CHECK(text_of(result.at(Quantity::most_tension), 8) == "0.39659353");
     const auto mild = run_scene(parsed(slip_scene(
         hertz_under("P = \"1\""), "Q = \"0.3\"\nbulk_tension = \"0.3\"\nfriction = \"0.6\"")));
-    CHECK(mild.stick->in_proportion);
+    CHECK(mild.in_proportion);
 }
 
 // Hertz: a = 2/sqrt(pi), d = a (1 - sqrt(1 - tau)).
 TEST_CASE("slip zones of a scene next to no load and next to full sliding") {
     const auto tiny = run_scene(
         parsed(slip_scene(hertz_under("P = \"1\""), "Q = \"6e-31\"\nfriction = \"0.6\"")));
-    CHECK(tiny.slips.at(0).size.proved);
+    CHECK(slip_at(tiny, 0).at(Quantity::slip).proved);
     // 1/sqrt(pi) 1e-30 (1 + 2.5e-31)
-    CHECK(text_of(tiny.slips.at(0).size, 30) == "5.64189583547756286948079451561e-31");
+    CHECK(text_of(slip_at(tiny, 0).at(Quantity::slip), 30) ==
+          "5.64189583547756286948079451561e-31");
     const auto full = run_scene(parsed(
         slip_scene(hertz_under("P = \"1\""), "Q = \"3/5*(1 - 1e-30)\"\nfriction = \"0.6\"")));
     // 2e-15/sqrt(pi)
-    CHECK(text_of(full.stick->a, 30) == "1.12837916709551257389615890312e-15");
-    CHECK(full.stick->a.proved);
+    CHECK(text_of(full.at(Quantity::stick_a), 30) == "1.12837916709551257389615890312e-15");
+    CHECK(full.at(Quantity::stick_a).proved);
 }
 
 // mpmath, 90 digits. Power laws: P = m a^(m + 1) B(m/2, 3/2)/2, stick zone a (1 - tau)^(1/(m + 1)).
@@ -131,10 +137,10 @@ TEST_CASE("extreme profiles next to no load and next to full sliding") {
         const auto result =
             run_scene(parsed(slip_scene("[profile]\n" + profile + "\n[load]\nP = \"1\"\n",
                                         "Q = \"" + Q + "\"\nfriction = \"0.6\"")));
-        CHECK(result.slips.at(0).size.proved);
-        CHECK(result.stick->a.proved);
-        CHECK(text_of(result.slips.at(0).size, 25) == size);
-        CHECK(text_of(result.stick->a, 25) == stick);
+        CHECK(slip_at(result, 0).at(Quantity::slip).proved);
+        CHECK(result.at(Quantity::stick_a).proved);
+        CHECK(text_of(slip_at(result, 0).at(Quantity::slip), 25) == size);
+        CHECK(text_of(result.at(Quantity::stick_a), 25) == stick);
     }
 }
 
@@ -145,13 +151,17 @@ TEST_CASE("q and slip zones of a scene hold values from elsewhere") {
     Scene scene = parsed(slip_scene(slip_half, shear, "digits = 40\nu = [\"0.1\", \"0.5\"]\n"));
     scene.ask.quantities.insert(QuantityGroup::shear);
     const auto result = run_scene(scene);
-    CHECK(text_of(result.slips.at(0).size, 40) == "0.1774640036086275636295696189473192871183");
-    CHECK(text_of(result.slips.at(1).size, 40) == "0.08439567788566152535576902454336858524903");
-    CHECK(text_of(*result.points.at(0).values.q, 35) == "0.11297266969727152254342025535819661");
-    CHECK(text_of(*result.points.at(1).values.q, 35) == "0.049880797916348512913389779294125959");
-    CHECK(result.points.at(0).values.state == SlipState::slip);
-    CHECK(result.points.at(1).values.state == SlipState::stick);
-    CHECK(result.points.at(1).values.q->proved);
+    CHECK(text_of(slip_at(result, 0).at(Quantity::slip), 40) ==
+          "0.1774640036086275636295696189473192871183");
+    CHECK(text_of(slip_at(result, 1).at(Quantity::slip), 40) ==
+          "0.08439567788566152535576902454336858524903");
+    CHECK(text_of(result.points()[0].at(Quantity::q), 35) ==
+          "0.11297266969727152254342025535819661");
+    CHECK(text_of(result.points()[1].at(Quantity::q), 35) ==
+          "0.049880797916348512913389779294125959");
+    CHECK(result.points()[0].row(Quantity::q).state == SlipState::slip);
+    CHECK(result.points()[1].row(Quantity::q).state == SlipState::stick);
+    CHECK(result.points()[1].at(Quantity::q).proved);
 }
 
 TEST_CASE("a curved slope slips, proved") {
@@ -159,10 +169,13 @@ TEST_CASE("a curved slope slips, proved") {
                                     "digits = 40\nterms = [1, 2]\nu = [\"0.01\", \"0.2\"]\n"));
     scene.ask.quantities.insert(QuantityGroup::shear);
     const auto result = run_scene(scene);
-    CHECK(result.slips.at(0).size.proved);
-    CHECK(text_of(result.slips.at(0).size, 40) == "0.05193147625005722571264112503692018502348");
-    CHECK(text_of(*result.points.at(0).values.q, 35) == "0.0054714134986996225492807142915063385");
-    CHECK(text_of(*result.points.at(1).values.q, 35) == "0.0033794945997665433411066931976509986");
+    CHECK(slip_at(result, 0).at(Quantity::slip).proved);
+    CHECK(text_of(slip_at(result, 0).at(Quantity::slip), 40) ==
+          "0.05193147625005722571264112503692018502348");
+    CHECK(text_of(result.points()[0].at(Quantity::q), 35) ==
+          "0.0054714134986996225492807142915063385");
+    CHECK(text_of(result.points()[1].at(Quantity::q), 35) ==
+          "0.0033794945997665433411066931976509986");
 }
 
 // P(1) = pi/4 within the inner parabola: there the stick zone ends on the bend, or on the corner.
@@ -174,9 +187,9 @@ TEST_CASE("a stick zone that ends on a knot exactly") {
                                     std::string(outer) + "\"]\n[load]\nP = \"2\"\n";
         const auto result =
             run_scene(parsed(slip_scene(profile, "Q = \"3/5*(2 - pi/4)\"\nfriction = \"0.6\"")));
-        CHECK(result.stick->a.proved);
-        CHECK(text_of(result.stick->a, 30) == "1.00000000000000000000000000000");
-        CHECK(text_of(result.stick->b, 30) == "1.00000000000000000000000000000");
+        CHECK(result.at(Quantity::stick_a).proved);
+        CHECK(text_of(result.at(Quantity::stick_a), 30) == "1.00000000000000000000000000000");
+        CHECK(text_of(result.at(Quantity::stick_b), 30) == "1.00000000000000000000000000000");
     }
 }
 
@@ -187,10 +200,10 @@ TEST_CASE("a stick zone of a tilted contact that ends on a knot exactly") {
         slip_scene("[profile]\nkind = \"piecewise\"\nknots = [\"1/2\"]\nslopes = [\"x\", \"1/2 + "
                    "3*(x - 1/2)\"]\n[load]\nP = \"1\"\n",
                    "Q = \"3/5*(1 - pi/16)\"\nfriction = \"0.6\"")));
-    CHECK(text_of(result.stick->a, 25) == "0.5000000000000000000000000");
-    CHECK(text_of(result.stick->b, 25) == "0.5000000000000000000000000");
-    CHECK(text_of(result.slips.at(0).size, 25) == "0.3707355456826686726145390");
-    CHECK(text_of(result.slips.at(1).size, 25) == "0.6458749358604694503912972");
+    CHECK(text_of(result.at(Quantity::stick_a), 25) == "0.5000000000000000000000000");
+    CHECK(text_of(result.at(Quantity::stick_b), 25) == "0.5000000000000000000000000");
+    CHECK(text_of(slip_at(result, 0).at(Quantity::slip), 25) == "0.3707355456826686726145390");
+    CHECK(text_of(slip_at(result, 1).at(Quantity::slip), 25) == "0.6458749358604694503912972");
 }
 
 // Hertz, a = 1, P = pi/4, tau = 3/4: the limit is 2 f E* (a - a/2)/R = 3/5.
@@ -206,7 +219,7 @@ TEST_CASE("a bulk tension at its bound exactly") {
     slip_refused(slip_scene(by_a, shear("0.6 + 1e-40")), "beyond the left edge");
     const auto within = run_scene(parsed(slip_scene(by_a, shear("0.6 - 6e-41"))));
     // c = 1/2 about -(1/2 - 5e-41)
-    CHECK(text_of(within.slips.at(1).size, 20) == "5.0000000000000000000e-41");
+    CHECK(text_of(slip_at(within, 1).at(Quantity::slip), 20) == "5.0000000000000000000e-41");
 }
 
 TEST_CASE("the route in Real gives the same slip, and calls it an estimate") {
@@ -220,15 +233,17 @@ TEST_CASE("the route in Real gives the same slip, and calls it an estimate") {
     const auto x = run_scene(proved);
     const auto y = run_scene(other);
     for (std::size_t i = 0; i < 2; ++i) {
-        CHECK(x.slips.at(i).size.proved);
-        CHECK_FALSE(y.slips.at(i).size.proved);
-        CHECK(text_of(x.slips.at(i).size, 20) == text_of(y.slips.at(i).size, 20));
-        CHECK(text_of(x.slips.at(i).terms.at(0).size, 18) ==
-              text_of(y.slips.at(i).terms.at(0).size, 18));
+        CHECK(slip_at(x, i).at(Quantity::slip).proved);
+        CHECK_FALSE(slip_at(y, i).at(Quantity::slip).proved);
+        CHECK(text_of(slip_at(x, i).at(Quantity::slip), 20) ==
+              text_of(slip_at(y, i).at(Quantity::slip), 20));
+        CHECK(text_of(slip_at(x, i).at(Quantity::slip_terms, 2), 18) ==
+              text_of(slip_at(y, i).at(Quantity::slip_terms, 2), 18));
     }
     for (std::size_t i = 0; i < 4; ++i) {
-        CHECK(text_of(*x.points.at(i).values.q, 20) == text_of(*y.points.at(i).values.q, 20));
-        CHECK(x.points.at(i).values.state == y.points.at(i).values.state);
+        CHECK(text_of(x.points()[i].at(Quantity::q), 20) ==
+              text_of(y.points()[i].at(Quantity::q), 20));
+        CHECK(x.points()[i].row(Quantity::q).state == y.points()[i].row(Quantity::q).state);
     }
     CHECK(y.work.counts == y.plan.counts);
 }
@@ -240,7 +255,10 @@ TEST_CASE("a mirror exchanges the slip zones") {
         hertz_under("P = \"1\""), "Q = \"0.3\"\nbulk_tension = \"0.1\"\nfriction = \"0.6\"")));
     const auto other = run_scene(parsed(slip_scene(
         hertz_under("P = \"1\""), "Q = \"-0.3\"\nbulk_tension = \"0.1\"\nfriction = \"0.6\"")));
-    CHECK(text_of(one.slips.at(0).size, 40) == text_of(other.slips.at(1).size, 40));
-    CHECK(text_of(one.slips.at(1).size, 40) == text_of(other.slips.at(0).size, 40));
-    CHECK(text_of(one.slips.at(0).size, 40) != text_of(one.slips.at(1).size, 40));
+    CHECK(text_of(slip_at(one, 0).at(Quantity::slip), 40) ==
+          text_of(slip_at(other, 1).at(Quantity::slip), 40));
+    CHECK(text_of(slip_at(one, 1).at(Quantity::slip), 40) ==
+          text_of(slip_at(other, 0).at(Quantity::slip), 40));
+    CHECK(text_of(slip_at(one, 0).at(Quantity::slip), 40) !=
+          text_of(slip_at(one, 1).at(Quantity::slip), 40));
 }

@@ -11,8 +11,6 @@ using namespace edgeproof::scenes;
 
 namespace {
 
-std::string error_text(const Approximation& a) { return printed(a.relative_error, {20}).text; }
-
 /// Returns rel_1, rel_2, rel_3 at one point.
 std::vector<std::string> errors_at(const std::string& profile, const std::string& u,
                                    bool of_shear) {
@@ -23,10 +21,11 @@ std::vector<std::string> errors_at(const std::string& profile, const std::string
                (of_shear ? "shear" : "pressure") + "\"]\n");
     std::vector<std::string> texts;
     const SceneResult result = run_scene(scene);
-    for (const Approximation& a :
-         of_shear ? result.points[0].values.q_local : result.points[0].values.p_local) {
-        CHECK(a.relative_error.proved);
-        texts.push_back(error_text(a));
+    for (const std::size_t n : {1U, 2U, 3U}) {
+        const BoundedValue& error =
+            result.points()[0].at(of_shear ? Quantity::q_rel : Quantity::rel, n);
+        CHECK(error.proved);
+        texts.push_back(printed(error, {20}).text);
     }
     return texts;
 }
@@ -85,15 +84,15 @@ TEST_CASE("slip loads of 1e-300 and 1e-1000: d, and what n terms leave out") {
                    std::to_string(k) +
                    "\"\nfriction = \"1/2\"\n[ask]\nterms = [1, 2, 3]\nquantities = [\"slip\"]\n");
         const SceneResult result = run_scene(scene);
-        const SlipValues& slip = result.slips.at(0);
-        CHECK(printed(slip.size, {20}).text == // a = 2/sqrt(pi)
+        const RowsAt slip = result.at_edges(QuantityGroup::slip).at(0);
+        CHECK(printed(slip.at(Quantity::slip), {20}).text == // a = 2/sqrt(pi)
               "1.1283791670955125739e-" + std::to_string(k));
         const std::vector<std::string> expected{
             "5.0000000000000000000e-" + std::to_string(k + 1),
             "5.0000000000000000000e-" + std::to_string(2 * k + 1),
             "6.2500000000000000000e-" + std::to_string(3 * k + 1)};
         for (std::size_t n = 0; n < 3; ++n) {
-            CHECK(printed(slip.terms.at(n).relative_error, {20}).text == expected[n]);
+            CHECK(printed(slip.at(Quantity::slip_rel, n + 1), {20}).text == expected[n]);
         }
     }
 }
@@ -119,7 +118,7 @@ TEST_CASE("0 is printed only for values that are known to be 0") {
                              "\"\nC = \"1\"\n[load]\na = "
                              "\"pi\"\ncontact_modulus = \"1\"\n[ask]\nterms = 2\nquantities = "
                              "[\"coefficients\"]\n"));
-        return result.coefficients[0].c[1];
+        return result.at_edges(QuantityGroup::coefficients)[0].at(Quantity::c, 1);
     };
     REQUIRE(c1("5/8").exactly);
     CHECK(*c1("5/8").exactly == 0);
@@ -128,13 +127,13 @@ TEST_CASE("0 is printed only for values that are known to be 0") {
 }
 
 TEST_CASE("a point is shown as it was given") {
-    const SceneResult result =
-        run_scene(parsed(hertz("2", "u = [\"a/2\", \"50%\", \"pi/4\", \"1e-3\"]\nx = [\"a/2\", "
-                                    "\"-1/3\"]\n")));
+    const Scene scene =
+        parsed(hertz("2", "u = [\"a/2\", \"50%\", \"pi/4\", \"1e-3\"]\nx = [\"a/2\", \"-1/3\"]\n"));
+    const SceneResult result = run_scene(scene);
     std::vector<std::string> asked;
-    for (const PointRow& point : result.points) {
-        asked.push_back(point.asked);
+    for (const RowsAt& point : result.points()) {
+        asked.push_back(scene.ask.u[point.point()].text());
     }
     CHECK(asked == std::vector<std::string>{"a/2", "50%", "pi/4", "1e-3", "x = a/2", "x = -1/3"});
-    CHECK(result.points[1].u.text() == "2");
+    CHECK(result.points()[1].row(Quantity::x).asked.u->text() == "2");
 }

@@ -10,8 +10,8 @@ using namespace edgeproof::scenes;
 
 namespace {
 
-std::string p_text(const PointRow& row, const Digits& digits) {
-    return printed(*row.values.p, digits).text;
+std::string p_text(const RowsAt& row, const Digits& digits) {
+    return printed(row.at(Quantity::p), digits).text;
 }
 
 /// Returns sqrt(q), q < 1, to 50 digits after the leading zeros, using only the integer square
@@ -40,9 +40,10 @@ TEST_CASE("Hertz: p = sqrt(u (2 - u))/2, by integer square roots") {
     const Scene scene =
         parsed(hertz("1", "u = [\"1e-30\", \"1e-3\", \"0.1\", \"1/3\", \"1.7\"]\n"));
     const SceneResult result = run_scene(scene);
-    for (const PointRow& row : result.points) {
-        CAPTURE(row.u.text());
-        const Rational u = row.u.rational();
+    for (const RowsAt& row : result.points()) {
+        const Exact& distance = *row.row(Quantity::x).asked.u;
+        CAPTURE(distance.text());
+        const Rational u = distance.rational();
         const Rational square = u * (2 - u) / 4;
         // Enough places for 50 digits after the leading zeros of p.
         const std::string text = p_text(row, scene.ask.digits);
@@ -51,8 +52,8 @@ TEST_CASE("Hertz: p = sqrt(u (2 - u))/2, by integer square roots") {
             ++places;
         }
         CHECK(digits_only(text) == root_digits(square, places));
-        CHECK(row.values.p->proved);
-        CHECK(printed(*row.values.p, scene.ask.digits).complete);
+        CHECK(row.at(Quantity::p).proved);
+        CHECK(printed(row.at(Quantity::p), scene.ask.digits).complete);
     }
 }
 
@@ -65,7 +66,7 @@ TEST_CASE("Hertz where p is a decimal: the exact text, each way of rounding") {
         const SceneResult result = run_scene(scene);
         const char* const expected[] = {"0.300000000000", "0.400000000000", "0.500000000000"};
         for (std::size_t i = 0; i < 3; ++i) {
-            const PrintedValue p = printed(*result.points[i].values.p, scene.ask.digits);
+            const PrintedValue p = printed(result.points()[i].at(Quantity::p), scene.ask.digits);
             const Rational exactly = parse_decimal(expected[i]);
             const Rational value = parse_decimal(p.text);
             CHECK(p.text == expected[i]);
@@ -73,8 +74,9 @@ TEST_CASE("Hertz where p is a decimal: the exact text, each way of rounding") {
             // One unit of the last place, rounded up to the two digits of the bound.
             CHECK(parse_decimal(p.bound) <= parse_decimal("1.1e-12"));
         }
-        CHECK(printed(result.points[1].values.x, scene.ask.digits).text == "0.600000000000");
-        CHECK(printed(result.points[2].values.x, scene.ask.digits).text == "0");
+        CHECK(printed(result.points()[1].at(Quantity::x), scene.ask.digits).text ==
+              "0.600000000000");
+        CHECK(printed(result.points()[2].at(Quantity::x), scene.ask.digits).text == "0");
     }
 }
 
@@ -83,16 +85,17 @@ TEST_CASE("Hertz's coefficients, by hand from sqrt(1 - u/(2a))") {
     const Scene scene = parsed(
         hertz("2", "edges = [\"left\", \"right\"]\nterms = 5\nquantities = [\"coefficients\"]\n"));
     const SceneResult result = run_scene(scene);
-    REQUIRE(result.coefficients.size() == 2);
+    REQUIRE(result.at_edges(QuantityGroup::coefficients).size() == 2);
     const Rational expected[] = {Rational(1), Rational(-1, 8), Rational(-1, 128),
                                  Rational(-1, 1024), Rational(-5, 32768)};
-    for (const EdgeValues& edge : result.coefficients) {
-        REQUIRE(edge.c.size() == 5);
-        CHECK(edge.s.empty());
+    for (const RowsAt& edge : result.at_edges(QuantityGroup::coefficients)) {
+        CHECK(edge.find(Quantity::c, 5) == nullptr);
+        CHECK(edge.find(Quantity::s, 0) == nullptr);
         for (std::size_t k = 0; k < 5; ++k) {
-            CHECK(contains(edge.c[k].value, expected[k]));
-            CHECK(edge.c[k].proved);
-            CHECK(parse_decimal(printed(edge.c[k], scene.ask.digits).text) == expected[k]);
+            const BoundedValue& c = edge.at(Quantity::c, k);
+            CHECK(contains(c.value, expected[k]));
+            CHECK(c.proved);
+            CHECK(parse_decimal(printed(c, scene.ask.digits).text) == expected[k]);
         }
     }
 }
@@ -101,16 +104,17 @@ TEST_CASE("Hertz within 1 %: u = 2a (1 - 1.01^-2) for one term") {
     Scene scene = parsed(hertz("1", "terms = 1\ntolerance = \"1%\"\nprocess_zone = \"0.039\"\n"
                                     "digits = 30\n"));
     const SceneResult result = run_scene(scene);
-    REQUIRE(result.extents.size() == 1);
+    REQUIRE(result.at_edges(QuantityGroup::extent).size() == 1);
+    const RowsAt extent = result.at_edges(QuantityGroup::extent)[0];
+    const BoundedValue& first_exit = extent.at(Quantity::extent, 1);
     const Rational exit = 2 * (1 - Rational(10000, 10201));
-    CHECK(printed(result.extents[0].first_exit, scene.ask.digits).text ==
-          to_decimal(exit, 30, Rounding::nearest));
-    CHECK(printed(result.extents[0].first_exit_fraction, scene.ask.digits).text ==
+    CHECK(printed(first_exit, scene.ask.digits).text == to_decimal(exit, 30, Rounding::nearest));
+    CHECK(printed(extent.at(Quantity::extent_fraction, 1), scene.ask.digits).text ==
           to_decimal(Rational(exit / 2), 30, Rounding::nearest));
-    CHECK(result.extents[0].first_exit.proved);
-    CHECK(result.extents[0].covers_zone == true); // 0.0394... > 0.039
+    CHECK(first_exit.proved);
+    CHECK(covers_zone(scene, first_exit)); // 0.0394... > 0.039
     scene.ask.process_zone = Exact::parse("0.0395");
-    CHECK(run_scene(scene).extents[0].covers_zone == false);
+    CHECK_FALSE(covers_zone(scene, first_exit));
 }
 
 TEST_CASE("balls and quadratures agree, each within its own bound") {
@@ -135,20 +139,21 @@ TEST_CASE("balls and quadratures agree, each within its own bound") {
             CHECK(x.proved);
             CHECK_FALSE(y.proved);
         };
-        CHECK(overlaps(balls.contact.b.value, reals.contact.b.value));
-        for (std::size_t i = 0; i < balls.points.size(); ++i) {
-            const PointValues& x = balls.points[i].values;
-            const PointValues& y = reals.points[i].values;
-            agree(*x.p, *y.p);
-            CHECK(x.q.has_value() == y.q.has_value());
-            if (x.q) {
-                agree(*x.q, *y.q);
+        CHECK(overlaps(balls.at(Quantity::b).value, reals.at(Quantity::b).value));
+        for (std::size_t i = 0; i < balls.points().size(); ++i) {
+            const RowsAt x = balls.points()[i];
+            const RowsAt y = reals.points()[i];
+            agree(x.at(Quantity::p), y.at(Quantity::p));
+            const bool sheared = x.find(Quantity::q) != nullptr;
+            CHECK(sheared == (y.find(Quantity::q) != nullptr));
+            if (sheared) {
+                agree(x.at(Quantity::q), y.at(Quantity::q));
             }
-            for (std::size_t n = 0; n < 2; ++n) {
-                agree(x.p_local[n].local, y.p_local[n].local);
-                agree(x.p_local[n].relative_error, y.p_local[n].relative_error);
-                if (x.q) {
-                    agree(x.q_local[n].relative_error, y.q_local[n].relative_error);
+            for (const std::size_t n : {1U, 3U}) {
+                agree(x.at(Quantity::local, n), y.at(Quantity::local, n));
+                agree(x.at(Quantity::rel, n), y.at(Quantity::rel, n));
+                if (sheared) {
+                    agree(x.at(Quantity::q_rel, n), y.at(Quantity::q_rel, n));
                 }
             }
         }
@@ -160,20 +165,21 @@ TEST_CASE("P and Q in proportion: q/p is Q/P at every point") {
         parsed(tilted_wedge("[shear]\nQ = \"0.3\"\npath = \"together\"\n",
                             "u = [\"1e-9\", \"0.2\"]\nquantities = [\"pressure\", \"shear\", "
                             "\"contact\", \"coefficients\"]\nterms = 2\n")));
-    const Ball expected = Ball(Rational(3, 10), 300) / result.contact.force->value;
-    for (const PointRow& row : result.points) {
-        CHECK(overlaps(row.values.q->value / row.values.p->value, expected));
+    const Ball expected = Ball(Rational(3, 10), 300) / result.at(Quantity::P).value;
+    for (const RowsAt& row : result.points()) {
+        CHECK(overlaps(row.at(Quantity::q).value / row.at(Quantity::p).value, expected));
     }
-    CHECK(
-        overlaps(result.coefficients[0].s[1].value / result.coefficients[0].c[1].value, expected));
+    CHECK(overlaps(result.at_edges(QuantityGroup::coefficients)[0].at(Quantity::s, 1).value /
+                       result.at_edges(QuantityGroup::coefficients)[0].at(Quantity::c, 1).value,
+                   expected));
     // P of the wedge by hand: E* phi a sqrt(gamma), gamma = (1 - sin)/(1 + sin) of pi alpha/(2 phi)
     // = pi/10, whose sine is (sqrt 5 - 1)/4 (moore-hills.tex, line 301).
     const PrecisionScope scope(60);
     const Real sine = (sqrt(Real(5)) - 1) / 4;
     const Real P = Real(1) / 5 * sqrt(Real((1 - sine) / (1 + sine)));
-    CHECK(contains(result.contact.force->value, Ball(P, 180)) ==
-          contains(result.contact.force->value, P));
-    CHECK(abs(Real(result.contact.force->value.midpoint() - P)) < Real("1e-50"));
+    CHECK(contains(result.at(Quantity::P).value, Ball(P, 180)) ==
+          contains(result.at(Quantity::P).value, P));
+    CHECK(abs(Real(result.at(Quantity::P).value.midpoint() - P)) < Real("1e-50"));
 }
 
 TEST_CASE("the shear of a given contact, by hand") {
@@ -185,14 +191,16 @@ TEST_CASE("the shear of a given contact, by hand") {
                              "u = \"2/5\"\nterms = 1\ndigits = 20\n";
     const Scene scene = parsed(text);
     const SceneResult result = run_scene(scene);
-    REQUIRE(result.points.size() == 2);
-    CHECK(printed(*result.points[0].values.q, scene.ask.digits).text == "2.7500000000000000000");
-    CHECK(printed(*result.points[1].values.q, scene.ask.digits).text == "-0.25000000000000000000");
+    REQUIRE(result.points().size() == 2);
+    CHECK(printed(result.points()[0].at(Quantity::q), scene.ask.digits).text ==
+          "2.7500000000000000000");
+    CHECK(printed(result.points()[1].at(Quantity::q), scene.ask.digits).text ==
+          "-0.25000000000000000000");
     // K_II = (Q/pi +- sigma_0 (a + b)/8)/sqrt(a + b) = 3/sqrt 2 and -1/sqrt 2; divided by
     // sqrt(2/5): 3 sqrt 5/2 = 3.3541..., -sqrt 5/2.
-    CHECK(printed(result.points[0].values.q_local[0].local, scene.ask.digits).text ==
+    CHECK(printed(result.points()[0].at(Quantity::q_local, 1), scene.ask.digits).text ==
           "3.3541019662496845446");
-    CHECK(printed(result.points[1].values.q_local[0].local, scene.ask.digits).text ==
+    CHECK(printed(result.points()[1].at(Quantity::q_local, 1), scene.ask.digits).text ==
           "-1.1180339887498948482");
 }
 
@@ -202,10 +210,13 @@ TEST_CASE("a value that vanishes is 0, with a bound far below the digits") {
         parsed("[profile]\nkind = \"power-law\"\nm = \"5/8\"\nC = \"1\"\n[load]\na = \"1\"\n"
                "contact_modulus = \"1\"\n[ask]\nterms = 2\nquantities = [\"coefficients\"]\n");
     const SceneResult result = run_scene(scene);
-    const PrintedValue c1 = printed(result.coefficients[0].c[1], scene.ask.digits);
+    const PrintedValue c1 = printed(
+        result.at_edges(QuantityGroup::coefficients)[0].at(Quantity::c, 1), scene.ask.digits);
     CHECK(c1.text == "0");
     CHECK(parse_decimal(c1.bound) < parse_decimal("1e-400"));
-    CHECK(printed(result.coefficients[0].c[0], scene.ask.digits).complete);
+    CHECK(printed(result.at_edges(QuantityGroup::coefficients)[0].at(Quantity::c, 0),
+                  scene.ask.digits)
+              .complete);
 }
 
 TEST_CASE("the middle of a power law's contact is recognised exactly, and proved") {
@@ -216,12 +227,12 @@ TEST_CASE("the middle of a power law's contact is recognised exactly, and proved
         parsed("[profile]\nkind = \"power-law\"\nm = \"10\"\nC = \"1\"\n[load]\na = \"1/10\"\n"
                "contact_modulus = \"1\"\n[ask]\nu = [\"1/10\", \"0.0999999\"]\n");
     const SceneResult result = run_scene(scene);
-    const BoundedValue& middle = *result.points[0].values.p;
+    const BoundedValue& middle = result.points()[0].at(Quantity::p);
     CHECK(overlaps(middle.value, Ball(Rational(128, 315), 400) / Ball::pi(400) *
                                      Ball(parse_decimal("1e-10"), 400)));
     CHECK(middle.proved);
     CHECK(printed(middle, scene.ask.digits).complete);
-    CHECK(result.points[1].values.p->proved);
+    CHECK(result.points()[1].at(Quantity::p).proved);
 }
 
 // x is exactly on a knot, which is a binary number or not: 26 values of the tables once had no
@@ -245,16 +256,16 @@ TEST_CASE("on a knot the pressure is proved, and equals the one at a distance of
         CAPTURE(c.t);
         const Scene scene = parsed(flat(c.t, c.u));
         const SceneResult result = run_scene(scene);
-        CHECK(result.points[0].values.p->proved);
-        CHECK(printed(*result.points[0].values.p, scene.ask.digits).complete);
+        CHECK(result.points()[0].at(Quantity::p).proved);
+        CHECK(printed(result.points()[0].at(Quantity::p), scene.ask.digits).complete);
         // |p'| < 200 there: moore-hills.tex eqn:SIEPressure has a logarithm of the distance.
-        const Ball apart =
-            abs(Ball(result.points[0].values.p->value - result.points[1].values.p->value));
+        const Ball apart = abs(Ball(result.points()[0].at(Quantity::p).value -
+                                    result.points()[1].at(Quantity::p).value));
         CHECK(certainly_less(apart, Ball(parse_decimal("1e-50"), 300)));
     }
     const SceneResult hertz_middle = run_scene(parsed(hertz("1", "u = \"1\"\n")));
-    CHECK(contains(hertz_middle.points[0].values.p->value, Rational(1, 2)));
-    CHECK(hertz_middle.points[0].values.p->proved);
+    CHECK(contains(hertz_middle.points()[0].at(Quantity::p).value, Rational(1, 2)));
+    CHECK(hertz_middle.points()[0].at(Quantity::p).proved);
 }
 
 TEST_CASE("the tilt found from P and M is proved, and so is all that follows") {
@@ -268,19 +279,20 @@ TEST_CASE("the tilt found from P and M is proved, and so is all that follows") {
     };
     const Scene scene = parsed(text("-1/50"));
     const SceneResult result = run_scene(scene);
-    const ContactValues& contact = result.contact;
     for (const BoundedValue* v :
-         {&*contact.alpha, &contact.a, &contact.b, &*contact.force, &*contact.moment,
-          &*result.points[0].values.p, &result.coefficients[0].c[0]}) {
+         {&result.at(Quantity::alpha), &result.at(Quantity::a), &result.at(Quantity::b),
+          &result.at(Quantity::P), &result.at(Quantity::M), &result.points()[0].at(Quantity::p),
+          &result.at_edges(QuantityGroup::coefficients)[0].at(Quantity::c, 0)}) {
         CHECK(v->proved);
         CHECK(printed(*v, scene.ask.digits).complete);
     }
-    const Ball P = Ball::pi(300) / 16 * sqrt(contact.a.value * contact.b.value);
+    const Ball P =
+        Ball::pi(300) / 16 * sqrt(result.at(Quantity::a).value * result.at(Quantity::b).value);
     CHECK(overlaps(P, Ball(Rational(1, 10), 300)));
     const SceneResult upright = run_scene(parsed(text("0")));
-    CHECK(printed(*upright.contact.alpha, scene.ask.digits).text == "0");
-    CHECK(upright.contact.alpha->proved);
-    CHECK(overlaps(upright.contact.a.value, upright.contact.b.value));
+    CHECK(printed(upright.at(Quantity::alpha), scene.ask.digits).text == "0");
+    CHECK(upright.at(Quantity::alpha).proved);
+    CHECK(overlaps(upright.at(Quantity::a).value, upright.at(Quantity::b).value));
 }
 
 TEST_CASE("a load that no contact carries, and points that have no pressure, name their lines") {

@@ -18,6 +18,7 @@ namespace edgeproof::certificate {
 namespace {
 
 using scene::BoundedValue;
+using scene::Quantity;
 
 std::string edge_name(contact::Edge edge) {
     return edge == contact::Edge::right ? "right" : "left";
@@ -79,16 +80,18 @@ public:
 
     std::vector<Certificate> all() {
         add("load", [&](Certificate& c) { load(c); });
-        for (const scene::EdgeValues& edge : result_.coefficients) {
-            add("coefficients." + edge_name(edge.edge),
+        for (const scene::RowsAt& edge : result_.at_edges(scene::QuantityGroup::coefficients)) {
+            add("coefficients." + edge_name(edge.edge()),
                 [&](Certificate& c) { coefficients(c, edge); });
         }
         for (const contact::Edge edge : scene_.ask.edges) {
             pressures(edge);
         }
-        for (const scene::ExtentValues& extent : result_.extents) {
-            add(fmt::format("extent.{}.{}", edge_name(extent.edge), extent.n),
-                [&](Certificate& c) { first_exit(c, extent); });
+        for (const scene::Row& row : result_.rows) {
+            if (row.asked.quantity == Quantity::extent) {
+                add(fmt::format("extent.{}.{}", edge_name(row.asked.edge), row.asked.k),
+                    [&](Certificate& c) { first_exit(c, row); });
+            }
         }
         if (scene_.shear) {
             add("shear", [](Certificate&) { throw NotStated("shear is not stated"); });
@@ -135,10 +138,10 @@ private:
 
     void load(Certificate& c) {
         const Fact& fact = contact().load;
-        if (!result_.contact.force) {
+        if (result_.find(Quantity::P) == nullptr) {
             throw NotStated("the load was not computed");
         }
-        const Rounded value = rounded("P0", *result_.contact.force, scene_.ask.digits);
+        const Rounded value = rounded("P0", result_.at(Quantity::P), scene_.ask.digits);
         c.text =
             contact().head(comment()) +
             theorem_text("load_rounded",
@@ -148,23 +151,24 @@ private:
         c.leaves_out = "that there is no other load";
     }
 
-    void coefficients(Certificate& c, const scene::EdgeValues& values) {
-        const Fact& series = contact().at(values.edge).series;
+    void coefficients(Certificate& c, const scene::RowsAt& values) {
+        const Fact& series = contact().at(values.edge()).series;
         std::string conclusions;
         std::string states;
-        const std::size_t count = std::min<std::size_t>(values.c.size(), 3);
+        const std::size_t count = std::min<std::size_t>(result_.plan.terms, 3);
         for (std::size_t k = 0; k < count; ++k) {
-            const Rounded value = rounded(series.unknowns[k], values.c[k], scene_.ask.digits);
+            const Rounded value =
+                rounded(series.unknowns[k], values.at(Quantity::c, k), scene_.ask.digits);
             conclusions += " /\\\n  " + value.conclusion;
             states += fmt::format("{}c_{} = {}", k == 0 ? "" : ", ", k, value.text);
         }
-        const std::string name = "coefficients_" + edge_name(values.edge);
+        const std::string name = "coefficients_" + edge_name(values.edge());
         c.text = contact().head(comment()) +
                  theorem_text(name, "exists r0 r1 r2,\n  " + series.statement + conclusions,
                               "  eexists. eexists. eexists. split. { " + series.proof +
                                   ". }\n  repeat split; " + proof_by_bits() + ".\n");
         c.theorems = {{name, states + ", rounded"}};
-        c.leaves_out = count < values.c.size() ? "coefficients beyond the third" : "";
+        c.leaves_out = count < result_.plan.terms ? "coefficients beyond the third" : "";
     }
 
     void pressures(contact::Edge edge) {
@@ -173,14 +177,14 @@ private:
         all.verdict = "value";
         all.file = coq_name(all.id) + ".v";
         std::vector<Certificate> others;
-        for (const scene::PointRow& row : result_.points) {
-            if (row.edge != edge || !row.values.p) {
+        for (const scene::Row& row : result_.rows) {
+            if (row.asked.quantity != Quantity::p || row.asked.edge != edge) {
                 continue;
             }
             try {
                 pressure(all, row);
             } catch (const NotStated& reason) {
-                add(fmt::format("{}: u = {}", all.id, row.asked),
+                add(fmt::format("{}: u = {}", all.id, scene_.ask.u[row.point].text()),
                     [&](Certificate&) { throw NotStated(reason); });
             }
         }
@@ -194,41 +198,43 @@ private:
             certificates_.push_back(std::move(all));
         }
     }
-    void pressure(Certificate& c, const scene::PointRow& row) {
-        const StatedEdge& edge = contact().at(row.edge);
-        if (row.values.u) {
+    void pressure(Certificate& c, const scene::Row& row) {
+        const StatedEdge& edge = contact().at(row.asked.edge);
+        if (row.asked.place) {
             throw NotStated("only places given by a distance u are stated; give u");
         }
-        const auto u = row.u.to<double>();
-        const auto proofs = edge.at(u, "u = " + row.u.text());
-        const Rounded value = rounded("p0", *row.values.p, scene_.ask.digits);
+        const formula::Exact& distance = *row.asked.u;
+        const auto u = distance.to<double>();
+        const auto proofs = edge.at(u, "u = " + distance.text());
+        const Rounded value = rounded("p0", *row.value, scene_.ask.digits);
         const std::string name =
-            fmt::format("pressure_{}_{}", edge_name(row.edge), c.theorems.size() + 1);
+            fmt::format("pressure_{}_{}", edge_name(row.asked.edge), c.theorems.size() + 1);
         c.text += bare_theorem(name,
-                               "exists p0,\n  " + edge.pressure_at(in_coq(row.u), "p0") +
+                               "exists p0,\n  " + edge.pressure_at(in_coq(distance), "p0") +
                                    " /\\\n  " + value.conclusion,
                                "  eexists. split. { " + proofs.pressure + ". }\n  " +
                                    proof_by_bits(u, edge.distance) + ".\n");
-        c.theorems.push_back({name, fmt::format("p = {} at u = {} from the {} edge, rounded",
-                                                value.text, row.asked, edge_name(row.edge))});
+        c.theorems.push_back(
+            {name, fmt::format("p = {} at u = {} from the {} edge, rounded", value.text,
+                               scene_.ask.u[row.point].text(), edge_name(row.asked.edge))});
     }
 
-    void first_exit(Certificate& c, const scene::ExtentValues& extent) {
-        const StatedEdge& edge = contact().at(extent.edge);
-        if (!extent.leaves) {
+    void first_exit(Certificate& c, const scene::Row& extent) {
+        const std::size_t n = extent.asked.k;
+        const StatedEdge& edge = contact().at(extent.asked.edge);
+        if (!extent.reached) {
             throw NotStated("there is no first exit");
         }
-        const auto u = static_cast<double>(extent.first_exit.value.midpoint());
+        const auto u = static_cast<double>(extent.value->value.midpoint());
         // Round to four digits on both sides, at least a tenth of a unit of the last digit away.
         const double tenth = std::pow(10.0, std::floor(std::log10(u)) - 4);
-        const ExtentStatement statement{extent.n, *scene_.ask.tolerance,
-                                        coq_decimal(u - tenth, 4, false),
+        const ExtentStatement statement{n, *scene_.ask.tolerance, coq_decimal(u - tenth, 4, false),
                                         coq_decimal(u + tenth, 4, true), ""};
-        const std::string name = fmt::format("extent_{}_{}", edge_name(extent.edge), extent.n);
+        const std::string name = fmt::format("extent_{}_{}", edge_name(extent.asked.edge), n);
         c.text = contact().head(comment()) + extent_theorem(name, edge, statement);
-        c.theorems = {{name, fmt::format("{} terms stay within {} for u up to {}, and not at {}",
-                                         extent.n, scene_.ask.tolerance->text(),
-                                         statement.within.text, statement.beyond.text)}};
+        c.theorems = {{name, fmt::format("{} terms stay within {} for u up to {}, and not at {}", n,
+                                         scene_.ask.tolerance->text(), statement.within.text,
+                                         statement.beyond.text)}};
         c.leaves_out = "the measure, and later crossings";
     }
 

@@ -97,10 +97,12 @@ report::Fact fact(const std::string& key, const scene::BoundedValue& value,
     return {key, p.text, p.bound, how(value, p)};
 }
 
+/// Adds the value of a quantity of the contact, if it was computed.
 void add_fact(std::vector<report::Fact>& facts, const std::string& key,
-              const std::optional<scene::BoundedValue>& value, const scene::Digits& digits) {
-    if (value) {
-        facts.push_back(fact(key, *value, digits));
+              const scene::SceneResult& result, scene::Quantity quantity,
+              const scene::Digits& digits) {
+    if (const scene::Row* row = result.find(quantity)) {
+        facts.push_back(fact(key, *row->value, digits));
     }
 }
 
@@ -281,14 +283,16 @@ std::vector<report::Fact> facts_of(const scene::Scene& scene, const scene::Scene
     if (scene.units) {
         facts.push_back({"units", scene.units->text()});
     }
-    const scene::ContactValues& contact = result.contact;
-    add_fact(facts, "alpha", contact.alpha, digits);
-    facts.push_back(fact("a", contact.a, digits));
-    facts.push_back(fact("b", contact.b, digits));
-    add_fact(facts, "P", contact.force, digits);
-    add_fact(facts, "M", contact.moment, digits);
-    for (const auto& [quantity, value] : contact.others) {
-        facts.push_back(fact(scene::symbol_of({quantity}), value, digits));
+    using scene::Quantity;
+    const auto add = [&](Quantity quantity) {
+        add_fact(facts, scene::symbol_of({quantity}), result, quantity, digits);
+    };
+    add(Quantity::alpha);
+    for (const scene::QuantityRow& row : scene::quantity_rows()) {
+        if (row.quantity != Quantity::alpha && (row.group == scene::QuantityGroup::contact ||
+                                                row.group == scene::QuantityGroup::peak)) {
+            add(row.quantity);
+        }
     }
     return facts;
 }
@@ -303,15 +307,17 @@ report::Table values_table(const scene::Scene& scene, const scene::SceneResult& 
 void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
                     const scene::SceneResult& result) {
     const scene::Digits& digits = scene.ask.digits;
-    const scene::StickValues& stick = *result.stick;
+    using scene::Quantity;
     facts.push_back({"friction", scene.shear->friction->text()});
-    facts.push_back(fact("Q/(f P)", stick.load_ratio, digits));
-    facts.push_back(fact("stick_a", stick.a, digits));
-    facts.push_back(fact("stick_b", stick.b, digits));
-    add_fact(facts, "least_bulk_tension", stick.least_tension, digits);
-    add_fact(facts, "most_bulk_tension", stick.most_tension, digits);
-    add_fact(facts, "cycle_energy", stick.cycle_energy, digits);
-    if (!stick.in_proportion) {
+    for (const auto& [key, quantity] :
+         {std::pair{"Q/(f P)", Quantity::load_ratio}, std::pair{"stick_a", Quantity::stick_a},
+          std::pair{"stick_b", Quantity::stick_b},
+          std::pair{"least_bulk_tension", Quantity::least_tension},
+          std::pair{"most_bulk_tension", Quantity::most_tension},
+          std::pair{"cycle_energy", Quantity::cycle_energy}}) {
+        add_fact(facts, key, result, quantity, digits);
+    }
+    if (!result.in_proportion) {
         facts.push_back({"path", "Q first: with Q and bulk_tension in proportion one edge would "
                                  "slip against Q at first, as |sigma_0 (a + b)/Q| is not below "
                                  "8/pi"});

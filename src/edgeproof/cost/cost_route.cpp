@@ -142,8 +142,9 @@ public:
         route_ = make_ball_route(scene_, plan_, work_);
     }
     [[nodiscard]] CostValue at(std::size_t i) override {
-        const scene::PointValues values = route_->at(case_.edge, case_.u[i], true, false);
-        const Ball& p = values.p->value;
+        const Ball p =
+            route_->value({.quantity = scene::Quantity::p, .edge = case_.edge, .u = case_.u[i]})
+                .value;
         return {p.midpoint(), {}, p};
     }
 

@@ -282,7 +282,7 @@ PackRows hard_case_rows(std::string_view text, const std::string& file,
             asked.list.push_back(std::move(q));
             reasons.push_back(one.text("class") + ": " + one.text("reason"));
         } catch (const Error&) {
-            // Not a question in binary64: rounding has changed the contact or the place.
+            // Rounding to binary64 has changed the contact or the place: there is no question.
         }
     }
     return RowWriter(asked, false, options).write(reasons);

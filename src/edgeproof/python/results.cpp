@@ -4,12 +4,14 @@
 #include "edgeproof/python/value.hpp"
 
 #include <optional>
-#include <vector>
+#include <utility>
 
 namespace py = pybind11;
 
 namespace edgeproof::python {
 namespace {
+
+using scene::Quantity;
 
 /// Makes values with one number of digits.
 class Maker {
@@ -19,37 +21,20 @@ public:
     [[nodiscard]] py::object operator()(const scene::BoundedValue& x) const {
         return py::cast(Value(x, digits_));
     }
-    [[nodiscard]] py::object operator()(const std::optional<scene::BoundedValue>& x) const {
-        return x ? (*this)(*x) : py::object(py::none());
-    }
-    [[nodiscard]] py::list operator()(const std::vector<scene::BoundedValue>& list) const {
-        py::list out;
-        for (const scene::BoundedValue& x : list) {
-            out.append((*this)(x));
-        }
-        return out;
+    /// None if there is no such row, or if its value was not found.
+    [[nodiscard]] py::object operator()(const scene::Row* row) const {
+        return row != nullptr && row->value ? (*this)(*row->value) : py::object(py::none());
     }
 
 private:
     unsigned digits_;
 };
 
-py::list approximations(const std::vector<scene::Approximation>& list, const Maker& value,
-                        const Maker& error) {
-    py::list out;
-    for (const scene::Approximation& a : list) {
-        out.append(py::make_tuple(a.n, value(a.local), error(a.relative_error)));
-    }
-    return out;
-}
-
-py::dict contact_of(const scene::ContactValues& c, const Maker& value) {
+py::dict contact_of(const scene::SceneResult& result, const Maker& value) {
     py::dict d;
-    d["a"] = value(c.a);
-    d["b"] = value(c.b);
-    d["P"] = value(c.force);
-    d["M"] = value(c.moment);
-    d["alpha"] = value(c.alpha);
+    for (const Quantity q : {Quantity::a, Quantity::b, Quantity::P, Quantity::M, Quantity::alpha}) {
+        d[py::str(scene::symbol_of({q}))] = value(result.find(q));
+    }
     return d;
 }
 
@@ -58,60 +43,107 @@ const char* state_name(const std::optional<contact::SlipState>& state) {
     return state == SlipState::stick ? "stick" : state == SlipState::slip ? "slip" : "undecided";
 }
 
-py::dict point_of(const scene::PointRow& row, bool slips, const Maker& value, const Maker& error) {
+py::list approximations(const scene::RowsAt& point, Quantity local, Quantity error,
+                        const Maker& value, const Maker& short_value) {
+    py::list out;
+    for (const scene::Row& row : point) {
+        if (row.asked.quantity == local) {
+            out.append(py::make_tuple(row.asked.k, value(&row),
+                                      short_value(point.find(error, row.asked.k))));
+        }
+    }
+    return out;
+}
+
+py::dict point_of(const scene::RowsAt& point, const Maker& value, const Maker& error) {
+    const scene::Row* const u = point.find(Quantity::u);
+    const scene::Row* const q = point.find(Quantity::q);
     py::dict d;
-    d["edge"] = scene::edge_name(row.edge);
-    d["u"] = row.values.u ? value(row.values.u) : py::object(py::str(row.u.text()));
-    d["x"] = value(row.values.x);
-    d["p"] = value(row.values.p);
-    d["p_local"] = approximations(row.values.p_local, value, error);
-    d["q"] = value(row.values.q);
-    d["q_local"] = approximations(row.values.q_local, value, error);
-    d["state"] = row.values.q && slips ? py::object(py::str(state_name(row.values.state)))
-                                       : py::object(py::none());
+    d["edge"] = scene::edge_name(point.edge());
+    d["u"] = u != nullptr ? value(u) : py::object(py::str(point.row(Quantity::x).asked.u->text()));
+    d["x"] = value(point.find(Quantity::x));
+    d["p"] = value(point.find(Quantity::p));
+    d["p_local"] = approximations(point, Quantity::local, Quantity::rel, value, error);
+    d["q"] = value(q);
+    d["q_local"] = approximations(point, Quantity::q_local, Quantity::q_rel, value, error);
+    py::dict others;
+    for (const scene::Row& row : point) {
+        if (row_of(row.asked.quantity).by_its_own_name()) {
+            others[py::str(scene::symbol_of(row.asked))] = value(&row);
+        }
+    }
+    d["others"] = others;
+    d["state"] = q != nullptr && q->state ? py::object(py::str(state_name(q->state)))
+                                          : py::object(py::none());
     return d;
 }
 
-py::dict extent_of(const scene::ExtentValues& e, const Maker& value) {
+py::dict coefficients_of(const scene::Scene& scene, const scene::RowsAt& edge, const Maker& value) {
+    py::list c;
+    py::list s;
+    for (const scene::Row& row : edge) {
+        (row.asked.quantity == Quantity::c ? c : s).append(value(&row));
+    }
     py::dict d;
-    d["edge"] = scene::edge_name(e.edge);
-    d["terms"] = e.n;
-    d["leaves"] = e.leaves;
-    d["first_exit"] = value(e.first_exit);
-    d["measure"] = value(e.measure);
-    d["first_exit_fraction"] = value(e.first_exit_fraction);
-    d["measure_fraction"] = value(e.measure_fraction);
-    d["crossings"] = value(e.crossings);
-    d["covers_zone"] =
-        e.covers_zone ? py::object(py::bool_(*e.covers_zone)) : py::object(py::none());
+    d["edge"] = scene::edge_name(edge.edge());
+    d["c"] = c;
+    d["s"] = s;
+    d["s_half_powers"] = scene::shear_half_powers(scene);
     return d;
 }
 
-py::dict slip_of(const scene::SlipValues& s, const Maker& value, const Maker& error) {
+py::dict extent_of(const scene::Scene& scene, const scene::RowsAt& edge, std::size_t n,
+                   const Maker& value) {
+    const scene::Row& exit = edge.row(Quantity::extent, n);
     py::dict d;
-    d["edge"] = scene::edge_name(s.edge);
-    d["size"] = value(s.size);
+    d["edge"] = scene::edge_name(edge.edge());
+    d["terms"] = n;
+    d["leaves"] = exit.reached;
+    d["first_exit"] = value(&exit);
+    d["measure"] = value(edge.find(Quantity::measure, n));
+    d["first_exit_fraction"] = value(edge.find(Quantity::extent_fraction, n));
+    d["measure_fraction"] = value(edge.find(Quantity::measure_fraction, n));
+    py::list crossings;
+    for (std::size_t j = 0; const scene::Row* row = edge.find(Quantity::crossing, n, j); ++j) {
+        crossings.append(value(row));
+    }
+    d["crossings"] = crossings;
+    d["covers_zone"] = scene.ask.process_zone
+                           ? py::object(py::bool_(covers_zone(scene, *exit.value)))
+                           : py::object(py::none());
+    return d;
+}
+
+py::dict slip_of(const scene::Scene& scene, const scene::RowsAt& edge, const Maker& value,
+                 const Maker& error) {
+    py::dict d;
+    d["edge"] = scene::edge_name(edge.edge());
+    d["size"] = value(edge.find(Quantity::slip));
     py::list terms;
-    for (const scene::SlipTerms& t : s.terms) {
-        terms.append(
-            py::make_tuple(t.n, value(t.size), error(t.relative_error), value(t.reach), t.leaves));
+    for (const std::size_t n : scene.ask.terms) {
+        const scene::Row& load = edge.row(Quantity::slip_load, n);
+        terms.append(py::make_tuple(n, value(edge.find(Quantity::slip_terms, n)),
+                                    error(edge.find(Quantity::slip_rel, n)), value(&load),
+                                    load.reached));
     }
     d["terms"] = terms;
     return d;
 }
 
-py::object stick_of(const std::optional<scene::StickValues>& s, const Maker& value) {
-    if (!s) {
+py::object stick_of(const scene::SceneResult& result, const Maker& value) {
+    if (!result.plan.partial_slip) {
         return py::none();
     }
     py::dict d;
-    d["load_ratio"] = value(s->load_ratio);
-    d["a"] = value(s->a);
-    d["b"] = value(s->b);
-    d["least_bulk_tension"] = value(s->least_tension);
-    d["most_bulk_tension"] = value(s->most_tension);
-    d["cycle_energy"] = value(s->cycle_energy);
-    d["in_proportion"] = s->in_proportion;
+    for (const auto& [key, quantity] :
+         {std::pair{"load_ratio", Quantity::load_ratio}, std::pair{"a", Quantity::stick_a},
+          std::pair{"b", Quantity::stick_b},
+          std::pair{"least_bulk_tension", Quantity::least_tension},
+          std::pair{"most_bulk_tension", Quantity::most_tension},
+          std::pair{"cycle_energy", Quantity::cycle_energy}}) {
+        d[key] = value(result.find(quantity));
+    }
+    d["in_proportion"] = result.in_proportion;
     return d;
 }
 
@@ -121,31 +153,28 @@ py::dict results_of(const scene::Scene& scene, const scene::SceneResult& result)
     const Maker value(scene.ask.digits.count);
     const Maker error(result.plan.error_digits().count);
     py::dict d;
-    d["contact"] = contact_of(result.contact, value);
+    d["contact"] = contact_of(result, value);
     py::list points;
-    for (const scene::PointRow& row : result.points) {
-        points.append(point_of(row, scene.slips(), value, error));
+    for (const scene::RowsAt& point : result.points()) {
+        points.append(point_of(point, value, error));
     }
     d["points"] = points;
     py::list coefficients;
-    for (const scene::EdgeValues& e : result.coefficients) {
-        py::dict c;
-        c["edge"] = scene::edge_name(e.edge);
-        c["c"] = value(e.c);
-        c["s"] = value(e.s);
-        c["s_half_powers"] = e.s_half_powers;
-        coefficients.append(c);
+    for (const scene::RowsAt& edge : result.at_edges(scene::QuantityGroup::coefficients)) {
+        coefficients.append(coefficients_of(scene, edge, value));
     }
     d["coefficients"] = coefficients;
     py::list extents;
-    for (const scene::ExtentValues& e : result.extents) {
-        extents.append(extent_of(e, value));
+    for (const scene::RowsAt& edge : result.at_edges(scene::QuantityGroup::extent)) {
+        for (const std::size_t n : scene.ask.terms) {
+            extents.append(extent_of(scene, edge, n, value));
+        }
     }
     d["extents"] = extents;
-    d["stick"] = stick_of(result.stick, value);
+    d["stick"] = stick_of(result, value);
     py::list slips;
-    for (const scene::SlipValues& s : result.slips) {
-        slips.append(slip_of(s, value, error));
+    for (const scene::RowsAt& edge : result.at_edges(scene::QuantityGroup::slip)) {
+        slips.append(slip_of(scene, edge, value, error));
     }
     d["slips"] = slips;
     d["proved"] = result.plan.proved;

@@ -28,6 +28,7 @@ QuadratureResult<R> integrate_one_sided_of(const IntegrandRef<T, R>& f, const T&
             [&](const T& lo, const T& hi) {
                 const T& y = at_lo ? lo : hi;
                 const T& y_rest = at_lo ? hi : lo;
+                // The double exponential rule (takahasi-mori1974) in y with
                 // r = beyond (e^(y_end y) - 1), rest = whole (1 - e^(-y_end y_rest)), and
                 // dr = y_end (r + beyond) dy. The larger of r and rest is the length less the
                 // other, so that only one exponential is needed.

@@ -51,9 +51,9 @@ struct Binary64Pressures::Contact {
         scene.ask.quantities = {QuantityGroup::contact};
         // This refuses a load that no contact carries.
         const SceneResult found = run_scene(scene);
-        length = found.contact.a.value + found.contact.b.value;
-        exact_a = found.contact.a.exactly;
-        exact_b = found.contact.b.exactly;
+        length = found.at(Quantity::a).value + found.at(Quantity::b).value;
+        exact_a = found.at(Quantity::a).exactly;
+        exact_b = found.at(Quantity::b).exactly;
         if (exact_a && exact_b) {
             exact_length = *exact_a + *exact_b;
         }
@@ -195,8 +195,8 @@ struct Binary64Pressures::Contact {
         one.ask.u = {{formula::Exact::of(exact_rational(u)), 0}};
         one.ask.quantities = {QuantityGroup::pressure};
         one.ask.digits = {batch_digits, Rounding::nearest, true};
-        const BoundedValue p = *run_scene(one).points.at(0).values.p;
-        const PrintedValue text = printed(p, one.ask.digits);
+        const SceneResult result = run_scene(one);
+        const PrintedValue text = printed(result.points().front().at(Quantity::p), one.ask.digits);
         if (!text.binary64) {
             throw BudgetError("the binary64 nearest to p is undecided at u = " +
                               exact_text(exact_rational(u)));

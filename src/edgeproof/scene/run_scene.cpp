@@ -1,23 +1,109 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/run_scene.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <set>
+#include <span>
+#include <tuple>
 #include <utility>
 
 namespace edgeproof::scene {
 namespace {
 
-/// Copies the values that do not change in a mirror (all but x).
-void copy_pressure(const PointValues& from, PointValues& to, bool shear_too) {
-    to.p = from.p;
-    to.p_local = from.p_local;
-    if (shear_too) {
-        to.q = from.q;
-        to.q_local = from.q_local;
+bool similar(const Scene& scene) {
+    return scene.shear && scene.shear->path == contact::LoadingPath::together;
+}
+
+/// Returns the rows to compute, with empty values, in the order of the results. Searches are
+/// represented by their first row.
+std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
+    std::vector<Row> rows;
+    const auto add = [&](const AskedValue& asked) { rows.push_back({asked}); };
+    for (const QuantityRow& row : quantity_rows()) {
+        const bool wanted = row.quantity == Quantity::a || row.quantity == Quantity::b ||
+                            row.quantity == Quantity::alpha ||
+                            (row.group == QuantityGroup::peak ? plan.peak : plan.resultants);
+        if ((row.group == QuantityGroup::contact || row.group == QuantityGroup::peak) && wanted &&
+            !row.at_edge() && !lack_of(scene, {row.quantity})) {
+            add({row.quantity});
+        }
     }
+    if (plan.partial_slip) {
+        const bool tensions = plan.slip && scene.shear->bulk_tension.sign() != 0;
+        for (const Quantity quantity :
+             {Quantity::stick_a, Quantity::stick_b, Quantity::load_ratio, Quantity::least_tension,
+              Quantity::most_tension, Quantity::cycle_energy}) {
+            const bool tension =
+                quantity == Quantity::least_tension || quantity == Quantity::most_tension;
+            if (tension                              ? tensions
+                : quantity == Quantity::cycle_energy ? plan.slip && !lack_of(scene, {quantity})
+                                                     : true) {
+                add({quantity});
+            }
+        }
+    }
+    for (const contact::Edge edge : plan.edges) {
+        for (std::size_t i = 0; i < plan.points; ++i) {
+            const AskedPoint& point = scene.ask.u[i];
+            const Distance u = point.distance(edge);
+            const auto at = [&](Quantity quantity, std::size_t n = 0) {
+                AskedValue asked{quantity, n, edge, u.number()};
+                if (!u.number()) {
+                    asked.place = u;
+                }
+                rows.push_back({std::move(asked), {}, i});
+            };
+            at(Quantity::x);
+            if (!u.number()) {
+                at(Quantity::u);
+            }
+            const auto value = [&](bool wanted, Quantity quantity, bool terms, Quantity local,
+                                   Quantity rel) {
+                if (!wanted) {
+                    return;
+                }
+                at(quantity);
+                for (const std::size_t n : terms ? scene.ask.terms : std::vector<std::size_t>{}) {
+                    at(local, n);
+                    at(rel, n);
+                }
+            };
+            value(plan.print_pressure, Quantity::p, plan.terms > 0, Quantity::local, Quantity::rel);
+            value(plan.shear, Quantity::q, plan.terms > 0 && plan.expand_shear, Quantity::q_local,
+                  Quantity::q_rel);
+            for (const QuantityRow& row : quantity_rows()) {
+                if (row.by_its_own_name() && scene.ask.wants(row.group)) {
+                    at(row.quantity);
+                }
+            }
+        }
+    }
+    for (const contact::Edge edge : plan.edges) {
+        for (std::size_t k = 0; scene.ask.wants(QuantityGroup::coefficients) && k < plan.terms;
+             ++k) {
+            add({Quantity::c, k, edge});
+            if (plan.expand_shear) {
+                add({Quantity::s, k, edge});
+            }
+        }
+    }
+    for (const contact::Edge edge : plan.edges) {
+        for (const std::size_t n : plan.extents ? scene.ask.terms : std::vector<std::size_t>{}) {
+            add({Quantity::extent, n, edge, {}, scene.ask.tolerance});
+        }
+    }
+    for (const contact::Edge edge : plan.slip ? plan.edges : std::vector<contact::Edge>{}) {
+        add({Quantity::slip, 0, edge});
+        for (const std::size_t n : scene.ask.terms) {
+            add({Quantity::slip_terms, n, edge, {}, scene.ask.tolerance});
+        }
+    }
+    return rows;
 }
 
 class Run {
@@ -25,110 +111,108 @@ public:
     Run(const Scene& scene, const RunOptions& options, SceneResult& result)
         : scene_(scene), options_(options), plan_(result.plan), result_(result),
           route_(plan_.proved ? make_ball_route(scene, plan_, result.work)
-                              : make_real_route(scene, plan_, result.work)),
-          similar_(scene.shear && scene.shear->path == contact::LoadingPath::together) {}
+                              : make_real_route(scene, plan_, result.work)) {}
 
     void all() {
-        try {
-            result_.contact = route_->contact();
-        } catch (const DomainError& error) { // from the peak
-            throw InputError(error.what(), "leave peak out of the quantities")
-                .at(scene_.file, scene_.ask_line);
+        std::vector<Row> rows = asked_rows(scene_, plan_);
+        result_.rows.reserve(rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            check_interruption();
+            if (options_.progress) {
+                options_.progress(i, rows.size());
+            }
+            if (row_of(rows[i].asked.quantity).searched) {
+                search(rows[i].asked);
+            } else {
+                compute(rows[i]);
+                if (rows[i].value) {
+                    result_.rows.push_back(std::move(rows[i]));
+                }
+            }
         }
         if (plan_.partial_slip) {
-            result_.stick = route_->stick();
-        }
-        for (const contact::Edge edge : plan_.edges) {
-            if (plan_.points > 0) {
-                points(edge);
-            }
-        }
-        if (scene_.ask.wants(QuantityGroup::coefficients)) {
-            for (const contact::Edge edge : plan_.edges) {
-                coefficients(edge);
-            }
-        }
-        if (plan_.extents) {
-            for (const contact::Edge edge : plan_.edges) {
-                extents(edge);
-            }
-        }
-        if (plan_.slip) {
-            for (const contact::Edge edge : plan_.edges) {
-                step();
-                result_.slips.push_back(route_->slip(edge));
-            }
+            result_.in_proportion = route_->in_proportion();
         }
     }
 
 private:
-    void points(contact::Edge edge) {
-        const bool computes_p = plan_.computes(edge);
-        for (std::size_t i = 0; i < plan_.points; ++i) {
-            step();
-            const AskedPoint& asked = scene_.ask.u[i];
-            try {
-                const Distance u = asked.distance(edge);
-                // The mirror image of a place given by x is another place.
-                const bool copied =
-                    !computes_p && !(asked.place && asked.place->from() == Place::From::origin);
-                PointRow row{edge, u.number().value_or(formula::Exact()), asked.text(),
-                             route_->at(edge, u, plan_.print_pressure && !copied,
-                                        plan_.shear && !(copied && similar_))};
-                if (copied) {
-                    copy_pressure(result_.points[i].values, row.values, similar_);
-                }
-                result_.points.push_back(std::move(row));
-            } catch (const DomainError& error) {
-                const bool by_x = asked.place && asked.place->from() == Place::From::origin;
-                throw InputError(
-                    (by_x ? asked.text()
-                          : "u = " + asked.text() + " from the " + edge_name(edge) + " edge") +
-                        ": " + error.what(),
-                    by_x ? "give places of the contact, -b < x < a, off every corner"
-                         : "give distances from the edge, 0 < u < a + b, off every corner")
-                    .at(scene_.file, asked.line != 0 ? asked.line : scene_.ask_line);
-            }
+    /// True if the value is that of the mirror image at the first edge.
+    [[nodiscard]] bool mirrored(const Row& row) const {
+        const Quantity quantity = row.asked.quantity;
+        const QuantityRow& def = row_of(quantity);
+        if (plan_.computes(row.asked.edge) || quantity == Quantity::x || quantity == Quantity::u ||
+            def.of_friction() || def.by_its_own_name() || (def.of_shear() && !similar(scene_))) {
+            return false;
         }
+        // The mirror image of a place given by x is another place.
+        return !def.at_point() || !is_by_x(row);
     }
-    void coefficients(contact::Edge edge) {
-        step();
-        const bool computes_p = plan_.computes(edge);
-        EdgeValues values = route_->expansion(edge, plan_.expand_pressure && computes_p,
-                                              plan_.expand_shear && (computes_p || !similar_));
-        if (!computes_p) {
-            values.c = result_.coefficients.front().c;
-            if (similar_) {
-                values.s = result_.coefficients.front().s;
-            }
-        }
-        result_.coefficients.push_back(std::move(values));
+    [[nodiscard]] bool is_by_x(const Row& row) const {
+        const AskedPoint& point = scene_.ask.u[row.point];
+        return point.place && point.place->from() == Place::From::origin;
     }
-    void extents(contact::Edge edge) {
-        if (!plan_.computes(edge)) {
-            const auto computed = result_.extents;
-            for (ExtentValues values : computed) {
-                values.edge = edge;
-                result_.extents.push_back(std::move(values));
-            }
+    void compute(Row& row) {
+        const QuantityRow& def = row_of(row.asked.quantity);
+        const auto key = std::tuple(row.asked.quantity, row.asked.k, row.point);
+        if (def.at_edge() && mirrored(row)) {
+            const Row& image = result_.rows[images_.at(key)];
+            row.value = image.value;
+            row.state = image.state;
             return;
         }
-        for (const std::size_t n : scene_.ask.terms) {
-            step();
-            result_.extents.push_back(route_->extent(edge, n));
+        try {
+            row.value = route_->value(row.asked);
+            if (row.asked.quantity == Quantity::q && scene_.slips()) {
+                row.state = route_->state(row.asked.edge, row.asked.distance());
+            }
+        } catch (const Error& error) {
+            if (def.may_be_missing) {
+                return;
+            }
+            if (const auto* domain = dynamic_cast<const DomainError*>(&error)) {
+                refuse(row, *domain);
+            }
+            throw;
+        }
+        if (plan_.mirrored) {
+            images_.try_emplace(key, result_.rows.size());
         }
     }
-
-    void step() {
-        check_interruption();
-        if (options_.progress) {
-            const std::size_t extents = plan_.extents ? scene_.ask.terms.size() : 0;
-            const std::size_t coefficients = scene_.ask.wants(QuantityGroup::coefficients) ? 1 : 0;
-            const std::size_t slips = plan_.slip ? 1 : 0;
-            options_.progress(done_,
-                              plan_.edges.size() * (plan_.points + coefficients + extents + slips));
+    void search(const AskedValue& asked) {
+        const bool slips = row_of(asked.quantity).group == QuantityGroup::slip;
+        std::vector<Row> found;
+        if (slips) {
+            found = route_->slip_terms(asked.edge, asked.k);
+        } else if (plan_.computes(asked.edge)) {
+            found = route_->extent(asked.edge, asked.k);
+        } else {
+            for (const Row& row : result_.rows) {
+                if (row_of(row.asked.quantity).group == QuantityGroup::extent &&
+                    row.asked.k == asked.k) {
+                    found.push_back(row);
+                    found.back().asked.edge = asked.edge;
+                }
+            }
         }
-        ++done_;
+        std::ranges::move(found, std::back_inserter(result_.rows));
+    }
+    [[noreturn]] void refuse(const Row& row, const DomainError& error) const {
+        if (!row_of(row.asked.quantity).at_point()) {
+            if (row.asked.quantity != Quantity::p_max) {
+                throw error;
+            }
+            throw InputError(error.what(), "leave peak out of the quantities")
+                .at(scene_.file, scene_.ask_line);
+        }
+        const AskedPoint& point = scene_.ask.u[row.point];
+        throw InputError((is_by_x(row) ? point.text()
+                                       : "u = " + point.text() + " from the " +
+                                             edge_name(row.asked.edge) + " edge") +
+                             ": " + error.what(),
+                         is_by_x(row)
+                             ? "give places of the contact, -b < x < a, off every corner"
+                             : "give distances from the edge, 0 < u < a + b, off every corner")
+            .at(scene_.file, point.line != 0 ? point.line : scene_.ask_line);
     }
 
     const Scene& scene_;
@@ -136,11 +220,49 @@ private:
     const Plan& plan_;
     SceneResult& result_;
     std::unique_ptr<ValueRoute> route_;
-    bool similar_;
-    std::size_t done_ = 0;
+    /// The indices of the rows at the first edge.
+    std::map<std::tuple<Quantity, std::size_t, std::size_t>, std::size_t> images_;
 };
 
+/// Cuts the rows that `belongs` accepts into parts of which all rows have the same place.
+template <class Belongs>
+std::vector<RowsAt> by_place(std::span<const Row> rows, const Belongs& belongs) {
+    std::vector<RowsAt> parts;
+    for (std::size_t i = 0; i < rows.size();) {
+        const Row& first = rows[i];
+        std::size_t end = i;
+        while (end < rows.size() && belongs(rows[end]) &&
+               rows[end].asked.edge == first.asked.edge && rows[end].point == first.point) {
+            ++end;
+        }
+        if (end > i) {
+            parts.emplace_back(rows.subspan(i, end - i));
+        }
+        i = std::max(end, i + 1);
+    }
+    return parts;
+}
+
 } // namespace
+
+std::vector<RowsAt> SceneResult::points() const {
+    return by_place(rows, [](const Row& row) { return row_of(row.asked.quantity).at_point(); });
+}
+
+std::vector<RowsAt> SceneResult::at_edges(QuantityGroup group) const {
+    return by_place(rows, [&](const Row& row) {
+        const QuantityRow& def = row_of(row.asked.quantity);
+        return def.group == group && def.place == QuantityRow::Place::edge;
+    });
+}
+
+int shear_half_powers(const Scene& scene) { return similar(scene) ? 1 : -1; }
+
+bool covers_zone(const Scene& scene, const BoundedValue& first_exit) {
+    const Ball& exit = first_exit.value;
+    return first_exit.proved ? certainly_less(ball_of(*scene.ask.process_zone, exit.bits()), exit)
+                             : exit.midpoint() >= scene.ask.process_zone->to<Real>();
+}
 
 SceneResult run_scene(const Scene& scene, const RunOptions& options) {
     SceneResult result;
@@ -190,30 +312,19 @@ SceneValues::SceneValues(const Scene& scene, const std::vector<AskedValue>& valu
                           : make_real_route(scene_, plan_, work_)) {}
 
 BoundedValue SceneValues::value(const AskedValue& asked) {
-    const QuantityRow& row = row_of(asked.quantity);
-    if (row.searched == nullptr) {
-        return route_->value(asked);
-    }
-    const ExtentValues& found = extent(asked);
-    if (row.searched == &ExtentValues::first_exit && !found.leaves) {
+    if (asked.quantity == Quantity::extent && !searched(asked).reached) {
         throw DomainError("there is no first exit: the terms stay within the tolerance");
     }
-    return found.*row.searched;
+    return route_->value(asked);
 }
 
 BoundedValue SceneValues::x(const AskedValue& asked) {
     if (asked.u->sign() <= 0) {
         throw DomainError("the point lies outside the contact");
     }
-    return route_->place(asked.edge, asked.distance());
-}
-
-const ExtentValues& SceneValues::extent(const AskedValue& asked) {
-    const std::pair key{asked.edge, asked.k};
-    const auto known = extents_.find(key);
-    return known != extents_.end()
-               ? known->second
-               : extents_.emplace(key, route_->extent(asked.edge, asked.k)).first->second;
+    AskedValue place = asked;
+    place.quantity = Quantity::x;
+    return route_->value(place);
 }
 
 } // namespace edgeproof::scene

@@ -2,37 +2,41 @@
 #pragma once
 #include "edgeproof/scene/route/value_route.hpp"
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace edgeproof::scene {
 
-struct PointRow {
-    contact::Edge edge = contact::Edge::right;
-    formula::Exact u;  ///< unless values.u gives it
-    std::string asked; ///< as it was written: "1e-3", "a/2", "x = 0"
-    PointValues values;
-};
-
-/// The results of a scene in the order of the request, edge by edge.
+/// The results of a scene: rows of the contact and the stick zone, then those of the points, the
+/// coefficients, the extents and the slip zones, each edge by edge in the order of the request.
 struct SceneResult {
     Plan plan;
     contact::Work work; ///< the work done
-    ContactValues contact;
-    std::vector<PointRow> points;
-    std::vector<EdgeValues> coefficients;
-    std::vector<ExtentValues> extents;
-    std::optional<StickValues> stick;
-    std::vector<SlipValues> slips;
+    std::vector<Row> rows;
+    bool in_proportion = true; ///< ValueRoute::in_proportion(), for a scene with friction
+
+    /// The row of a quantity of the contact; null if it was not asked for.
+    [[nodiscard]] const Row* find(Quantity quantity) const { return RowsAt(rows).find(quantity); }
+    /// The value of a quantity of the contact. Throws Error if there is none.
+    [[nodiscard]] const BoundedValue& at(Quantity quantity) const {
+        return RowsAt(rows).at(quantity);
+    }
+    /// The rows of each point, and the rows of a group at each edge. They refer to `rows`.
+    [[nodiscard]] std::vector<RowsAt> points() const;
+    [[nodiscard]] std::vector<RowsAt> at_edges(QuantityGroup group) const;
 };
 
+/// The power of u of s_0 in the expansion of q, times 2: -1 under full stick, 1 if q is similar to
+/// p.
+[[nodiscard]] int shear_half_powers(const Scene& scene);
+
+/// True if the first exit lies beyond the process zone of the scene.
+[[nodiscard]] bool covers_zone(const Scene& scene, const BoundedValue& first_exit);
+
 struct RunOptions {
-    /// Called with the number of points, coefficients and extents done, and their total.
+    /// Called with the number of values and searches done, and their total.
     std::function<void(std::size_t, std::size_t)> progress = {};
 };
 
@@ -60,14 +64,14 @@ public:
     [[nodiscard]] BoundedValue value(const AskedValue& asked);
     /// The coordinate x of an AskedValue at a point. Throws DomainError outside the contact.
     [[nodiscard]] BoundedValue x(const AskedValue& asked);
-    [[nodiscard]] const ExtentValues& extent(const AskedValue& asked);
+    /// The row of a quantity that is found by a search: Row::reached of an extent.
+    [[nodiscard]] const Row& searched(const AskedValue& asked) { return route_->searched(asked); }
 
 private:
     Scene scene_;
     Plan plan_;
     contact::Work work_;
     std::unique_ptr<ValueRoute> route_;
-    std::map<std::pair<contact::Edge, std::size_t>, ExtentValues> extents_;
 };
 
 } // namespace edgeproof::scene

@@ -141,7 +141,7 @@ TEST_CASE("P'(a) and b'(a) of a curved slope are enclosed") {
         return verdict_of("kind = \"value\"\nover = \"curved\"\nof = \"" + of + "\"\nsays = \"" +
                           says + "\"\n");
     };
-    // By hand: P = Es/2 (pi a^2/12 + 3 pi a^4/64), differentiated.
+    // Derived by hand: P = Es/2 (pi a^2/12 + 3 pi a^4/64), differentiated.
     CHECK(verdict("P1", "Es*Pi/2*(a/6 + 3*a^3/16)") == "confirmed");
     CHECK(verdict("P1", "Es*Pi/2*(a/6 + 3*a^3/16)*(1 + 1e-20)") == "refuted");
     CHECK(verdict("b1", "1") == "confirmed");

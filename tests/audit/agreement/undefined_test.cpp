@@ -34,7 +34,7 @@ TEST_CASE("beyond the contact, at no size, over nothing: underspecified") {
 }
 
 TEST_CASE("a principal value whose pole is beyond its interval is an integral like any other") {
-    // By hand: ln|1 - k| - ln|k| from 0 to 1.
+    // Integrated by hand: ln|1 - k| - ln|k| from 0 to 1.
     CHECK(varied_verdict("Pi + pv(1/(s-k), s, 0, 1, k) + log(2)", R"(k = ["2"])") == "confirmed");
     CHECK(varied_verdict("Pi + pv(1/(s-k), s, 1, 0, k) - log(2)", R"(k = ["2"])") == "confirmed");
     CHECK(varied_verdict("Pi + pv(1/(s-k), s, 1, 1, k)", R"(k = ["2"])") == "confirmed");

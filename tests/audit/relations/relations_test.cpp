@@ -58,7 +58,7 @@ TEST_CASE("residues: a field, roots and small fractions") {
     CHECK(x.fraction() == Rational(-7, 3));
     CHECK(Residue::of(Rational(123456, 654321)).fraction() == Rational(123456, 654321));
     CHECK(Residue::root(x * x).has_value());
-    // As p = 3 modulo 4, exactly one of x and -x is a square.
+    // The prime is 3 modulo 4, so that exactly one of x and -x is a square.
     CHECK(Residue::root(x).has_value() != Residue::root(-x).has_value());
     CHECK_THROWS_AS((void)(x / Residue(0)), DomainError);
     // Fermat: 2^(p-1) = 1; and 2^61 = p + 1.
@@ -93,7 +93,7 @@ TEST_CASE("relations of the multipliers of both edges") {
         CHECK(value_of(r, {Mb, La, Ma, Lb, b1, b2, D}) == 0);
         CHECK(value_of(r, {Mb + 1, La + 2, Ma, Lb, b1, b2, D}) != 0);
     }
-    // By hand: b'^2 M_b - M_a = L_a (b' - 1 + 4 b'' D/b')/(6 D), with L_a = b' L_b.
+    // Derived by hand: b'^2 M_b - M_a = L_a (b' - 1 + 4 b'' D/b')/(6 D), with L_a = b' L_b.
     const auto quantities = related(names);
     CHECK(std::any_of(found.relations.begin(), found.relations.end(),
                       [&](const PolynomialRelation& r) {

@@ -30,7 +30,7 @@ struct Asked {
 template <class C> EnclosedExtents enclosed(const Asked& asked, long bits = asked_bits) {
     std::map<long, std::unique_ptr<C>> made;
     BallExtentSearch search(
-        [&](long b) -> const ProvedPressure& {
+        [&](long b) -> const ProvedContact& {
             auto& slot = made[b];
             if (!slot) {
                 slot = std::make_unique<C>(asked.profile, exact("7/3"), asked.load, b);

@@ -103,7 +103,7 @@ TEST_CASE("design: the series by the edge is enclosed across the middle of the c
     CHECK(contains(middle.g[1], Rational(-2)));
     CHECK(middle.g[1].is_finite());
     CHECK(contains(middle.h[Jet::second(1, 1)], Rational(0)));
-    // By the place there is none for m < 1.
+    // For m < 1 there is no derivative with respect to the place.
     CHECK_FALSE(reciprocal_edge_function(Jet::variable(Ball(Rational(1, 2), bits), 0),
                                          Jet(Ball(Rational(1, 8), bits)))
                     .g[0]
@@ -164,7 +164,7 @@ TEST_CASE("design: where the budget ends, all values that are not excluded are n
     CHECK_FALSE(best.proved);
     CHECK(best.missing.find(" ... ") != std::string::npos);
     check_hull(best.not_excluded);
-    // By the count of evaluations.
+    // The budget counts evaluations.
     EvaluationCount count{0, 50'000};
     ReachProblem counted = design.problem;
     counted.count = &count;
@@ -202,7 +202,7 @@ TEST_CASE("design: two parameters, the best at an end of the range of one" *
     CHECK(best.proved);
     CHECK(best.kind == BestReach::Kind::box);
     CHECK(contains(best.value[1], Rational(1, 2)));
-    // By extents, along that end.
+    // Extents along that end are an independent route.
     std::size_t as_far = 0;
     const auto look = [&](const Rational& r) {
         const std::string text = r.str();

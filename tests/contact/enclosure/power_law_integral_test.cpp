@@ -24,7 +24,8 @@ bool narrow(const Ball& x) { return x.relative_accuracy_bits() > 400; }
 
 } // namespace
 
-// By parts, from s/sqrt(s^2 - q^2) = d sqrt(s^2 - q^2)/ds and acosh: by hand for m = 0 ... 4.
+// Integrated by parts by hand for m = 0 ... 4, with s/sqrt(s^2 - q^2) = d sqrt(s^2 - q^2)/ds and
+// acosh.
 TEST_CASE("the integral for m = 0 ... 4 by hand, from near the apex to near the edge") {
     for (const char* at : {"1e-30", "1/3", "0.49", "0.51", "0.9", "0.999999999999"}) {
         CAPTURE(at);

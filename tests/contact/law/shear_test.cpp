@@ -50,7 +50,7 @@ TEST_CASE("the same code in every arithmetic") {
         const Extent<T> e{T(3), T(1)};
         const ShearLoad<T> load{T(2), T(-1)};
         const Point<T> at = point_at(e, Edge::left, T(T(1) / T(8)));
-        // By hand: x = -7/8, r = 31/8, l = 1/8: (2/pi + 15/32)/(sqrt(31)/8).
+        // Computed by hand: x = -7/8, r = 31/8, l = 1/8: (2/pi + 15/32)/(sqrt(31)/8).
         const T expected = (T(2) / pi<T>() + T(15) / T(32)) * T(8) / sqrt(T(31));
         CHECK(static_cast<double>(abs(T(full_stick_traction(at, load) - expected))) < tolerance);
         const auto s = full_stick_expansion(e.length(), load, Edge::right, 3);
@@ -65,7 +65,7 @@ TEST_CASE("the same code in every arithmetic") {
     check(Real(0), 1e-78);
 }
 
-// By hand from (1 - z)^(-1/2) = 1 + z/2 + 3 z^2/8 + 5 z^3/16 + ...
+// Expanded by hand from (1 - z)^(-1/2) = 1 + z/2 + 3 z^2/8 + 5 z^3/16 + ...
 TEST_CASE("the brackets over the rationals") {
     const Rational Q(3);
     const Rational sigma(5);

@@ -50,7 +50,7 @@ TEST_CASE("a power law in Real and its enclosure, from m = 1e-30 to 1e6, apex to
     }
 }
 
-// By hand: I_2 = (sqrt(y) + q^2 arcosh(1/q))/2, I_3 = sqrt(y) (1 + 2 q^2)/3.
+// Integrated by hand: I_2 = (sqrt(y) + q^2 arcosh(1/q))/2, I_3 = sqrt(y) (1 + 2 q^2)/3.
 TEST_CASE("a power law in Real of m = 2 and 3 by hand") {
     const PrecisionScope scope(60);
     for (const char* at : {"1e-9", "0.1", "0.49", "0.51", "0.8", "0.99"}) {

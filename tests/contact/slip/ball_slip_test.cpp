@@ -108,7 +108,7 @@ TEST_CASE("the series of the slip zones: Hertz's in closed form, the first term 
         CAPTURE(c.name);
         const Slipping t = slipping(c.profile, c.modulus, c.a, "3/10", c.r);
         const auto first = t.slip->series(1);
-        const ProvedPressure& contact = t.contact();
+        const ProvedContact& contact = t.contact();
         // Q such that tau = 1: f P.
         const Ball f(Rational(3, 5), slip_bits);
         const Ball Q = f * t.force();

@@ -27,8 +27,9 @@ TEST_CASE("a scene from entries is the one that a file with the same text gives"
     made.ask = read.ask;
     const SceneResult x = run_scene(made);
     const SceneResult y = run_scene(read);
-    CHECK(printed(*x.points.at(0).values.p, {}).text == printed(*y.points.at(0).values.p, {}).text);
-    CHECK(printed(x.contact.b, {}).text == printed(y.contact.b, {}).text);
+    CHECK(printed(x.points()[0].at(Quantity::p), {}).text ==
+          printed(y.points()[0].at(Quantity::p), {}).text);
+    CHECK(printed(x.at(Quantity::b), {}).text == printed(y.at(Quantity::b), {}).text);
 }
 
 TEST_CASE("every kind of entry is written as TOML") {

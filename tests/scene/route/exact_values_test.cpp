@@ -48,12 +48,12 @@ Texts texts(const std::string& scene_text, unsigned digits, const Pick& pick) {
     return {found[0], found[1], found[2], found[3]};
 }
 
-BoundedValue p_of(const SceneResult& r) { return *r.points.at(0).values.p; }
-BoundedValue error_of(const SceneResult& r) {
-    return r.points.at(0).values.p_local.at(0).relative_error;
+BoundedValue p_of(const SceneResult& r) { return r.points()[0].at(Quantity::p); }
+BoundedValue error_of(const SceneResult& r) { return r.points()[0].at(Quantity::rel, 1); }
+BoundedValue local_of(const SceneResult& r) { return r.points()[0].at(Quantity::local, 1); }
+BoundedValue c_of(const SceneResult& r, std::size_t k) {
+    return r.at_edges(QuantityGroup::coefficients)[0].at(Quantity::c, k);
 }
-BoundedValue local_of(const SceneResult& r) { return r.points.at(0).values.p_local.at(0).local; }
-BoundedValue c_of(const SceneResult& r, std::size_t k) { return r.coefficients.at(0).c.at(k); }
 
 } // namespace
 
@@ -156,26 +156,26 @@ TEST_CASE("ties: coefficients, sums, loads, edges and shear with an exact form")
     // P = E* C (pi/4) a^2, given or computed.
     CHECK(texts(power_law("1", "1/2", "a = \"1\"",
                           "contact_modulus = \"1/pi\"\n" + asked("quantities = [\"contact\"]")),
-                2, [](const auto& r) { return *r.contact.force; })
+                2, [](const auto& r) { return r.at(Quantity::P); })
               .nearest == "0.12");
     CHECK(texts(power_law("1", "1", "P = \"pi/256\"",
                           unit_modulus + asked("quantities = [\"contact\"]")),
-                2, [](const auto& r) { return r.contact.a; })
+                2, [](const auto& r) { return r.at(Quantity::a); })
               .nearest == "0.12");
     // A tilted wedge: (phi - alpha) h = (phi + alpha)(pi - h), h = 2 pi/3 for alpha = phi/3, and
     // cos h = (b - a)/(a + b): b = a/3.
     const std::string tilted = "[profile]\nkind = \"tilted-wedge\"\nphi = \"0.3\"\nalpha = "
                                "\"0.1\"\n[load]\na = \"3/8\"\n" +
                                unit_modulus + asked("quantities = [\"contact\"]");
-    CHECK(texts(tilted, 2, [](const auto& r) { return r.contact.b; }).nearest == "0.12");
-    CHECK(texts(tilted, 3, [](const auto& r) { return r.contact.b; }).down == "0.125");
+    CHECK(texts(tilted, 2, [](const auto& r) { return r.at(Quantity::b); }).nearest == "0.12");
+    CHECK(texts(tilted, 3, [](const auto& r) { return r.at(Quantity::b); }).down == "0.125");
     // Full stick: q = (Q/pi)/sqrt(u (2a - u)).
     CHECK(texts(power_law("1", "1", "a = \"1\"",
                           unit_modulus +
                               "[shear]\nQ = \"pi/8\"\nbulk_tension = "
                               "\"0\"\n" +
                               asked("quantities = [\"shear\"]\nu = [\"1\"]")),
-                2, [](const auto& r) { return *r.points.at(0).values.q; })
+                2, [](const auto& r) { return r.points()[0].at(Quantity::q); })
               .nearest == "0.12");
 }
 
@@ -188,9 +188,11 @@ TEST_CASE("ties: extents that end on a short decimal") {
                        "\"25%\"\nterms = [1, 2]\n");
     for (const std::size_t k : {0U, 1U}) {
         const std::string expected = k == 0 ? "0.36000" : "0.75000";
-        for (const auto member :
-             {&ExtentValues::first_exit, &ExtentValues::measure, &ExtentValues::measure_fraction}) {
-            const Texts t = texts(scene, 5, [&](const auto& r) { return r.extents.at(k).*member; });
+        for (const Quantity quantity :
+             {Quantity::extent, Quantity::measure, Quantity::measure_fraction}) {
+            const Texts t = texts(scene, 5, [&](const auto& r) {
+                return r.at_edges(QuantityGroup::extent)[0].at(quantity, k + 1);
+            });
             CHECK(t.nearest == expected);
             CHECK(t.down == expected);
             CHECK(t.up == expected);

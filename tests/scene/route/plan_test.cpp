@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 using namespace edgeproof::scenes;
 
 namespace {
@@ -81,16 +82,22 @@ std::vector<Counted> counted() {
     };
 }
 
+/// Returns the number of coefficients at one of the edges.
+std::ptrdiff_t count_of(const SceneResult& r, std::size_t edge, Quantity quantity) {
+    return std::ranges::count_if(r.at_edges(QuantityGroup::coefficients).at(edge),
+                                 [&](const Row& row) { return row.asked.quantity == quantity; });
+}
+
 std::string all_text(const SceneResult& r, const Digits& digits) {
     std::string text;
     const auto add = [&](const BoundedValue& v) {
         const PrintedValue p = printed(v, digits);
         text += p.text + " +- " + p.bound + " " + v.how() + "\n";
     };
-    for (const PointRow& row : r.points) {
-        text += edge_name(row.edge) + " " + row.u.text() + "\n";
-        add(row.values.x);
-        add(*row.values.p);
+    for (const RowsAt& row : r.points()) {
+        text += edge_name(row.edge()) + " " + row.row(Quantity::x).asked.u->text() + "\n";
+        add(row.at(Quantity::x));
+        add(row.at(Quantity::p));
     }
     return text;
 }
@@ -125,11 +132,11 @@ TEST_CASE("the examples are done as planned") {
         scene.ask.digits.count = 12;
         const SceneResult result = run_scene(scene);
         CHECK(result.work.counts == result.plan.counts);
-        CHECK(result.points.size() == result.plan.points * result.plan.edges.size());
-        for (const PointRow& row : result.points) {
-            if (row.values.p) {
-                CHECK(row.values.p->proved == result.plan.proved);
-                CHECK(printed(*row.values.p, scene.ask.digits).complete);
+        CHECK(result.points().size() == result.plan.points * result.plan.edges.size());
+        for (const RowsAt& row : result.points()) {
+            if (row.find(Quantity::p) != nullptr) {
+                CHECK(row.at(Quantity::p).proved == result.plan.proved);
+                CHECK(printed(row.at(Quantity::p), scene.ask.digits).complete);
             }
         }
     }
@@ -159,14 +166,22 @@ TEST_CASE("the omission of an effect changes no digit of the others") {
         const SceneResult few = run_scene(parsed(tilted_wedge(
             load, std::string(both) + "terms = 2\n" + quantities("\"coefficients\""))));
         for (std::size_t e = 0; e < 2; ++e) {
-            REQUIRE(few.coefficients[e].c.size() == 2);
-            REQUIRE(few.coefficients[e].s.size() == 2);
-            REQUIRE(all.coefficients[e].c.size() == 5);
+            CHECK(count_of(few, e, Quantity::c) == 2);
+            CHECK(count_of(few, e, Quantity::s) == 2);
+            CHECK(count_of(all, e, Quantity::c) == 5);
             for (std::size_t k = 0; k < 2; ++k) {
-                CHECK(printed(few.coefficients[e].c[k], whole.ask.digits).text ==
-                      printed(all.coefficients[e].c[k], whole.ask.digits).text);
-                CHECK(printed(few.coefficients[e].s[k], whole.ask.digits).text ==
-                      printed(all.coefficients[e].s[k], whole.ask.digits).text);
+                CHECK(printed(few.at_edges(QuantityGroup::coefficients)[e].at(Quantity::c, k),
+                              whole.ask.digits)
+                          .text ==
+                      printed(all.at_edges(QuantityGroup::coefficients)[e].at(Quantity::c, k),
+                              whole.ask.digits)
+                          .text);
+                CHECK(printed(few.at_edges(QuantityGroup::coefficients)[e].at(Quantity::s, k),
+                              whole.ask.digits)
+                          .text ==
+                      printed(all.at_edges(QuantityGroup::coefficients)[e].at(Quantity::s, k),
+                              whole.ask.digits)
+                          .text);
             }
         }
     }

@@ -51,7 +51,7 @@ struct ComparedNumbers {
 /// Adds two enclosures to the evidence.
 void add_pair(const ComparedNumbers& numbers, unsigned digits, Evidence& evidence);
 
-/// What a verdict rests on.
+/// The evidence of a verdict.
 enum class Basis {
     theorem,    ///< theorems that Coq checked and that state the whole verdict
     identity,   ///< computer algebra: printed minus derived is zero

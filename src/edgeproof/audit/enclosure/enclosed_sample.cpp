@@ -4,7 +4,6 @@
 #include "edgeproof/audit/enclosure/contact_formulas.hpp"
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
 #include "edgeproof/audit/enclosure/integrand_parts.hpp"
-#include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/curved/slope_monotonicity.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
@@ -18,6 +17,7 @@
 #include <charconv>
 #include <functional>
 #include <iterator>
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -51,14 +51,11 @@ struct EnclosedSample::State {
     State(const Sample& of, long at_bits, unsigned aim)
         : sample(of), bits(at_bits), integral_digits(aim), profile(of.scene.make_profile()) {
         const auto load = contact::Load::right_edge(of.scene.parameter("a"));
-        if (contact::BallContact::has_closed_form(profile)) {
-            closed.emplace(profile, of.scene.parameter("Es"), load, bits);
-        } else {
-            curved.emplace(profile, of.scene.parameter("Es"), load, bits);
-            if (contact::monotonicity_of_slope(profile, curved->a(), curved->b()).kind !=
+        contact_ = contact::proved_contact(profile, of.scene.parameter("Es"), load, bits);
+        if (contact_->closed_form() == nullptr &&
+            contact::monotonicity_of_slope(profile, contact_->a(), contact_->b()).kind !=
                 contact::SlopeMonotonicity::Kind::rises) {
-                throw Error("a slope that is not proved to rise over the contact has no enclosure");
-            }
+            throw Error("a slope that is not proved to rise over the contact has no enclosure");
         }
         for (const auto& [name, value] : of.scene.parameters) {
             names.emplace(name, ball_of(value, bits));
@@ -72,15 +69,13 @@ struct EnclosedSample::State {
     }
 
     /// The contact, by a closed form or by rigorous integration.
-    [[nodiscard]] const contact::ProvedPressure& contact() const {
-        return closed ? static_cast<const contact::ProvedPressure&>(*closed) : *curved;
-    }
+    [[nodiscard]] const contact::ProvedContact& contact() const { return *contact_; }
     /// Throws Error for a curved slope, for which `what` has no enclosure.
     [[nodiscard]] const contact::BallContact& closed_form(std::string_view what) const {
-        if (!closed) {
-            throw Error("'" + std::string(what) + "' of a curved slope has no enclosure");
+        if (const contact::BallContact* closed = contact_->closed_form()) {
+            return *closed;
         }
-        return *closed;
+        throw Error("'" + std::string(what) + "' of a curved slope has no enclosure");
     }
     [[nodiscard]] Ball length() const { return contact().a() + contact().b(); }
     [[nodiscard]] Ball x() const {
@@ -219,8 +214,7 @@ struct EnclosedSample::State {
     long bits;
     unsigned integral_digits;
     contact::Profile profile;
-    std::optional<contact::BallContact> closed;
-    std::optional<contact::IntegratedContact> curved;
+    std::unique_ptr<contact::ProvedContact> contact_;
     std::optional<Ball> u;
     std::map<std::string, Ball, std::less<>> names;
     std::set<std::string> overridden; ///< names whose exact value in the sample is no longer valid
@@ -243,11 +237,12 @@ Ball EnclosedSample::State::symbol(std::string_view name) const {
         return length();
     }
     if (name == "P") {
-        return closed ? closed->force() : curved->force();
+        return contact().force();
     }
     if (name == "M") {
-        return closed ? closed->moment() : curved->moment();
+        return contact().moment();
     }
+    const bool curved = contact().closed_form() == nullptr;
     if (curved && name == "P1") { // c_0 = 2 P'(a)/(pi sqrt(a + b)): docs/expansions.md
         return contact().expansion(contact::Edge::right, 1)[0] * pi() * sqrt(length()) / 2;
     }

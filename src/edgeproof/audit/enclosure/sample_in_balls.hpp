@@ -74,7 +74,7 @@ private:
 /// Whether the relation is =, <= or >=.
 [[nodiscard]] bool allows_equality(const Relation& relation);
 
-/// How <= and >= are decided where the enclosures of the two sides overlap: more bits may separate
+/// The decision of <= and >= if the enclosures of the two sides overlap. More bits may separate
 /// them, so that equality is considered only after these were tried.
 enum class SidesThatAgree {
     undecided, ///< the relation is not decided

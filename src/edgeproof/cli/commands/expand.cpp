@@ -3,6 +3,7 @@
 #include "edgeproof/cli/scene_command.hpp"
 
 #include <memory>
+#include <utility>
 
 namespace edgeproof::cli {
 namespace {
@@ -38,18 +39,19 @@ int expand(const SceneOptions& o) {
     value.add(columns, "value", "route");
     columns[1].name = "bound";
     table.columns.insert(table.columns.end(), columns.begin(), columns.end());
-    for (const scene::EdgeValues& edge : result.coefficients) {
-        const auto rows = [&](const char* name, const std::vector<scene::BoundedValue>& list,
-                              int half_powers) {
-            for (std::size_t k = 0; k < list.size(); ++k) {
-                std::vector<std::string> row{scene::edge_name(edge.edge), name + std::to_string(k),
-                                             std::to_string(k), power_text(k, half_powers)};
-                value.add(row, list[k], true);
-                table.rows.push_back(std::move(row));
+    for (const scene::RowsAt& edge : result.at_edges(scene::QuantityGroup::coefficients)) {
+        for (const auto& [quantity, half_powers] :
+             {std::pair{scene::Quantity::c, 1},
+              std::pair{scene::Quantity::s, scene::shear_half_powers(scene)}}) {
+            for (const scene::Row& row : edge) {
+                if (row.asked.quantity == quantity) {
+                    table.rows.push_back({scene::edge_name(edge.edge()), symbol_of(row.asked),
+                                          std::to_string(row.asked.k),
+                                          power_text(row.asked.k, half_powers)});
+                    value.add(table.rows.back(), *row.value, true);
+                }
             }
-        };
-        rows("c_", edge.c, 1);
-        rows("s_", edge.s, edge.s_half_powers);
+        }
     }
     emit(table, o);
     return 0;

@@ -65,51 +65,10 @@ std::string narrow_text(const scene::Plan& plan) {
 class Tally {
 public:
     explicit Tally(const scene::SceneResult& result) {
-        const scene::ContactValues& contact = result.contact;
-        add(contact.a);
-        add(contact.b);
-        for (const auto* v : {&contact.alpha, &contact.force, &contact.moment}) {
-            add(*v);
-        }
-        for (const auto& other : contact.others) {
-            add(other.second);
-        }
-        for (const scene::PointRow& point : result.points) {
-            add(point.values.x);
-            add(point.values.p);
-            add(point.values.q);
-            for (const auto* list : {&point.values.p_local, &point.values.q_local}) {
-                for (const scene::Approximation& a : *list) {
-                    add(a.local);
-                    add(a.relative_error);
-                }
+        for (const scene::Row& row : result.rows) {
+            if (row.value && row.reached) {
+                ++(row.value->proved ? proved_ : estimated_)[row.value->route];
             }
-        }
-        for (const scene::EdgeValues& edge : result.coefficients) {
-            for (const auto* list : {&edge.c, &edge.s}) {
-                for (const scene::BoundedValue& v : *list) {
-                    add(v);
-                }
-            }
-        }
-        if (result.stick) {
-            add(result.stick->load_ratio);
-            add(result.stick->a);
-            add(result.stick->b);
-        }
-        for (const scene::SlipValues& edge : result.slips) {
-            add(edge.size);
-            for (const scene::SlipTerms& t : edge.terms) {
-                add(t.size);
-                add(t.relative_error);
-                add(t.reach);
-            }
-        }
-        for (const scene::ExtentValues& e : result.extents) {
-            if (e.leaves) {
-                add(e.first_exit);
-            }
-            add(e.measure);
         }
     }
     [[nodiscard]] bool all_proved() const { return estimated_.empty(); }
@@ -121,12 +80,6 @@ public:
 
 private:
     using Routes = std::map<std::string, std::size_t>;
-    void add(const scene::BoundedValue& v) { ++(v.proved ? proved_ : estimated_)[v.route]; }
-    void add(const std::optional<scene::BoundedValue>& v) {
-        if (v) {
-            add(*v);
-        }
-    }
     /// Returns a text such as "proved: 6 values (4 by series, 2 by given)".
     static std::string list(const char* kind, const Routes& routes) {
         std::size_t all = 0;

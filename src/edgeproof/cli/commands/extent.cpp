@@ -40,8 +40,7 @@ int extent(const ExtentOptions& o) {
         "measure: the length of all places where they are not; the fractions are of a + b",
         "crossings: every distance at which the error passes the tolerance; that there are no more "
         "is proved, unless the route says scan: then it is sampled, and the bounds are estimates"};
-    if (std::any_of(result.extents.begin(), result.extents.end(),
-                    [](const scene::ExtentValues& e) { return !e.leaves; })) {
+    if (std::ranges::any_of(result.rows, [](const scene::Row& row) { return !row.reached; })) {
         table.notes.emplace_back("no first_exit: n terms stay within the tolerance all over the "
                                  "part of the contact that is looked at");
     }
@@ -60,30 +59,34 @@ int extent(const ExtentOptions& o) {
     }
     table.columns.push_back({"crossings", report::Column::Kind::text});
     table.columns.push_back({"route", report::Column::Kind::text});
-    for (const scene::ExtentValues& e : result.extents) {
-        const auto text = [&](const scene::BoundedValue& v) {
-            return printed(v, scene.ask.digits).text;
-        };
-        std::vector<std::string> row{scene::edge_name(e.edge), std::to_string(e.n)};
-        if (e.leaves) {
-            value.add(row, e.first_exit, false);
-            row.push_back(text(e.first_exit_fraction));
-        } else {
-            value.add_none(row, false);
-            row.emplace_back();
+    using scene::Quantity;
+    const auto text = [&](const scene::BoundedValue& v) {
+        return printed(v, scene.ask.digits).text;
+    };
+    for (const scene::RowsAt& edge : result.at_edges(scene::QuantityGroup::extent)) {
+        for (const std::size_t n : scene.ask.terms) {
+            const scene::Row& exit = edge.row(Quantity::extent, n);
+            std::vector<std::string> row{scene::edge_name(edge.edge()), std::to_string(n)};
+            if (exit.reached) {
+                value.add(row, *exit.value, false);
+                row.push_back(text(edge.at(Quantity::extent_fraction, n)));
+            } else {
+                value.add_none(row, false);
+                row.emplace_back();
+            }
+            value.add(row, edge.at(Quantity::measure, n), false);
+            row.push_back(text(edge.at(Quantity::measure_fraction, n)));
+            if (scene.ask.process_zone) {
+                row.emplace_back(covers_zone(scene, *exit.value) ? "yes" : "no");
+            }
+            std::string crossings;
+            for (std::size_t j = 0; const auto* u = edge.find(Quantity::crossing, n, j); ++j) {
+                crossings += (crossings.empty() ? "" : " ") + text(*u->value);
+            }
+            row.push_back(crossings.empty() ? "none" : crossings);
+            row.push_back(exit.value->how());
+            table.rows.push_back(std::move(row));
         }
-        value.add(row, e.measure, false);
-        row.push_back(text(e.measure_fraction));
-        if (e.covers_zone) {
-            row.emplace_back(*e.covers_zone ? "yes" : "no");
-        }
-        std::string crossings;
-        for (const scene::BoundedValue& u : e.crossings) {
-            crossings += (crossings.empty() ? "" : " ") + text(u);
-        }
-        row.push_back(crossings.empty() ? "none" : crossings);
-        row.push_back(e.first_exit.how());
-        table.rows.push_back(std::move(row));
     }
     if (!o.figure.empty()) {
         io::write_whole(o.figure,

@@ -40,27 +40,31 @@ std::vector<report::Column> columns_of(const scene::Scene& scene, const scene::P
             approximations("q_");
         }
     }
+    for (const scene::QuantityRow& row : scene::quantity_rows()) {
+        if (row.by_its_own_name() && scene.ask.wants(row.group)) {
+            const std::string name = scene::symbol_of({row.quantity});
+            value.add(columns, name, name + "_route");
+        }
+    }
     return columns;
 }
 
 /// Returns the value for a route column. Its route names the other values of the same columns that
 /// are not proved although this value is.
-scene::BoundedValue marked(const scene::BoundedValue& value, const std::string& prefix,
-                           const scene::BoundedValue& x,
-                           const std::vector<scene::Approximation>& approximations) {
-    std::string estimates = x.proved ? "" : "x";
-    const auto add = [&](const char* name, const scene::Approximation& a,
-                         const scene::BoundedValue& v) {
-        if (!v.proved) {
-            estimates += (estimates.empty() ? "" : ", ") + prefix + name + std::to_string(a.n);
+scene::BoundedValue marked(const scene::RowsAt& point, scene::Quantity quantity,
+                           const std::string& prefix) {
+    std::string estimates = point.at(scene::Quantity::x).proved ? "" : "x";
+    const scene::QuantityGroup group = row_of(quantity).group;
+    for (const scene::Row& row : point) {
+        const scene::QuantityRow& def = row_of(row.asked.quantity);
+        if (def.index == scene::QuantityRow::Index::terms && def.group == group &&
+            !row.value->proved) {
+            estimates += (estimates.empty() ? "" : ", ") + prefix +
+                         (def.short_error ? "rel_" : "local_") + std::to_string(row.asked.k);
         }
-    };
-    for (const scene::Approximation& a : approximations) {
-        add("local_", a, a.local);
-        add("rel_", a, a.relative_error);
     }
-    scene::BoundedValue all = value;
-    if (value.proved && !estimates.empty()) {
+    scene::BoundedValue all = point.at(quantity);
+    if (all.proved && !estimates.empty()) {
         all.route += " (estimate: " + estimates + ")";
     }
     return all;
@@ -73,48 +77,67 @@ std::string state_name(const std::optional<contact::SlipState>& state) {
 }
 
 /// Returns |q|/(f p): 1 where the contact slips.
-scene::BoundedValue friction_used(const scene::Scene& scene, const scene::PointValues& at) {
-    if (at.state == contact::SlipState::slip) {
-        return {Ball(1, 64), at.q->proved, "superposition", Rational(1)};
+scene::BoundedValue friction_used(const scene::Scene& scene, const scene::RowsAt& point) {
+    const scene::BoundedValue& p = point.at(scene::Quantity::p);
+    const scene::BoundedValue& q = point.at(scene::Quantity::q);
+    if (point.row(scene::Quantity::q).state == contact::SlipState::slip) {
+        return {Ball(1, 64), q.proved, "superposition", Rational(1)};
     }
-    const Ball most = formula::ball_of(*scene.shear->friction, at.p->value.bits()) * at.p->value;
-    return {abs(at.q->value) / most, at.q->proved && at.p->proved, "superposition"};
+    const Ball most = formula::ball_of(*scene.shear->friction, p.value.bits()) * p.value;
+    return {abs(q.value) / most, q.proved && p.proved, "superposition"};
 }
 
-std::vector<std::string> row_of(const scene::Scene& scene, const scene::Plan& plan,
-                                const scene::PointRow& point) {
+std::vector<std::string> row_of_point(const scene::Scene& scene, const scene::Plan& plan,
+                                      const scene::RowsAt& point) {
+    using scene::Quantity;
     const ValueColumns value(scene);
     const scene::Digits& digits = scene.ask.digits;
-    std::vector<std::string> row{scene::edge_name(point.edge)};
+    const scene::AskedPoint& asked = scene.ask.u[point.point()];
+    std::vector<std::string> row{scene::edge_name(point.edge())};
     if (by_name(scene)) {
-        row.push_back(point.asked);
+        row.push_back(asked.text());
     }
-    row.push_back(point.values.u ? printed(*point.values.u, digits).text : point.u.text());
-    row.push_back(printed(point.values.x, digits).text);
-    const auto approximations = [&](const std::vector<scene::Approximation>& list) {
-        for (const scene::Approximation& a : list) {
-            row.push_back(printed(a.local, digits).text);
-            row.push_back(printed(a.relative_error, plan.error_digits()).text);
+    const scene::Row* const u = point.find(Quantity::u);
+    row.push_back(u != nullptr ? printed(*u->value, digits).text
+                               : point.row(Quantity::x).asked.u->text());
+    row.push_back(printed(point.at(Quantity::x), digits).text);
+    const auto approximations = [&](scene::QuantityGroup group) {
+        for (const scene::Row& r : point) {
+            const scene::QuantityRow& def = row_of(r.asked.quantity);
+            if (def.group == group && def.index == scene::QuantityRow::Index::terms) {
+                row.push_back(
+                    printed(*r.value, def.short_error ? plan.error_digits() : digits).text);
+            }
         }
     };
-    value.add(row, marked(*point.values.p, "", point.values.x, point.values.p_local), true);
-    approximations(point.values.p_local);
+    value.add(row, marked(point, Quantity::p, ""), true);
+    approximations(scene::QuantityGroup::pressure);
     if (plan.shear) {
-        value.add(row, marked(*point.values.q, "q_", point.values.x, point.values.q_local), true);
+        value.add(row, marked(point, Quantity::q, "q_"), true);
         if (plan.partial_slip) {
-            row.push_back(printed(friction_used(scene, point.values), plan.error_digits()).text);
-            row.push_back(state_name(point.values.state));
+            row.push_back(printed(friction_used(scene, point), plan.error_digits()).text);
+            row.push_back(state_name(point.row(Quantity::q).state));
         }
-        approximations(point.values.q_local);
+        approximations(scene::QuantityGroup::shear);
+    }
+    for (const scene::Row& other : point) {
+        if (row_of(other.asked.quantity).by_its_own_name()) {
+            value.add(row, *other.value, true);
+        }
     }
     return row;
 }
 
 int pressure(const SceneOptions& o) {
     scene::Scene scene = asked_scene(o);
-    ask_for(
-        scene, o, scene::QuantityGroup::pressure,
-        {scene::QuantityGroup::shear, scene::QuantityGroup::contact, scene::QuantityGroup::peak});
+    std::vector<scene::QuantityGroup> others{
+        scene::QuantityGroup::shear, scene::QuantityGroup::contact, scene::QuantityGroup::peak};
+    for (const scene::QuantityRow& row : scene::quantity_rows()) {
+        if (row.by_its_own_name()) {
+            others.push_back(row.group);
+        }
+    }
+    ask_for(scene, o, scene::QuantityGroup::pressure, others);
     if (scene.ask.u.empty() && scene.ask.wants(scene::QuantityGroup::peak)) {
         scene.ask.quantities.erase(scene::QuantityGroup::pressure);
     }
@@ -128,6 +151,12 @@ int pressure(const SceneOptions& o) {
     }
     if (result.plan.peak) {
         table.notes.emplace_back("p_max: the greatest pressure of the contact");
+    }
+    for (const scene::QuantityRow& row : scene::quantity_rows()) {
+        if (row.by_its_own_name() && scene.ask.wants(row.group)) {
+            table.notes.push_back(scene::symbol_of({row.quantity}) + ": " +
+                                  std::string(row.meaning));
+        }
     }
     if (result.plan.terms > 0) {
         table.notes.emplace_back(
@@ -149,8 +178,8 @@ int pressure(const SceneOptions& o) {
     }
     table.notes.push_back(bound_note(result.plan));
     table.columns = columns_of(scene, result.plan);
-    for (const scene::PointRow& point : result.points) {
-        table.rows.push_back(row_of(scene, result.plan, point));
+    for (const scene::RowsAt& point : result.points()) {
+        table.rows.push_back(row_of_point(scene, result.plan, point));
     }
     emit(table, o);
     return 0;

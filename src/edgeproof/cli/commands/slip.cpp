@@ -8,18 +8,13 @@
 namespace edgeproof::cli {
 namespace {
 
-std::string reach_route(const scene::SlipTerms& t) {
-    return !t.reach ? "undecided" : t.leaves ? t.reach->how() : "full sliding";
-}
-
-void add_reach(std::vector<std::string>& row, const ValueColumns& value,
-               const scene::SlipTerms& t) {
-    if (t.reach) {
-        value.add(row, *t.reach, false);
+void add_reach(std::vector<std::string>& row, const ValueColumns& value, const scene::Row& load) {
+    if (load.value) {
+        value.add(row, *load.value, false);
     } else {
         value.add_none(row, false);
     }
-    row.push_back(reach_route(t));
+    row.push_back(!load.value ? "undecided" : load.reached ? load.value->how() : "full sliding");
 }
 
 int slip(const SceneOptions& o) {
@@ -46,7 +41,7 @@ int slip(const SceneOptions& o) {
                               scene.ask.tolerance->text() +
                               ", P and bulk_tension/Q held; 1: up to full sliding");
     }
-    if (result.stick && result.stick->cycle_energy) {
+    if (result.find(scene::Quantity::cycle_energy) != nullptr) {
         table.notes.emplace_back("cycle_energy: what friction takes, per unit length, in a cycle "
                                  "from -Q to Q and back, P held");
     }
@@ -63,25 +58,27 @@ int slip(const SceneOptions& o) {
         value.add(table.columns, name);
         table.columns.push_back({name + "_route", report::Column::Kind::text});
     }
-    for (const scene::SlipValues& edge : result.slips) {
-        std::vector<std::string> row{scene::edge_name(edge.edge)};
-        scene::BoundedValue size = edge.size;
+    using scene::Quantity;
+    for (const scene::RowsAt& edge : result.at_edges(scene::QuantityGroup::slip)) {
+        std::vector<std::string> row{scene::edge_name(edge.edge())};
+        scene::BoundedValue size = edge.at(Quantity::slip);
         std::string estimates;
-        for (const scene::SlipTerms& t : edge.terms) {
-            if (size.proved && !(t.size.proved && t.relative_error.proved)) {
-                estimates += (estimates.empty() ? "d_" : ", d_") + std::to_string(t.n) + ", rel_" +
-                             std::to_string(t.n);
+        for (const std::size_t n : scene.ask.terms) {
+            if (size.proved && !(edge.at(Quantity::slip_terms, n).proved &&
+                                 edge.at(Quantity::slip_rel, n).proved)) {
+                estimates += (estimates.empty() ? "d_" : ", d_") + std::to_string(n) + ", rel_" +
+                             std::to_string(n);
             }
         }
         size.route += estimates.empty() ? "" : " (estimate: " + estimates + ")";
         value.add(row, size, true);
-        for (const scene::SlipTerms& t : edge.terms) {
-            row.push_back(printed(t.size, scene.ask.digits).text);
-            row.push_back(printed(t.relative_error, result.plan.error_digits()).text);
+        for (const std::size_t n : scene.ask.terms) {
+            row.push_back(printed(edge.at(Quantity::slip_terms, n), scene.ask.digits).text);
+            row.push_back(printed(edge.at(Quantity::slip_rel, n), result.plan.error_digits()).text);
         }
-        for (const scene::SlipTerms& t : edge.terms) {
+        for (const std::size_t n : scene.ask.terms) {
             if (scene.ask.tolerance) {
-                add_reach(row, value, t);
+                add_reach(row, value, edge.row(Quantity::slip_load, n));
             }
         }
         table.rows.push_back(std::move(row));

@@ -14,8 +14,8 @@ namespace edgeproof::comparison {
 struct DataContact {
     std::optional<double> a; ///< empty if no node is loaded, or if the data end inside the contact
     std::optional<double> b;
-    /// By index_of(edge): the width of the element that contains the exact edge, or of the nearest
-    /// one if the data do not reach it. 0 if there is none.
+    /// The width of the element that contains the exact edge, or of the nearest one if the data do
+    /// not reach it; 0 if there is none. The index is index_of(edge).
     std::array<double, 2> element{};
     double mean_element = 0; ///< width divided by the number of nodes inside the exact contact
     std::array<bool, 2> reaches{}; ///< the data reach the exact edge, to one element

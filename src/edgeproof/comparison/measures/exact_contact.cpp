@@ -71,12 +71,12 @@ struct ExactContact::Solved {
         asked.ask.quantities = {scene::QuantityGroup::contact, scene::QuantityGroup::coefficients};
         asked.ask.digits = {value_digits, Rounding::nearest, false};
         const scene::SceneResult result = run_scene(asked);
-        a = exact_value(result.contact.a);
-        b = exact_value(result.contact.b);
-        force = exact_value(*result.contact.force);
-        for (const scene::EdgeValues& edge : result.coefficients) {
+        a = exact_value(result.at(scene::Quantity::a));
+        b = exact_value(result.at(scene::Quantity::b));
+        force = exact_value(result.at(scene::Quantity::P));
+        for (const scene::RowsAt& edge : result.at_edges(scene::QuantityGroup::coefficients)) {
             for (std::size_t k = 0; k < coefficients; ++k) {
-                c[index_of(edge.edge)][k] = exact_value(edge.c[k]);
+                c[index_of(edge.edge())][k] = exact_value(edge.at(scene::Quantity::c, k));
             }
         }
         for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
@@ -280,14 +280,15 @@ struct ExactShear::Solved {
         zone.ask = {};
         zone.ask.quantities = {scene::QuantityGroup::slip};
         zone.ask.digits = {zone_digits, Rounding::nearest, false};
-        const auto stick_zone = run_scene(zone).stick;
+        const scene::SceneResult result = run_scene(zone);
         if (spec.bulk_tension.sign() != 0 && profile.symmetric()) {
             normal_contact.emplace(profile, asked.contact_modulus, asked.load, slip_digits);
             slip.emplace(*normal_contact, spec);
             return;
         }
         const PrecisionScope scope(zone_digits + 20);
-        stick = {stick_zone->a.value.midpoint(), stick_zone->b.value.midpoint()};
+        stick = {result.at(scene::Quantity::stick_a).value.midpoint(),
+                 result.at(scene::Quantity::stick_b).value.midpoint()};
         stick_pressure.emplace(profile, asked.contact_modulus.to<Real>(), stick, traction_digits);
     }
 

@@ -57,7 +57,7 @@ public:
             const Point& point = at_point(q);
             return {point.values.at(q.quantity), point.x};
         }
-        if (q.quantity == scene::Quantity::extent && !values_.extent(q).leaves) {
+        if (q.quantity == scene::Quantity::extent && !values_.searched(q).reached) {
             throw InputError("there is no first exit: n = " + std::to_string(q.k) +
                                  " terms stay within the tolerance all over the contact",
                              "ask for measure_" + std::to_string(q.k) +

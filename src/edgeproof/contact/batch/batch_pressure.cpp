@@ -32,6 +32,8 @@ Real modulus_of(const NormalContact& contact, unsigned digits) {
 
 } // namespace
 
+/// The integrals are those of docs/pressure.md; batch_integral.hpp and batch_power_law.hpp have
+/// them.
 struct BatchPressure::Contact {
     Contact(const Profile& profile, const Real& modulus, const Extent<Real>& given, unsigned digits,
             Rule rule)

@@ -26,8 +26,9 @@ RealPower::RealPower(const formula::Exact& exponent) : exponent_(exponent.to<Rea
     by_root_ = true;
     numerator_ = p.convert_to<long>();
     denominator_ = q.convert_to<unsigned long>();
-    // Backwards from full precision: each step doubles the number of bits, minus a loss that grows
-    // with the exponent.
+    // Newton's rule (DLMF 3.8.4) for the inverse root is y <- y + y (1 - x y^q)/q. Precisions are
+    // listed from the last step to the first one: each step doubles the number of bits, minus a
+    // loss that grows with the exponent.
     const auto lost = static_cast<long>(std::bit_width(denominator_)) + 3;
     std::vector<long> precisions;
     for (long bits = mpfr_get_prec(raw(exponent_)); bits > 46 - lost / 2; bits = bits / 2 + lost) {

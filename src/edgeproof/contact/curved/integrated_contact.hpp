@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/contact/curved/pressure_disk.hpp"
 #include "edgeproof/contact/curved/slope_integral.hpp"
-#include "edgeproof/contact/enclosure/proved_pressure.hpp"
+#include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"
 
 #include <array>
@@ -24,7 +24,7 @@ namespace edgeproof::contact {
 /// right edge of a contact that satisfies the consistency condition. Opposite signs at both trial
 /// edges therefore prove that exactly one edge lies between them. The trial edges come from the
 /// routes in Real, which prove nothing.
-class IntegratedContact : public ProvedPressure {
+class IntegratedContact : public ProvedContact {
 public:
     /// True if every piece of g' consists of functions that complex_taylor.hpp supports.
     [[nodiscard]] static bool handles(const Profile& profile);
@@ -43,16 +43,16 @@ public:
     [[nodiscard]] const Ball& b() const override { return b_; }
     /// The distance of an edge from the origin (length), if it is given, or if g' is proved to be
     /// odd in the contact.
-    [[nodiscard]] std::optional<formula::Exact> known(Edge edge) const;
+    [[nodiscard]] std::optional<formula::Exact> known(Edge edge) const override;
     /// True if an edge without a known distance may lie on a knot, as far as the bits decide.
-    [[nodiscard]] bool edge_may_be_on_knot() const;
+    [[nodiscard]] bool edge_may_be_on_knot() const override;
     /// P (force/length).
-    [[nodiscard]] Ball force() const { return force_of(a_, b_); }
+    [[nodiscard]] Ball force() const override { return force_of(a_, b_); }
     /// M (force).
-    [[nodiscard]] Ball moment() const;
+    [[nodiscard]] Ball moment() const override;
     /// Returns p (stress) at the distance `u` from an edge (length). Not finite on a knot, unless
     /// exact numbers prove that the point is the knot and that g' does not jump there.
-    [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const;
+    [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const override;
     /// Returns c_0, c_1, ... (stress/length^(k+1/2)).
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
     /// Returns M with |c_k| <= M/rho^k for all k (docs/extents.md); `rho`: length.

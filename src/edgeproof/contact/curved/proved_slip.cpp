@@ -9,19 +9,31 @@ namespace edgeproof::contact {
 
 ProvedSlip::ProvedSlip(const Profile& profile, const formula::Exact& contact_modulus,
                        const Load& load, const ShearLoad<Ball>& shear, const Ball& friction,
-                       long bits) {
+                       long bits)
+    : contact_(proved_contact(profile, contact_modulus, load, bits)),
+      zones_(zone_solver(*contact_, profile, contact_modulus,
+                         !shear.bulk_tension.is_exact() || !contains_zero(shear.bulk_tension))) {
+    slip_.emplace(*contact_, *zones_, contact_->force(), shear, friction);
+}
+
+std::unique_ptr<ProvedContact> proved_contact(const Profile& profile,
+                                              const formula::Exact& contact_modulus,
+                                              const Load& load, long bits) {
     if (BallContact::has_closed_form(profile)) {
-        closed_ = std::make_unique<BallContact>(profile, contact_modulus, load, bits);
-        const bool tilted = !shear.bulk_tension.is_exact() || !contains_zero(shear.bulk_tension);
-        zones_ = tilted && !closed_->piecewise_linear()
-                     ? power_law_zones(profile, contact_modulus, closed_->a(), closed_->b(), bits)
-                     : closed_form_zones(*closed_);
-    } else {
-        curved_ = std::make_unique<IntegratedContact>(profile, contact_modulus, load, bits);
-        zones_ = integrated_zones(*curved_);
+        return std::make_unique<BallContact>(profile, contact_modulus, load, bits);
     }
-    slip_.emplace(pressure(), *zones_, closed_ ? closed_->force() : curved_->force(), shear,
-                  friction);
+    return std::make_unique<IntegratedContact>(profile, contact_modulus, load, bits);
+}
+
+std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact, const Profile& profile,
+                                        const formula::Exact& contact_modulus, bool tilted) {
+    const BallContact* closed = contact.closed_form();
+    if (closed == nullptr) {
+        return integrated_zones(dynamic_cast<const IntegratedContact&>(contact));
+    }
+    return tilted && !closed->piecewise_linear()
+               ? power_law_zones(profile, contact_modulus, closed->a(), closed->b(), closed->bits())
+               : closed_form_zones(*closed);
 }
 
 bool ProvedSlip::admissible() const {

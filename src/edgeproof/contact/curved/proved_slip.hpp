@@ -31,19 +31,27 @@ public:
     [[nodiscard]] bool admissible() const;
     /// Returns q (stress) at the distance `u` from an edge (length).
     [[nodiscard]] Ball traction(Edge edge, const Ball& u) const {
-        return slip_->traction(edge, u, pressure().pressure(edge, u));
+        return slip_->traction(edge, u, contact_->pressure(edge, u));
     }
 
 private:
-    [[nodiscard]] const ProvedPressure& pressure() const {
-        return closed_ ? static_cast<const ProvedPressure&>(*closed_) : *curved_;
-    }
-
-    std::unique_ptr<BallContact> closed_;
-    std::unique_ptr<IntegratedContact> curved_; ///< where the slope has no closed form
+    std::unique_ptr<ProvedContact> contact_;
     std::unique_ptr<ZoneSolver> zones_;
-    std::optional<BallSlip> slip_; ///< keeps references to the three above
+    std::optional<BallSlip> slip_; ///< keeps references to the two above
 };
+
+/// Returns the contact of a load, by a closed form if there is one, otherwise by rigorous
+/// integration. Throws BudgetError if `bits` do not suffice to enclose the edges.
+[[nodiscard]] std::unique_ptr<ProvedContact> proved_contact(const Profile& profile,
+                                                            const formula::Exact& contact_modulus,
+                                                            const Load& load, long bits);
+
+/// Returns the solver for the stick zones of a contact made by proved_contact() or of one with a
+/// closed form. `tilted`: a bulk tension tilts the zones.
+[[nodiscard]] std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact,
+                                                      const Profile& profile,
+                                                      const formula::Exact& contact_modulus,
+                                                      bool tilted);
 
 /// Returns the solver for zones of any slope that IntegratedContact handles, by rigorous
 /// integration. It keeps a copy of `contact`.

@@ -13,17 +13,19 @@ namespace {
 
 constexpr long reach_bits = 192;
 constexpr double bits_a_digit = 3.3219281;
-constexpr int most_better_values = 12;        ///< that branch and bound may come upon
-constexpr double share_of_samples = 0.4;      ///< of the budget
-constexpr double share_of_best = 0.7;         ///< of samples and of the proof of the best value
-constexpr double jump_of_reach = 1e-5;        ///< beside it, a difference of reaches is a jump
-constexpr double touching_excess = 1e-2;      ///< of the tolerance: an extremum that may touch it
-constexpr double farthest_from_sample = 1e-4; ///< of the range: the best value from that sampled
-constexpr double nearest_to_middle = 1e-6;    ///< of a + b: extrema at a cusp
+constexpr int most_better_values = 12;   ///< the most that branch and bound may find
+constexpr double share_of_samples = 0.4; ///< share of the budget
+constexpr double share_of_best = 0.7;    ///< for samples and for the proof of the best value
+constexpr double jump_of_reach = 1e-5;   ///< a larger difference of reaches is a jump
+constexpr double touching_excess =
+    1e-2; ///< for an extremum that may touch the tolerance, relative to it
+constexpr double farthest_from_sample =
+    1e-4; ///< between the best value and the best sample, relative to the range
+constexpr double nearest_to_middle = 1e-6; ///< for extrema at a cusp, relative to a + b
 
 Real real_of(double x) { return Real(x); }
 
-/// A short rational near x, on one side of it (or either, for 0).
+/// Returns a short rational near x, on one side of it (on any side for 0).
 Rational short_rational(const Ball& x, int side, const Rational& distance) {
     return exact_value(Ball(Ball(x.midpoint(), 192) + Ball(Rational(distance * side), 192))
                            .with_bits(64)
@@ -82,7 +84,7 @@ private:
         }
         return best;
     }
-    /// From values that branch and bound came upon, and those around them.
+    /// Starts from values that branch and bound found, and from their neighbours.
     [[nodiscard]] BestReach from_better(const std::vector<ParameterRange>& better) {
         std::vector<ParameterRange> near;
         for (std::size_t i = 0; i < ranges_.size(); ++i) {
@@ -111,7 +113,7 @@ private:
             best.reach = best.shown_reach;
             return;
         }
-        // An end first: there the reach need not be stationary.
+        // Ends of the range come first: the reach need not be stationary there.
         for (const bool upper : {false, true}) {
             if (std::fabs((upper ? to : from) - x) <= step &&
                 show(best, {upper ? ranges_[0].to : ranges_[0].from})) {
@@ -136,7 +138,7 @@ private:
             smooth(best, here, x);
         }
     }
-    /// `good`: on which side of the value the reach is long.
+    /// `good`: the side of the value on which the reach is long.
     void touching(BestReach& best, const SampledReach& here, int good, double x) {
         for (const SampledReach::Extremum& e : here.extrema) {
             if (std::fabs(e.excess) > touching_excess * problem_.tolerance.convert_to<double>()) {
@@ -214,7 +216,7 @@ private:
         const auto errors = problem_.over({Ball(real_of(x), reach_bits)});
         return errors[edge]->length().midpoint().convert_to<double>();
     }
-    /// The reach for parameters that are exact, proved.
+    /// Proves the reach for exact parameters.
     bool show(BestReach& best, const std::vector<Rational>& at) const {
         for (long bits = reach_bits; bits <= 2 * std::max(bits_, reach_bits); bits *= 2) {
             try {
@@ -227,7 +229,8 @@ private:
         }
         return false;
     }
-    /// By Newton's method, from an enclosure that holds one exit.
+    /// Applies Newton's method to an enclosure that contains exactly one exit
+    /// (moore-kearfott-cloud2009).
     [[nodiscard]] Ball to_all_digits(const ProvedReach& r, const std::vector<Rational>& at) const {
         std::vector<Ball> balls;
         for (const Rational& q : at) {
@@ -258,7 +261,7 @@ private:
             best.missing.clear();
         }
     }
-    /// Values that seem to reach farther than the best by more than the gap, if there are any.
+    /// Returns values that seem to reach farther than the best by more than the gap, if any.
     std::optional<std::vector<ParameterRange>> prove(BestReach& best) {
         count_.most = options_.budget;
         const Ball lowest(best.shown_reach.lower(), best.shown_reach.bits());

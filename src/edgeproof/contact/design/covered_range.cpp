@@ -20,11 +20,11 @@ constexpr unsigned finest_box = 70; ///< halvings of a range
 struct ParameterBox {
     std::vector<Rational> lo;
     std::vector<Rational> hi;
-    std::vector<Rational> places; ///< that decided the box it comes from, or came near
+    std::vector<Rational> places; ///< those that decided the parent box, or nearly did
     unsigned depth = 0;
 };
 
-/// What is known of a box of parameters.
+/// The state of a box of parameters.
 enum class BoxState {
     open,
     bounded, ///< no reach in it exceeds the target
@@ -40,7 +40,7 @@ public:
           options_(options), tolerance_(problem.tolerance, cover_bits),
           fewer_(is_costly(*problem.edges[0]) ? 4U : 1U) {}
 
-    /// The widest boxes first, so that what is left at the end of the budget is narrow.
+    /// Divides the widest boxes first, so that those left at the end of the budget are narrow.
     [[nodiscard]] CoveredRange run() {
         ParameterBox all;
         for (const ParameterRange& r : ranges_) {
@@ -126,7 +126,7 @@ private:
                 if (beyond(over[e]->at(place))) {
                     return true;
                 }
-                // The mean value theorem.
+                // Mean value form (moore-kearfott-cloud2009).
                 Ball f = middle[e]->at(place);
                 if (!beyond(f)) {
                     continue;
@@ -173,7 +173,7 @@ private:
         const BoxState state = state_by(places);
         return state == BoxState::excluded || by_parents == BoxState::open ? state : by_parents;
     }
-    /// The reach for exact parameters; 0 where it is not proved.
+    /// Returns the reach for exact parameters; 0 if it is not proved.
     [[nodiscard]] Ball proved_at(const std::vector<Ball>& parameters) const {
         try {
             return proved_reach(problem_, parameters).reach;
@@ -181,8 +181,8 @@ private:
             return {0, cover_bits};
         }
     }
-    /// Places up to the target at which the error in the middle of the box is farthest beyond the
-    /// tolerance, extrema between samples included: first those that exclude the box.
+    /// Returns places up to the target at which the error in the middle of the box exceeds the
+    /// tolerance most, with extrema between samples. Those that exclude the box come first.
     [[nodiscard]] std::vector<Rational>
     promising(const std::vector<std::unique_ptr<ErrorOverBox>>& middle) const {
         std::vector<std::pair<double, Rational>> found;
@@ -193,7 +193,7 @@ private:
             };
             std::vector<Rational> at;
             std::vector<double> e;
-            // A knot by the edge may lift the error there only.
+            // A knot near the edge may raise the error only there.
             for (unsigned k = places_by_the_edge / fewer_; k > 0; --k) {
                 at.emplace_back(target_ / (even_places * pow(Integer(2), k)));
             }
@@ -203,7 +203,7 @@ private:
             at.push_back(shown_);
             at.push_back(target_);
             const Ball length = f->length();
-            if (length.is_finite()) { // at the middle a power law's error may have a cusp
+            if (length.is_finite()) { // a power law's error may have a cusp in the middle
                 at.push_back(std::min(target_, Rational(exact_value(length.midpoint()) / 2)));
             }
             std::sort(at.begin(), at.end());
@@ -234,7 +234,7 @@ private:
         }
         return places;
     }
-    /// By Newton's method on f': proves nothing, and need not.
+    /// Applies Newton's method to f'. The result is only a place to try; nothing is proved.
     [[nodiscard]] static Rational extremum_near(const ErrorOverBox& f, const Rational& start) {
         Rational u = start;
         for (int k = 0; k < 5 && u > 0; ++k) {
@@ -248,7 +248,7 @@ private:
         return u;
     }
     void split(const ParameterBox& box, std::deque<ParameterBox>& into) const {
-        // The widest beside its range.
+        // The side that is widest relative to its range is divided.
         std::size_t widest = 0;
         const auto width = [&](std::size_t i) {
             return Rational((box.hi[i] - box.lo[i]) / (ranges_[i].to - ranges_[i].from));
@@ -278,7 +278,7 @@ private:
     Rational target_;
     const DesignOptions& options_;
     Ball tolerance_;
-    unsigned fewer_; ///< places where an evaluation takes long
+    unsigned fewer_; ///< divisor of the numbers of places if an evaluation takes long
 };
 
 } // namespace

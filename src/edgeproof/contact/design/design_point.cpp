@@ -14,7 +14,8 @@ constexpr int most_inflations_of_a_point = 14;
 /// Two equations in (u, parameter) and their derivatives.
 struct EquationValues {
     std::array<Ball, 2> f;
-    std::array<Ball, 4> rates; ///< of f[0] by u, by the parameter; of f[1] likewise
+    std::array<Ball, 4>
+        rates; ///< derivatives of f[0] by u and by the parameter, then those of f[1]
 };
 
 EquationValues equations_at(const ReachProblem& problem, const DesignEquations& of, const Ball& u,

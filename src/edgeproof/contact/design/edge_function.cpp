@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_parameters_of_a_series = 2;
 
-/// An array of Arb's polynomials.
+/// An array of polynomials of Arb.
 class PolyArray {
 public:
     PolyArray() {
@@ -40,7 +40,7 @@ private:
 };
 
 /// 2F1(1 + k, b + k; 3/2 + k; y), 0 <= y < 1, and its derivatives by b, divided by factorials,
-/// `count` numbers. Arb's sum of power series bounds what it leaves out.
+/// `count` numbers. Arb's sum of power series bounds its remainder.
 std::vector<Ball> series_by_b(const Ball& b, const Ball& y, long k, std::size_t count) {
     const long bits = y.bits();
     PolyArray over;
@@ -52,7 +52,7 @@ std::vector<Ball> series_by_b(const Ball& b, const Ball& y, long k, std::size_t 
     over.set(1, Ball(1 + k, bits));
     under.set(1, Ball(1, bits));
     in.set(0, y);
-    // With k = 0 the last two cancel.
+    // For k = 0 the last two parameters cancel.
     const slong pairs = k == 0 ? 1 : 2;
     acb_hypgeom_pfq_series_direct(in.data() + 1, over.data(), pairs, under.data(), pairs, in.data(),
                                   0, -1, static_cast<slong>(count), bits);
@@ -69,7 +69,7 @@ std::vector<Ball> series_by_b(const Ball& b, const Ball& y, long k, std::size_t 
     return coefficients;
 }
 
-/// One polynomial of Arb's.
+/// A polynomial of Arb.
 struct Poly {
     Poly() { acb_poly_init(p); }
     ~Poly() { acb_poly_clear(p); }
@@ -148,7 +148,7 @@ std::vector<Ball> series_by_far_end(const Ball& b, const Ball& y, std::size_t co
 Ball lower_end(const Ball& x) { return {x.lower(), x.bits()}; }
 Ball upper_end(const Ball& x) { return {x.upper(), x.bits()}; }
 
-/// Beyond, the series in 1 - y converges faster.
+/// True if the series in 1 - y converges faster.
 bool near_far_end(const Ball& y) {
     return certainly_less(Ball(Rational(3, 4), y.bits()), y) &&
            certainly_less(y, Ball(1, y.bits()));
@@ -193,7 +193,7 @@ std::vector<Ball> edge_series_at(const Ball& b, const Ball& y, std::size_t count
     return f;
 }
 
-/// The same for all of b.
+/// The same for all numbers of the ball b.
 std::vector<Ball> edge_series(const Ball& y, const Ball& b, std::size_t count) {
     std::vector<Ball> f = edge_series_at(lower_end(b), y, count);
     if (!b.is_exact()) {
@@ -243,7 +243,7 @@ Jet reciprocal_edge_function(const Jet& z, const Jet& b) {
     Ball F_yb = F;
     Ball F_yy = F;
     if (near_far_end(y)) {
-        // From y (1 - y) F' + (1/2 - b y) F = 1/2, which the series satisfies.
+        // The series satisfies y (1 - y) F' + (1/2 - b y) F = 1/2.
         const Ball half(Rational(1, 2), y.bits());
         const Ball weight = half - b.v * y;
         const Ball scale = y * (1 - y);
@@ -264,7 +264,7 @@ Jet reciprocal_edge_function(const Jet& z, const Jet& b) {
     const Ball F_z = F_y * y_z;
     const Ball F_zb = F_yb * y_z;
     const Ball F_zz = F_yy * y_z * y_z - F_y * 8;
-    // What does not depend on z has derivatives at the middle, too.
+    // A quantity that does not depend on z has derivatives at the middle, too.
     const auto times = [](const Ball& rate, const Ball& by) {
         return arb_is_zero(by.data()) != 0 ? by : rate * by;
     };
@@ -285,7 +285,7 @@ namespace {
 
 constexpr double most_terms_a_bit = 4;
 
-// An array of the one is an array of the other.
+// Both types have the same memory layout.
 static_assert(sizeof(ArbValue) == sizeof(arb_struct));
 
 } // namespace
@@ -321,7 +321,7 @@ std::optional<Ball> EdgeSum::operator()(const Ball& b, const Ball& y) {
     carry(b, n, bits);
     Ball sum(0, bits);
     _arb_poly_evaluate_rectangular(sum.data(), c_[0], n, y.data(), bits);
-    // From term n on, each is less than y times the one before: 0 < b + k < 3/2 + k.
+    // Each term after the n-th is less than y times the one before, since 0 < b + k < 3/2 + k.
     Ball rest = pow_int(size, n) / (1 - size);
     arb_mul(rest.data(), rest.data(), c_[static_cast<std::size_t>(n)], bits);
     arb_add_error(sum.data(), rest.data());

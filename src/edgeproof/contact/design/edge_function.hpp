@@ -16,20 +16,20 @@ namespace edgeproof::contact {
 /// and falls where b < 0. Values at the ends of z and b therefore enclose all between, the middle
 /// of the contact (y = 1) included, where F has no derivative by z if m < 1.
 [[nodiscard]] Ball reciprocal_edge_function(const Ball& z, const Ball& b);
-/// At the middle only the derivatives by variables that do not move z are finite.
+/// At the middle only the derivatives by variables that do not change z are finite.
 [[nodiscard]] Jet reciprocal_edge_function(const Jet& z, const Jet& b);
 
 /// F(y, b) = 2F1(1, b; 3/2; y), the sum of c_k y^k with c_k = (b)_k/(3/2)_k (DLMF 15.2.1), at many
 /// places for one b: the c_k of the last b are kept. One object belongs to one thread.
 class EdgeSum {
 public:
-    /// Encloses F for all numbers of both balls, |y| < 1. Nothing where b may reach 1, where so
-    /// few terms are needed that b + k is still negative behind them, and where so many are that
-    /// another series is better.
+    /// Encloses F for all numbers of both balls, |y| < 1. Returns nothing if b may reach 1, if b +
+    /// k is still negative after the few terms that are needed, or if another series needs fewer
+    /// terms.
     [[nodiscard]] std::optional<Ball> operator()(const Ball& b, const Ball& y);
 
 private:
-    /// c_0 ... c_n.
+    /// Computes c_0 ... c_n.
     void carry(const Ball& b, long n, long bits);
 
     ArbValue b_;

@@ -15,32 +15,32 @@
 /// of parameters of the scene, enclosed for every parameter of a ball.
 namespace edgeproof::contact {
 
-/// What distances are measured in.
+/// The unit of distances.
 enum class ReachUnit {
     fraction, ///< u/(a + b)
     distance  ///< u
 };
 
-/// f for the parameters of one box. Values are not finite where nothing is known: the box too wide,
-/// a knot at the place or at an edge.
+/// f for the parameters of one box. A value that cannot be enclosed is not finite: the box is too
+/// wide, or a knot is at the place or at an edge.
 class ErrorOverBox {
 public:
     virtual ~ErrorOverBox() = default;
     ErrorOverBox(const ErrorOverBox&) = delete;
     ErrorOverBox& operator=(const ErrorOverBox&) = delete;
-    /// At every distance of a ball, zero included (f = 0 at the edge).
+    /// Encloses f at every distance of a ball, zero included (f = 0 at the edge).
     [[nodiscard]] virtual Ball at(const Ball& u) const = 0;
-    /// With derivatives, at distances > 0.
+    /// The same with derivatives, at distances > 0.
     [[nodiscard]] virtual Jet jet(const Ball& u) const = 0;
-    /// a + b, in the unit: 1 for fractions.
+    /// The length a + b in the unit of distances: 1 for fractions.
     [[nodiscard]] virtual Ball length() const = 0;
 
 protected:
     ErrorOverBox() = default;
 };
 
-/// f by a closed form over any field: Form<T> has `error(u)`, and the `length` to which u is held,
-/// in fractions of it if `fraction`.
+/// f by a closed form over any field: Form<T> has `error(u)`, and the `length` that limits u;
+/// u is a fraction of it if `fraction`.
 template <template <class> class Form> class ClosedFormOverBox : public ErrorOverBox {
 public:
     ClosedFormOverBox(Form<Ball> balls, Form<Jet> jets)
@@ -56,12 +56,12 @@ private:
     Form<Jet> jets_;
 };
 
-/// What evaluations cost, in units that are about a microsecond of the machine that they were
-/// measured on (128 bits, one core). Budgets are counted in them, so that a result does not depend
-/// on the machine.
+/// The costs of evaluations, in units of about a microsecond on the machine on which they were
+/// measured (128 bits, one core). Budgets are counted in these units, so that a result does not
+/// depend on the machine.
 struct EvaluationCost {
-    double over; ///< of ErrorFamily::over
-    double at;   ///< of ErrorOverBox::at
+    double over; ///< cost of ErrorFamily::over
+    double at;   ///< cost of ErrorOverBox::at
     double jet;
 };
 
@@ -70,7 +70,7 @@ public:
     virtual ~ErrorFamily() = default;
     ErrorFamily(const ErrorFamily&) = delete;
     ErrorFamily& operator=(const ErrorFamily&) = delete;
-    /// One ball a parameter, at the working precision.
+    /// `parameters`: one ball for each parameter, at the working precision.
     [[nodiscard]] virtual std::unique_ptr<ErrorOverBox>
     over(const std::vector<Ball>& parameters) const = 0;
     [[nodiscard]] virtual EvaluationCost cost() const = 0;
@@ -79,7 +79,7 @@ protected:
     ErrorFamily() = default;
 };
 
-/// Samples are fewer where an evaluation takes long.
+/// True if an evaluation takes so long that fewer samples are taken.
 [[nodiscard]] inline bool is_costly(const ErrorFamily& f) { return f.cost().at > 60; }
 
 /// A scene's numbers as formulas in the names of its parameters.
@@ -92,7 +92,7 @@ struct ErrorQuestion {
     Edge edge = Edge::right;
     std::size_t terms = 1;
     ReachUnit unit = ReachUnit::fraction;
-    std::vector<std::string> names; ///< of the parameters, one or two
+    std::vector<std::string> names; ///< the names of the parameters, one or two
 };
 
 /// g' piecewise linear: pieces, knots and the half-planes' load as formulas. The origin is one of
@@ -109,26 +109,26 @@ struct ParametricSlope {
     bool symmetric = false;
 };
 
-/// Pressure of a power law of exponent m. `half_width` is needed where distances are.
+/// The pressure of a power law of exponent m. Distances need `half_width`.
 [[nodiscard]] std::unique_ptr<ErrorFamily>
 power_law_errors(const formula::Expr& m, const std::optional<formula::Expr>& half_width,
                  const ErrorQuestion& question);
-/// Shear traction under full stick, P held: by Q and sigma_0 (contact/law/shear.hpp), and a + b as
-/// a formula (with distances, or a tension).
+/// The shear traction under full stick at constant P, from Q and sigma_0 (contact/law/shear.hpp);
+/// a + b is a formula (needed for distances and for a tension).
 [[nodiscard]] std::unique_ptr<ErrorFamily> full_stick_errors(const formula::Expr& Q,
                                                              const formula::Expr& bulk_tension,
                                                              const formula::Expr& length,
                                                              const ErrorQuestion& question);
-/// Pressure of a piecewise linear profile; a or P is given.
+/// The pressure of a piecewise linear profile for which a or P is given.
 [[nodiscard]] std::unique_ptr<ErrorFamily> linear_slope_errors(const ParametricSlope& slope,
                                                                const ParametricLoad& load,
                                                                const ErrorQuestion& question);
-/// d_n/d - 1 of a slip zone as a function of the load ratio |Q|/(f P), which stands for the
-/// distance; its range is 1 (docs/partial-slip.md). Of a power law without a tension.
+/// d_n/d - 1 of a slip zone as a function of the load ratio |Q|/(f P), which takes the
+/// place of the distance; its range is 1 (docs/partial-slip.md). For a power law without a tension.
 [[nodiscard]] std::unique_ptr<ErrorFamily> power_law_slip_errors(const formula::Expr& m,
                                                                  const ErrorQuestion& question);
-/// Of a piecewise linear profile; `tension`: sigma_0/Q. Nothing is known where sigma_0 cannot grow
-/// in proportion to Q, and where the stick zone leaves the origin.
+/// The same for a piecewise linear profile; `tension`: sigma_0/Q. Values are not finite if sigma_0
+/// cannot grow in proportion to Q, or if the stick zone does not contain the origin.
 [[nodiscard]] std::unique_ptr<ErrorFamily>
 linear_slip_errors(const ParametricSlope& slope, const ParametricLoad& load,
                    const std::optional<formula::Expr>& tension, const ErrorQuestion& question);

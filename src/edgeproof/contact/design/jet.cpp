@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/jet.hpp"
 
+// The chain and product rules of Taylor arithmetic to second order (moore-kearfott-cloud2009).
 namespace edgeproof::contact {
 namespace {
 

@@ -10,8 +10,8 @@
 namespace edgeproof::contact {
 
 /// A function of u and up to two parameters with its first and second derivatives, each a ball that
-/// encloses it for every choice of the arguments from their balls: what interval Newton and the
-/// mean value theorem need. Variable 0 is u, 1 and 2 are the parameters.
+/// encloses it for every choice of the arguments from their balls, as interval Newton and the mean
+/// value form need them (moore-kearfott-cloud2009). Variable 0 is u, 1 and 2 are the parameters.
 struct Jet {
     static constexpr std::size_t variables = 3;
     Ball v;
@@ -54,19 +54,19 @@ struct Jet {
 [[nodiscard]] Jet cos(const Jet& x);
 [[nodiscard]] Jet atan(const Jet& x);
 
-/// What templates over Ball and Jet need of both.
+/// Gives templates over Ball and Jet one name for the value.
 [[nodiscard]] inline const Ball& value_in(const Ball& x) { return x; }
 [[nodiscard]] inline const Ball& value_in(const Jet& x) { return x.v; }
 template <class T> [[nodiscard]] T lifted(const Ball& x) { return T(x); }
-/// Not finite: nothing is known.
+/// Returns a ball that is not finite, for a value that cannot be enclosed.
 [[nodiscard]] inline Ball unknown_ball(long bits) {
     Ball x(0, bits);
     arb_indeterminate(x.data());
     return x;
 }
 
-/// Jets as a field of the formulas of contact/law. Of a number that is not certainly positive the
-/// root has no finite derivatives.
+/// Jets as a field of the formulas of contact/law. The root of a number that is not certainly
+/// positive has no finite derivatives.
 template <> struct Field<Jet> {
     static Jet number(int k, const Jet& like) { return Jet(Field<Ball>::number(k, like.v)); }
     static Jet pi(const Jet& like) { return Jet(Ball::pi(like.v.bits())); }

@@ -110,7 +110,8 @@ Ball centre(const Ball& x) { return {x.midpoint(), x.bits()}; }
 
 using BallFunction = std::function<Ball(const Ball&)>;
 
-/// Newton's method from a start that may be good; nothing where it does not converge at once.
+/// Applies Newton's method to a start that may be good. Returns nothing if it does not converge at
+/// once.
 std::optional<Ball> zero_near(const BallFunction& f, const BallFunction& rate, Ball x) {
     const Ball small(Rational(1, Integer(1) << 40), x.bits());
     for (int k = 0; k < most_direct_steps; ++k) {
@@ -129,8 +130,8 @@ std::optional<Ball> zero_near(const BallFunction& f, const BallFunction& rate, B
     return {};
 }
 
-/// About where f, which falls on the positive axis, is zero: by doubling, halving and then Newton's
-/// method on midpoints. Proves nothing.
+/// Estimates the zero of f, which decreases on the positive axis, by doubling, halving and then
+/// Newton's method on midpoints. Nothing is proved.
 std::optional<Ball> approximate_zero(const BallFunction& f, const BallFunction& rate, Ball x) {
     if (auto near = zero_near(f, rate, x)) {
         return near;
@@ -139,7 +140,7 @@ std::optional<Ball> approximate_zero(const BallFunction& f, const BallFunction& 
     std::optional<Ball> hi;
     for (int k = 0; k < most_bracket_steps && !(lo && hi); ++k) {
         const Ball value = f(x);
-        if (!value.is_finite()) { // on a knot: step aside
+        if (!value.is_finite()) { // on a knot: the next place is tried
             x = centre(x * Ball(Rational(1021, 1000), x.bits()));
             continue;
         }
@@ -168,7 +169,7 @@ std::optional<Ball> approximate_zero(const BallFunction& f, const BallFunction& 
             next = centre((*lo + *hi) / 2);
         }
         const Ball near = abs(x) * Ball(Rational(1, Integer(1) << 40), x.bits());
-        const bool done = certainly_less(abs(next - x), near); // the enclosure goes on from there
+        const bool done = certainly_less(abs(next - x), near); // the enclosure starts from there
         x = next;
         if (done) {
             break;
@@ -177,7 +178,8 @@ std::optional<Ball> approximate_zero(const BallFunction& f, const BallFunction& 
     return x;
 }
 
-/// An enclosure of the one zero in x, as narrow as the box and the bits allow.
+/// Encloses the only zero in x, as narrowly as the box and the bits allow, by interval Newton
+/// (moore-kearfott-cloud2009).
 Ball narrowed_zero(const BallFunction& f, const BallFunction& rate, Ball x) {
     for (int k = 0; k < most_narrowings; ++k) {
         const Ball m = centre(x);
@@ -193,7 +195,7 @@ Ball narrowed_zero(const BallFunction& f, const BallFunction& rate, Ball x) {
     return x;
 }
 
-/// The zero of f over a box, from about where it is in the middle of the box.
+/// Encloses the zero of f over a box, from an estimate of the zero in the middle of the box.
 std::optional<Ball> enclosed_zero(const BallFunction& f, const BallFunction& rate,
                                   const Ball& about) {
     const Ball value = f(about);
@@ -222,14 +224,14 @@ std::optional<Ball> enclosed_zero(const BallFunction& f, const BallFunction& rat
     return {};
 }
 
-/// About where the left edge to a right one is.
+/// Estimates the left edge for a given right edge.
 std::optional<Ball> approximate_left_edge(const LinearContact<Ball>& middle, const Ball& right,
                                           const Ball& start) {
     return approximate_zero([&](const Ball& b) { return middle.imbalance(right, b); },
                             [&](const Ball& b) { return middle.imbalance_rate(right, b); }, start);
 }
 
-/// The left edge to a right one that may itself be a ball.
+/// Encloses the left edge for a right edge that may itself be a ball.
 std::optional<Ball> left_edge(const LinearContact<Ball>& contact, const LinearContact<Ball>& middle,
                               const Ball& a, const Ball& start) {
     const auto about = approximate_left_edge(middle, centre(a), start);
@@ -247,7 +249,7 @@ std::optional<LinearEdges<Ball>> solve_edges(const LinearContact<Ball>& contact,
                                              const std::optional<Ball>& a,
                                              const std::optional<Ball>& P,
                                              const LinearEdges<Ball>* start) {
-    std::optional<Ball> last; // of the left edges, as a start for the next
+    std::optional<Ball> last; // the last left edge, the start for the next one
     if (start != nullptr) {
         last = start->b;
     }
@@ -294,8 +296,8 @@ std::optional<LinearEdges<Ball>> solve_edges(const LinearContact<Ball>& contact,
 LinearEdges<Jet> differentiated_edges(const LinearContact<Jet>& contact,
                                       const LinearEdges<Ball>& edges, bool symmetric,
                                       const std::optional<Jet>& a, const std::optional<Jet>& P) {
-    // The first derivatives follow from the residual where the unknown is held, the second from
-    // that where it moves with its first derivatives.
+    // Implicit function theorem: the first derivatives follow from the residual at a constant
+    // unknown, the second ones from the residual at an unknown with these first derivatives.
     const auto implicit = [](Jet x, const auto& residual, const Ball& rate) {
         const Jet first = residual(x);
         for (std::size_t i = 0; i < x.g.size(); ++i) {

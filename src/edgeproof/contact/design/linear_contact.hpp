@@ -47,14 +47,14 @@ template <class T> struct LinearEdges {
     T b;
 };
 
-/// Enclosed by interval Newton, which shows that for each parameter of the box an edge lies in the
-/// ball and is the only one there. Nothing where the box is too wide, or an edge may lie on a knot.
-/// `start`: edges under a greater load, from which Newton's method is begun.
+/// Encloses the edges by interval Newton, which proves that for each parameter of the box an edge
+/// lies in the ball and is the only one there. Returns nothing if the box is too wide, or if an
+/// edge may lie on a knot. `start`: edges under a greater load, from which Newton's method starts.
 [[nodiscard]] std::optional<LinearEdges<Ball>>
 solve_edges(const LinearContact<Ball>& contact, const LinearContact<Ball>& middle, bool symmetric,
             const std::optional<Ball>& a, const std::optional<Ball>& P,
             const LinearEdges<Ball>* start = nullptr);
-/// With the derivatives that the implicit function theorem gives, about edges that are enclosed.
+/// Adds the derivatives, by the implicit function theorem, to edges that are enclosed.
 [[nodiscard]] LinearEdges<Jet> differentiated_edges(const LinearContact<Jet>& contact,
                                                     const LinearEdges<Ball>& edges, bool symmetric,
                                                     const std::optional<Jet>& a,

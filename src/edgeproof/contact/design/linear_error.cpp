@@ -4,6 +4,7 @@
 namespace edgeproof::contact {
 namespace {
 
+/// The error for one box, by the closed form of linear_error.hpp (docs/pressure.md).
 class LinearOverBox : public ErrorOverBox {
 public:
     LinearOverBox(LinearContact<Jet> contact, std::optional<Jet> a, std::optional<Jet> P,
@@ -29,7 +30,7 @@ private:
     std::optional<Jet> P_;
     LinearEdges<Ball> edges_;
     LinearError<Ball> balls_;
-    mutable std::optional<LinearError<Jet>> jets_; ///< made when it is first asked for
+    mutable std::optional<LinearError<Jet>> jets_; ///< made on first use
     bool symmetric_;
     const ErrorQuestion& question_;
 };

@@ -7,7 +7,7 @@
 
 namespace edgeproof::contact {
 
-/// artanh(sqrt(x))/sqrt(x), whose power series has positive terms: it grows. 0 <= x < 1.
+/// artanh(sqrt(x))/sqrt(x), 0 <= x < 1. It increases, since its power series has positive terms.
 inline Ball arc_over_root(const Ball& x) {
     const auto at = [&](const Real& end) {
         const Ball e(end, x.bits());
@@ -27,13 +27,13 @@ template <class T> struct LinearError {
     struct Knot {
         T distance; ///< u_v
         T jump;
-        T drop; ///< of g'' across it, times the sign of v - x beyond it
+        T drop; ///< the decrease of g'' across the knot, times the sign of v - x beyond it
         bool corner;
     };
     T length;
     T arc;
     std::vector<Knot> knots;
-    std::vector<T> inverse_powers; ///< of the length
+    std::vector<T> inverse_powers; ///< powers of 1/length
     std::vector<T> coefficients;   ///< c_k times 2 pi/E*
     bool fraction = true;
     long bits = 64;
@@ -62,7 +62,7 @@ template <class T> struct LinearError {
         }
     }
 
-    /// Of w^i in (1 - w)^(-s), s = j + half.
+    /// The coefficient of w^i in (1 - w)^(-s), s = j + half.
     [[nodiscard]] static Rational rising(const Rational& s, std::size_t i) {
         Rational q(1);
         for (std::size_t k = 0; k < i; ++k) {
@@ -71,8 +71,8 @@ template <class T> struct LinearError {
         return q;
     }
     [[nodiscard]] T number(const Rational& q) const { return T(Ball(q, bits)); }
-    /// Of u^k in G/sqrt(u): 2 sqrt(kappa) times the sum of kappa^j (1 - u/D)^(-j-1/2) u^j/(2j + 1),
-    /// kappa = (D - u_v)/(D u_v).
+    /// The coefficient of u^k in G/sqrt(u), which is 2 sqrt(kappa) times the sum of kappa^j (1 -
+    /// u/D)^(-j-1/2) u^j/(2j + 1), kappa = (D - u_v)/(D u_v).
     [[nodiscard]] T green_coefficient(const Knot& knot, std::size_t k) const {
         const T kappa = kappa_of(knot);
         T sum = number(Rational(0));
@@ -87,7 +87,8 @@ template <class T> struct LinearError {
     [[nodiscard]] T kappa_of(const Knot& knot) const {
         return (length - knot.distance) / (length * knot.distance);
     }
-    /// Of what is not negative, though its ball may reach below zero: a knot by an edge.
+    /// The root of a number that is not negative although its ball may contain negative numbers,
+    /// as for a knot near an edge.
     [[nodiscard]] static T root(const T& x) {
         if constexpr (std::is_same_v<T, Ball>) {
             return Field<Ball>::root(x);
@@ -99,7 +100,7 @@ template <class T> struct LinearError {
         // sqrt(D - u) = sqrt(D) (1 - u/D)^(1/2)
         T sum = arc * sqrt(length) * number(rising(Rational(-1, 2), k)) * inverse_powers[k];
         for (const Knot& knot : knots) {
-            if (k == 0) { // u_v sqrt(kappa), which a knot by the edge leaves small
+            if (k == 0) { // u_v sqrt(kappa), which is small for a knot near the edge
                 sum -= knot.drop * root(knot.distance * (length - knot.distance) / length) * 2;
                 if (knot.corner) {
                     sum += knot.jump * root(kappa_of(knot)) * 2;
@@ -147,7 +148,7 @@ private:
         const T s = root(z);
         return weight * log1p(s * 2 / (1 - s)) / sqrt(u);
     }
-    /// By |t ln(C/t)|, which grows with t up to C/e (ball_marks.cpp).
+    /// Bounds the term by |t ln(C/t)|, which increases with t up to C/e (ball_marks.cpp).
     [[nodiscard]] Ball across(const Knot& knot, const Ball& u, const Ball& offset) const {
         const Ball sum = Field<Ball>::root(knot.distance * (length - u)) +
                          Field<Ball>::root(u * (length - knot.distance));
@@ -161,7 +162,7 @@ private:
     }
 };
 
-/// Nothing is known.
+/// A box in which no value can be enclosed.
 class UnknownOverBox : public ErrorOverBox {
 public:
     explicit UnknownOverBox(long bits) : bits_(bits) {}

@@ -4,12 +4,12 @@
 
 namespace edgeproof::contact {
 
-/// With z = u/(2a), p is proportional to sqrt(z (1 - z)) F (edge_function.hpp).
+/// With z = u/(2a), p is proportional to sqrt(z (1 - z)) F (edge_function.hpp; docs/pressure.md).
 template <class T> struct PowerLawError {
     T b; ///< (1 - m)/2
     T length;
     bool fraction;
-    std::vector<T> coefficients; ///< c_k D^(k+1/2), c_0 being 1
+    std::vector<T> coefficients; ///< c_k D^(k+1/2)/(c_0 D^(1/2))
 
     PowerLawError(T b_, T length_, const ErrorQuestion& question)
         : b(std::move(b_)), length(std::move(length_)),
@@ -20,7 +20,7 @@ template <class T> struct PowerLawError {
         T t = T(Ball(1, bits));
         for (std::size_t j = 0; j < question.terms; ++j) {
             const auto n = static_cast<long>(j);
-            Rational binomial(1); // of (-z)^i
+            Rational binomial(1); // the coefficient of (-z)^i
             for (std::size_t i = 0; i + j < question.terms; ++i) {
                 const auto k = static_cast<long>(i);
                 coefficients[i + j] += t * T(Ball(binomial, bits));

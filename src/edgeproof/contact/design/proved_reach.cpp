@@ -49,7 +49,7 @@ private:
     EvaluationCount& count_;
 };
 
-/// The scan of one edge.
+/// The scan of one edge (docs/extents.md).
 class ReachScan {
 public:
     ReachScan(const ErrorOverBox& f, const Rational& tolerance, const Rational& part, long bits)
@@ -76,7 +76,7 @@ private:
     [[nodiscard]] bool beyond(const Ball& x) const {
         return x.is_finite() && certainly_less(tolerance_, abs(x));
     }
-    /// Within the tolerance from the edge up to here.
+    /// Returns a distance up to which the error is within the tolerance, from the edge on.
     [[nodiscard]] Rational from_edge() const {
         Rational hi = end_ / 8;
         for (int k = 0; k < most_halvings_at_edge; ++k) {
@@ -87,7 +87,7 @@ private:
         }
         throw BudgetError("the error by the edge is not enclosed");
     }
-    /// The first exit in lo ... hi, f being within the tolerance at lo.
+    /// Returns the first exit in lo ... hi; f is within the tolerance at lo.
     [[nodiscard]] std::optional<ProvedReach> look(const Rational& lo, const Rational& hi) {
         check_interruption();
         if (++intervals_ > most_intervals) {
@@ -125,7 +125,8 @@ private:
         }
         return look(m, hi);
     }
-    /// f is monotone in lo ... hi, within the tolerance at lo and beyond it at hi.
+    /// Encloses the exit in lo ... hi, where f is monotone, within the tolerance at lo and beyond
+    /// it at hi.
     [[nodiscard]] ProvedReach crossing(const Rational& lo, const Rational& hi, int side) const {
         Ball x = Ball::hull(Ball(lo, bits_), Ball(hi, bits_));
         const Ball level = side > 0 ? tolerance_ : -tolerance_;

@@ -13,38 +13,38 @@ struct EvaluationCount {
     double most = 0;
 };
 
-/// |f| against a tolerance, up to a part of the contact, at one edge or at two (where the lesser
-/// reach counts).
+/// The comparison of |f| with a tolerance, up to a part of the contact, at one edge or at both
+/// (then the smaller reach counts).
 struct ReachProblem {
     std::vector<const ErrorFamily*> edges; ///< not owned
     Rational tolerance;
-    Rational part = 1;                ///< of a + b, that is looked at
+    Rational part = 1;                ///< the part of a + b that is considered
     std::size_t parameters = 1;       ///< one or two
     EvaluationCount* count = nullptr; ///< not owned; nothing is counted without it
     [[nodiscard]] std::vector<std::unique_ptr<ErrorOverBox>>
     over(const std::vector<Ball>& box) const;
 };
 
-/// The first exit for parameters that are exact: proved (the scan of docs/extents.md, with second
+/// The first exit for exact parameters, proved (the scan of docs/extents.md, with second
 /// derivatives).
 struct ProvedReach {
     Ball reach;
-    bool leaves = true;   ///< false: within the tolerance all over; the reach is the range's end
-    std::size_t edge = 0; ///< at which of the edges
+    bool leaves = true;   ///< false: always within the tolerance; the reach is the end of the range
+    std::size_t edge = 0; ///< the index of the edge
     int side = 0;         ///< +1: f = tolerance there, -1: f = -tolerance
 };
-/// Throws BudgetError where the bits do not decide: the error touches the tolerance.
+/// Throws BudgetError if the bits do not decide, because the error touches the tolerance.
 [[nodiscard]] ProvedReach proved_reach(const ReachProblem& problem,
                                        const std::vector<Rational>& parameters, long bits);
 
-/// For numbers known by balls, every one of them.
+/// The same for all parameters in balls.
 [[nodiscard]] ProvedReach proved_reach(const ReachProblem& problem,
                                        const std::vector<Ball>& parameters);
 
-/// About the same by samples: proves nothing. NaN where nothing is known.
+/// An estimate of the same by samples. NaN if no sample has a value.
 struct SampledReach {
     double reach = 0;
-    double measure = 0; ///< of all places within the tolerance
+    double measure = 0; ///< the total length of the places within the tolerance
     bool leaves = true;
     std::size_t edge = 0;
     int side = 0;
@@ -57,7 +57,7 @@ struct SampledReach {
     };
     std::vector<Extremum> extrema;
 };
-/// `whole`: the measure as well, for which all of the contact is looked at.
+/// `whole`: also compute the measure, for which the whole contact is sampled.
 [[nodiscard]] SampledReach sampled_reach(const ReachProblem& problem,
                                          const std::vector<double>& parameters, bool whole = false);
 

@@ -16,10 +16,11 @@ namespace {
 
 constexpr long sample_bits = 96;
 constexpr int sample_points = 160;
-constexpr int costly_sample_points = 48;        ///< where an evaluation takes long
+constexpr int costly_sample_points = 48;        ///< if an evaluation takes long
 constexpr double width_of_a_crossing = 0x1p-48; // relative
-constexpr int bits_of_an_extremum = 27;         // values are flat there: half of those of a double
-/// An extremum of |f| by less than this share of the tolerance is looked at more closely.
+constexpr int bits_of_an_extremum =
+    27; // half of those of a double, since the function is flat there
+/// An extremum of |f| that is nearer to the tolerance than this share of it is refined.
 constexpr double near_the_tolerance = 0.25;
 
 double as_double(const Ball& x) {
@@ -49,13 +50,13 @@ public:
             const double s = static_cast<double>(k + 1) / points_;
             u.push_back(end_ * (k + 1 == points_ ? 1 - 1e-9 : s * s * s));
         }
-        if (middle_ < u.back()) { // where a power law's error may have a cusp
+        if (middle_ < u.back()) { // a power law's error may have a cusp there
             u.insert(std::lower_bound(u.begin(), u.end(), middle_), middle_);
         }
         std::vector<double> e;
         bool passed = false;
         for (const double x : u) {
-            // Far beyond the exit nothing is asked but the measure.
+            // Far beyond the exit only the measure matters.
             e.push_back(passed ? tolerance_ : excess(x));
             passed = !whole_ && (passed || e.back() > near_the_tolerance * tolerance_);
         }
@@ -72,7 +73,7 @@ public:
                 top = e[k] > excess(top) ? u[k] : top;
                 const double most = excess(top);
                 result.extrema.push_back({edge, top, most, error(top) > 0 ? 1 : -1});
-                if (most >= 0) { // passed between two samples
+                if (most >= 0) { // the tolerance is exceeded between two samples
                     leaves = true;
                     exit = crossing(before, at_before, top, most);
                 }
@@ -90,7 +91,7 @@ public:
             } else if (is) {
                 measure += u[k] - before;
             }
-            // Of an exit at a place beyond the tolerance, too: the extremum that pokes out.
+            // An exit may also be an extremum that exceeds the tolerance between its neighbours.
             if (k > 0 && k + 1 < u.size() && e[k] >= 0 && e[k] >= e[k - 1] && e[k] >= e[k + 1] &&
                 e[k] < near_the_tolerance * tolerance_) {
                 top = highest(u[k - 1], u[k + 1]);
@@ -108,7 +109,8 @@ public:
     }
 
 private:
-    /// Within at `in`, beyond at `out`.
+    /// Returns the crossing between `in`, within the tolerance, and `out`, beyond it, by the
+    /// method of docs/extents.md.
     [[nodiscard]] double crossing(double in, double at_in, double out, double at_out) const {
         return roots::bracketed_root([this](double u) { return excess(u); }, in, at_in, out, at_out,
                                      width_of_a_crossing)
@@ -160,7 +162,7 @@ SampledReach sampled_reach(const ReachProblem& problem, const std::vector<double
 
 namespace {
 
-/// A grid over a box, ends included: the best of it, and the cells around it.
+/// A grid over a box with its ends: the best value and the cells around it.
 struct GridSearch {
     std::vector<double> lo;
     std::vector<double> hi;
@@ -220,7 +222,7 @@ SampledBest sampled_best(const std::function<double(const std::vector<double>&)>
         for (int k = 0; k < samples.rounds && !best.value.empty(); ++k) {
             grid.refine(score, samples.later, best);
         }
-    } catch (const BudgetError&) { // the best of those tried
+    } catch (const BudgetError&) { // the best of the values tried is returned
     }
     return best;
 }

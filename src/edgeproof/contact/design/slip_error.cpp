@@ -6,7 +6,7 @@ namespace edgeproof::contact {
 namespace {
 
 template <class T> struct SlipTerms {
-    std::vector<T> kappa; ///< of tau, tau^2, ...
+    std::vector<T> kappa; ///< coefficients of tau, tau^2, ... (docs/partial-slip.md)
 
     [[nodiscard]] T over_tau(const T& tau) const {
         T sum = kappa.back();
@@ -20,12 +20,12 @@ template <class T> struct SlipTerms {
     }
 };
 
-/// What all slip zones have in common: d grows with tau.
+/// The common part of all slip zones: d increases with tau.
 class SlipErrorOverBox : public ErrorOverBox {
 public:
     explicit SlipErrorOverBox(long bits) : bits_(bits) {}
     [[nodiscard]] Ball at(const Ball& tau) const override {
-        if (!certainly_positive(tau)) { // d/tau is a mean of the rate
+        if (!certainly_positive(tau)) { // d/tau is a mean of the derivative
             return terms().over_tau(tau) / rate(tau) - 1;
         }
         return terms().error(tau, size(tau));
@@ -40,13 +40,13 @@ protected:
     [[nodiscard]] virtual const SlipTerms<Ball>& terms() const = 0;
     [[nodiscard]] virtual const SlipTerms<Jet>& jet_terms() const = 0;
     [[nodiscard]] virtual Ball size(const Ball& tau) const = 0;
-    /// Of d by tau, from 0 to the upper end of the ball.
+    /// Encloses the derivative of d by tau, from 0 to the upper end of the ball.
     [[nodiscard]] virtual Ball rate(const Ball& tau) const = 0;
     [[nodiscard]] virtual Jet size_jet(const Jet& tau) const = 0;
     [[nodiscard]] long bits() const { return bits_; }
     [[nodiscard]] Ball low_end(const Ball& tau) const { return {tau.lower(), bits_}; }
     [[nodiscard]] Ball high_end(const Ball& tau) const { return {tau.upper(), bits_}; }
-    /// The ball reaches full sliding.
+    /// True if the ball contains full sliding.
     [[nodiscard]] bool to_sliding(const Ball& tau) const {
         return !certainly_less(high_end(tau), Ball(1, bits_));
     }
@@ -55,7 +55,7 @@ private:
     long bits_;
 };
 
-/// d/a = 1 - (1 - tau)^w, w = 1/(m + 1), since P goes like a^(m + 1).
+/// d/a = 1 - (1 - tau)^w, w = 1/(m + 1), since P is proportional to a^(m + 1).
 template <class T> SlipTerms<T> power_law_terms(const T& w, std::size_t count) {
     SlipTerms<T> s;
     s.kappa.push_back(w);
@@ -117,7 +117,7 @@ private:
     ErrorQuestion question_;
 };
 
-/// A contact, its edges and its load; and, with the tilt that the tension adds, its stick zones.
+/// A contact with its edges and its load, and its stick zones with the tilt that the tension adds.
 template <class T> struct SlippingContact {
     LinearContact<T> contact;
     LinearEdges<T> edges;
@@ -177,7 +177,7 @@ protected:
         const LinearEdges<Ball> stick = zones(tau);
         const bool right = question_.edge == Edge::right;
         const Ball whole = right ? balls_.edges.a : balls_.edges.b;
-        if (to_sliding(tau)) { // from there on to what is left of the contact
+        if (to_sliding(tau)) { // the zone shrinks to the rest of the contact
             const LinearEdges<Ball> first = zone(low_end(tau));
             const Ball most =
                 balls_.length() - (right ? balls_.edges.b - first.b : balls_.edges.a - first.a);
@@ -208,13 +208,14 @@ protected:
     }
 
 private:
-    /// Of one load ratio.
+    /// Encloses the stick zone of one load ratio.
     [[nodiscard]] LinearEdges<Ball> zone(const Ball& tau) const {
         const auto found = solve_edges(balls_.corrective(tau), middle_.corrective(tau), symmetric_,
                                        {}, balls_.load(tau), &middle_.edges);
         return found ? *found : LinearEdges<Ball>{unknown_ball(bits()), unknown_ball(bits())};
     }
-    /// Of all load ratios of the ball: both edges move inwards as it grows.
+    /// Encloses the stick zones of all load ratios of the ball: both edges move inwards as it
+    /// grows.
     [[nodiscard]] LinearEdges<Ball> zones(const Ball& tau) const {
         if (to_sliding(tau)) {
             return {unknown_ball(bits()), unknown_ball(bits())};
@@ -230,10 +231,10 @@ private:
     SlippingContact<Ball> balls_;
     SlippingContact<Ball> middle_;
     SlippingContact<Jet> jets_;
-    bool symmetric_; ///< the stick zones, too
+    bool symmetric_; ///< the stick zones are symmetric, too
     const ErrorQuestion& question_;
     SlipTerms<Ball> terms_;
-    mutable std::optional<SlipTerms<Jet>> jet_terms_; ///< made when it is first asked for
+    mutable std::optional<SlipTerms<Jet>> jet_terms_; ///< made on first use
 };
 
 class LinearSlipFamily : public ErrorFamily {
@@ -269,7 +270,7 @@ public:
             jets.force = jets.contact.force(jets.edges.a, jets.edges.b);
         }
         if (tension_) {
-            // Both edges slip with Q from the first load on.
+            // Both edges slip in the direction of Q from the beginning of loading.
             const Ball turn = Ball::pi(bits) * *balls.tension * balls.length() / 8;
             if (!certainly_less(abs(turn), Ball(1, bits))) {
                 return std::make_unique<UnknownOverBox>(bits);
@@ -292,7 +293,7 @@ private:
                                          const std::vector<Ball>& at) const {
         return e ? std::optional<T>(ParameterValues<T>(question_.names, at)(*e)) : std::nullopt;
     }
-    /// With its load, where that is given, and without its edges.
+    /// Makes the contact with its load, if that is given, and without its edges.
     template <class T>
     [[nodiscard]] SlippingContact<T> contact_of(const std::vector<Ball>& at) const {
         const ParameterValues<T> value(question_.names, at);

@@ -3,7 +3,7 @@
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/exact_edges.hpp"
 #include "edgeproof/contact/enclosure/power_law_integral.hpp"
-#include "edgeproof/contact/enclosure/proved_pressure.hpp"
+#include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/contact/law/kernels.hpp"
 #include "edgeproof/contact/law/linear_measure.hpp"
 #include "edgeproof/contact/law/load.hpp"
@@ -26,7 +26,7 @@ namespace edgeproof::contact {
 /// The edges are enclosed by the interval form of Newton's method (`moore-kearfott-cloud2009`),
 /// which proves that there is exactly one edge in the ball. Radii grow with the condition of the
 /// problem; callers increase the bits (escalate.hpp) until the radii are small enough.
-class BallContact : public ProvedPressure {
+class BallContact : public ProvedContact {
 public:
     /// Throws DomainError for a profile without a closed form, and BudgetError if `bits` are too
     /// few to isolate the edges.
@@ -51,15 +51,13 @@ public:
     [[nodiscard]] const Ball& b() const override { return b_; }
     /// The distance of an edge from the origin, if it is given, or proved by exact algebra
     /// (exact_edges.hpp).
-    [[nodiscard]] const std::optional<formula::Exact>& known(Edge edge) const {
+    [[nodiscard]] std::optional<formula::Exact> known(Edge edge) const override {
         return edge == Edge::right || profile_.symmetric() ? known_a_ : known_b_;
     }
-    /// True if an edge that is not known exactly may lie on a knot at this number of bits.
-    [[nodiscard]] bool edge_may_be_on_knot() const;
-    /// The normal force P per unit length.
-    [[nodiscard]] Ball force() const;
-    /// The moment of p about the origin (moore-hills EQ22).
-    [[nodiscard]] Ball moment() const;
+    [[nodiscard]] bool edge_may_be_on_knot() const override;
+    [[nodiscard]] Ball force() const override;
+    [[nodiscard]] Ball moment() const override;
+    [[nodiscard]] const BallContact* closed_form() const override { return this; }
     [[nodiscard]] Ball force_rate() const; ///< dP/da
     /// P(a), P'(a), P''(a), ... (`count` values) along the family of contacts of this profile; not
     /// finite if an edge may lie on a knot.
@@ -71,7 +69,7 @@ public:
     /// p at the distance u from an edge. Not finite if the ball of x contains a corner.
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
     /// If the edge is known exactly as well, the distances from the knots are exact.
-    [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const;
+    [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const override;
     /// A ball whose lower end is a lower bound of the pressure over u; finite also if the ball of x
     /// contains a corner.
     [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const override;

@@ -47,7 +47,7 @@ public:
 
 private:
     [[nodiscard]] RelativeError error(long bits) {
-        const ProvedPressure& contact = contact_(bits);
+        const ProvedContact& contact = contact_(bits);
         most_doublings_ = contact.cost() > 1 ? 2 : 5;
         return {contact, edge_, n_, tolerance_};
     }

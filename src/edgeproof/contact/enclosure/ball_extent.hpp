@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/enclosure/proved_pressure.hpp"
+#include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/contact/law/load.hpp"
 
 #include <functional>
@@ -33,7 +33,7 @@ struct EnclosedExtents {
 class BallExtentSearch {
 public:
     /// Returns a contact at a number of bits; throws BudgetError if they are too few.
-    using Contact = std::function<const ProvedPressure&(long bits)>;
+    using Contact = std::function<const ProvedContact&(long bits)>;
 
     /// Throws InputError as within_tolerance does. `contact` must outlive the object.
     BallExtentSearch(Contact contact, Edge edge, std::size_t n, const formula::Exact& tolerance,
@@ -47,7 +47,7 @@ public:
     /// end of the range.
     [[nodiscard]] EnclosedExtents at(long bits);
     /// The number of evaluations of f over intervals and at points so far, each times its cost
-    /// (proved_pressure.hpp).
+    /// (proved_contact.hpp).
     [[nodiscard]] std::size_t evaluations() const;
 
     static constexpr std::size_t most_evaluations = 60'000;

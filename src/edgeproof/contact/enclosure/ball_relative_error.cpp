@@ -30,7 +30,7 @@ Rational middle(const Rational& lo, const Rational& hi) {
     return near > lo && near < hi ? near : Rational((lo + hi) / 2);
 }
 
-RelativeError::RelativeError(const ProvedPressure& contact, Edge edge, std::size_t n,
+RelativeError::RelativeError(const ProvedContact& contact, Edge edge, std::size_t n,
                              const formula::Exact& tolerance)
     : contact_(contact), edge_(edge), c_(contact.expansion(edge, n)), bits_(contact.bits()),
       tolerance_(enclosed_constant(tolerance, bits_)) {
@@ -172,7 +172,7 @@ struct PeakPiece {
 
 class PeakSearch {
 public:
-    PeakSearch(const ProvedPressure& contact, bool symmetric)
+    PeakSearch(const ProvedContact& contact, bool symmetric)
         : contact_(contact), symmetric_(symmetric), bits_(contact.bits()) {
         const Ball length = contact.a() + contact.b();
         // The second half of a symmetric contact is the mirror image of the first.
@@ -302,7 +302,7 @@ private:
         return contact_.pressure_series(Edge::right, u, 3)[2] * 2;
     }
 
-    const ProvedPressure& contact_;
+    const ProvedContact& contact_;
     bool symmetric_;
     long bits_;
     Rational end_;
@@ -312,7 +312,7 @@ private:
 
 } // namespace
 
-Ball enclosed_peak(const ProvedPressure& contact, bool symmetric) {
+Ball enclosed_peak(const ProvedContact& contact, bool symmetric) {
     return PeakSearch(contact, symmetric).found();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/enclosure/proved_pressure.hpp"
+#include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
 
 #include <cstddef>
@@ -22,7 +22,7 @@ enum class Side { below, within, above, unknown };
 class RelativeError {
 public:
     /// Throws BudgetError if the contact does not enclose the expansion.
-    RelativeError(const ProvedPressure& contact, Edge edge, std::size_t n,
+    RelativeError(const ProvedContact& contact, Edge edge, std::size_t n,
                   const formula::Exact& tolerance);
 
     [[nodiscard]] long bits() const { return bits_; }
@@ -54,7 +54,7 @@ private:
     /// zero (the far edge).
     [[nodiscard]] Side side_of_whole(const Ball& u) const;
 
-    const ProvedPressure& contact_;
+    const ProvedContact& contact_;
     Edge edge_;
     std::vector<Ball> c_;
     long bits_;
@@ -72,6 +72,6 @@ private:
 ///
 /// `symmetric`: p is even about the middle of the contact. The pressure must have no corner inside.
 /// Throws BudgetError if the pressure is not bounded over some interval.
-[[nodiscard]] Ball enclosed_peak(const ProvedPressure& contact, bool symmetric);
+[[nodiscard]] Ball enclosed_peak(const ProvedContact& contact, bool symmetric);
 
 } // namespace edgeproof::contact

@@ -33,6 +33,7 @@ int sign_or_zero(const formula::Expr& e) {
 
 } // namespace
 
+/// The conditions on g' are those of docs/mechanics.md.
 std::vector<bool> checked_corners(const Profile& profile) {
     const PrecisionScope scope(check_digits);
     const auto& knots = profile.knots();

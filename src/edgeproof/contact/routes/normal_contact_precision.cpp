@@ -6,7 +6,8 @@
 #include <cmath>
 #include <utility>
 
-/// The working precision at which a contact is solved, and that of a point.
+/// The working precision at which a contact is solved, and that of a point: the digits requested,
+/// and those that the formulas of docs/pressure.md lose if edges, knots and points lie close.
 namespace edgeproof::contact {
 namespace {
 

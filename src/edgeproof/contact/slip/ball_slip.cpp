@@ -17,7 +17,7 @@ constexpr int most_limit_steps = 400;
 
 } // namespace
 
-BallSlip::BallSlip(const ProvedPressure& contact, const ZoneSolver& zones, const Ball& force,
+BallSlip::BallSlip(const ProvedContact& contact, const ZoneSolver& zones, const Ball& force,
                    const ShearLoad<Ball>& load, const Ball& friction,
                    const std::optional<BallZone>& stick)
     : contact_(contact), zones_(zones), whole_{contact.a(), contact.b()}, force_(force),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/contact/enclosure/proved_pressure.hpp"
+#include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/law/slip_series.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
@@ -32,7 +32,7 @@ public:
     /// @param load Q (force/length), not zero, and sigma_0 (stress)
     /// @param friction coefficient of friction
     /// @param stick the stick zone (length), if it is already enclosed
-    BallSlip(const ProvedPressure& contact, const ZoneSolver& zones, const Ball& force,
+    BallSlip(const ProvedContact& contact, const ZoneSolver& zones, const Ball& force,
              const ShearLoad<Ball>& load, const Ball& friction,
              const std::optional<BallZone>& stick = {});
 
@@ -74,7 +74,7 @@ private:
     /// Returns the tilt (slope) for the load ratio `tau`.
     [[nodiscard]] Ball tilt_at(const Ball& tau) const;
 
-    const ProvedPressure& contact_;
+    const ProvedContact& contact_;
     const ZoneSolver& zones_;
     BallZone whole_;
     Ball force_;

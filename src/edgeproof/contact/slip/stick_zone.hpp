@@ -64,7 +64,7 @@ public:
     [[nodiscard]] BallZone search(const Ball& force, const Ball& tilt, const BallZone& near) const;
     /// The minimum of g', which every stick zone without a tilt contains.
     [[nodiscard]] virtual BallZone core() const { return {Ball(0, bits()), Ball(0, bits())}; }
-    /// See ProvedPressure::cost.
+    /// See ProvedContact::cost.
     [[nodiscard]] virtual std::size_t cost() const { return 1; }
 };
 

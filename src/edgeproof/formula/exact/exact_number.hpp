@@ -38,7 +38,7 @@ public:
     /// Returns -1, 0 or 1; nothing if the number is unknown, or if terms cancel to thousands of
     /// bits.
     [[nodiscard]] std::optional<int> sign() const;
-    /// Not finite if the number is unknown.
+    /// Returns a ball that is not finite if the number is unknown.
     [[nodiscard]] Ball enclosure(long bits) const;
 
     ExactNumber& operator+=(const ExactNumber& o);

@@ -102,17 +102,16 @@ private:
     void find_exits(OfEdge& of, std::vector<std::string>& exits) {
         for (const std::size_t n : scene_.ask.terms) {
             check_interruption();
-            const scene::ExtentValues& e = values_.extent({.quantity = scene::Quantity::extent,
-                                                           .k = n,
-                                                           .edge = of.edge,
-                                                           .tolerance = scene_.ask.tolerance});
+            const scene::Row& e = values_.searched({.quantity = scene::Quantity::extent,
+                                                    .k = n,
+                                                    .edge = of.edge,
+                                                    .tolerance = scene_.ask.tolerance});
             const std::string head = scene::edge_name(of.edge) + " edge, " + in_terms(n) +
                                      ": within " + scene_.ask.tolerance->text() + " ";
-            of.exits.push_back(e.leaves ? std::optional(e.first_exit.value.midpoint())
-                                        : std::nullopt);
-            exits.push_back(e.leaves ? head + "up to u = " + printed(e.first_exit, {6}).text +
-                                           (e.first_exit.proved ? "" : " (estimate)")
-                                     : head + "everywhere in the part considered");
+            of.exits.push_back(e.reached ? std::optional(e.value->value.midpoint()) : std::nullopt);
+            exits.push_back(e.reached ? head + "up to u = " + printed(*e.value, {6}).text +
+                                            (e.value->proved ? "" : " (estimate)")
+                                      : head + "everywhere in the part considered");
         }
     }
     [[nodiscard]] static Real sum(const std::vector<Real>& c, std::size_t n, const Real& u) {

@@ -44,11 +44,13 @@ public:
                                            : make_real_route(scene, plan, work);
             double least = std::numeric_limits<double>::infinity();
             for (const contact::Edge edge : design_.edges) {
-                const ExtentValues e = extent(*route, scene, edge);
+                const std::vector<Row> rows = extent(*route, scene, edge);
                 const bool fraction = design_.unit == contact::ReachUnit::fraction;
-                const BoundedValue& value = design_.objective == DesignObjective::measure
-                                                ? (fraction ? e.measure_fraction : e.measure)
-                                                : (fraction ? e.first_exit_fraction : e.first_exit);
+                const Quantity quantity =
+                    design_.objective == DesignObjective::measure
+                        ? (fraction ? Quantity::measure_fraction : Quantity::measure)
+                        : (fraction ? Quantity::extent_fraction : Quantity::extent);
+                const BoundedValue& value = RowsAt(rows).at(quantity, design_.terms);
                 least = std::min(least, value.value.midpoint().convert_to<double>());
             }
             return least;
@@ -58,18 +60,19 @@ public:
     }
 
 private:
-    /// Of first exits, the part of the contact that holds one: most lie by the edge, and what is
-    /// farther off takes long.
-    [[nodiscard]] ExtentValues extent(ValueRoute& route, Scene& scene, contact::Edge edge) const {
+    /// Searches for a first exit near the edge before the whole part: most exits lie there, and the
+    /// rest of the contact takes long.
+    [[nodiscard]] std::vector<Row> extent(ValueRoute& route, Scene& scene,
+                                          contact::Edge edge) const {
         const formula::Exact whole = scene.ask.part.to;
         if (design_.objective == DesignObjective::first_exit) {
             for (const long share : {8L, 2L}) {
                 if (Rational(1, share) < design_.part) {
                     scene.ask.part.to = formula::Exact::of(Rational(1, share));
-                    ExtentValues e = route.extent(edge, design_.terms);
+                    std::vector<Row> rows = route.extent(edge, design_.terms);
                     scene.ask.part.to = whole;
-                    if (e.leaves) {
-                        return e;
+                    if (rows.front().reached) {
+                        return rows;
                     }
                 }
             }

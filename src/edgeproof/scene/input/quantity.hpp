@@ -18,7 +18,6 @@ class ExactNumber;
 namespace edgeproof::scene {
 
 struct BoundedValue;
-struct ExtentValues;
 struct Plan;
 struct Scene;
 class BallLevel;
@@ -45,8 +44,24 @@ enum class Quantity {
     residual, ///< 1 - (the first k terms)/p at a point, with its sign
     tilt_difference, ///< p at a point minus p of the same profile and a without tilt
     p_max,           ///< the greatest pressure
-    cycle_energy ///< energy dissipated by friction in a cycle of Q at constant P, without a bulk
-                 ///< tension
+    cycle_energy, ///< energy dissipated by friction in a cycle of Q at constant P, without a bulk
+                  ///< tension
+    x,            ///< coordinate of a point
+    u,            ///< distance of a point from the edge, if it depends on the edges
+    local,        ///< the sum of the first k terms of p at a point
+    rel,          ///< |1 - local/p|
+    q_local,      ///< the sum of the first k terms of q at a point
+    q_rel,        ///< |1 - q_local/q|
+    extent_fraction,  ///< extent/(a + b)
+    measure_fraction, ///< measure/(a + b)
+    crossing,         ///< the j-th u at which the error of k terms is the tolerance
+    load_ratio,       ///< |Q|/(f P)
+    /// The least bulk tension, for the given Q and P, that keeps the stick zone in the contact.
+    least_tension,
+    most_tension, ///< the greatest one
+    slip_terms,   ///< the size of the slip zone by the first k terms
+    slip_rel,     ///< |1 - slip_terms/slip|
+    slip_load,    ///< the load ratio up to which slip_rel stays within the tolerance
 };
 
 /// Quantities that are planned and computed together; `quantities` of a scene file names them.
@@ -57,7 +72,7 @@ enum class QuantityGroup {
     extent,       ///< the distance up to which n terms stay within a tolerance
     slip,         ///< slip zones: their sizes, and the sizes by n terms
     contact,      ///< a, b, P and M
-    peak          ///< the greatest pressure
+    peak,         ///< the greatest pressure
 };
 
 struct AskedValue {
@@ -67,6 +82,7 @@ struct AskedValue {
     std::optional<formula::Exact> u = {};         ///< for Place::point
     std::optional<formula::Exact> tolerance = {}; ///< if the row has `tolerance`
     std::optional<Distance> place = {}; ///< used instead of u, if the distance depends on the edges
+    std::size_t j = 0;                  ///< the index of a crossing
 
     [[nodiscard]] Distance distance() const { return place ? *place : Distance(*u); }
 };
@@ -112,8 +128,11 @@ struct QuantityRow {
     /// The edge whose distance from the origin the quantity is.
     std::optional<contact::Edge> distance_of = {};
     bool cancels_little = false; ///< fewer bits suffice at first
-    /// Used instead of evaluators: the member that a search for crossings sets.
-    BoundedValue ExtentValues::*searched = nullptr;
+    /// The value comes from a search (ValueRoute::extent, ValueRoute::slip_terms) instead of an
+    /// evaluator.
+    bool searched = false;
+    bool short_error = false;    ///< computed to Plan::error_digits()
+    bool may_be_missing = false; ///< a failure to find the value leaves it out; it is no error
 
     [[nodiscard]] bool of_friction() const {
         return needs == Needs::friction || needs == Needs::friction_alone;
@@ -121,6 +140,10 @@ struct QuantityRow {
     /// True if the quantity needs [shear] of the scene; plans of other quantities leave it out.
     [[nodiscard]] bool of_shear() const { return needs == Needs::shear || of_friction(); }
     [[nodiscard]] bool at_point() const { return place == Place::point; }
+    /// True for a quantity at a point that a scene asks for by the name of a group of its own.
+    [[nodiscard]] bool by_its_own_name() const {
+        return at_point() && group != QuantityGroup::pressure && group != QuantityGroup::shear;
+    }
     [[nodiscard]] bool at_edge() const { return place != Place::contact; }
 };
 

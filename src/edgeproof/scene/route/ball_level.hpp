@@ -37,39 +37,31 @@ public:
         if (scene.punch) {
             tilt_ = enclose_tilt(*scene.punch, scene.contact_modulus, scene.load.value,
                                  *scene.moment, bits);
-            if (tilt_->exactly_zero) {
-                closed_.emplace(tilt_->near, scene.contact_modulus, scene.load, bits);
-            } else {
-                closed_.emplace(tilt_->near, tilt_->alpha, scene.contact_modulus, scene.load, bits);
-            }
+            contact_ =
+                tilt_->exactly_zero
+                    ? std::make_unique<contact::BallContact>(tilt_->near, scene.contact_modulus,
+                                                             scene.load, bits)
+                    : std::make_unique<contact::BallContact>(
+                          tilt_->near, tilt_->alpha, scene.contact_modulus, scene.load, bits);
         } else if (edges && contact::BallContact::has_closed_form(*scene.profile)) {
-            closed_.emplace(*scene.profile, scene.contact_modulus, *edges, bits);
-        } else if (contact::BallContact::has_closed_form(*scene.profile)) {
-            closed_.emplace(*scene.profile, scene.contact_modulus, scene.load, bits);
+            contact_ = std::make_unique<contact::BallContact>(*scene.profile, scene.contact_modulus,
+                                                              *edges, bits);
         } else {
-            curved_.emplace(*scene.profile, scene.contact_modulus, scene.load, bits);
+            contact_ =
+                contact::proved_contact(*scene.profile, scene.contact_modulus, scene.load, bits);
         }
     }
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] long bits() const { return bits_; }
-    [[nodiscard]] const Ball& a() const { return closed_ ? closed_->a() : curved_->a(); }
-    [[nodiscard]] const Ball& b() const { return closed_ ? closed_->b() : curved_->b(); }
-    [[nodiscard]] const contact::ProvedPressure& proved_pressure() const {
-        return closed_ ? static_cast<const contact::ProvedPressure&>(*closed_) : *curved_;
-    }
-    [[nodiscard]] bool edge_may_be_on_knot() const {
-        return closed_ ? closed_->edge_may_be_on_knot() : curved_->edge_may_be_on_knot();
-    }
+    [[nodiscard]] const contact::ProvedContact& contact() const { return *contact_; }
+    [[nodiscard]] const Ball& a() const { return contact_->a(); }
+    [[nodiscard]] const Ball& b() const { return contact_->b(); }
     /// The tilt of a scene in which it is solved for.
     [[nodiscard]] const contact::EnclosedTilt& tilt() const { return *tilt_; }
     [[nodiscard]] Ball length() const { return a() + b(); }
-    /// The position of an edge, if it is given or proved by exact algebra.
-    [[nodiscard]] std::optional<formula::Exact> known(contact::Edge edge) const {
-        return closed_ ? closed_->known(edge) : curved_->known(edge);
-    }
-    [[nodiscard]] Ball force() const { return closed_ ? closed_->force() : curved_->force(); }
-    [[nodiscard]] Ball moment() const { return closed_ ? closed_->moment() : curved_->moment(); }
+    [[nodiscard]] Ball force() const { return contact_->force(); }
+    [[nodiscard]] Ball moment() const { return contact_->moment(); }
     /// Keeps the last value if it is used more than once.
     [[nodiscard]] const Ball& p(contact::Edge edge, const Distance& u) {
         if (plan_.terms == 0 && !scene_.shear) {
@@ -90,20 +82,27 @@ public:
                           : full_stick_traction(length(), load(), edge, distance(u));
     }
     [[nodiscard]] Ball distance(const Distance& u) const { return u.enclosure(a(), b(), bits_); }
+    /// The coordinate x of a point.
+    [[nodiscard]] Ball x(contact::Edge edge, const Distance& u) const {
+        if (!u.number()) {
+            return u.x_enclosure(a(), b(), bits_);
+        }
+        return edge == contact::Edge::right ? a() - distance(u) : distance(u) - b();
+    }
     /// Throws DomainError if a corner inside the contact makes the pressure infinite.
     [[nodiscard]] Ball peak() const {
-        for (const Ball& corner : proved_pressure().corners(contact::Edge::right)) {
+        for (const Ball& corner : contact().corners(contact::Edge::right)) {
             refuse_infinite_peak(Ball(a() - corner).midpoint());
         }
         if (peaks_in_the_middle(scene_)) {
-            if (closed_->piecewise_linear()) { // m = 1
-                return closed_->pressure(contact::Edge::right, a());
+            const contact::BallContact* const closed = contact_->closed_form();
+            if (closed->piecewise_linear()) { // m = 1
+                return closed->pressure(contact::Edge::right, a());
             }
-            return closed_->pressure_factor() /
-                   ball_of(scene_.profile->parameters().at("m"), bits_);
+            return closed->pressure_factor() / ball_of(scene_.profile->parameters().at("m"), bits_);
         }
         try {
-            return enclosed_peak(proved_pressure(), scene_.symmetric());
+            return enclosed_peak(contact(), scene_.symmetric());
         } catch (const BudgetError&) {
             return not_known();
         }
@@ -111,8 +110,7 @@ public:
     [[nodiscard]] const std::vector<Ball>& c(contact::Edge edge) {
         auto& c = c_[edge];
         if (c.empty()) {
-            c = closed_ ? closed_->expansion(edge, plan_.terms)
-                        : curved_->expansion(edge, plan_.terms);
+            c = contact_->expansion(edge, plan_.terms);
         }
         return c;
     }
@@ -142,6 +140,20 @@ public:
     [[nodiscard]] Ball slip_size(contact::Edge edge) {
         return slip() != nullptr ? slip()->size(edge) : not_known();
     }
+    [[nodiscard]] Ball load_ratio() {
+        return slip() != nullptr ? slip()->load_ratio() : not_known();
+    }
+    /// The bulk tension with which the stick zone reaches an edge of the contact: the edge towards
+    /// which Q acts, or the other one.
+    [[nodiscard]] Ball tension_limit(contact::Edge ahead) {
+        const bool forwards = scene_.shear->Q.sign() > 0;
+        try {
+            return slip() == nullptr ? not_known()
+                                     : slip()->tension_limit(forwards ? ahead : opposite(ahead));
+        } catch (const BudgetError&) {
+            return not_known();
+        }
+    }
     /// The distance of an edge of the stick zone from the origin.
     [[nodiscard]] Ball stick_edge(contact::Edge edge) {
         return slip() != nullptr ? slip()->stick().at(edge) : not_known();
@@ -159,7 +171,7 @@ public:
                                         ball_of(scene_.profile->parameters().at("m"), bits_) + 1);
         }
         try {
-            return contact::cycle_energy(*closed_, *slip());
+            return contact::cycle_energy(*contact_->closed_form(), *slip());
         } catch (const BudgetError&) {
             return not_known();
         }
@@ -209,7 +221,7 @@ public:
 private:
     /// The series of p/sqrt(u) at an edge.
     [[nodiscard]] BoundedSeries p_series(contact::Edge edge) const {
-        const contact::ProvedPressure& pressure = proved_pressure();
+        const contact::ProvedContact& pressure = contact();
         const Ball radius = Ball(pressure.reach(edge).lower(), bits_) / 2;
         return {[&pressure, edge](std::size_t n) { return pressure.expansion(edge, n); },
                 certainly_positive(radius) ? pressure.majorant(edge, radius) : not_known(), radius};
@@ -243,15 +255,11 @@ private:
     void make_slip(const std::optional<contact::BallZone>& stick) {
         const contact::ShearSpec& shear = *scene_.shear;
         try {
-            if (!zones_ && closed_ &&
-                (closed_->piecewise_linear() || shear.bulk_tension.sign() == 0)) {
-                zones_ = closed_form_zones(*closed_);
-            } else if (!zones_ && closed_) {
-                zones_ = power_law_zones(*scene_.profile, scene_.contact_modulus, a(), b(), bits_);
-            } else if (!zones_) {
-                zones_ = integrated_zones(*curved_);
+            if (!zones_) {
+                zones_ = zone_solver(*contact_, tilt_ ? tilt_->near : *scene_.profile,
+                                     scene_.contact_modulus, shear.bulk_tension.sign() != 0);
             }
-            slip_.emplace(proved_pressure(), *zones_,
+            slip_.emplace(contact(), *zones_,
                           scene_.load.kind == contact::Load::Kind::force
                               ? ball_of(scene_.load.value, bits_)
                               : force(),
@@ -266,7 +274,7 @@ private:
     /// proved, which no number of bits decides.
     [[nodiscard]] std::optional<contact::BallZone> exact_stick() const {
         const contact::ShearSpec& shear = *scene_.shear;
-        if (!closed_ || tilt_ || shear.bulk_tension.sign() != 0 ||
+        if (contact_->closed_form() == nullptr || tilt_ || shear.bulk_tension.sign() != 0 ||
             scene_.load.kind != contact::Load::Kind::force) {
             return {};
         }
@@ -284,9 +292,9 @@ private:
     }
     [[nodiscard]] Ball pressure(contact::Edge edge, const Distance& u) const {
         if (const auto& number = u.number()) {
-            return closed_ ? closed_->pressure(edge, *number) : curved_->pressure(edge, *number);
+            return contact_->pressure(edge, *number);
         }
-        return proved_pressure().pressure(edge, distance(u));
+        return contact().pressure(edge, distance(u));
     }
     struct Last {
         contact::Edge edge;
@@ -310,8 +318,7 @@ private:
     const Plan& plan_;
     long bits_;
     std::optional<contact::EnclosedTilt> tilt_;
-    std::optional<contact::BallContact> closed_;
-    std::optional<contact::IntegratedContact> curved_; ///< for g' without a closed form
+    std::unique_ptr<contact::ProvedContact> contact_;
     bool slip_tried_ = false;
     std::unique_ptr<contact::ZoneSolver> zones_;
     std::optional<contact::BallSlip> slip_;

@@ -76,7 +76,7 @@ void BallPlaces::refuse_outside_by_edges(contact::Edge edge, const Distance& u) 
             throw DomainError("the point lies outside the contact");
         }
         outside = !certainly_positive(from) || !certainly_less(from, level->length());
-        const auto corners = level->proved_pressure().corners(edge);
+        const auto corners = level->contact().corners(edge);
         if (!outside && std::ranges::none_of(
                             corners, [&](const Ball& corner) { return overlaps(corner, from); })) {
             return;
@@ -99,33 +99,24 @@ void BallPlaces::refuse_corner_at(const Distance& u) const {
     }
 }
 
-std::optional<BallRefinement::Found> BallPlaces::x(contact::Edge edge, const Distance& u) {
-    const auto exactly = known(edge);
-    const Rational* distance = u.number() ? u.number()->expr().rational() : nullptr;
-    const bool right = edge == contact::Edge::right;
-    // An exactly known value is printed from its exact form: a ball of any width suffices.
-    const long bits = std::max(length_ ? length_->bits() : plan_.bits, least_bits_of_a_place);
+long BallPlaces::bits() const {
+    return std::max(length_ ? length_->bits() : plan_.bits, least_bits_of_a_place);
+}
+
+std::optional<Rational> BallPlaces::known_x(contact::Edge edge, const Distance& u) const {
     if (const auto given = u.x() ? rational_of(*u.x()) : std::nullopt) {
-        return BallRefinement::Found{Ball(*given, bits), *given};
+        return given;
     }
-    if (exactly && distance != nullptr) {
-        const Rational x = right ? Rational(*exactly - *distance) : Rational(*distance - *exactly);
-        return BallRefinement::Found{Ball(x, bits), x};
+    const auto from = known(edge);
+    const Rational* distance = u.number() ? u.number()->expr().rational() : nullptr;
+    if (!from || distance == nullptr) {
+        return {};
     }
-    return balls_.refine(
-        [&](BallLevel& level) {
-            if (!u.number()) {
-                return u.x_enclosure(level.a(), level.b(), level.bits());
-            }
-            const Ball at = level.distance(u);
-            return right ? level.a() - at : at - level.b();
-        },
-        [&](ExactValues& exact) { return exact.x(edge, exact.u(u)); }, plan_.digits,
-        plan_.narrow_bits);
+    return edge == contact::Edge::right ? Rational(*from - *distance) : Rational(*distance - *from);
 }
 
 void BallPlaces::know(contact::Edge edge) {
-    if (const auto exact = balls_.at_level(length_->bits())->known(edge)) {
+    if (const auto exact = balls_.at_level(length_->bits())->contact().known(edge)) {
         if (const auto rational = rational_of(*exact)) {
             known_[edge] = *rational;
         }
@@ -150,14 +141,14 @@ public:
                   std::size_t n)
         : balls_(balls), scene_(scene), plan_(plan), edge_(edge), n_(n) {}
 
-    [[nodiscard]] std::optional<ExtentValues> found() {
+    [[nodiscard]] std::optional<std::vector<Row>> found() {
         contact::BallExtentSearch search(
-            [&](long bits) -> const contact::ProvedPressure& {
+            [&](long bits) -> const contact::ProvedContact& {
                 BallLevel* level = balls_.at_level(bits);
                 if (level == nullptr) {
                     throw BudgetError("too few bits to enclose the edges");
                 }
-                return level->proved_pressure();
+                return level->contact();
             },
             edge_, n_, *scene_.ask.tolerance, scene_.ask.part);
         const auto enclosed = [&](const Ball& x) { return has_digits(x, plan_.digits); };
@@ -191,23 +182,16 @@ public:
         const auto of_length = [&](const std::optional<Rational>& q) {
             return q && exact.length ? std::optional(Rational(*q / *exact.length)) : std::nullopt;
         };
-        ExtentValues values;
-        values.edge = edge_;
-        values.n = n_;
-        values.leaves = best->leaves;
-        values.first_exit = proved(best->first_exit, exact.first_exit);
-        values.measure = proved(best->measure, exact.measure);
-        values.first_exit_fraction =
-            proved(best->first_exit / best->length, of_length(exact.first_exit));
-        values.measure_fraction = proved(best->measure / best->length, of_length(exact.measure));
+        std::vector<BoundedValue> crossings;
         for (std::size_t k = 0; k < best->crossings.size(); ++k) {
-            values.crossings.push_back(proved(best->crossings[k], exact.crossings[k]));
+            crossings.push_back(proved(best->crossings[k], exact.crossings[k]));
         }
-        if (scene_.ask.process_zone) {
-            values.covers_zone = certainly_less(
-                ball_of(*scene_.ask.process_zone, best->length.bits()), best->first_exit);
-        }
-        return values;
+        return extent_rows({Quantity::extent, n_, edge_, {}, scene_.ask.tolerance},
+                           proved(best->first_exit, exact.first_exit),
+                           proved(best->first_exit / best->length, of_length(exact.first_exit)),
+                           proved(best->measure, exact.measure),
+                           proved(best->measure / best->length, of_length(exact.measure)),
+                           std::move(crossings), best->leaves);
     }
 
 private:
@@ -279,8 +263,9 @@ private:
 
 } // namespace
 
-std::optional<ExtentValues> enclosed_extent(BallRefinement& balls, const Scene& scene,
-                                            const Plan& plan, contact::Edge edge, std::size_t n) {
+std::optional<std::vector<Row>> enclosed_extent(BallRefinement& balls, const Scene& scene,
+                                                const Plan& plan, contact::Edge edge,
+                                                std::size_t n) {
     return ExtentInBalls(balls, scene, plan, edge, n).found();
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/scene/route/ball_refinement.hpp"
-#include "edgeproof/scene/route/value_route.hpp"
+#include "edgeproof/scene/route/row.hpp"
 
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <vector>
 
 namespace edgeproof::scene {
 
@@ -22,9 +23,12 @@ public:
     /// Throws DomainError for a point outside the contact, and for a place given by the edges that
     /// many bits do not separate from a corner.
     void refuse_outside(contact::Edge edge, const Distance& u);
-    /// The coordinate x of the point u, which is inside the contact. Nothing if no number of bits
-    /// encloses it.
-    [[nodiscard]] std::optional<BallRefinement::Found> x(contact::Edge edge, const Distance& u);
+    /// The coordinate x of the point u, which is inside the contact, if it is known to be a
+    /// rational number.
+    [[nodiscard]] std::optional<Rational> known_x(contact::Edge edge, const Distance& u) const;
+    /// The bits of a ball around a known place. Such a value is printed from its exact form, so
+    /// that a ball of any width suffices.
+    [[nodiscard]] long bits() const;
 
 private:
     void refuse_outside_by_edges(contact::Edge edge, const Distance& u);
@@ -43,8 +47,8 @@ private:
 
 /// Returns the extents to which n terms stay within the scene's tolerance, proved by the signs of
 /// the error between the crossings; nothing if the budget does not decide.
-[[nodiscard]] std::optional<ExtentValues> enclosed_extent(BallRefinement& balls, const Scene& scene,
-                                                          const Plan& plan, contact::Edge edge,
-                                                          std::size_t n);
+[[nodiscard]] std::optional<std::vector<Row>> enclosed_extent(BallRefinement& balls,
+                                                              const Scene& scene, const Plan& plan,
+                                                              contact::Edge edge, std::size_t n);
 
 } // namespace edgeproof::scene

@@ -39,7 +39,7 @@ std::optional<BallRefinement::Found> BallRefinement::refine(const InBalls& f,
         }
         Ball x = f(*level);
         if (!x.is_finite()) {
-            if (level->edge_may_be_on_knot() && bits >= plan_.bits + zero_bits) {
+            if (level->contact().edge_may_be_on_knot() && bits >= plan_.bits + zero_bits) {
                 break; // no number of bits separates the edge from the knot
             }
             continue;
@@ -91,8 +91,8 @@ BallLevel* BallRefinement::at_level(long bits) {
     auto& slot = levels_[bits];
     try {
         slot = std::make_unique<BallLevel>(scene_, plan_, edges_, bits);
-        const auto a = slot->known(contact::Edge::right);
-        const auto b = slot->known(contact::Edge::left);
+        const auto a = slot->contact().known(contact::Edge::right);
+        const auto b = slot->contact().known(contact::Edge::left);
         if (a && b && !scene_.symmetric()) {
             edges_ = contact::ExactEdges{*a, *b};
         }

@@ -119,33 +119,12 @@ std::optional<contact::SlipState> BallSlips::state(contact::Edge edge, const Dis
     return found;
 }
 
-std::optional<BoundedValue> BallSlips::load_ratio() {
-    return bounded(
-        [](BallLevel& level) {
-            return level.slip() != nullptr ? level.slip()->load_ratio() : level.not_known();
-        },
-        plan_.digits, "stick zone");
-}
-
-std::optional<BoundedValue> BallSlips::tension_limit(contact::Edge edge) {
-    return bounded(
-        [edge](BallLevel& level) {
-            try {
-                return level.slip() != nullptr ? level.slip()->tension_limit(edge)
-                                               : level.not_known();
-            } catch (const BudgetError&) {
-                return level.not_known();
-            }
-        },
-        plan_.digits, "stick zone");
-}
-
 bool BallSlips::in_proportion() {
     return level_ == nullptr || (level_->slip()->slips_from_the_first(contact::Edge::right) &&
                                  level_->slip()->slips_from_the_first(contact::Edge::left));
 }
 
-std::optional<SlipTerms> BallSlips::terms(contact::Edge edge, std::size_t n) {
+std::vector<Row> BallSlips::terms(contact::Edge edge, std::size_t n) {
     const std::size_t most = scene_.ask.most_terms();
     const auto of_series = [edge, n, most](BallLevel& level) {
         const Ball& first = level.slip_series(edge, most).front();
@@ -160,14 +139,17 @@ std::optional<SlipTerms> BallSlips::terms(contact::Edge edge, std::size_t n) {
     if (!size || !error) {
         return {};
     }
-    SlipTerms t{n, std::move(*size), std::move(*error), {}};
+    const AskedValue asked{Quantity::slip_terms, n, edge, {}, scene_.ask.tolerance};
+    std::vector<Row> rows{{asked, std::move(size)}, {asked, std::move(error)}, {asked}};
+    rows[1].asked.quantity = Quantity::slip_rel;
+    rows[2].asked.quantity = Quantity::slip_load;
     if (scene_.ask.tolerance && level_ != nullptr && in_proportion()) {
-        find_reach(edge, t);
+        find_reach(rows[2]);
     }
-    return t;
+    return rows;
 }
 
-void BallSlips::find_reach(contact::Edge edge, SlipTerms& t) {
+void BallSlips::find_reach(Row& row) {
     contact::SlipReachSearch search(
         [&](long bits) -> const contact::BallSlip& {
             BallLevel* level = balls_.at_level(bits);
@@ -176,13 +158,13 @@ void BallSlips::find_reach(contact::Edge edge, SlipTerms& t) {
             }
             return *level->slip();
         },
-        edge, t.n, *scene_.ask.tolerance);
+        row.asked.edge, row.asked.k, *scene_.ask.tolerance);
     for (long bits = plan_.bits; bits <= balls_.last_bits(); bits *= 2) {
         try {
             const contact::EnclosedReach reach = search.at(bits);
-            t.leaves = reach.leaves;
-            t.reach = BoundedValue{reach.ratio, true, "sign changes",
-                                   reach.leaves ? std::nullopt : std::optional(Rational(1))};
+            row.reached = reach.leaves;
+            row.value = BoundedValue{reach.ratio, true, "sign changes",
+                                     reach.leaves ? std::nullopt : std::optional(Rational(1))};
             if (!reach.leaves || has_digits(reach.ratio, plan_.digits)) {
                 return;
             }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/scene/route/ball_refinement.hpp"
-#include "edgeproof/scene/route/value_route.hpp"
+#include "edgeproof/scene/route/row.hpp"
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace edgeproof::scene {
 
@@ -17,15 +18,12 @@ public:
     /// Throws InputError, with the line of its cause, if the contact slides or the stick zone would
     /// extend beyond it.
     void check();
-    /// This function and the following ones return nothing if no number of bits encloses the slip.
+    /// Returns nothing if no number of bits encloses the slip.
     [[nodiscard]] std::optional<contact::SlipState> state(contact::Edge edge, const Distance& u);
-    [[nodiscard]] std::optional<BoundedValue> load_ratio();
-    /// The bulk tension with which the stick zone reaches that edge.
-    [[nodiscard]] std::optional<BoundedValue> tension_limit(contact::Edge edge);
     /// True if both edges slip in the direction of Q from the beginning of loading.
     [[nodiscard]] bool in_proportion();
-    /// d_n, its error, and the load ratio up to which it is within the tolerance.
-    [[nodiscard]] std::optional<SlipTerms> terms(contact::Edge edge, std::size_t n);
+    /// The rows of d_n (ValueRoute::slip_terms). None if no number of bits encloses the slip.
+    [[nodiscard]] std::vector<Row> terms(contact::Edge edge, std::size_t n);
 
 private:
     [[nodiscard]] std::optional<BoundedValue> bounded(const BallRefinement::InBalls& f,
@@ -34,7 +32,8 @@ private:
     /// The bits lost by cancellation when n + 1 powers of the load ratio are compared with 1.
     [[nodiscard]] long lost_by(std::size_t n) const;
     void refuse_exactly_sliding(const BallLevel& level);
-    void find_reach(contact::Edge edge, SlipTerms& t);
+    /// Sets the value of the row of a slip load, if it is found.
+    void find_reach(Row& row);
 
     BallRefinement& balls_;
     const Scene& scene_;

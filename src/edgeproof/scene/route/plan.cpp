@@ -83,7 +83,10 @@ public:
         plan_.partial_slip = scene_.slips() && (plan_.shear || plan_.slip);
         const bool similar = scene_.shear && scene_.shear->path == contact::LoadingPath::together;
         plan_.pressure = plan_.print_pressure || (plan_.shear && similar);
-        plan_.points = plan_.pressure || plan_.shear ? ask_.u.size() : 0;
+        const bool others = std::ranges::any_of(quantity_rows(), [&](const QuantityRow& row) {
+            return row.by_its_own_name() && ask_.wants(row.group);
+        });
+        plan_.points = plan_.pressure || plan_.shear || others ? ask_.u.size() : 0;
         const bool coefficients = ask_.wants(QuantityGroup::coefficients);
         const bool approximations = plan_.points > 0 && !ask_.terms.empty();
         plan_.terms = coefficients || approximations ? ask_.most_terms() : 0;

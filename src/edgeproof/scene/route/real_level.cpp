@@ -161,6 +161,12 @@ const contact::PartialSlip& RealLevel::slip() {
     return *slip_;
 }
 
+BoundedValue RealLevel::load_ratio() {
+    const contact::PartialSlip& zones = slip();
+    const PrecisionScope scope(contact_.a().precision());
+    return sound(zones.load_ratio(), "contact-law");
+}
+
 BoundedValue RealLevel::slip_size(contact::Edge edge) {
     const PrecisionScope scope(contact_.a().precision());
     const Real d = slip().size(edge);

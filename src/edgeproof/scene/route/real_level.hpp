@@ -46,6 +46,8 @@ public:
     [[nodiscard]] BoundedValue peak();
     /// Throws InputError, with its line, if the contact slides or slips against Q.
     [[nodiscard]] const contact::PartialSlip& slip();
+    /// |Q|/(f P).
+    [[nodiscard]] BoundedValue load_ratio();
     [[nodiscard]] BoundedValue slip_size(contact::Edge edge);
     [[nodiscard]] BoundedValue stick_edge(contact::Edge edge);
     [[nodiscard]] BoundedValue cycle_energy();

@@ -32,170 +32,87 @@ public:
             std::make_unique<RealLevel>(*profile_, alpha_, scene, plan, plan.digits.count, &work);
     }
 
-    BoundedValue value(const AskedValue& asked) override {
-        const QuantityRow& row = evaluated_row(asked.quantity);
-        if (row.searched != nullptr) {
-            return extent(asked.edge, asked.k).*row.searched;
-        }
-        if (row.at_point()) {
-            check_inside(*asked.u);
-        }
-        return row.real(*levels_[0], asked);
-    }
-
-    ContactValues contact() override { return contact_values(*this, scene_, plan_); }
-
-    BoundedValue place(contact::Edge edge, const Distance& u) override {
-        if (u.number()) {
-            check_inside(*u.number());
-            return place_inside(edge, *u.number());
-        }
-        return by_edges(u).x;
-    }
-
     /// If the place depends on the edges, the function is evaluated at the place and at the end of
     /// its error interval; the difference is the error of the value.
-    PointValues at(contact::Edge edge, const Distance& u, bool p, bool q) override {
-        if (u.number()) {
-            return at_number(edge, *u.number(), p, q);
+    BoundedValue value(const AskedValue& asked) override {
+        const QuantityRow& row = evaluated_row(asked.quantity);
+        if (row.searched) {
+            return RowsAt({&searched(asked), 1}).at(asked.quantity, asked.k);
         }
-        const ByEdges place = by_edges(u);
-        PointValues values = at_number(edge, place.near, p, q);
-        const PointValues at_end = at_number(edge, place.end, p, q);
-        values.x = place.x;
-        values.u = place.u;
-        const auto widen = [](BoundedValue& value, const BoundedValue& other) {
-            value = {Ball::hull(value.value, other.value), false, value.route};
-        };
-        const auto widen_all = [&](std::vector<Approximation>& list,
-                                   const std::vector<Approximation>& others) {
-            for (std::size_t i = 0; i < list.size(); ++i) {
-                widen(list[i].local, others[i].local);
-                widen(list[i].relative_error, others[i].relative_error);
+        if (row.at_point() && !asked.distance().number()) {
+            const ByEdges place = by_edges(*asked.place);
+            if (asked.quantity == Quantity::x || asked.quantity == Quantity::u) {
+                return asked.quantity == Quantity::x ? place.x : place.u;
             }
-        };
-        if (p) {
-            widen(*values.p, *at_end.p);
+            const BoundedValue near = at_number(row, asked, place.near);
+            const BoundedValue end = at_number(row, asked, place.end);
+            return {Ball::hull(near.value, end.value), false, near.route};
         }
-        if (q) {
-            widen(*values.q, *at_end.q);
+        if (row.at_point()) {
+            return at_number(row, asked, *asked.distance().number());
         }
-        widen_all(values.p_local, at_end.p_local);
-        widen_all(values.q_local, at_end.q_local);
-        return values;
+        work_.counts.stick_zones += asked.quantity == Quantity::stick_a ? 1 : 0;
+        work_.counts.slip_sizes += asked.quantity == Quantity::slip ? 1 : 0;
+        return evaluated(row, asked, *levels_[0]);
     }
 
-private:
-    PointValues at_number(contact::Edge edge, const formula::Exact& u, bool p, bool q) {
-        check_inside(u);
-        PointValues values;
-        values.x = place_inside(edge, u);
-        if (p) {
-            values.p = levels_[0]->p(edge, u);
-        }
-        if (q) {
-            values.q = levels_[0]->q(edge, u);
-        }
-        if (q && scene_.slips()) {
-            ++work_.counts.shear_points;
-            values.state = levels_[0]->slip().sticks(edge, u.to<Real>()) ? contact::SlipState::stick
-                                                                         : contact::SlipState::slip;
-        }
-        for (const std::size_t n :
-             plan_.terms > 0 ? scene_.ask.terms : std::vector<std::size_t>{}) {
-            if (p) {
-                values.p_local.push_back(approximation(edge, u, n, false));
-            }
-            if (q && plan_.expand_shear) {
-                values.q_local.push_back(approximation(edge, u, n, true));
-            }
-        }
-        return values;
+    contact::SlipState state(contact::Edge edge, const Distance& u) override {
+        const formula::Exact at = u.number() ? *u.number() : by_edges(u).near;
+        return levels_[0]->slip().sticks(edge, at.to<Real>()) ? contact::SlipState::stick
+                                                              : contact::SlipState::slip;
     }
 
-public:
-    EdgeValues expansion(contact::Edge edge, bool p, bool q) override {
-        EdgeValues values;
-        values.edge = edge;
-        values.s_half_powers = levels_[0]->shear_half_powers();
-        if (p) {
-            values.c = levels_[0]->c(edge);
-        }
-        if (q) {
-            values.s = levels_[0]->s(edge);
-        }
-        return values;
-    }
-
-    StickValues stick() override {
-        ++work_.counts.stick_zones;
-        RealLevel& level = *levels_[0];
-        const PrecisionScope scope(level.contact().a().precision());
-        StickValues values;
-        values.load_ratio = level.sound(level.slip().load_ratio(), "contact-law");
-        values.a = level.stick_edge(contact::Edge::right);
-        values.b = level.stick_edge(contact::Edge::left);
-        values.in_proportion = same_sign_at_both_edges(
-            Real(level.contact().a() + level.contact().b()),
+    bool in_proportion() override {
+        const contact::NormalContact& contact = levels_[0]->contact();
+        const PrecisionScope scope(contact.a().precision());
+        return same_sign_at_both_edges(
+            Real(contact.a() + contact.b()),
             contact::ShearLoad<Real>{scene_.shear->Q.to<Real>(),
                                      scene_.shear->bulk_tension.to<Real>()});
-        values.cycle_energy = cycle_energy_of(*this, scene_, plan_);
-        return values;
     }
 
-    SlipValues slip(contact::Edge edge) override {
-        ++work_.counts.slip_sizes;
+    std::vector<Row> slip_terms(contact::Edge edge, std::size_t n) override {
         RealLevel& level = *levels_[0];
         const contact::PartialSlip& s = level.slip();
         const PrecisionScope scope(level.contact().a().precision());
-        SlipValues values;
-        values.edge = edge;
-        values.size = level.slip_size(edge);
-        if (scene_.ask.terms.empty()) {
-            return values;
+        if (!slip_series_) {
+            slip_series_ = s.series(scene_.ask.most_terms());
         }
-        const auto series = s.series(scene_.ask.most_terms());
-        const auto& kappa = edge == contact::Edge::right ? series.right : series.left;
-        for (const std::size_t n : scene_.ask.terms) {
-            const Real size = contact::slip_sum(kappa, n, s.load_ratio());
-            values.terms.push_back({n,
-                                    level.sound(size, "series"),
-                                    estimated(Real(abs(Real(1 - size / s.size(edge)))),
-                                              Real(2 * s.estimate()), "series"),
-                                    {}});
-        }
-        return values;
+        const Real size = contact::slip_sum(edge == contact::Edge::right ? slip_series_->right
+                                                                         : slip_series_->left,
+                                            n, s.load_ratio());
+        const AskedValue asked{Quantity::slip_terms, n, edge};
+        std::vector<Row> rows{{asked, level.sound(size, "series")},
+                              {asked, estimated(Real(abs(Real(1 - size / s.size(edge)))),
+                                                Real(2 * s.estimate()), "series")},
+                              {asked}};
+        rows[1].asked.quantity = Quantity::slip_rel;
+        rows[2].asked.quantity = Quantity::slip_load;
+        return rows;
     }
 
-    ExtentValues extent(contact::Edge edge, std::size_t n) override {
+    std::vector<Row> extent(contact::Edge edge, std::size_t n) override {
         ++work_.counts.extents;
         const contact::Extents e = within_tolerance(levels_[0]->contact(), edge, n,
                                                     *scene_.ask.tolerance, scene_.ask.part);
         const PrecisionScope scope(e.length.precision());
-        ExtentValues values;
-        values.edge = edge;
-        values.n = n;
-        values.leaves = e.leaves;
         // Each crossing has the error of the worst one; the measure adds the errors.
         const Real error =
             e.estimate * e.length +
             e.length * pow(Real(10), -static_cast<int>(plan_.digits.count + kept_digits));
         const auto near = [&](const Real& x, const Real& by) { return estimated(x, by, "scan"); };
         const Real all = error * static_cast<unsigned>(e.crossings.size() + 1);
-        values.first_exit =
-            near(e.first_exit, Real(e.first_exit * (e.estimate + error / e.length)));
-        values.measure = near(e.measure, all);
-        values.first_exit_fraction =
-            near(Real(e.first_exit / e.length),
-                 Real(e.first_exit / e.length * (e.estimate + error / e.length)));
-        values.measure_fraction = near(Real(e.measure / e.length), Real(all / e.length));
+        std::vector<BoundedValue> crossings;
         for (const Real& u : e.crossings) {
-            values.crossings.push_back(near(u, Real(u * (e.estimate + error / e.length))));
+            crossings.push_back(near(u, Real(u * (e.estimate + error / e.length))));
         }
-        if (scene_.ask.process_zone) {
-            values.covers_zone = e.first_exit >= scene_.ask.process_zone->to<Real>();
-        }
-        return values;
+        return extent_rows({Quantity::extent, n, edge, {}, scene_.ask.tolerance},
+                           near(e.first_exit, Real(e.first_exit * (e.estimate + error / e.length))),
+                           near(Real(e.first_exit / e.length),
+                                Real(e.first_exit / e.length * (e.estimate + error / e.length))),
+                           near(e.measure, all),
+                           near(Real(e.measure / e.length), Real(all / e.length)),
+                           std::move(crossings), e.leaves);
     }
 
 private:
@@ -243,37 +160,49 @@ private:
         x.value = edge == contact::Edge::right ? x.value - from_edge : from_edge - x.value;
         return x;
     }
-    /// The sum of n terms; its relative error is computed with more digits if it cancels.
-    [[nodiscard]] Approximation approximation(contact::Edge edge, const formula::Exact& u,
-                                              std::size_t n, bool shear) {
+    [[nodiscard]] BoundedValue at_number(const QuantityRow& row, AskedValue asked,
+                                         const formula::Exact& u) {
+        check_inside(u);
+        if (asked.quantity == Quantity::x) {
+            return place_inside(asked.edge, u);
+        }
+        if (asked.quantity == Quantity::u) {
+            return {ball_of(u, levels_[0]->bits()), true, "given", rational_of(u)};
+        }
+        asked.u = u;
+        asked.place.reset();
+        work_.counts.shear_points += asked.quantity == Quantity::q && scene_.slips() ? 1 : 0;
+        return row.short_error ? with_more_digits(row, asked) : evaluated(row, asked, *levels_[0]);
+    }
+    [[nodiscard]] static BoundedValue evaluated(const QuantityRow& row, const AskedValue& asked,
+                                                RealLevel& level) {
+        if (row.real == nullptr) {
+            throw Error("a " + std::string(row.name) + " is computed in balls only");
+        }
+        return row.real(level, asked);
+    }
+    /// A relative error: it is computed with more digits if it cancels.
+    [[nodiscard]] BoundedValue with_more_digits(const QuantityRow& row, const AskedValue& asked) {
         const Digits digits = plan_.error_digits();
-        const unsigned wanted = digits.count;
-        Approximation result{n, {}, {}};
-        std::optional<Real> before; // the radius with fewer digits
+        std::optional<BoundedValue> result; // with fewer digits
         for (unsigned extra = 0;;) {
-            RealLevel& level = at_level(extra);
-            const Ball value = (shear ? level.q(edge, u) : level.p(edge, u)).value;
-            const Ball local = level.sum(edge, u, n, shear);
-            const Ball error = abs(Ball(1 - local / value));
-            if (extra == 0) {
-                result.local = {local, false, level.series_name()};
-            }
+            BoundedValue error = evaluated(row, asked, at_level(extra));
             // If more digits did not help, still more will not help.
-            const bool worse = before && !(error.radius() < *before);
-            if (!worse) {
-                result.relative_error = {error, false, level.series_name()};
+            if (result && !(error.value.radius() < result->value.radius())) {
+                return *result;
             }
-            if (worse || has_digits(error, digits) || contains_zero(value)) {
-                return result;
+            result = error;
+            if (has_digits(error.value, digits) || !error.value.is_finite()) {
+                return error;
             }
-            before = error.radius();
-            const Real lost = -log10(error.upper());
-            const unsigned needed = lost > 0 ? static_cast<unsigned>(ceil(lost)) + wanted : wanted;
+            const Real lost = -log10(error.value.upper());
+            const unsigned needed =
+                lost > 0 ? static_cast<unsigned>(ceil(lost)) + digits.count : digits.count;
             const unsigned next = needed > plan_.digits.count ? needed - plan_.digits.count : 0;
             // Rounded up to steps, so that neighbouring points share one solved contact.
             extra = (std::max(next, 2 * extra + 1) + 15) / 16 * 16;
             if (extra > most_extra) {
-                return result;
+                return *result;
             }
         }
     }
@@ -293,6 +222,7 @@ private:
     std::optional<formula::Exact> alpha_;
     std::optional<contact::Profile> profile_;
     std::map<unsigned, std::unique_ptr<RealLevel>> levels_;
+    std::optional<contact::SlipSeries<Real>> slip_series_;
 };
 
 } // namespace

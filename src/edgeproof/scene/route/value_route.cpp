@@ -5,51 +5,17 @@
 
 namespace edgeproof::scene {
 
-ContactValues contact_values(ValueRoute& route, const Scene& scene, const Plan& plan) {
-    ContactValues values;
-    for (const QuantityRow& row : quantity_rows()) {
-        const AskedValue asked{row.quantity};
-        const bool peak = row.group == QuantityGroup::peak;
-        if ((row.group != QuantityGroup::contact && !peak) || row.at_edge() ||
-            lack_of(scene, asked)) {
-            continue;
-        }
-        switch (row.quantity) {
-        case Quantity::a:
-            values.a = route.value(asked);
-            break;
-        case Quantity::b:
-            values.b = route.value(asked);
-            break;
-        case Quantity::alpha:
-            values.alpha = route.value(asked);
-            break;
-        default:
-            if (peak ? !plan.peak : !plan.resultants) {
-                break;
-            }
-            if (row.quantity == Quantity::P) {
-                values.force = route.value(asked);
-            } else if (row.quantity == Quantity::M) {
-                values.moment = route.value(asked);
-            } else {
-                values.others.emplace_back(row.quantity, route.value(asked));
-            }
-        }
+const Row& ValueRoute::searched(const AskedValue& asked) {
+    const QuantityGroup group = row_of(asked.quantity).group;
+    auto& rows = searched_[{group, asked.edge, asked.k}];
+    if (rows.empty()) {
+        rows = group == QuantityGroup::slip ? slip_terms(asked.edge, asked.k)
+                                            : extent(asked.edge, asked.k);
     }
-    return values;
-}
-
-std::optional<BoundedValue> cycle_energy_of(ValueRoute& route, const Scene& scene,
-                                            const Plan& plan) {
-    if (!plan.slip || !has_cycle_energy(scene)) {
-        return {};
+    if (const Row* row = RowsAt(rows).find(asked.quantity, asked.k, asked.j)) {
+        return *row;
     }
-    try {
-        return route.value({Quantity::cycle_energy});
-    } catch (const Error&) { // the stick zone reports errors of the scene
-        return {};
-    }
+    throw Error("a " + std::string(row_of(asked.quantity).name) + " was not found");
 }
 
 } // namespace edgeproof::scene

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/parts/enclosed_reach.hpp"
-#include "edgeproof/contact/curved/integrated_contact.hpp"
-#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -16,15 +15,11 @@ EnclosedReach enclosed_reach(const SceneSpec& scene, const ReachQuestion& questi
                              unsigned digits) {
     const contact::Profile profile = scene.make_profile();
     const contact::Load load = contact::Load::right_edge(scene.parameter("a"));
-    std::map<long, std::unique_ptr<contact::ProvedPressure>> contacts;
-    const auto contact_at = [&](long bits) -> const contact::ProvedPressure& {
+    std::map<long, std::unique_ptr<contact::ProvedContact>> contacts;
+    const auto contact_at = [&](long bits) -> const contact::ProvedContact& {
         auto& made = contacts[bits];
-        if (!made && contact::BallContact::has_closed_form(profile)) {
-            made =
-                std::make_unique<contact::BallContact>(profile, scene.parameter("Es"), load, bits);
-        } else if (!made) {
-            made = std::make_unique<contact::IntegratedContact>(profile, scene.parameter("Es"),
-                                                                load, bits);
+        if (!made) {
+            made = contact::proved_contact(profile, scene.parameter("Es"), load, bits);
         }
         return *made;
     };

@@ -107,7 +107,7 @@ std::vector<OrderFit> fit_residuals(const contact::Profile& profile,
         fit.coefficient = limit.value;
         fit.spread = limit.change;
         fit.expected = c[n];
-        // To recognise a vanishing coefficient, compare with the size expected from its neighbours.
+        // A coefficient is taken to vanish by comparison with the size that its neighbours suggest.
         const Real natural = abs(exact[0]) * pow(radius, -static_cast<int>(n));
         const Real negligible = natural * pow(Real(10), 5 - static_cast<int>(options.digits));
         fit.vanishing = abs(fit.coefficient) < negligible && abs(fit.expected) < negligible;

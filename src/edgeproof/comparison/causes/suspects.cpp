@@ -2,6 +2,7 @@
 #include "edgeproof/comparison/causes/suspects.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/scene/mistakes/scene_mistakes.hpp"
 
 #include <fmt/format.h>
 
@@ -78,38 +79,17 @@ void for_each_shear_suspect(const NodesLookedAt& nodes, SuspectContacts& contact
     factor("factor-2", "q is half as large", 0.5);
     factor("factor-pi", "q is pi times too large", std::acos(-1));
     factor("factor-pi", "q is pi times too small", 1 / std::acos(-1));
-    const auto with = [&](const char* name, const std::string& what,
-                          const std::function<void(contact::ShearSpec&)>& change) {
-        // There is none if it slides, or slips in the other direction.
+    for (const scene::SceneMistake& mistake : scene::shear_mistakes(scene)) {
+        // There is no contact if it slides, or slips in the other direction.
         const ExactContact* const contact =
-            contacts.with(name + (": " + what), [&](scene::Scene& other) { change(*other.shear); });
+            contacts.with(std::string(mistake.name) + ": " + mistake.what, mistake.change);
         if (contact != nullptr) {
-            make.add(name, what, [&](std::size_t i) {
+            make.add(std::string(mistake.name), mistake.what, [&](std::size_t i) {
                 return contact->traction(Real(nodes[i].x), nodes[i].exact).value_or(no_value);
             });
         }
-    };
-    const formula::Expr two = formula::Expr::number(Rational(2));
-    const formula::Expr half = formula::Expr::number(Rational(1, 2));
-    const auto times = [](formula::Exact& value, const formula::Expr& k) {
-        value = formula::Exact(value.expr() * k);
-    };
-    if (scene.shear->Q.sign() != 0) {
-        with("half-shear-force", "half of Q", [&](auto& s) { times(s.Q, half); });
-        with("half-shear-force", "twice Q", [&](auto& s) { times(s.Q, two); });
-    }
-    if (scene.shear->bulk_tension.sign() != 0) {
-        with("half-tension", "half of the bulk tension",
-             [&](auto& s) { times(s.bulk_tension, half); });
-        with("half-tension", "twice the bulk tension",
-             [&](auto& s) { times(s.bulk_tension, two); });
-        with("no-tension", "the bulk tension is left out",
-             [](auto& s) { s.bulk_tension = formula::Exact(); });
-        with("sign-of-tension", "the bulk tension has the wrong sign relative to Q",
-             [](auto& s) { s.bulk_tension = formula::Exact(-s.bulk_tension.expr()); });
     }
     if (scene.shear->friction) {
-        with("no-slip", "full stick, without friction", [](auto& s) { s.friction.reset(); });
         const double f = scene.shear->friction->to<Real>().convert_to<double>();
         make.add("all-slips", "f p everywhere: full sliding",
                  [&](std::size_t i) { return f * make.exact_pressure(i); });
@@ -137,6 +117,12 @@ const ExactContact* SuspectContacts::with(const std::string& mistake,
     } catch (const Error&) { // the changed scene has no contact
     }
     return solved_.emplace(mistake, std::move(contact)).first->second.get();
+}
+
+void suspect_scenes(const SuspectMaker& make) {
+    for (const scene::SceneMistake& mistake : scene::contact_mistakes(make.scene())) {
+        make.add_scene(std::string(mistake.name), mistake.what, mistake.change);
+    }
 }
 
 void suspect_factors(const SuspectMaker& make) {

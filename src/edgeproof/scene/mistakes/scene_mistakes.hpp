@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/scene/input/scene_file.hpp"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The catalogue of the mistakes that programs make in the data of a scene. `edgeproof compare` and
+/// `edgeproof check` search for the same mistakes and give them the same names.
+namespace edgeproof::scene {
+
+struct SceneMistake {
+    std::string_view name;   ///< the name of the cause in the output; several mistakes may share it
+    std::string what;        ///< "the diameter instead of the radius"
+    std::string_view advice; ///< what is right
+    std::function<void(Scene&)> change; ///< makes the scene that such a program solves
+};
+
+/// The possible mistakes in the moduli, the profile and the load. The changed scene need not have a
+/// contact. The functions do not refer to `scene`.
+[[nodiscard]] std::vector<SceneMistake> contact_mistakes(const Scene& scene);
+
+/// The possible mistakes in [shear], for a scene that has it.
+[[nodiscard]] std::vector<SceneMistake> shear_mistakes(const Scene& scene);
+
+} // namespace edgeproof::scene

@@ -120,17 +120,16 @@ std::vector<Mistake> mistakes() {
         {"9.80665 times ours", {}, 9.80665},
         {"10^-3 times ours", {}, 1e-3},
         {"1.37 times ours", {}, 1.37},
-        {"ours with R taken for a diameter", cell("R", "/2")},
-        {"ours with t doubled", cell("t", "*2")},
-        {"ours with a taken for the whole width", cell("a", "*0.5")},
-        {"ours with alpha and phi read in degrees",
+        {"ours with half the radius", cell("R", "/2")},
+        {"ours with the length of the flat instead of its half-length", cell("t", "*2")},
+        {"ours with a quarter of the width instead of a", cell("a", "*0.5")},
+        {"ours with the angle converted from degrees to radians twice",
          [](QuestionCells& q) {
              times(q, "alpha", "*pi/180");
              times(q, "phi", "*pi/180");
          }},
-        {"ours with E/(1 - nu^2) of one body for the contact modulus",
-         one_modulus("115/(1-0.32^2)")},
-        {"ours with Poisson's ratio left out", one_modulus("115*70/185")},
+        {"ours with E/(1 - nu^2) of body 1 instead of E*", one_modulus("115/(1-0.32^2)")},
+        {"ours with plane stress, 1/E* = 1/E1 + 1/E2", one_modulus("115*70/185")},
         {"ours at the other edge",
          [](QuestionCells& q) {
              if (const auto edge = q.find("edge"); edge != q.end()) {

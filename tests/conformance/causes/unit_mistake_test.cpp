@@ -57,10 +57,10 @@ TEST_CASE("a misread question is recognised and reported") {
           }).empty());
     CHECK(found(keys, wedges, "p", [](auto c, double u) {
               return wedge_pressure(a_of(c) / 2, u);
-          }) == Said{"p: ours with a taken for the whole width"});
+          }) == Said{"p: ours with a quarter of the width instead of a"});
     CHECK(found(keys, wedges, "p", [](auto c, double u) {
               return wedge_pressure(2 * a_of(c), u);
-          }) == Said{"p: ours with a doubled"});
+          }) == Said{"p: ours with the width of the contact instead of a"});
     CHECK(found(keys, hertzes, "p", [](auto c, double u) {
               return hertz_pressure(a_of(c), a_of(c) - u);
           }) == Said{"p: ours with u taken for x"});
@@ -84,7 +84,7 @@ TEST_CASE(
     const Answers answers = echoed_answers(parse_csv(text, "a.csv"));
     const auto found = infer_conventions(answers, compare(answers, {}, {}), {});
     REQUIRE(found.size() == 1);
-    CHECK(found[0].relation == "ours with a taken for the whole width");
+    CHECK(found[0].relation == "ours with a quarter of the width instead of a");
     CHECK(found[0].rows == 70);
     CHECK(found[0].failing == 74);
 }
@@ -119,10 +119,10 @@ TEST_CASE("angles in degrees, and the moduli of one body") {
     const double no_nu[] = {6.0 / 5, 15.0 / 8};
     CHECK(found(bodies, two, "p", [&](auto c, double u) {
               return one_body[c] * wedge_pressure(a_of(c), u);
-          }) == Said{"p: ours with E/(1 - nu^2) of one body for the contact modulus"});
+          }) == Said{"p: ours with E/(1 - nu^2) of body 1 instead of E*"});
     CHECK(found(bodies, two, "p", [&](auto c, double u) {
               return no_nu[c] * wedge_pressure(a_of(c), u);
-          }) == Said{"p: ours with Poisson's ratio left out"});
+          }) == Said{"p: ours with plane stress, 1/E* = 1/E1 + 1/E2"});
 }
 
 TEST_CASE("single precision is named as such, and so are answers cut when written") {

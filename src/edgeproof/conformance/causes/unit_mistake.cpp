@@ -3,12 +3,14 @@
 
 #include "edgeproof/conformance/causes/convention_rule.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/mistakes/scene_mistakes.hpp"
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
-#include <string_view>
+#include <set>
 #include <utility>
 
 namespace edgeproof::conformance {
@@ -19,130 +21,94 @@ using namespace convention_rule;
 constexpr std::size_t most_rows_of_a_family = 60; // enough to select readings to test on all
 constexpr unsigned reading_digits = 30;
 
-using Parameters = std::vector<Parameter>;
+/// An alternative interpretation of questions.
+struct Reading {
+    std::string name; ///< of the cause (scene_mistakes.hpp)
+    std::string relation;
+    std::string hint;
+    /// Changes the contact to that interpretation; false if this does not change it.
+    std::function<bool(scene::Scene&)> contact;
+    /// Changes the place of a question of that contact. Null: places are as in the question.
+    std::function<bool(Question&, const scene::Scene&)> place = {};
+};
 
-std::string* find(Parameters& parameters, std::string_view key) {
-    for (Parameter& p : parameters) {
-        if (p.key == key) {
-            return &p.text;
-        }
-    }
-    return nullptr;
-}
-
-/// Replaces each of the existing parameters by `form`, with its text in place of %.
-bool replaced(Parameters& parameters, const std::vector<std::string_view>& keys,
-              const std::string& form) {
-    bool any = false;
-    for (const std::string_view key : keys) {
-        std::string* const text = find(parameters, key);
-        if (text != nullptr && formula::Exact::parse(*text).sign() != 0) {
-            std::string changed = form;
-            changed.replace(changed.find('%'), 1, "(" + *text + ")");
-            *text = changed;
-            any = true;
-        }
-    }
-    return any;
-}
-
-/// Replaces the moduli and Poisson's ratios by one modulus.
-bool modulus(Parameters& parameters, const std::string& form) {
-    const std::string* const e1 = find(parameters, "E1");
-    const std::string* const nu1 = find(parameters, "nu1");
-    const std::string* const e2 = find(parameters, "E2");
-    if (e1 == nullptr || nu1 == nullptr || e2 == nullptr) {
+/// C as the constant of the gap, g = C x^(m + 1).
+bool gap_for_slope(scene::Scene& scene) {
+    if (!scene.profile || scene.profile->kind() != contact::Profile::Kind::power_law) {
         return false;
     }
-    std::string text;
-    for (const char c : form) {
-        text += c == '1'   ? "(" + *e1 + ")"
-                : c == '2' ? "(" + *e2 + ")"
-                : c == 'n' ? "(" + *nu1 + ")"
-                : c == 'I' ? "1"
-                           : std::string(1, c);
+    const auto& parameters = scene.profile->parameters();
+    const formula::Exact& m = parameters.at("m");
+    if (m.sign() == 0) {
+        return false;
     }
-    std::erase_if(parameters, [](const Parameter& p) {
-        return p.key == "E1" || p.key == "E2" || p.key == "nu1" || p.key == "nu2";
-    });
-    parameters.push_back({"contact_modulus", text, 0});
+    scene.profile = contact::Profile::power_law(
+        formula::Exact(parameters.at("C").expr() * (formula::Expr::number(Rational(1)) + m.expr())),
+        m);
     return true;
 }
 
-/// An alternative interpretation of a question.
-struct Reading {
-    const char* relation;
-    const char* hint;
-    /// Changes the question to that interpretation; false if this does not change it.
-    std::function<bool(Parameters&, Question&)> change;
-};
-
-Reading of_parameters(const char* relation, const char* hint, std::vector<std::string_view> keys,
-                      std::string form) {
-    return {relation, hint, [keys = std::move(keys), form = std::move(form)](auto& p, auto&) {
-                return replaced(p, keys, form);
-            }};
+bool reverse_shear(scene::Scene& scene) {
+    if (!scene.shear) {
+        return false;
+    }
+    scene.shear->Q = formula::Exact(-scene.shear->Q.expr());
+    scene.shear->bulk_tension = formula::Exact(-scene.shear->bulk_tension.expr());
+    return true;
 }
 
-const std::vector<Reading>& readings() {
-    static const std::vector<Reading> all{
-        of_parameters("ours with alpha and phi read in degrees",
-                      "angles are in radians; do not convert them", {"alpha", "phi"}, "%*pi/180"),
-        of_parameters("ours with alpha and phi converted to degrees",
-                      "angles are in radians; do not convert them", {"alpha", "phi"}, "%*180/pi"),
-        of_parameters("ours with a taken for the whole width",
-                      "a is the distance from the minimum of the profile to the right edge, the "
-                      "half-width of a symmetric contact",
-                      {"a"}, "%/2"),
-        of_parameters("ours with a doubled", "a is a half-width already", {"a"}, "%*2"),
-        of_parameters("ours with R taken for a diameter", "R is the radius of the arcs", {"R"},
-                      "%/2"),
-        of_parameters("ours with R doubled", "R is the radius of the arcs already", {"R"}, "%*2"),
-        of_parameters("ours with t taken for the whole flat", "the flat is 2 t wide", {"t"}, "%/2"),
-        of_parameters("ours with t doubled", "t is half the flat already", {"t"}, "%*2"),
-        of_parameters("ours with the contact modulus doubled",
-                      "contact_modulus is E* with 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2",
-                      {"contact_modulus"}, "%*2"),
-        of_parameters("ours with the contact modulus halved",
-                      "contact_modulus is E* with 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2",
-                      {"contact_modulus"}, "%/2"),
-        of_parameters("ours with Q and the bulk tension in the other direction",
-                      "Q is positive towards +x on the body that it acts on", {"Q", "bulk_tension"},
-                      "-%"),
-        of_parameters("ours with the bulk tension in the other direction",
-                      "bulk_tension is that of the other body less that of this one",
-                      {"bulk_tension"}, "-%"),
-        {"ours with C taken for the gap's constant, g = C x^(m + 1)",
-         "C is the slope's constant: g' = C x^m",
-         [](Parameters& p, Question&) {
-             const std::string* const m = find(p, "m");
-             return m != nullptr && formula::Exact::parse(*m).sign() != 0 &&
-                    replaced(p, {"C"}, "%*(1+(" + *m + "))");
-         }},
-        {"ours with u taken for x", "u runs inwards from the edge: x = a - u, or u - b",
-         [](Parameters& p, Question& q) {
-             const std::string* const a = find(p, "a");
-             if (!q.u || a == nullptr) {
+/// The mistakes in the data of a contact.
+std::vector<scene::SceneMistake> mistakes_in(const scene::Scene& scene) {
+    std::vector<scene::SceneMistake> all = contact_mistakes(scene);
+    if (scene.shear) {
+        std::ranges::move(shear_mistakes(scene), std::back_inserter(all));
+    }
+    return all;
+}
+
+/// The readings of which at least one changes a question: the mistakes of the catalogue that are
+/// possible for some of the contacts, and those that only questions allow.
+std::vector<Reading> readings(const Questions& questions, const std::set<std::size_t>& contacts) {
+    std::vector<Reading> all{
+        {"gap-for-slope", "ours with C taken for the gap's constant, g = C x^(m + 1)",
+         "C is the slope's constant: g' = C x^m", gap_for_slope},
+        {"sign", "ours with Q and the bulk tension in the other direction",
+         "Q is positive towards +x on the body that it acts on", reverse_shear},
+        {"x-for-u", "ours with u taken for x", "u runs inwards from the edge: x = a - u, or u - b",
+         [](scene::Scene&) { return true; },
+         [](Question& q, const scene::Scene& scene) {
+             if (!q.u || scene.load.kind != contact::Load::Kind::right_edge) {
                  return false;
              }
-             q.u = formula::Exact(formula::Exact::parse(*a).expr() - q.u->expr());
+             q.u = formula::Exact(scene.load.value.expr() - q.u->expr());
              return q.u->sign() > 0;
          }},
-        {"ours at the other edge",
+        {"edges-swapped", "ours at the other edge",
          "left taken for right? u runs inwards from the edge: u = a - x at the right one, u = b + "
-         "x "
-         "at the left one; swap the edges",
-         [](Parameters&, Question& q) {
+         "x at the left one; swap the edges",
+         [](scene::Scene&) { return true; },
+         [](Question& q, const scene::Scene&) {
              q.edge = opposite(q.edge);
              return q.at_edge();
-         }},
-        {"ours with E/(1 - nu^2) of one body for the contact modulus",
-         "1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2: both bodies deform",
-         [](Parameters& p, Question&) { return modulus(p, "1/(I-n^I*n)"); }},
-        {"ours with Poisson's ratio left out",
-         "1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2: plane strain",
-         [](Parameters& p, Question&) { return modulus(p, "1*2/(1+2)"); }},
-    };
+         }}};
+    std::set<std::string> known;
+    for (const std::size_t contact : contacts) {
+        for (const scene::SceneMistake& mistake : mistakes_in(questions.contacts[contact].scene)) {
+            if (!known.insert(mistake.what).second) {
+                continue;
+            }
+            all.push_back({std::string(mistake.name), "ours with " + mistake.what,
+                           std::string(mistake.advice), [what = mistake.what](scene::Scene& scene) {
+                               for (const scene::SceneMistake& m : mistakes_in(scene)) {
+                                   if (m.what == what) {
+                                       m.change(scene);
+                                       return true;
+                                   }
+                               }
+                               return false;
+                           }});
+        }
+    }
     return all;
 }
 
@@ -194,9 +160,20 @@ public:
         }
     }
 
+    /// The contacts of the failing rows.
+    [[nodiscard]] std::set<std::size_t> contacts() const {
+        std::set<std::size_t> all;
+        for (const std::size_t i : sample_) {
+            all.insert(answers_.questions.list[i].contact);
+        }
+        return all;
+    }
+
     void look(const Reading& reading) {
         keep(reading.relation, reading.hint,
-             [&](const std::vector<std::size_t>& which) { return held_to(reading, which); });
+             [this, reading](const std::vector<std::size_t>& which) {
+                 return held_to(reading, which);
+             });
     }
 
     /// Tests if the answers are the references divided or multiplied by the length of the contact.
@@ -242,8 +219,8 @@ public:
 private:
     using HoldTo = std::function<Families(const std::vector<std::size_t>&)>;
     struct Candidate {
-        const char* relation;
-        const char* hint;
+        std::string relation;
+        std::string hint;
         double held; ///< on the sample
         HoldTo hold_to;
     };
@@ -255,18 +232,18 @@ private:
         std::vector<std::size_t> of;
         for (const std::size_t i : which) {
             Question q = answers_.questions.list[i];
-            Parameters parameters = answers_.questions.contacts[q.contact].parameters;
             try {
-                if (!reading.change(parameters, q)) {
-                    continue;
-                }
                 const auto [known, is_new] = contacts.emplace(q.contact, std::nullopt);
                 if (is_new) {
-                    otherwise.contacts.push_back(
-                        make_asked_contact(std::move(parameters), otherwise.file, q.line));
-                    known->second = otherwise.contacts.size() - 1;
+                    AskedContact contact = answers_.questions.contacts[q.contact];
+                    if (reading.contact(contact.scene)) {
+                        otherwise.contacts.push_back(std::move(contact));
+                        known->second = otherwise.contacts.size() - 1;
+                    }
                 }
-                if (!known->second) {
+                if (!known->second ||
+                    (reading.place &&
+                     !reading.place(q, otherwise.contacts[*known->second].scene))) {
                     continue;
                 }
                 q.contact = *known->second;
@@ -318,7 +295,7 @@ private:
         }
     }
 
-    void keep(const char* relation, const char* hint, const HoldTo& hold_to) {
+    void keep(const std::string& relation, const std::string& hint, const HoldTo& hold_to) {
         for (const auto& [family, rows] : hold_to(sample_)) {
             if (const auto c = rows.explained()) {
                 candidates_[family].push_back({relation, hint, c->held, hold_to});
@@ -346,7 +323,7 @@ std::vector<Convention> infer_unit_mistakes(const Answers& answers, const Agreem
     options.progress = {};
     const PrecisionScope scope(reading_digits + 20);
     Search search(answers, agreements, failing, options);
-    for (const Reading& reading : readings()) {
+    for (const Reading& reading : readings(answers.questions, search.contacts())) {
         search.look(reading);
     }
     search.look_at_lengths();

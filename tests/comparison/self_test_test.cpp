@@ -41,7 +41,7 @@ TEST_CASE("self-test: mistakes in the pressure are named, and none wrongly") {
         CHECK(count.named == 2); // right data have no named cause at any noise
     }
     // If a moment tilts a wedge, its angle is that of the punch.
-    const auto angle = std::ranges::find(test.rows, "tan-of-angle", &SelfTestRow::name);
+    const auto angle = std::ranges::find(test.rows, "tangent-of-angle", &SelfTestRow::name);
     REQUIRE(angle != test.rows.end());
     CHECK(angle->at[0].named == 1);
 }

@@ -302,7 +302,7 @@ std::optional<Cause> cause_in_digits(const ResultTable& table, const AlignedResu
         return half_unit * factor * std::pow(10.0, -digits.decimals);
     };
     if (digits.significant <= most_rounded_digits && explains(data, exact, significant_unit)) {
-        return Cause{"rounded-digits",
+        return Cause{fmt::format("rounded-to-{}", digits.significant),
                      fmt::format("p is rounded to {} digits", digits.significant),
                      1,
                      0,
@@ -310,7 +310,7 @@ std::optional<Cause> cause_in_digits(const ResultTable& table, const AlignedResu
     }
     if (!digits.exponents && digits.significant <= most_rounded_digits &&
         explains(data, exact, decimal_unit)) {
-        return Cause{"rounded-digits",
+        return Cause{fmt::format("rounded-to-{}-decimals", digits.decimals),
                      fmt::format("p is rounded to {} decimals", digits.decimals),
                      1,
                      0,

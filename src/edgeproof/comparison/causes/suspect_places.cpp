@@ -108,7 +108,7 @@ void suspect_maps(const SuspectMaker& make) {
 /// Adds nodal values that are means over elements.
 void suspect_means(const SuspectMaker& make) {
     const auto of_rows = [&](const std::string& what, double before, double here, double behind) {
-        make.add("element-mean", what, [&](std::size_t i) {
+        make.add("element-average", what, [&](std::size_t i) {
             double sum = 0;
             for (const auto& [weight, rows] :
                  {std::pair{before, -1}, std::pair{here, 0}, std::pair{behind, 1}}) {
@@ -122,7 +122,7 @@ void suspect_means(const SuspectMaker& make) {
     of_rows("the mean over an element is given at its right node", 0.5, 0.5, 0);
     // The mean by Gauss's three points; this is inaccurate near an edge, where nodes are not used.
     const auto& all = make.nodes().data.nodes;
-    make.add("element-mean", "p is the mean over the width of a node", [&](std::size_t i) {
+    make.add("element-average", "p is the mean over the width of a node", [&](std::size_t i) {
         const std::size_t at = make.nodes().nodes[i];
         if (at == 0 || at + 1 >= all.size()) {
             return std::numeric_limits<double>::quiet_NaN();

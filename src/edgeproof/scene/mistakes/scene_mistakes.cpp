@@ -220,9 +220,9 @@ private:
     }
     void angles() {
         const Expr degree = Expr::pi() / integer(180);
-        angle("tan-of-angle", "the tangent instead of the angle",
+        angle("tangent-of-angle", "the tangent instead of the angle",
               [](const Expr& value) { return Expr::call("tan", {value}); });
-        angle("tan-of-angle", "the sine instead of the angle",
+        angle("tangent-of-angle", "the sine instead of the angle",
               [](const Expr& value) { return Expr::call("sin", {value}); });
         angle("degrees", "the angle in degrees instead of radians",
               [degree](const Expr& value) { return value / degree; });

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scene.plot()."""
+"""Draws a scene for Scene.plot(). This module does not import the module of Scene, which imports it."""
 
 from __future__ import annotations
 
@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     import matplotlib.figure
-
-    from .scene import Scene
 
 _POINTS = 600
 _DECADES = 6
@@ -26,7 +24,7 @@ def _sum(coefficients: Any, u: Any) -> Any:
     return total * numpy.sqrt(u)
 
 
-def plot(scene: Scene, terms: list[int], edge: str) -> matplotlib.figure.Figure:
+def plot(scene: Any, terms: list[int], edge: str) -> matplotlib.figure.Figure:
     import numpy
     from matplotlib.figure import Figure
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws a scene for Scene.plot(). This module does not import the module of Scene, which imports it."""
+"""Draws a scene for Scene.plot(). The module of Scene imports this one, not the reverse."""
 
 from __future__ import annotations
 

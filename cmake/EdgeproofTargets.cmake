@@ -52,15 +52,20 @@ function(edgeproof_build_quickly target)
         $<$<AND:$<CXX_COMPILER_ID:GNU,Clang>,$<CONFIG:Release>>:-O1>)
 endfunction()
 
-# edgeproof_add_module(<module> [QUICK] [DEPENDS <modules below>] [LIBS <in its headers>]
+# edgeproof_add_module(<module> [QUICK] [LAB] [DEPENDS <modules below>] [LIBS <in its headers>]
 #                    [PRIVATE_LIBS <in its sources only>])
-# QUICK: see edgeproof_build_quickly.
+# QUICK: see edgeproof_build_quickly. LAB: the sources are in <module> itself, and the library is
+# not installed.
 # Adds the static library edgeproof_<module>, alias edgeproof::<module>, of
 # src/edgeproof/<module>/*.cpp. A module without sources is an interface library.
 function(edgeproof_add_module module)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "QUICK" "" "DEPENDS;LIBS;PRIVATE_LIBS")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "QUICK;LAB" "" "DEPENDS;LIBS;PRIVATE_LIBS")
     set(target edgeproof_${module})
-    file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/edgeproof/${module}/*.cpp)
+    set(root ${PROJECT_SOURCE_DIR}/src/edgeproof)
+    if(arg_LAB)
+        set(root ${PROJECT_SOURCE_DIR})
+    endif()
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${root}/${module}/*.cpp)
     list(FILTER sources EXCLUDE REGEX "/cli/main\\.cpp$")
     list(TRANSFORM arg_DEPENDS PREPEND edgeproof::)
     if(sources)
@@ -74,7 +79,7 @@ function(edgeproof_add_module module)
             # One unit for each folder, so that local names of different folders do not collide.
             foreach(source IN LISTS sources)
                 cmake_path(GET source PARENT_PATH folder)
-                cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/src/edgeproof)
+                cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${root})
                 string(MAKE_C_IDENTIFIER "${folder}" folder)
                 set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
             endforeach()
@@ -86,6 +91,9 @@ function(edgeproof_add_module module)
         add_library(${target} INTERFACE)
     endif()
     target_compile_features(${target} ${usage} cxx_std_20)
+    if(arg_LAB)
+        target_include_directories(${target} ${usage} ${PROJECT_SOURCE_DIR})
+    endif()
     target_include_directories(${target} ${usage}
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
         $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
@@ -93,5 +101,7 @@ function(edgeproof_add_module module)
     add_dependencies(${target} include_order)
     set_target_properties(${target} PROPERTIES EXPORT_NAME ${module})
     add_library(edgeproof::${module} ALIAS ${target})
-    install(TARGETS ${target} EXPORT edgeproof)
+    if(NOT arg_LAB)
+        install(TARGETS ${target} EXPORT edgeproof)
+    endif()
 endfunction()

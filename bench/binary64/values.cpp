@@ -6,7 +6,7 @@
 // values, in full), then `time` and the nanoseconds for a value of each. The contact is solved
 // before.
 #include "edgeproof/scene/binary64_pressures.hpp"
-#include "edgeproof/validation/textbook_formula.hpp"
+#include "lab/validation/textbook_formula.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 

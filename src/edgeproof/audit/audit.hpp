@@ -9,14 +9,12 @@
 ///     judgement.hpp         Evidence: the reasons for a verdict
 ///     claim_kind.hpp       CheckKind: the interface of a kind of claim (one file each in checks/)
 ///     enclosures.hpp       verdicts by ball arithmetic: disjoint enclosures, proved digits
-///     mutants.hpp          correct formulas broken on purpose, to measure what the check detects
 #include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/ledger/claim_kind.hpp"
 #include "edgeproof/audit/ledger/family.hpp"
 #include "edgeproof/audit/ledger/judgement.hpp"
 #include "edgeproof/audit/ledger/ledger.hpp"
-#include "edgeproof/audit/mutation/mutants.hpp"
 #include "edgeproof/audit/run.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
 #include "edgeproof/audit/sample/evaluated_scene.hpp"

@@ -28,10 +28,7 @@ void add_points(CLI::App& app, int& code);
 void add_check(CLI::App& app, int& code);
 void add_compare(CLI::App& app, int& code);
 void add_pack(CLI::App& app, int& code);
-void add_mutate(CLI::App& app, int& code);
 void add_certify(CLI::App& app, int& code);
-void add_bounds(CLI::App& app, int& code);
-void add_cost(CLI::App& app, int& code);
 
 /// Shows the number of items done, the rate and the time left on stderr, if that is a terminal that
 /// obeys escape sequences. The line is wiped at the end.

@@ -7,6 +7,7 @@
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/text/program_line.hpp"
+#include "lab/lab.hpp"
 
 #include <exception>
 #include <filesystem>

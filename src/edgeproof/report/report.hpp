@@ -5,7 +5,6 @@
 ///   table.hpp             any table as CSV, JSON, Markdown, LaTeX
 ///   reference_table.hpp   a recipe's answers, or its questions, as a table; comparison of tables
 ///   agreement_report.hpp  other programs' answers and the references, as text and as JUnit
-///   mutation_report.hpp   the results for formulas with deliberate errors
 ///   verdict_writers.hpp            comparison of an audit with recorded verdicts
 ///   html.hpp       an audit as a page, with the paper's figures recomputed
 ///   figures.hpp           a figure as data, drawn by gnuplot
@@ -15,7 +14,6 @@
 #include "edgeproof/report/figures/figures.hpp"
 #include "edgeproof/report/page/html.hpp"
 #include "edgeproof/report/tables/agreement_report.hpp"
-#include "edgeproof/report/tables/mutation_report.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"
 #include "edgeproof/report/tables/table.hpp"
 #include "edgeproof/report/text/program_line.hpp"

@@ -13,7 +13,7 @@
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/figures/comparison_figures.hpp"
-#include "edgeproof/report/page/cost_page.hpp"
+#include "edgeproof/report/page/comparison_page.hpp"
 #include "edgeproof/report/tables/comparison_report.hpp"
 
 #include <cstdio>

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/cost/cost_case.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace edgeproof::cost {
+namespace {
+
+constexpr std::size_t many = 40;
+constexpr std::size_t some = 10;
+constexpr unsigned digits_of_places = 6;
+
+/// Returns a geometric sequence from 1e-8 to 1, as decimals of 6 digits, times `unit`.
+std::vector<formula::Exact> geometric_places(std::size_t count, const std::string& unit) {
+    const PrecisionScope scope(30);
+    std::vector<formula::Exact> u;
+    for (std::size_t k = 0; k < count; ++k) {
+        const Real exponent = Real(8 * k) / Real(count - 1) - 8;
+        const std::string text = to_decimal(Real(pow(Real(10), exponent)), digits_of_places);
+        std::string place = text;
+        if (unit != "1") {
+            place.insert(0, "(" + unit + ")*");
+        }
+        u.push_back(formula::Exact::parse(place));
+    }
+    return u;
+}
+
+std::vector<formula::Exact> listed(const std::vector<const char*>& texts) {
+    std::vector<formula::Exact> u;
+    u.reserve(texts.size());
+    for (const char* text : texts) {
+        u.push_back(formula::Exact::parse(text));
+    }
+    return u;
+}
+
+using Section = scene::SceneEntries::Section;
+
+scene::Scene unit_contact(const std::string& name, const Section& profile) {
+    scene::Scene scene = scene::make_scene({"", profile, {{"a", "1"}, {"contact_modulus", "1"}}});
+    scene.file = name;
+    return scene;
+}
+
+} // namespace
+
+std::vector<CostCase> usual_cases() {
+    const Section flat{{"kind", "flat-and-rounded"}, {"t", "0.4"}, {"R", "1"}};
+    const Section wedge{{"kind", "power-law"}, {"m", "0"}, {"C", "1"}};
+    const Section power{{"kind", "power-law"}, {"m", "1/2"}, {"C", "1"}};
+    const Section tilted_wedge{{"kind", "tilted-wedge"}, {"phi", "pi/16"}, {"alpha", "pi/32"}};
+    const Section tilted_flat{
+        {"kind", "tilted-flat-and-rounded"}, {"alpha", "1/10"}, {"t", "1/2"}, {"R", "2"}};
+    const Section curved{{"kind", "piecewise"},
+                         {"symmetric", true},
+                         {"knots", std::vector<std::string>{"1/2"}},
+                         {"slopes", std::vector<std::string>{"x/10", "x/10 + (x - 1/2)^3"}}};
+    std::vector<CostCase> cases;
+    const auto add = [&](const std::string& name, const Section& profile,
+                         std::vector<formula::Exact> u, const char* near = "0") {
+        cases.push_back({name, unit_contact(name, profile), contact::Edge::right, std::move(u),
+                         formula::Exact::parse(near)});
+    };
+    std::vector<formula::Exact> off_centre = geometric_places(some, "1");
+    off_centre.back() =
+        formula::Exact::parse("1/2"); // u = a is the apex, where p is infinite for some profiles
+    add("flat-and-rounded", flat, geometric_places(many, "1"));
+    add("wedge", wedge, off_centre);
+    add("power law, m = 1/2", power, off_centre);
+    add("tilted wedge", tilted_wedge, off_centre);
+    add("tilted flat-and-rounded", tilted_flat, off_centre);
+    add("curved", curved, off_centre);
+    add("by the end of the flat", flat,
+        listed({"0.6 - 1e-2", "0.6 + 1e-3", "0.6 - 1e-4", "0.6 + 1e-6", "0.6 - 1e-8", "0.6 + 1e-10",
+                "0.6 - 1e-12", "0.6 + 1e-16", "0.6 - 1e-20", "0.6 - 1e-30"}),
+        "0.6");
+    add("by the apex of a wedge", wedge,
+        listed({"1 - 1e-2", "1 - 1e-4", "1 - 1e-8", "1 - 1e-12", "1 - 1e-20", "1 - 1e-30"}), "1");
+    add("by the apex of a power law", power,
+        listed({"1 - 1e-2", "1 - 1e-4", "1 - 1e-8", "1 - 1e-12", "1 - 1e-20", "1 - 1e-30"}), "1");
+    add("within 1e-300 of the edge", tilted_flat,
+        listed({"1e-12", "1e-20", "1e-30", "1e-60", "1e-100", "1e-300"}));
+    return cases;
+}
+
+CostCase case_of(const scene::Scene& scene) {
+    if (!scene.profile) {
+        throw InputError("the cost of a scene with P and M is not measured: its tilt is found "
+                         "once, and its pressures cost as much as those of the tilted profile",
+                         "give alpha, and a or P")
+            .at(scene.file, scene.load_line);
+    }
+    CostCase c{std::filesystem::path(scene.file).stem().string(),
+               scene,
+               scene.ask.edges.empty() ? contact::Edge::right : scene.ask.edges.front(),
+               {},
+               {}};
+    for (const scene::AskedPoint& point : scene.ask.u) {
+        const auto u = point.distance(c.edge).number();
+        if (!u) {
+            throw InputError(point.text() + " has no numerical value, because a has none",
+                             "give a, or u as numbers")
+                .at(scene.file, point.line);
+        }
+        c.u.push_back(*u);
+    }
+    if (c.u.empty()) {
+        const contact::NormalContact contact(*scene.profile, scene.contact_modulus, scene.load, 20);
+        const Real size = c.edge == contact::Edge::right ? contact.a() : contact.b();
+        c.u = geometric_places(many, to_decimal(size, digits_of_places));
+    }
+    return c;
+}
+
+double CostCase::distance(std::size_t point) const {
+    const PrecisionScope scope(400);
+    return Real(abs(Real(u.at(point).to<Real>() - near.to<Real>()))).convert_to<double>();
+}
+
+std::vector<std::size_t> thinned(std::size_t points, std::size_t most) {
+    std::vector<std::size_t> chosen;
+    const std::size_t n = std::min(points, most);
+    for (std::size_t i = 0; i < n; ++i) {
+        chosen.push_back(n == 1 ? 0 : i * (points - 1) / (n - 1));
+    }
+    return chosen;
+}
+
+} // namespace edgeproof::cost

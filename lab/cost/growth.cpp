@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/cost/growth.hpp"
+#include "edgeproof/parallel/parallel_for.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/scene/run_scene.hpp"
+#include "lab/cost/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeproof::cost {
+namespace {
+
+constexpr unsigned digits_that_may_miss = 1; ///< a rounding of the last digit
+
+bool useful(const CostCell& cell) { return cell.failed() < cell.points.size(); }
+
+} // namespace
+
+double Growth::ten_more() const { return std::pow(60.0 / 50.0, time.exponent); }
+
+std::vector<Growth> growths(const std::vector<CostCell>& cells) {
+    std::vector<Growth> all;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const auto same = [&](const CostCell& c) {
+            return c.scene == cells[i].scene && c.route == cells[i].route &&
+                   c.arithmetic == cells[i].arithmetic;
+        };
+        if (i > 0 && same(cells[i - 1])) {
+            continue;
+        }
+        std::vector<std::pair<double, double>> times;
+        std::vector<std::pair<double, double>> counts;
+        for (std::size_t k = i; k < cells.size() && same(cells[k]); ++k) {
+            if (useful(cells[k])) {
+                times.emplace_back(cells[k].digits, cells[k].seconds().median);
+                const auto evaluations = cells[k].evaluations();
+                counts.emplace_back(cells[k].digits, evaluations ? evaluations->median : 0);
+            }
+        }
+        if (const auto fit = roots::power_law_fit(times)) {
+            all.push_back({cells[i].scene, cells[i].route, cells[i].arithmetic, *fit,
+                           roots::power_law_fit(counts)});
+        }
+    }
+    return all;
+}
+
+std::vector<BoundCost> bound_costs(const std::vector<CostCell>& cells) {
+    std::vector<BoundCost> all;
+    for (const CostCell& ball : cells) {
+        if (!ball.proves || ball.route != "enclosure" || !useful(ball)) {
+            continue;
+        }
+        BoundCost cost{ball.scene, ball.digits, "", 0, ball.seconds().median, 0};
+        for (const CostCell& c : cells) {
+            if (c.scene != ball.scene || c.digits != ball.digits || !useful(c)) {
+                continue;
+            }
+            if (c.proves && c.route == "rounded") {
+                cost.rounded_seconds = c.seconds().median;
+            } else if (c.arithmetic == "MPFR" &&
+                       c.right().least + digits_that_may_miss >= c.digits && c.failed() == 0 &&
+                       (cost.bare.empty() || c.seconds().median < cost.bare_seconds)) {
+                cost.bare = c.route;
+                cost.bare_seconds = c.seconds().median;
+            }
+        }
+        if (!cost.bare.empty() && cost.bare_seconds > 0) {
+            all.push_back(std::move(cost));
+        }
+    }
+    return all;
+}
+
+namespace {
+
+constexpr double enough_seconds_of_an_effect = 0.05;
+constexpr std::size_t fewest_runs = 3;
+constexpr std::size_t most_runs = 9;
+
+using Section = scene::SceneEntries::Section;
+using Texts = std::vector<std::string>;
+
+struct Added {
+    const char* name;
+    const char* base;
+    Section profile;
+    Section load;
+    Section shear = {};
+    Section ask = {};
+};
+
+const Section flat{{"kind", "flat-and-rounded"}, {"t", "0.4"}, {"R", "1"}};
+const Section tilted{
+    {"kind", "tilted-flat-and-rounded"}, {"alpha", "1/10"}, {"t", "0.4"}, {"R", "1"}};
+const Section untilted{{"kind", "tilted-flat-and-rounded"}, {"t", "0.4"}, {"R", "1"}};
+const Section by_edge{{"a", "1"}};
+const Section by_force{{"P", "1/2"}};
+const Section by_moment{{"P", "1/2"}, {"M", "-1/50"}};
+
+const Added effects[] = {
+    {"pressures of a symmetric punch", "", flat, by_edge},
+    {"P given instead of a", "pressures of a symmetric punch", flat, by_force},
+    {"tilt", "pressures of a symmetric punch", tilted, by_edge},
+    {"tilt found from P and M", "tilt", untilted, by_moment},
+    {"both edges of a tilted punch",
+     "tilt",
+     tilted,
+     by_edge,
+     {},
+     {{"edges", Texts{"right", "left"}}}},
+    {"shear under full stick", "pressures of a symmetric punch", flat, by_edge, {{"Q", "0.1"}}},
+    {"shear and bulk tension",
+     "pressures of a symmetric punch",
+     flat,
+     by_edge,
+     {{"Q", "0.1"}, {"bulk_tension", "0.2"}}},
+    {"shear in proportion to P",
+     "pressures of a symmetric punch",
+     flat,
+     by_edge,
+     {{"Q", "0.1"}, {"path", "together"}}},
+    {"expansion to 3 terms", "pressures of a symmetric punch", flat, by_edge, {}, {{"terms", "3"}}},
+    {"expansion to 10 terms",
+     "pressures of a symmetric punch",
+     flat,
+     by_edge,
+     {},
+     {{"terms", "10"}}},
+    {"expansion to 3 terms, tilted", "tilt", tilted, by_edge, {}, {{"terms", "3"}}},
+    {"extents of 1 and 3 terms",
+     "pressures of a symmetric punch",
+     flat,
+     by_edge,
+     {},
+     {{"terms", Texts{"1", "3"}}, {"tolerance", "5%"}, {"quantities", Texts{"extent"}}}},
+};
+
+scene::Scene scene_of(const Added& e, unsigned digits) {
+    scene::SceneEntries entries{"", e.profile, e.load, e.shear, e.ask};
+    entries.load.push_back({"contact_modulus", "1"});
+    entries.ask.push_back({"digits", std::to_string(digits)});
+    const bool extents = std::any_of(e.ask.begin(), e.ask.end(),
+                                     [](const auto& entry) { return entry.key == "tolerance"; });
+    if (!extents) {
+        entries.ask.push_back({"u", Texts{"1e-8", "1e-6", "1e-4", "1e-3", "0.01", "0.03", "0.1",
+                                          "0.2", "0.3", "0.45"}});
+    }
+    scene::Scene scene = scene::make_scene(entries);
+    scene.file = e.name;
+    return scene;
+}
+
+} // namespace
+
+std::vector<EffectCost>
+effect_costs(unsigned digits, bool timed,
+             const std::function<void(std::size_t, std::size_t)>& progress) {
+    std::vector<EffectCost> costs;
+    for (const Added& e : effects) {
+        check_interruption();
+        if (progress) {
+            progress(costs.size(), std::size(effects));
+        }
+        const scene::Scene scene = scene_of(e, digits);
+        EffectCost cost{e.name, e.base, run_scene(scene).work, 0, 1};
+        std::vector<double> seconds;
+        double spent = 0;
+        while (timed && (seconds.size() < fewest_runs ||
+                         (spent < enough_seconds_of_an_effect && seconds.size() < most_runs))) {
+            const double begun = parallel::thread_seconds();
+            (void)run_scene(scene);
+            seconds.push_back(parallel::thread_seconds() - begun);
+            spent += seconds.back();
+        }
+        cost.seconds = quartiles(std::move(seconds)).median;
+        const auto base = std::find_if(costs.begin(), costs.end(),
+                                       [&](const EffectCost& c) { return c.effect == cost.base; });
+        cost.ratio = base != costs.end() && base->seconds > 0 ? cost.seconds / base->seconds : 1;
+        costs.push_back(std::move(cost));
+    }
+    return costs;
+}
+
+} // namespace edgeproof::cost

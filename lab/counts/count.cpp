@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/counts/count.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/scene/run_scene.hpp"
+#include "lab/counts/state_text.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+namespace edgeproof::validation {
+
+void CountCell::add(const CountCell& o) {
+    values += o.values;
+    excluded += o.excluded;
+    wrong += o.wrong;
+    wide += o.wide;
+    undecided += o.undecided;
+}
+
+CountResult count_values(const CountOptions& options, CountState& state) {
+    state.seed = options.seed;
+    state.values = options.values;
+    state.digits = options.digits;
+    const ContactSizes sizes{options.values, values_a_contact};
+    auto findings = count_contacts_left<CountFinding>(
+        options, state, sizes, [&options](std::size_t number, std::size_t values) {
+            return count_contact(options, number, values);
+        });
+    CountResult result;
+    for (const auto& [number, cells] : state.contacts) {
+        for (const auto& [cell, found] : cells) {
+            result.cells.at(cell / sampled_regimes.size())
+                .at(cell % sampled_regimes.size())
+                .add(found);
+            result.total.add(found);
+        }
+    }
+    for (auto& [number, list] : findings) {
+        for (CountFinding& f : list) {
+            result.findings.push_back(std::move(f));
+        }
+    }
+    return result;
+}
+
+namespace {
+
+using scene::AskedValue;
+using scene::Quantity;
+
+constexpr std::size_t most_counted_terms = 4;
+constexpr std::size_t integral_every = 8;
+constexpr std::size_t mossakovskii_every = 64;
+/// The allowed width of an enclosure, in units of the last printed digit.
+constexpr long most_units = 10;
+
+/// The enclosures of one contact at one number of digits, as in runs of scenes; points are separate
+/// from coefficients, so that no approximations are computed at points.
+class Enclosures {
+public:
+    Enclosures(const scene::Scene& scene, unsigned digits)
+        : others_(scene,
+                  {{.quantity = Quantity::p, .u = formula::Exact::of(Rational(1))},
+                   {.quantity = Quantity::q, .u = formula::Exact::of(Rational(1))},
+                   {Quantity::P}},
+                  {digits, Rounding::nearest, false}),
+          coefficients_(
+              scene, {{Quantity::c, most_counted_terms - 1}, {Quantity::s, most_counted_terms - 1}},
+              {digits, Rounding::nearest, false}) {}
+
+    [[nodiscard]] scene::BoundedValue value(const AskedValue& asked) {
+        return (row_of(asked.quantity).index == scene::QuantityRow::Index::order ? coefficients_
+                                                                                 : others_)
+            .value(asked);
+    }
+
+private:
+    scene::SceneValues others_;
+    scene::SceneValues coefficients_;
+};
+
+struct SecondValue {
+    Real value;
+    Real error;
+};
+
+/// The same values in Real.
+class Reals {
+public:
+    Reals(const scene::Scene& scene, unsigned digits)
+        : digits_(digits), contact_(*scene.profile, scene.contact_modulus, scene.load, digits),
+          shear_(contact_, *scene.shear), logarithms_(contact_.profile().piecewise_linear()) {}
+
+    [[nodiscard]] SecondValue value(const AskedValue& asked, std::size_t i) {
+        const PrecisionScope scope(digits_ + 20);
+        switch (asked.quantity) {
+        case Quantity::p: {
+            const Real p = contact_.pressure(asked.edge, asked.u.value(), route(i)).value;
+            return {p, Real(abs(p) * unit())};
+        }
+        case Quantity::q: {
+            const contact::EstimatedTraction t = shear_.traction(asked.edge, asked.u.value());
+            return {t.value, t.error};
+        }
+        case Quantity::s: {
+            const contact::EstimatedTraction t =
+                shear_.expansion(asked.edge, most_counted_terms).at(asked.k);
+            return {t.value, t.error};
+        }
+        case Quantity::c: {
+            auto& c = c_[asked.edge];
+            if (c.empty()) {
+                c = contact_.expansion(asked.edge, most_counted_terms);
+            }
+            const Real natural =
+                abs(c[0]) / pow(contact_.convergence_radius(asked.edge), static_cast<int>(asked.k));
+            const Real size = std::max(Real(abs(c.at(asked.k))), natural);
+            return {c.at(asked.k), Real(size * unit())};
+        }
+        default:
+            break;
+        }
+        const Real x = asked.quantity == Quantity::P ? contact_.force() : contact_.b();
+        return {x, Real(abs(x) * unit())};
+    }
+
+private:
+    [[nodiscard]] contact::Route route(std::size_t i) const {
+        if (i % mossakovskii_every == mossakovskii_every / 2 && contact_.profile().symmetric()) {
+            return contact::Route::barber_mossakovskii;
+        }
+        return logarithms_ && i % integral_every != 0 ? contact::Route::closed_form
+                                                      : contact::Route::singular_integral;
+    }
+    [[nodiscard]] Real unit() const { return pow(Real(10), -static_cast<int>(digits_)); }
+
+    unsigned digits_;
+    contact::NormalContact contact_;
+    contact::ShearTraction shear_;
+    bool logarithms_;
+    std::map<contact::Edge, std::vector<Real>> c_;
+};
+
+/// Returns the unit of the last of `digits` digits of x.
+Real last_unit(const Real& x, unsigned digits) {
+    const PrecisionScope scope(40);
+    const Real size = abs(x);
+    return pow(Real(10), Real(floor(log10(size)))) * pow(Real(10), 1 - static_cast<int>(digits));
+}
+
+} // namespace
+
+std::string held_to(const scene::BoundedValue& first, const scene::BoundedValue& finer,
+                    const Real& second, const Real& error, unsigned digits, CountCell& cell) {
+    const scene::Digits asked{digits, Rounding::nearest, false};
+    ++cell.values;
+    if (!first.proved || !finer.proved) {
+        ++cell.undecided;
+        return "no enclosure: " + (first.proved ? finer : first).how();
+    }
+    std::string wrong;
+    const long bits = std::max<long>(first.value.bits(),
+                                     static_cast<long>(mpfr_get_prec(second.backend().data())));
+    const Ball other = Ball::around(second, error, bits);
+    if (!isfinite(second) || disjoint(first.value, other) || disjoint(first.value, finer.value)) {
+        ++cell.excluded;
+        wrong = "the enclosure excludes the second value";
+    }
+    const std::string text = printed(first, asked).text;
+    if (text == "0") {
+        // Zero cannot be excluded; then the finer enclosure must contain zero, too.
+        if (!contains_zero(finer.value)) {
+            ++cell.wrong;
+            wrong +=
+                (wrong.empty() ? "" : "; ") + std::string("0 is printed for a value that is not 0");
+        }
+        return wrong;
+    }
+    const Rounded again = round_ball(finer.value, digits);
+    const Rounded by_other = round_ball(other, digits);
+    if (text != again.text || (by_other.complete && text != by_other.text)) {
+        ++cell.wrong;
+        wrong += (wrong.empty() ? "" : "; ") + std::string("the digits printed are not those of ") +
+                 (text != again.text ? "the finer enclosure, " + again.text : "the second value");
+    }
+    const PrecisionScope scope(40);
+    if (2 * first.value.radius() > most_units * last_unit(first.value.midpoint(), digits)) {
+        ++cell.wide;
+        wrong += (wrong.empty() ? "" : "; ") + std::string("the enclosure is too wide");
+    }
+    return wrong;
+}
+
+CountedContact count_contact(const CountOptions& options, std::size_t number, std::size_t values) {
+    CountedContact found;
+    const SampledContact contact = sampled_contact(options.seed, number, values);
+    std::optional<Enclosures> coarse;
+    std::optional<Enclosures> fine;
+    std::optional<Reals> reals;
+    for (std::size_t i = 0; i < values; ++i) {
+        check_interruption();
+        const SampledValue& v = contact.values[i];
+        CountCell& cell = found.cells[contact.profile * sampled_regimes.size() + v.regime];
+        CountFinding finding{number, i, false, "", text_of(v.asked), "", "", contact.text};
+        const std::size_t failures = cell.failures();
+        const std::size_t counted = cell.values;
+        try {
+            if (!coarse) {
+                coarse.emplace(contact.scene, options.digits);
+                fine.emplace(contact.scene, 2 * options.digits);
+                reals.emplace(contact.scene, 2 * options.digits);
+            }
+            const scene::BoundedValue first = coarse->value(v.asked);
+            SecondValue second = reals->value(v.asked, i);
+            if (options.second) {
+                options.second(v, second.value);
+            }
+            finding.text = printed(first, {options.digits, Rounding::nearest, false}).text;
+            finding.second = to_decimal(second.value, 2 * options.digits);
+            finding.what = held_to(first, fine->value(v.asked), second.value, second.error,
+                                   options.digits, cell);
+        } catch (const Error& error) {
+            cell.values = counted + 1;
+            ++cell.undecided;
+            finding.what = error.what();
+        }
+        finding.failed = cell.failures() > failures;
+        if (!finding.what.empty()) {
+            found.findings.push_back(std::move(finding));
+        }
+    }
+    return found;
+}
+
+namespace {
+
+std::string head(const CountState& s) {
+    return "edgeproof bounds count, seed " + std::to_string(s.seed) + ", values " +
+           std::to_string(s.values) + ", digits " + std::to_string(s.digits);
+}
+
+} // namespace
+
+std::string write_count_state(const CountState& state) {
+    std::string text = head(state) + "\n";
+    for (const auto& [number, cells] : state.contacts) {
+        const bool clean = std::all_of(cells.begin(), cells.end(), [](const auto& cell) {
+            return cell.second.failures() + cell.second.undecided == 0;
+        });
+        if (!clean) {
+            continue;
+        }
+        text += std::to_string(number);
+        for (const auto& [cell, found] : cells) {
+            text += " " + std::to_string(cell) + ":" + std::to_string(found.values);
+        }
+        text += "\n";
+    }
+    return text + "end\n";
+}
+
+CountState parse_count_state(std::string_view text, const std::string& file,
+                             const CountState& wanted) {
+    CountState state = wanted;
+    state.contacts.clear();
+    read_state_text(text, file, head(wanted), [&](const std::string& line) {
+        std::istringstream words(line);
+        std::size_t contact = 0;
+        if (!(words >> contact)) {
+            return false;
+        }
+        auto& cells = state.contacts[contact];
+        std::size_t cell = 0;
+        std::size_t values = 0;
+        char colon = 0;
+        while (words >> cell) {
+            if (!(words >> colon >> values) || colon != ':' || values > values_a_contact ||
+                cell >= sampled_profiles.size() * sampled_regimes.size()) {
+                return false;
+            }
+            cells[cell].values = values;
+        }
+        return words.eof();
+    });
+    return state;
+}
+
+} // namespace edgeproof::validation

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/validation/second_route.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "lab/validation/enclosed_value.hpp"
+#include "lab/validation/textbook_formula.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace edgeproof::validation {
+namespace {
+
+using scene::AskedValue;
+using scene::Quantity;
+
+constexpr unsigned most_extra = 6000;
+/// Additional digits for a coefficient far below its natural size.
+constexpr unsigned cancelled = 25;
+/// The step of the divided differences is this many decades below the radius of convergence.
+constexpr unsigned step_decades = 12;
+
+Real power_of_ten(int k) { return pow(Real(10), k); }
+
+contact::NormalContact contact_of(const scene::Scene& scene, unsigned digits) {
+    if (!scene.profile) {
+        throw DomainError("the tilt is not given");
+    }
+    return {*scene.profile, scene.contact_modulus, scene.load, digits};
+}
+
+SecondRoute relative(std::string route, const Real& value, const Real& error) {
+    return {std::move(route), value, Real(abs(value) * error)};
+}
+
+SecondRoute pressure_by(const scene::Scene& scene, const AskedValue& asked, unsigned digits,
+                        contact::Route route) {
+    const contact::Estimated p = contact_of(scene, digits).pressure(asked.edge, *asked.u, route);
+    const PrecisionScope scope(p.working_digits);
+    return relative(route_name(route), p.value, p.estimate);
+}
+
+SecondRoute tilt_difference_by(const scene::Scene& scene, const AskedValue& asked, unsigned digits,
+                               contact::Route route) {
+    const scene::Scene other = upright(scene);
+    for (unsigned extra = 32;; extra *= 2) {
+        const SecondRoute p = pressure_by(scene, asked, digits + extra, route);
+        const SecondRoute q = pressure_by(other, asked, digits + extra, route);
+        const PrecisionScope scope(digits + extra + 20);
+        const Real d = p.value - q.value;
+        const Real error = p.error + q.error;
+        if (error <= abs(d) * power_of_ten(-static_cast<int>(digits)) || extra >= most_extra) {
+            return {p.route, d, error};
+        }
+    }
+}
+
+SecondRoute by_series(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    const Real c = contact_of(scene, digits + cancelled).expansion(asked.edge, asked.k + 1).back();
+    const PrecisionScope scope(c.precision());
+    return relative("series", c, power_of_ten(-static_cast<int>(digits)));
+}
+
+/// Computes c_n from p/sqrt(u) at u = delta, 2 delta, ..., where delta is 1e-12 of the radius of
+/// convergence, by Newton's divided differences (DLMF 3.3(iv)), expanded about u = 0.
+SecondRoute by_differences(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    const auto n = static_cast<unsigned>(asked.k);
+    const unsigned natural = digits + cancelled;
+    const unsigned count = n + (natural + 15) / (step_decades - 1) + 2;
+    const unsigned working = natural + step_decades * n + 40;
+    const contact::NormalContact contact = contact_of(scene, working);
+    const PrecisionScope scope(working + 60);
+    const Real delta =
+        contact.convergence_radius(asked.edge) * power_of_ten(-static_cast<int>(step_decades));
+    std::vector<Real> f;
+    for (unsigned j = 1; j <= count; ++j) {
+        const Real u = delta * j;
+        f.push_back(contact.pressure(asked.edge, u, contact::Route::singular_integral).value /
+                    sqrt(u));
+    }
+    for (unsigned order = 1; order < count; ++order) {
+        for (unsigned j = count; j-- > order;) {
+            f[j] = (f[j] - f[j - 1]) / order;
+        }
+    }
+    std::vector<Real> polynomial{f[count - 1]}; // in t = u/delta, by Horner at t = j
+    for (unsigned j = count - 1; j-- > 0;) {
+        polynomial.insert(polynomial.begin(), Real(0));
+        for (std::size_t k = 0; k + 1 < polynomial.size(); ++k) {
+            polynomial[k] -= polynomial[k + 1] * (j + 1);
+        }
+        polynomial[0] += f[j];
+    }
+    const Real c = polynomial[n] / pow(delta, static_cast<int>(n));
+    return relative("divided-differences", c, power_of_ten(-static_cast<int>(digits)));
+}
+
+Real sum_of(const std::vector<Real>& c, const Real& u, std::size_t from) {
+    Real sum = c.back();
+    for (std::size_t k = c.size() - 1; k-- > from;) {
+        sum = sum * u + c[k];
+    }
+    return sum * pow(u, static_cast<int>(from)) * sqrt(u);
+}
+
+/// 1 - (n terms)/p, by the singular integral with additional digits for the cancellation.
+SecondRoute residual_directly(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    for (unsigned working = digits + 32;;) {
+        const contact::NormalContact contact = contact_of(scene, working);
+        const auto c = contact.expansion(asked.edge, asked.k);
+        const PrecisionScope scope(working + 20);
+        const Real p =
+            contact.pressure(asked.edge, *asked.u, contact::Route::singular_integral).value;
+        const Real value = 1 - sum_of(c, asked.u->to<Real>(), 0) / p;
+        const Real error = power_of_ten(-static_cast<int>(working));
+        if (error <= abs(value) * power_of_ten(-static_cast<int>(digits)) || working > most_extra) {
+            return {"singular-integral", value, error};
+        }
+        working = value == 0 ? 2 * working
+                             : digits + 32 + static_cast<unsigned>(ceil(-log10(abs(value))));
+    }
+}
+
+/// The omitted terms divided by p.
+SecondRoute residual_by_tail(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    const contact::NormalContact contact = contact_of(scene, digits + 10);
+    const PrecisionScope scope(digits + 30);
+    const Real u = asked.u->to<Real>();
+    const Real ratio = u / contact.convergence_radius(asked.edge);
+    if (!(ratio < Real(1) / 4)) {
+        throw DomainError("the point is too far from the edge for the tail of the series");
+    }
+    const unsigned more = static_cast<unsigned>(ceil((digits + 10) / -log10(ratio))) + 1;
+    const auto c = contact.expansion(asked.edge, asked.k + more);
+    const Real p =
+        contact.pressure(asked.edge, *asked.u, contact::Route::barber_mossakovskii).value;
+    return relative("series-tail", Real(sum_of(c, u, asked.k) / p),
+                    power_of_ten(-static_cast<int>(digits)));
+}
+
+/// The printed formula with the number of digits raised until doubling it does not change the
+/// value.
+SecondRoute by_formula(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    unsigned working = digits + 100;
+    if (asked.u) {
+        const PrecisionScope scope(50);
+        const Real small = -log10(asked.u->to<Real>());
+        working += small > 0 ? 2 * static_cast<unsigned>(ceil(small)) : 0;
+    }
+    std::optional<Real> before;
+    for (;; working *= 2) {
+        const PrecisionScope scope(working);
+        const Real now = TextbookFormula<Real>(scene).value(asked);
+        if (before) {
+            const Real change = abs(now - *before);
+            if (change <= abs(now) * power_of_ten(-static_cast<int>(digits)) ||
+                working > most_extra) {
+                return {"printed-formula", now, change};
+            }
+        }
+        before = now;
+    }
+}
+
+SecondRoute by_shear(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    const contact::NormalContact contact = contact_of(scene, digits + 10);
+    const contact::ShearTraction shear(contact, scene.shear.value());
+    const contact::EstimatedTraction t = asked.quantity == Quantity::q
+                                             ? shear.traction(asked.edge, *asked.u)
+                                             : shear.expansion(asked.edge, asked.k + 1).back();
+    return {"full-stick", t.value, t.error};
+}
+
+SecondRoute by_law(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    const contact::NormalContact contact = contact_of(scene, digits);
+    const Real x = asked.quantity == Quantity::P ? contact.force() : contact.b();
+    const PrecisionScope scope(x.precision());
+    return relative("contact-law", x, power_of_ten(-static_cast<int>(digits + 8)));
+}
+
+SecondRoute by_library_scan(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    const contact::Extents e =
+        within_tolerance(contact_of(scene, digits), asked.edge, asked.k, asked.tolerance.value());
+    const PrecisionScope scope(e.length.precision());
+    return relative("scan", e.first_exit,
+                    Real(e.estimate + power_of_ten(-static_cast<int>(digits))));
+}
+
+using By = SecondRoute (*)(const scene::Scene&, const AskedValue&, unsigned);
+
+template <contact::Route route>
+SecondRoute pressure_along(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    return pressure_by(scene, asked, digits, route);
+}
+template <contact::Route route>
+SecondRoute difference_along(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    return tilt_difference_by(scene, asked, digits, route);
+}
+
+struct TwoRoutes {
+    Quantity quantity;
+    By first;
+    By second;
+};
+constexpr TwoRoutes two_routes[] = {
+    {Quantity::p, pressure_along<contact::Route::barber_mossakovskii>,
+     pressure_along<contact::Route::singular_integral>},
+    {Quantity::c, by_series, by_differences},
+    {Quantity::residual, residual_directly, residual_by_tail},
+    {Quantity::q, by_shear, by_formula},
+    {Quantity::s, by_shear, by_formula},
+    {Quantity::P, by_law, by_formula},
+    {Quantity::b, by_law, by_formula},
+    {Quantity::tilt_difference, difference_along<contact::Route::barber_mossakovskii>,
+     difference_along<contact::Route::singular_integral>},
+    {Quantity::extent, by_library_scan, independent_extent},
+};
+
+} // namespace
+
+std::vector<SecondRoute> second_routes(const scene::Scene& scene, const AskedValue& asked,
+                                       unsigned digits) {
+    for (const TwoRoutes& routes : two_routes) {
+        if (routes.quantity == asked.quantity) {
+            return {routes.first(scene, asked, digits), routes.second(scene, asked, digits)};
+        }
+    }
+    throw Error("there are no two routes to a " + std::string(row_of(asked.quantity).name));
+}
+
+std::vector<Quantity> second_route_quantities() {
+    std::vector<Quantity> list;
+    for (const TwoRoutes& routes : two_routes) {
+        list.push_back(routes.quantity);
+    }
+    return list;
+}
+
+namespace {
+
+constexpr unsigned guard = 80;
+constexpr int scan_decades = 10;
+constexpr int per_decade = 40;
+constexpr int even_points = 400;
+
+class ErrorCurve {
+public:
+    ErrorCurve(const scene::Scene& scene, contact::Edge edge, std::size_t n, unsigned digits)
+        : formula_(scene), edge_(edge),
+          c_(contact::NormalContact(scene.profile.value(), scene.contact_modulus, scene.load,
+                                    digits + guard)
+                 .expansion(edge, n)) {}
+
+    [[nodiscard]] Real operator()(const Real& u) const {
+        Real sum = c_.back();
+        for (std::size_t k = c_.size() - 1; k-- > 0;) {
+            sum = sum * u + c_[k];
+        }
+        const Real x =
+            edge_ == contact::Edge::right ? Real(formula_.a() - u) : Real(u - formula_.b());
+        return abs(Real(1 - sum * sqrt(u) / formula_.pressure(x)));
+    }
+    /// Points from 1e-10 of the contact to within 1e-4 of the other edge, geometric and even.
+    [[nodiscard]] std::vector<Real> grid() const {
+        std::vector<Real> points;
+        // The length is slightly reduced, so that no point is on a knot, where the formula is
+        // infinity times 0.
+        const Real length = (formula_.a() + formula_.b()) * (1 - 1 / pow(Real(2), Real(61) / 4));
+        for (int i = -scan_decades * per_decade; i < 0; ++i) {
+            points.push_back(length * pow(Real(10), Real(i) / per_decade));
+        }
+        for (int i = 1; i < even_points; ++i) {
+            points.push_back(length * i / even_points);
+        }
+        for (int i = -4 * per_decade; i < -per_decade; ++i) {
+            points.push_back(length * (1 - pow(Real(10), Real(i) / per_decade)));
+        }
+        std::sort(points.begin(), points.end());
+        return points;
+    }
+    /// The place of the maximum between lo and hi.
+    [[nodiscard]] Real summit(Real lo, Real hi, unsigned digits) const {
+        // An error d of the place changes the maximum by only d^2.
+        const Real enough = hi * pow(Real(10), -static_cast<int>(digits / 2 + 10));
+        while (hi - lo > enough) {
+            const Real third = (hi - lo) / 3;
+            const Real left = lo + third;
+            const Real right = hi - third;
+            ((*this)(left) < (*this)(right) ? lo : hi) =
+                (*this)(left) < (*this)(right) ? left : right;
+        }
+        return (lo + hi) / 2;
+    }
+
+private:
+    TextbookFormula<Real> formula_;
+    contact::Edge edge_;
+    std::vector<Real> c_;
+};
+
+} // namespace
+
+SecondRoute independent_extent(const scene::Scene& scene, const scene::AskedValue& asked,
+                               unsigned digits) {
+    const PrecisionScope scope(digits + guard);
+    const ErrorCurve error(scene, asked.edge, asked.k, digits);
+    const Real tolerance = asked.tolerance.value().to<Real>();
+    const std::vector<Real> u = error.grid();
+    std::vector<Real> e;
+    const auto crossing = [&](Real inside, Real outside) {
+        const Real enough = outside * pow(Real(10), -static_cast<int>(digits + 5));
+        while (abs(Real(outside - inside)) > enough) {
+            const Real middle = (inside + outside) / 2;
+            (error(middle) < tolerance ? inside : outside) = middle;
+        }
+        return SecondRoute{"independent-scan", outside, enough};
+    };
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        e.push_back(error(u[i]));
+        if (i > 1 && e[i] <= e[i - 1] && e[i - 2] < e[i - 1] && e[i - 1] < tolerance &&
+            e[i - 1] > tolerance / 2) {
+            const Real top = error.summit(u[i - 2], u[i], 2 * digits);
+            if (!(error(top) < tolerance)) {
+                return crossing(u[i - 2], top);
+            }
+        }
+        if (i > 0 && !(e[i] < tolerance)) {
+            // The maximum may lie just before.
+            return crossing(u[i - 1], u[i]);
+        }
+    }
+    throw DomainError("the approximation stays within the tolerance");
+}
+
+} // namespace edgeproof::validation

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/cost/cost.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+namespace {
+
+constexpr double last_digit = 1;
+
+CostCase usual(const std::string& name) {
+    for (CostCase& c : usual_cases()) {
+        if (c.name == name) {
+            return c;
+        }
+    }
+    throw Error("no such case: " + name);
+}
+
+std::vector<CostCell> counted(const std::vector<CostCase>& cases, std::vector<unsigned> digits,
+                              std::size_t points) {
+    CostOptions options;
+    options.digits = std::move(digits);
+    options.points = points;
+    options.timed = false;
+    return measure(cases, options);
+}
+
+/// Returns total evaluations by route, arithmetic and digits: "singular integral, MPFR, 50".
+std::map<std::string, std::size_t> totals(const std::vector<CostCell>& cells) {
+    std::map<std::string, std::size_t> all;
+    for (const CostCell& c : cells) {
+        if (c.evaluations() && c.route != "closed form") {
+            all[c.route + ", " + c.arithmetic + ", " + std::to_string(c.digits)] =
+                c.total_evaluations();
+        }
+    }
+    return all;
+}
+
+/// Returns the differences in words; empty if there are none.
+std::string differences(const std::map<std::string, std::size_t>& found,
+                        const std::map<std::string, std::size_t>& expected) {
+    std::string said;
+    for (const auto& [name, count] : expected) {
+        const auto at = found.find(name);
+        const std::string now = at == found.end() ? "none" : std::to_string(at->second);
+        if (now != std::to_string(count)) {
+            said += name + ": " + now + ", expected " + std::to_string(count) + "\n";
+        }
+    }
+    return said;
+}
+
+} // namespace
+
+// The counts are recorded, not derived: an unexpected change in either direction must be noticed.
+// After a change of a rule, check its effect on the digits (below) and write the new counts here.
+TEST_CASE("evaluations by route and digits: five points of a flat-and-rounded punch") {
+    const auto found = totals(counted({usual("flat-and-rounded")}, {16, 50}, 5));
+    CHECK(differences(found, {{"Barber-Mossakovskii, MPFR, 16", 917},
+                              {"Barber-Mossakovskii, MPFR, 50", 2039},
+                              {"singular integral, MPFR, 16", 5852},
+                              {"singular integral, MPFR, 50", 13980},
+                              {"fast tanh-sinh, MPFR, 16", 1179},
+                              {"fast tanh-sinh, MPFR, 50", 2727},
+                              {"fast Gauss-Legendre, MPFR, 16", 82},
+                              {"fast Gauss-Legendre, MPFR, 50", 198}}) == "");
+    // The end of a level may depend on the last bit of the machine's own functions.
+    CHECK(found.at("Barber-Mossakovskii, double, 16") > 430);
+    CHECK(found.at("Barber-Mossakovskii, double, 16") < 540);
+    CHECK(found.at("singular integral, double, 16") > 2600);
+    CHECK(found.at("singular integral, double, 16") < 3250);
+}
+
+TEST_CASE("evaluations by route and digits: the other contacts") {
+    const auto power = totals(counted({usual("power law, m = 1/2")}, {50}, 4));
+    CHECK(differences(power, {{"Barber-Mossakovskii, MPFR, 50", 1703},
+                              {"singular integral, MPFR, 50", 8371},
+                              {"fast tanh-sinh, MPFR, 50", 1412},
+                              {"fast Gauss-Legendre, MPFR, 50", 158}}) == "");
+    const auto tilted = totals(counted({usual("tilted flat-and-rounded")}, {34}, 2));
+    CHECK(differences(tilted, {{"Barber-Mossakovskii, MPFR, 34", 1283},
+                               {"singular integral, MPFR, 34", 3522},
+                               {"fast tanh-sinh, MPFR, 34", 1140},
+                               {"fast Gauss-Legendre, MPFR, 34", 84}}) == "");
+    const auto apex = totals(counted({usual("by the apex of a power law")}, {50}, 2));
+    CHECK(differences(apex, {{"singular integral, MPFR, 50", 4794},
+                             {"fast tanh-sinh, MPFR, 50", 2110},
+                             {"fast Gauss-Legendre, MPFR, 50", 14}}) == "");
+}
+
+TEST_CASE("evaluations at 100 to 1000 digits" * doctest::test_suite("slow")) {
+    const auto found = totals(counted({usual("flat-and-rounded")}, {100, 200}, 5));
+    CHECK(differences(found, {{"Barber-Mossakovskii, MPFR, 100", 4446},
+                              {"Barber-Mossakovskii, MPFR, 200", 9780},
+                              {"singular integral, MPFR, 100", 29750},
+                              {"singular integral, MPFR, 200", 58710},
+                              {"fast tanh-sinh, MPFR, 100", 5931},
+                              {"fast tanh-sinh, MPFR, 200", 13239},
+                              {"fast Gauss-Legendre, MPFR, 100", 360},
+                              {"fast Gauss-Legendre, MPFR, 200", 716}}) == "");
+    CostOptions options;
+    options.digits = {500, 1000};
+    options.timed = false;
+    const auto many = totals(measure({usual("flat-and-rounded")}, options));
+    CHECK(differences(many, {{"fast tanh-sinh, MPFR, 500", 54383},
+                             {"fast tanh-sinh, MPFR, 1000", 59897},
+                             {"fast Gauss-Legendre, MPFR, 500", 2846},
+                             {"fast Gauss-Legendre, MPFR, 1000", 2722}}) == "");
+}
+
+TEST_CASE(
+    "every route in MPFR and in balls reaches the digits that it is asked for, at hard points") {
+    std::string short_of;
+    std::size_t cells = 0;
+    for (const CostCell& c : counted(usual_cases(), {16, 34}, 2)) {
+        if (c.arithmetic == "MPFR" || c.arithmetic == "balls") {
+            ++cells;
+            // An enclosure at a fixed number of bits loses digits near a knot.
+            if (c.route != "enclosure" &&
+                (c.failed() > 0 || c.right().least + last_digit < c.digits)) {
+                short_of += c.scene + ", " + c.route + ", " + std::to_string(c.digits) + "\n";
+            }
+        }
+    }
+    CHECK(short_of == "");
+    CHECK(cells > 100);
+}
+
+TEST_CASE("machine arithmetic reaches its own number of digits, and no more") {
+    const auto cells = counted({usual("flat-and-rounded")}, {50}, 6);
+    const std::map<std::string, std::pair<double, double>> expected{
+        {"double", {14, 17.5}}, {"long double", {17.3, 21}}, {"__float128", {32, 36.5}}};
+    std::size_t seen = 0;
+    for (const CostCell& c : cells) {
+        const auto at = expected.find(c.arithmetic);
+        if (at != expected.end()) {
+            ++seen;
+            CAPTURE(c.route);
+            CAPTURE(c.arithmetic);
+            CHECK(c.right().least > at->second.first);
+            CHECK(c.right().median < at->second.second);
+        }
+    }
+    CHECK(seen == 9); // three routes each
+}
+
+TEST_CASE("the points compared are forty, in equal ratios from 1e-8 a to a") {
+    const std::vector<CostCase> cases = usual_cases();
+    const CostCase& first = cases.front();
+    CHECK(first.name == "flat-and-rounded");
+    REQUIRE(first.u.size() == 40);
+    CHECK(first.u.front() == Exact::parse("1e-8"));
+    CHECK(first.u.back() == Exact::parse("1"));
+    for (std::size_t i = 1; i < 40; ++i) {
+        const double ratio = first.distance(i) / first.distance(i - 1);
+        CHECK(ratio == doctest::Approx(1.60371874).epsilon(1e-5)); // 10^(8/39)
+    }
+    CHECK(thinned(40, 40).size() == 40);
+    CHECK(thinned(40, 3) == std::vector<std::size_t>{0, 19, 39});
+    CHECK(thinned(2, 5) == std::vector<std::size_t>{0, 1});
+}
+
+TEST_CASE("quartiles are those of the textbook") {
+    const Quartiles q = quartiles({5, 1, 4, 2, 3});
+    CHECK(q.least == 1);
+    CHECK(q.low == 2);
+    CHECK(q.median == 3);
+    CHECK(q.high == 4);
+    CHECK(q.most == 5);
+    CHECK(quartiles({1, 2}).median == 1.5);
+    CHECK(quartiles({}).most == 0);
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/error.hpp"
+#include "lab/counts/binary64_count.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace edgeproof;
+
+namespace {
+
+Binary64Options options(std::uint64_t seed, std::size_t values) {
+    Binary64Options o;
+    o.seed = seed;
+    o.values = values;
+    o.threads = 1;
+    return o;
+}
+Binary64Count counted(const Binary64Options& o) {
+    Binary64State state;
+    return count_binary64(o, state);
+}
+
+} // namespace
+
+TEST_CASE(
+    "a hundred thousand values in double words, on corners too: none wrong, 1 in 10^5 left to "
+    "balls at most") {
+    const Binary64Count count = counted(options(3, 100'000));
+    CHECK(count.contacts == 10);
+    CHECK(count.total.values == 100'000);
+    CHECK(count.total.wrong == 0);
+    CHECK(count.findings.empty());
+    CHECK(count.total.undecided <= 1);
+    for (const auto& form : count.cells) {
+        for (const Binary64Cell& cell : form) {
+            CHECK(cell.values > 500);
+        }
+    }
+}
+
+TEST_CASE(
+    "q in a stick zone on a corner that algebra cannot recognise is compared with both sides") {
+    // A tilted wedge with b = 5 only enclosed; five of its places are u = 5, the apex.
+    const Binary64Contact found = count_binary64_contact(options(11, 10'000), 7969, 10'000);
+    CHECK(found.findings.empty());
+    Binary64Options wrong = options(11, 10'000);
+    wrong.changed = [](DoubleWord& word) { word.high = std::nextafter(word.high, 1e300); };
+    const std::vector<std::string> findings = count_binary64_contact(wrong, 7969, 10'000).findings;
+    CHECK(std::ranges::any_of(findings, [](const std::string& finding) {
+        return finding.find("q, partial slip") != std::string::npos &&
+               finding.find("at u = 0x1.4p+2 from the left edge") != std::string::npos;
+    }));
+}
+
+TEST_CASE("the same values for the same seed, others for another") {
+    const Binary64Count one = counted(options(3, 2000));
+    CHECK(one.cells[0][0].values == counted(options(3, 2000)).cells[0][0].values);
+    CHECK(one.cells[0][0].values != counted(options(4, 2000)).cells[0][0].values);
+}
+
+TEST_CASE("a value that is off by more than its bound is counted as wrong") {
+    Binary64Options o = options(5, 2000);
+    o.changed = [](DoubleWord& x) { x.low += 0x1p-56 * x.high; };
+    const Binary64Count count = counted(o);
+    CHECK(count.total.wrong > 100);
+    CHECK(count.findings.size() == count.total.wrong);
+}
+
+TEST_CASE("a count in double words continues from its state") {
+    Binary64State state;
+    Binary64Options o = options(6, 20'000);
+    std::string kept;
+    o.checkpoint = [&](const Binary64State& now) { kept = write_binary64_state(now); };
+    const Binary64Count whole = count_binary64(o, state);
+    Binary64State wanted;
+    wanted.seed = 6;
+    wanted.values = 20'000;
+    Binary64State again = parse_binary64_state(kept, "state", wanted);
+    CHECK(again.contacts.size() == 2);
+    again.contacts.erase(1);
+    const Binary64Count second = count_binary64(o, again);
+    CHECK(second.total.values == whole.total.values);
+    CHECK(second.cells[5][1].values == whole.cells[5][1].values);
+    CHECK_THROWS_AS((void)parse_binary64_state(kept.substr(0, kept.size() - 2), "state", wanted),
+                    InputError);
+    wanted.seed = 7;
+    CHECK_THROWS_AS((void)parse_binary64_state(kept, "state", wanted), InputError);
+    CHECK_THROWS_AS((void)parse_binary64_state(
+                        "edgeproof bounds binary64, draw 2, seed 7, values 20000\n0 1:2\nend\n",
+                        "state", wanted),
+                    InputError);
+}

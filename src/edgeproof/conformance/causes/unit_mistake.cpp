@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/unit_mistake.hpp"
 
-#include "edgeproof/conformance/causes/convention_rule.hpp"
+#include "edgeproof/conformance/causes/ratios.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/mistakes/scene_mistakes.hpp"
 
@@ -115,31 +115,38 @@ std::vector<Reading> readings(const Questions& questions, const std::set<std::si
 /// Rows of one family, compared with the references of an interpretation.
 class Rows {
 public:
-    void add(double agreement, double effect) {
-        agreement_.push_back(agreement);
-        effect_.push_back(effect);
+    /// `ours` and `other`: the reference, and that of the interpretation.
+    void add(const Real& answer, const Real& ours, const Real& other) {
+        ratio_.push_back(answer / other);
+        agreement_.push_back(digits_between(answer, other));
+        effect_.push_back(digits_between(ours, other));
     }
     /// Returns the convention, if it explains those rows that it changes by four times their
-    /// scatter.
+    /// scatter, and if no constant factor remains: another mistake may have nearly the same effect.
     [[nodiscard]] std::optional<Convention> explained() const {
         Convention c;
         c.held = held_by_most(agreement_);
         c.digits = most_digits;
-        std::size_t moved = 0;
+        std::vector<Real> moved;
         for (std::size_t k = 0; k < effect_.size(); ++k) {
             if (effect_[k] > std::min(same_digits, c.held - least_gain)) {
                 continue; // the same in either interpretation
             }
-            ++moved;
+            moved.push_back(ratio_[k]);
             if (agreement_[k] >= follows_from(c.held)) {
                 ++c.rows;
                 c.digits = std::min(c.digits, agreement_[k]);
             }
         }
-        return c.held >= least_digits && enough(c.rows, moved) ? std::optional(c) : std::nullopt;
+        const std::size_t all = moved.size();
+        return c.held >= least_digits && enough(c.rows, all) &&
+                       Ratios(std::move(moved), all).allow(1)
+                   ? std::optional(c)
+                   : std::nullopt;
     }
 
 private:
+    std::vector<Real> ratio_;       ///< the answer over the value of the interpretation
     std::vector<double> agreement_; ///< digits to which the answer agrees with the interpretation
     std::vector<double> effect_;    ///< digits to which that agrees with the reference
 };
@@ -290,8 +297,7 @@ private:
         if (other != 0) {
             const Real ours = agreements_.references[i].value.value.midpoint();
             const Real value = Ball(answers_.given[i].value, 256).midpoint();
-            families[family_of(answers_.questions.list[i])].add(digits_between(value, other),
-                                                                digits_between(ours, other));
+            families[family_of(answers_.questions.list[i])].add(value, ours, other);
         }
     }
 

@@ -142,10 +142,12 @@ std::vector<Mistake> mistakes() {
 /// True if the relation is named; a factor without a name must be found to the digits that the
 /// noise allows.
 bool says(const Convention& c, const std::string& relation, double noise) {
-    const bool factor = relation == "1.37 times ours" && c.relation.ends_with(" times ours");
-    return c.relation == relation ||
-           (factor && std::abs(std::atof(c.relation.c_str()) / 1.37 - 1) <= 3 * noise) ||
-           std::find(c.also.begin(), c.also.end(), relation) != c.also.end();
+    const auto is_it = [&](const std::string& said) {
+        const bool factor = relation == "1.37 times ours" && said.ends_with(" times ours");
+        return said == relation ||
+               (factor && std::abs(std::atof(said.c_str()) / 1.37 - 1) <= 3 * noise);
+    };
+    return is_it(c.relation) || std::any_of(c.also.begin(), c.also.end(), is_it);
 }
 
 } // namespace

@@ -173,6 +173,16 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
                 }
             }
         }
+        const auto rows = std::ranges::find(groups, reading.of, &Group::name);
+        const auto factor = has_factor || rows == groups.end()
+                                ? std::nullopt
+                                : infer_factor(rows->name, rows->rows, false);
+        if (factor && factor->held > reading.held + as_good) {
+            continue; // a constant explains the answers better
+        }
+        if (factor && factor->held > reading.held + barely_better) {
+            reading.also.push_back(factor->relation);
+        }
         if (!has_factor) {
             for (const std::size_t i : failing) {
                 if (family_of(answers.questions.list[i]) == reading.of) {

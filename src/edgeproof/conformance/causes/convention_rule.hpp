@@ -23,6 +23,9 @@ inline constexpr double least_digits = 1.5;
 inline constexpr double least_gain = 0.6;
 /// Conventions whose errors are within a quarter of the best are not distinguished.
 inline constexpr double as_good = 0.1;
+/// A constant factor, which is fitted, always agrees as well as a reading that it includes. It is
+/// listed next to the reading if it agrees better by 5 %.
+inline constexpr double barely_better = 0.02;
 
 /// True if this number of rows suffices to explain the failing ones.
 [[nodiscard]] inline bool enough(std::size_t rows, std::size_t failing) {

@@ -66,6 +66,13 @@ std::vector<scene::SceneMistake> mistakes_in(const scene::Scene& scene) {
     return all;
 }
 
+/// True if the radius is given by C, the curvature.
+bool is_circle(const scene::Scene& scene) {
+    return scene.profile && scene.profile->kind() == contact::Profile::Kind::power_law;
+}
+
+using Applies = std::function<bool(const scene::Scene&)>;
+
 /// The readings of which at least one changes a question: the mistakes of the catalogue that are
 /// possible for some of the contacts, and those that only questions allow.
 std::vector<Reading> readings(const Questions& questions, const std::set<std::size_t>& contacts) {
@@ -92,21 +99,34 @@ std::vector<Reading> readings(const Questions& questions, const std::set<std::si
              return q.at_edge();
          }}};
     std::set<std::string> known;
-    for (const std::size_t contact : contacts) {
-        for (const scene::SceneMistake& mistake : mistakes_in(questions.contacts[contact].scene)) {
-            if (!known.insert(mistake.what).second) {
-                continue;
-            }
-            all.push_back({std::string(mistake.name), "ours with " + mistake.what,
-                           std::string(mistake.advice), [what = mistake.what](scene::Scene& scene) {
-                               for (const scene::SceneMistake& m : mistakes_in(scene)) {
-                                   if (m.what == what) {
-                                       m.change(scene);
-                                       return true;
-                                   }
+    const auto add = [&](const scene::SceneMistake& mistake, const Applies& applies,
+                         const std::string& key) {
+        if (!known.insert(key).second) {
+            return;
+        }
+        all.push_back({std::string(mistake.name), "ours with " + mistake.what,
+                       std::string(mistake.advice), [what = mistake.what, applies](auto& scene) {
+                           for (const scene::SceneMistake& m : mistakes_in(scene)) {
+                               if (m.what == what && applies(scene)) {
+                                   m.change(scene);
+                                   return true;
                                }
-                               return false;
-                           }});
+                           }
+                           return false;
+                       }});
+    };
+    for (const std::size_t contact : contacts) {
+        const scene::Scene& scene = questions.contacts[contact].scene;
+        for (const scene::SceneMistake& mistake : mistakes_in(scene)) {
+            add(
+                mistake, [](const auto&) { return true; }, mistake.what);
+            // A program may take C for 1/R, and yet read R as a diameter.
+            if (mistake.name == "radius-as-diameter") {
+                const bool circle = is_circle(scene);
+                add(
+                    mistake, [circle](const auto& other) { return is_circle(other) == circle; },
+                    mistake.what + (circle ? " of C" : " of R"));
+            }
         }
     }
     return all;

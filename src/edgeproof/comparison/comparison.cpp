@@ -11,7 +11,6 @@
 namespace edgeproof::comparison {
 namespace {
 
-constexpr double presses = 0.002;
 constexpr double most_of_rule = 0.1; ///< the largest error allowed for a fit of the exact pressure
 
 std::string percent(double x) { return fmt::format("{:.3g} %", 100 * x); }
@@ -213,7 +212,7 @@ void count_nodes(FileComparison& file) {
         file.inside += inside ? 1 : 0;
         file.outside += inside ? 0 : 1;
         file.pressing_outside +=
-            !inside && std::abs(node.p) > presses * file.contact.largest ? 1 : 0;
+            !inside && std::abs(node.p) > pressing_fraction * file.contact.largest ? 1 : 0;
     }
 }
 

@@ -51,13 +51,7 @@ public:
 
 private:
     static unsigned smallest_exponent() {
-        if constexpr (std::same_as<T, double>) {
-            return 300;
-        } else if constexpr (std::same_as<T, long double> || std::same_as<T, Float128>) {
-            return 2 * digits_of<T>() + 20;
-        } else {
-            return 2 * digits_of<T>() + 20;
-        }
+        return std::same_as<T, double> ? 300 : 2 * digits_of<T>() + 20;
     }
     void add_level() const {
         using std::cosh;

@@ -120,8 +120,6 @@ RelationInScene somewhere(const ConditionInScene& condition, const Real& nearest
         const bool holds = most->margin.clear && most->margin.value > 0;
         if (holds) {
             result.where = interval_texts(scan, true);
-        }
-        if (holds) {
             result.decision = condition.decide_at(&most->fraction).value_or(Decision());
         } else if (!scan.nearly_changes(false)) {
             result.decision = fails_at_all(condition, scan.places());

@@ -11,8 +11,6 @@
 namespace edgeproof::comparison {
 namespace {
 
-constexpr double pressing_fraction = 0.002;
-
 /// The rms pressure of nodes that lie more than two elements outside the exact contact.
 double scatter_outside(const AlignedResult& data, double element) {
     double sum = 0;

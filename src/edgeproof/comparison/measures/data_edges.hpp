@@ -9,6 +9,9 @@
 
 namespace edgeproof::comparison {
 
+/// A node presses if |p| exceeds this share of the greatest pressure of the data.
+inline constexpr double pressing_fraction = 0.002;
+
 /// The contact according to the data. All values are estimates: a mesh determines an edge to one
 /// element.
 struct DataContact {

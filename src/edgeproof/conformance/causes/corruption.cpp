@@ -206,7 +206,7 @@ private:
     std::string truncated(io::Csv& csv) {
         const std::size_t size = csv_text(csv).size();
         const std::size_t header = header_text(csv).size();
-        cut_ = header + below(size - header - 5);
+        cut_ = header + below(size > header + 5 ? size - header - 5 : 1);
         return "after " + std::to_string(cut_) + " bytes";
     }
 

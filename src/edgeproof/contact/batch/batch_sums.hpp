@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/precision/real.hpp"
+#include "edgeproof/precision/ball/ball.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -51,9 +51,6 @@ public:
             mpfr_add(raw(sum), raw(sum), raw(above_), MPFR_RNDN);
         }
     }
-
-    [[nodiscard]] static mpfr_ptr raw(Real& x) { return x.backend().data(); }
-    [[nodiscard]] static mpfr_srcptr raw(const Real& x) { return x.backend().data(); }
 
 private:
     Real above_;

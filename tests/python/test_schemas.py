@@ -284,6 +284,16 @@ def test_comparisons():
     assert faults("comparison", data) == [] and len(data["files"]) == 4 and data["limits"]
 
 
+def test_agreement(tmp_path):
+    rows = "".join(f"{u},power-law,1,1,1,1,p,right,{u},{(u * (2 - u)) ** 0.5}\n"
+                   for u in (0.25, 0.5, 1))
+    answers = tmp_path / "a.csv"
+    answers.write_text("id,kind,m,C,a,contact_modulus,quantity,edge,u,value\n" + rows)
+    data = json.loads(run("check", answers, "--json", code=1))
+    assert faults("agreement", data) == []
+    assert not data["passes"] and data["causes"][0]["name"] == "factor-2"
+
+
 def test_costs():
     data = json.loads(run("cost", "examples/scenes/fretting-pad.toml", "--digits", "16", "--points",
                           "1", "--json"))

@@ -3,6 +3,10 @@
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
 
 using namespace edgeproof::test;
 
@@ -188,6 +192,40 @@ TEST_CASE("a program in Python: its closed forms hold in double, and the faults 
         CHECK(has(wrong.out, part));
     }
     CHECK_FALSE(has(wrong.out, ": flat:t=0.4:R=1:right:u=0.1:p: "));
+}
+
+// E* = 1/((1 - 0.3^2)/200 + (1 - 0.2^2)/70) and p = E* sqrt(u (2 - u))/2 of Hertz with C = a = 1.
+TEST_CASE("check --json: the outcome, and the cause by its name") {
+    const Folder folder;
+    const auto answers = [](double modulus) {
+        std::string text = "id,kind,m,C,a,E1,nu1,E2,nu2,quantity,edge,u,value\n";
+        for (const double u : {0.125, 0.25, 0.5, 1.0, 1.5}) {
+            text += fmt::format("{0},power-law,1,1,1,200,0.3,70,0.2,p,right,{0},{1:.17g}\n", u,
+                                modulus * std::sqrt(u * (2 - u)) / 2);
+        }
+        return text;
+    };
+    const double modulus = 1 / (0.91 / 200 + 0.96 / 70);
+    folder.write("right.csv", answers(modulus));
+    folder.write("e.csv", answers(200));
+    folder.write("minus.csv", answers(-modulus));
+    const Outcome right = run(folder, "check right.csv --digits 12 --json");
+    CHECK(right.code == 0);
+    CHECK(nlohmann::json::parse(right.out) ==
+          nlohmann::json::parse(R"({"passes": true, "rows": 5, "failures": 0, "causes": []})"));
+    const Outcome wrong = run(folder, "check e.csv --digits 12 --json");
+    CHECK(wrong.code == 1);
+    const nlohmann::json e = nlohmann::json::parse(wrong.out);
+    CHECK(e.at("failures") == 5);
+    REQUIRE(e.at("causes").size() == 1);
+    CHECK(e.at("causes")[0].at("name") == "e-for-e-star");
+    CHECK(e.at("causes")[0].at("rows") == 5);
+    CHECK(e.at("causes")[0].at("remainder") < 1e-12);
+    const nlohmann::json sign =
+        nlohmann::json::parse(run(folder, "check minus.csv --digits 12 --json").out);
+    CHECK(sign.at("causes")[0].at("name") == "sign");
+    CHECK(sign.at("causes")[0].at("factor") == -1);
+    CHECK(run(folder, "check --ledger moore-hills --json").code == 2);
 }
 
 TEST_CASE(

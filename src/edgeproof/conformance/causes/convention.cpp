@@ -111,9 +111,14 @@ std::vector<Convention> said_once(const std::vector<Convention>& found) {
             continue;
         }
         same->of += "; " + c.of;
-        std::erase_if(same->also, [&](const std::string& other) {
-            return std::find(c.also.begin(), c.also.end(), other) == c.also.end();
-        });
+        const auto keep_common = [](std::vector<std::string>& kept,
+                                    const std::vector<std::string>& others) {
+            std::erase_if(kept, [&](const std::string& other) {
+                return std::ranges::find(others, other) == others.end();
+            });
+        };
+        keep_common(same->also, c.also);
+        keep_common(same->equally_likely, c.equally_likely);
         same->digits = std::min(same->digits, c.digits);
         same->held = std::min(same->held, c.held);
         same->rows += c.rows;
@@ -170,6 +175,10 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
                 if (reading.held >= factor.held - as_good) {
                     factor.also.push_back(reading.relation);
                     factor.also.insert(factor.also.end(), reading.also.begin(), reading.also.end());
+                    factor.equally_likely.push_back(reading.name);
+                    factor.equally_likely.insert(factor.equally_likely.end(),
+                                                 reading.equally_likely.begin(),
+                                                 reading.equally_likely.end());
                 }
             }
         }
@@ -182,6 +191,7 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
         }
         if (factor && factor->held > reading.held + barely_better) {
             reading.also.push_back(factor->relation);
+            reading.equally_likely.push_back(factor->name);
         }
         if (!has_factor) {
             for (const std::size_t i : failing) {

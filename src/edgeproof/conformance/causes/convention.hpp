@@ -19,6 +19,11 @@ struct Convention {
     /// Other relations that fit equally well: the answers do not distinguish them.
     std::vector<std::string> also = {};
     double held = 0; ///< the digits of the relation in nine of ten rows
+    /// The name of the cause, as in `edgeproof compare` (scene_mistakes.hpp); "factor" for a
+    /// constant without a name.
+    std::string name = {};
+    double factor = 1;                            ///< of the answers, where the relation has one
+    std::vector<std::string> equally_likely = {}; ///< the names of the relations in `also`
 };
 
 /// Searches the failing rows for numbers of few digits, for questions interpreted differently

@@ -19,6 +19,7 @@ using namespace convention_rule;
 struct Factor {
     std::string formula;
     const char* hint;
+    const char* name;
 };
 
 constexpr const char* modulus_hint =
@@ -42,35 +43,37 @@ constexpr const char* other_hint =
 
 std::vector<Factor> factors_with_names() {
     std::vector<Factor> factors{
-        {"1", ""},
-        {"2", modulus_hint},
-        {"1/2", half_hint},
-        {"4", modulus_hint},
-        {"1/4", half_hint},
-        {"pi", pi_hint},
-        {"1/pi", pi_hint},
-        {"2*pi", pi_hint},
-        {"1/(2*pi)", pi_hint},
-        {"pi/2", pi_hint},
-        {"2/pi", pi_hint},
-        {"sqrt(2)", root_hint},
-        {"1/sqrt(2)", root_hint},
-        {"2*sqrt(2)", root_hint},
-        {"sqrt(pi)", intensity_hint},
-        {"1/sqrt(pi)", intensity_hint},
-        {"sqrt(2*pi)", intensity_hint},
-        {"1/sqrt(2*pi)", intensity_hint},
-        {"180/pi", degree_hint},
-        {"pi/180", degree_hint},
+        {"1", "", "sign"},
+        {"2", modulus_hint, "factor-2"},
+        {"1/2", half_hint, "factor-2"},
+        {"4", modulus_hint, "factor-2"},
+        {"1/4", half_hint, "factor-2"},
+        {"pi", pi_hint, "factor-pi"},
+        {"1/pi", pi_hint, "factor-pi"},
+        {"2*pi", pi_hint, "factor-pi"},
+        {"1/(2*pi)", pi_hint, "factor-pi"},
+        {"pi/2", pi_hint, "factor-pi"},
+        {"2/pi", pi_hint, "factor-pi"},
+        {"sqrt(2)", root_hint, "factor-sqrt-2"},
+        {"1/sqrt(2)", root_hint, "factor-sqrt-2"},
+        {"2*sqrt(2)", root_hint, "factor-sqrt-2"},
+        {"sqrt(pi)", intensity_hint, "factor-sqrt-pi"},
+        {"1/sqrt(pi)", intensity_hint, "factor-sqrt-pi"},
+        {"sqrt(2*pi)", intensity_hint, "factor-sqrt-2-pi"},
+        {"1/sqrt(2*pi)", intensity_hint, "factor-sqrt-2-pi"},
+        {"180/pi", degree_hint, "degrees"},
+        {"pi/180", degree_hint, "degrees"},
     };
     // A kilogram-force, an inch in mm, a psi in Pa and in kPa.
-    for (const char* unit : {"9.80665", "25.4", "6894.757293168", "6.894757293168"}) {
-        factors.push_back({unit, unit_hint});
-        factors.push_back({std::string("1/") + unit, unit_hint});
+    for (const auto& [unit, name] :
+         {std::pair{"9.80665", "unit-g"}, std::pair{"25.4", "unit-inch"},
+          std::pair{"6894.757293168", "unit-psi"}, std::pair{"6.894757293168", "unit-psi"}}) {
+        factors.push_back({unit, unit_hint, name});
+        factors.push_back({std::string("1/") + unit, unit_hint, name});
     }
     for (const int power : {1, 2, 3, 4, 5, 6, 9}) {
-        factors.push_back({fmt::format("10^{}", power), unit_hint});
-        factors.push_back({fmt::format("10^-{}", power), unit_hint});
+        factors.push_back({fmt::format("10^{}", power), unit_hint, "power-of-ten"});
+        factors.push_back({fmt::format("10^-{}", power), unit_hint, "power-of-ten"});
     }
     return factors;
 }
@@ -101,6 +104,7 @@ struct Allowed {
     Real value;
     std::string words;
     const char* hint;
+    const char* name;
     double digits; ///< agreement with the median
 };
 std::vector<Allowed> allowed_by(const Ratios& ratios) {
@@ -109,7 +113,7 @@ std::vector<Allowed> allowed_by(const Ratios& ratios) {
         for (const int sign : {1, -1}) {
             const Real value = value_of(factor) * sign;
             if (!(factor.formula == "1" && sign > 0) && ratios.allow(value)) {
-                allowed.push_back({value, in_words(factor, sign < 0), factor.hint,
+                allowed.push_back({value, in_words(factor, sign < 0), factor.hint, factor.name,
                                    digits_between(ratios.median(), value)});
             }
         }
@@ -137,12 +141,14 @@ std::optional<Convention> infer_factor(const std::string& of, const std::vector<
     const double to_gain_on = digits_of_half(rows);
     std::optional<Convention> best;
     const auto take = [&](const Ratios& ratios, const Real& factor, std::string relation,
-                          std::string hint) {
+                          std::string hint, std::string name) {
         const Held held = ratios.held_to(factor);
         const bool better = !best || held.most > best->held + as_good;
         if (better && held.most >= to_gain_on + least_gain && enough(held.rows, rows.size())) {
-            best = Convention{of,          std::move(relation), held.worst, held.rows,
-                              rows.size(), std::move(hint),     {},         held.most};
+            best = Convention{of,        std::move(relation), held.worst,
+                              held.rows, rows.size(),         std::move(hint),
+                              {},        held.most,           std::move(name)};
+            best->factor = factor.convert_to<double>();
             return true;
         }
         return false;
@@ -150,7 +156,7 @@ std::optional<Convention> infer_factor(const std::string& of, const std::vector<
     const Ratios same(std::move(straight), rows.size());
     if (!named) {
         if (same.one_number()) {
-            take(same, same.median(), same.median_text() + " times ours", other_hint);
+            take(same, same.median(), same.median_text() + " times ours", other_hint, "factor");
         }
         return best;
     }
@@ -170,9 +176,11 @@ std::optional<Convention> infer_factor(const std::string& of, const std::vector<
                                      ? "the other sign convention? p is positive in compression, q "
                                        "towards +x on the body that Q acts on; change the sign"
                                      : first.hint;
-        if (take(ratios, first.value, first.words + ours, hint)) {
+        if (take(ratios, first.value, first.words + ours, hint,
+                 swapped ? "edges-swapped" : first.name)) {
             for (std::size_t i = 1; i < allowed.size(); ++i) {
                 best->also.push_back(allowed[i].words + ours);
+                best->equally_likely.emplace_back(swapped ? "edges-swapped" : allowed[i].name);
             }
         }
     }
@@ -256,12 +264,24 @@ std::vector<Convention> infer_precision_loss(const Answers& answers, const Agree
         if (most(t.cut)) {
             found.push_back({family,
                              fmt::format("right, and cut to {} digits when written", t.written),
-                             t.digits, t.cut, t.failing,
+                             t.digits,
+                             t.cut,
+                             t.failing,
                              "write all 17 digits of a double (%.17g), or state what you write "
-                             "with --digits"});
+                             "with --digits",
+                             {},
+                             t.digits,
+                             fmt::format("rounded-to-{}", t.written)});
         } else if (most(t.single)) {
-            found.push_back({family, "in single precision (binary32)", t.digits, t.single,
-                             t.failing, "compute and write in double precision"});
+            found.push_back({family,
+                             "in single precision (binary32)",
+                             t.digits,
+                             t.single,
+                             t.failing,
+                             "compute and write in double precision",
+                             {},
+                             t.digits,
+                             "binary32"});
         }
     }
     return found;

@@ -197,7 +197,7 @@ public:
     }
 
     void look(const Reading& reading) {
-        keep(reading.relation, reading.hint,
+        keep(reading.name, reading.relation, reading.hint,
              [this, reading](const std::vector<std::size_t>& which) {
                  return held_to(reading, which);
              });
@@ -206,7 +206,8 @@ public:
     /// Tests if the answers are the references divided or multiplied by the length of the contact.
     void look_at_lengths() {
         for (const int power : {-1, 1}) {
-            keep(power < 0 ? "ours over a + b" : "ours times a + b",
+            keep(power < 0 ? "divided-by-length" : "times-length",
+                 power < 0 ? "ours over a + b" : "ours times a + b",
                  power < 0 ? "a mean pressure for a force per unit length? P is the force"
                            : "a force per unit length for a pressure? p and q are tractions",
                  [this, power](const std::vector<std::size_t>& which) {
@@ -230,12 +231,14 @@ public:
                 continue;
             }
             c->of = family;
+            c->name = first->name;
             c->relation = first->relation;
             c->hint = first->hint;
             c->failing = failing_.at(family).size();
             for (const Candidate& other : candidates) {
                 if (&other != &*first && other.held >= first->held - as_good) {
-                    c->also.emplace_back(other.relation);
+                    c->also.push_back(other.relation);
+                    c->equally_likely.push_back(other.name);
                 }
             }
             found.push_back(std::move(*c));
@@ -246,6 +249,7 @@ public:
 private:
     using HoldTo = std::function<Families(const std::vector<std::size_t>&)>;
     struct Candidate {
+        std::string name;
         std::string relation;
         std::string hint;
         double held; ///< on the sample
@@ -321,10 +325,11 @@ private:
         }
     }
 
-    void keep(const std::string& relation, const std::string& hint, const HoldTo& hold_to) {
+    void keep(const std::string& name, const std::string& relation, const std::string& hint,
+              const HoldTo& hold_to) {
         for (const auto& [family, rows] : hold_to(sample_)) {
             if (const auto c = rows.explained()) {
-                candidates_[family].push_back({relation, hint, c->held, hold_to});
+                candidates_[family].push_back({name, relation, hint, c->held, hold_to});
             }
         }
     }

@@ -7,6 +7,7 @@
 #include "edgeproof/report/text/program_line.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -127,12 +128,7 @@ bool Conformance::failed(std::size_t i) const {
     return fails(answers.given[i], agreements.cases[i]);
 }
 
-bool Conformance::pass() const {
-    ConformanceSummary summary(target, 0);
-    summary.add(answers, agreements);
-    summary.add(conventions, unexplained(answers, agreements, conventions));
-    return summary.pass();
-}
+bool Conformance::pass() const { return summary_of(*this, 0).pass(); }
 
 void ConformanceSummary::complain(Complaints& to, const std::string& line) const {
     if (to.count++ < errors_) {
@@ -269,11 +265,46 @@ std::string ConformanceSummary::text() const {
     return out + outcome_text() + "\n";
 }
 
-std::string conformance_text(const Conformance& c, std::size_t errors) {
+std::string ConformanceSummary::json() const {
+    std::vector<const conformance::Convention*> by_rows;
+    for (const conformance::Convention& c : conventions_) {
+        by_rows.push_back(&c);
+    }
+    std::ranges::stable_sort(by_rows, std::greater(), &conformance::Convention::rows);
+    nlohmann::ordered_json causes = nlohmann::ordered_json::array();
+    for (const conformance::Convention* c : by_rows) {
+        std::vector<std::string> others;
+        for (const std::string& name : c->equally_likely) {
+            if (name != c->name && std::ranges::find(others, name) == others.end()) {
+                others.push_back(name);
+            }
+        }
+        causes.push_back({{"name", c->name},
+                          {"factor", c->factor},
+                          {"rows", c->rows},
+                          {"equally_likely", others},
+                          {"remainder", std::pow(10.0, -c->held)},
+                          {"of", c->of},
+                          {"relation", c->relation}});
+    }
+    const nlohmann::ordered_json all{
+        {"passes", pass()},
+        {"rows", cases_},
+        {"failures", failures_.count},
+        {"causes", causes},
+    };
+    return all.dump(2) + "\n";
+}
+
+ConformanceSummary summary_of(const Conformance& c, std::size_t errors) {
     ConformanceSummary summary(c.target, errors);
     summary.add(c.answers, c.agreements);
     summary.add(c.conventions, unexplained(c.answers, c.agreements, c.conventions));
-    return summary.text();
+    return summary;
+}
+
+std::string conformance_text(const Conformance& c, std::size_t errors) {
+    return summary_of(c, errors).text();
 }
 
 std::string conformance_junit(const Conformance& c) {

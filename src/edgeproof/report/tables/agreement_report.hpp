@@ -44,6 +44,11 @@ public:
     /// Returns the report as text: failing cases, faults, the table by regime with its worst cases,
     /// the conventions, and the outcome in the last line.
     [[nodiscard]] std::string text() const;
+    /// Returns {"passes", "rows", "failures", "causes": [{"name", "factor", "rows",
+    /// "equally_likely", "remainder", "of", "relation"}]}; the cause of most rows comes first.
+    /// `remainder`: the relative error that nine of ten of those rows do not exceed after
+    /// correction.
+    [[nodiscard]] std::string json() const;
 
 private:
     /// Lines of which only the first few are shown.
@@ -89,6 +94,8 @@ private:
     std::vector<std::string> notes_;
 };
 
+/// Returns the report of answers that are held whole.
+[[nodiscard]] ConformanceSummary summary_of(const Conformance& c, std::size_t errors);
 [[nodiscard]] std::string conformance_text(const Conformance& c, std::size_t errors);
 
 /// Returns JUnit XML: a test case per answer, and one for the faults.

@@ -44,6 +44,7 @@ struct CheckOptions {
     std::string threads;
     bool conditioned = false;
     bool self_test = false;
+    bool json = false;
     SelfTestOptions self;
 };
 
@@ -125,6 +126,9 @@ conformance::Answers answers_of(const CheckOptions& o) {
 }
 
 int check(const CheckOptions& o) {
+    if (o.json && (!o.ledger.empty() || o.self_test)) {
+        throw InputError("--json is for answers", "leave --json out");
+    }
     if (!o.ledger.empty()) {
         return check_ledger(o.ledger, o.threads);
     }
@@ -147,14 +151,14 @@ int check(const CheckOptions& o) {
                           ? 0
                           : static_cast<unsigned>(whole_number("--threads", o.threads, 1, 1024));
     refuse_recipe(o);
-    const auto print = [](const std::string& report) {
-        const std::string text = printable_lines(report);
+    const auto print = [&](const report::ConformanceSummary& summary) {
+        const std::string text = o.json ? summary.json() : printable_lines(summary.text());
         std::fwrite(text.data(), 1, text.size(), stdout);
+        return summary.pass() ? 0 : 1;
     };
     if (o.command.empty() && o.recipe.empty() && o.junit.empty() && o.figure.empty()) {
         if (const auto summary = check_in_blocks(o.answers, result.target, errors, options)) {
-            print(summary->text());
-            return summary->pass() ? 0 : 1;
+            return print(*summary);
         }
     }
     result.answers = answers_of(o);
@@ -170,8 +174,7 @@ int check(const CheckOptions& o) {
     if (!o.figure.empty()) {
         write_agreement_figure(result, o.figure);
     }
-    print(conformance_text(result, errors));
-    return result.pass() ? 0 : 1;
+    return print(summary_of(result, errors));
 }
 
 } // namespace
@@ -202,6 +205,8 @@ void add_check(CLI::App& app, int& code) {
                   "let errors pass that the rounding of the inputs explains");
     sub->add_option("--errors", o->errors, "show at most this number of failures")
         ->capture_default_str();
+    sub->add_flag("--json", o->json,
+                  "write the outcome and the causes as JSON instead of the report");
     sub->add_option("--junit", o->junit, "write JUnit XML to this file");
     sub->add_option("--figure", o->figure, "draw digits against u into this file (.svg or .csv)");
     sub->add_option("--ledger", o->ledger, "verify the formulas of this ledger instead");

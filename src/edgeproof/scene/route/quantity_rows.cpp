@@ -8,7 +8,6 @@
 #include "edgeproof/scene/route/real_level.hpp"
 
 #include <array>
-#include <cmath>
 
 namespace edgeproof::scene {
 namespace {
@@ -55,6 +54,78 @@ template <bool shear> ExactNumber exact_error(ExactValues& e, const AskedValue& 
 template <bool shear> BoundedValue real_error(RealLevel& l, const AskedValue& v) {
     const Ball value = (shear ? l.q(v.edge, *v.u) : l.p(v.edge, *v.u)).value;
     return {abs(Ball(1 - l.sum(v.edge, *v.u, v.k, shear) / value)), false, l.series_name()};
+}
+
+/// A quantity of k terms at an edge that is found by a search for a tolerance.
+constexpr Def searched(Quantity quantity, std::string_view symbol, std::string_view name,
+                       QuantityGroup group, double length_power) {
+    const bool slips = group == QuantityGroup::slip;
+    return {.quantity = quantity,
+            .symbol = symbol,
+            .name = name,
+            .group = group,
+            .place = Def::Place::edge,
+            .index = Def::Index::terms,
+            .needs = slips ? Def::Needs::friction : Def::Needs::nothing,
+            .tolerance = !slips || quantity == Quantity::slip_load,
+            .length_power = length_power,
+            .searched = true,
+            .short_error = quantity == Quantity::slip_rel};
+}
+template <bool shear> constexpr Def sum_of_terms(Quantity quantity, std::string_view name) {
+    return {.quantity = quantity,
+            .symbol = "",
+            .name = name,
+            .group = shear ? QuantityGroup::shear : QuantityGroup::pressure,
+            .place = Def::Place::point,
+            .index = Def::Index::terms,
+            .needs = shear ? Def::Needs::shear : Def::Needs::nothing,
+            .force_power = 1,
+            .length_power = -1,
+            .ball = ball_sum<shear>,
+            .exact = exact_sum<shear>,
+            .real = real_sum<shear>,
+            .route = series};
+}
+template <bool shear> constexpr Def error_of_terms(Quantity quantity, std::string_view name) {
+    Def def = sum_of_terms<shear>(quantity, name);
+    def.force_power = 0;
+    def.length_power = 0;
+    def.ball = ball_error<shear>;
+    def.exact = exact_error<shear>;
+    def.real = real_error<shear>;
+    def.short_error = true;
+    return def;
+}
+template <contact::Edge edge>
+constexpr Def edge_of_stick(Quantity quantity, std::string_view symbol, std::string_view name,
+                            std::string_view meaning) {
+    return {.quantity = quantity,
+            .symbol = symbol,
+            .name = name,
+            .group = QuantityGroup::slip,
+            .needs = Def::Needs::friction,
+            .length_power = 1,
+            .meaning = meaning,
+            .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.stick_edge(edge); },
+            .exact = no_exact_form_of,
+            .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.stick_edge(edge); },
+            .route = stick_zone};
+}
+template <contact::Edge ahead>
+constexpr Def tension_limit(Quantity quantity, std::string_view name) {
+    return {
+        .quantity = quantity,
+        .symbol = "",
+        .name = name,
+        .group = QuantityGroup::slip,
+        .needs = Def::Needs::friction,
+        .force_power = 1,
+        .length_power = -1,
+        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.tension_limit(ahead); },
+        .exact = no_exact_form_of,
+        .route = stick_zone,
+        .may_be_missing = true};
 }
 
 /// The rows are in the order of Quantity.
@@ -164,24 +235,8 @@ constexpr std::array quantity_table{
                     const AskedValue& /*asked*/) { return ExactNumber(0); },
         .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.alpha(); },
         .route = [](const Scene& /*scene*/, const Plan& /*plan*/) { return "tilt"; }},
-    Def{.quantity = Quantity::extent,
-        .symbol = "extent",
-        .name = "extent",
-        .group = QuantityGroup::extent,
-        .place = Def::Place::edge,
-        .index = Def::Index::terms,
-        .tolerance = true,
-        .length_power = 1,
-        .searched = true},
-    Def{.quantity = Quantity::measure,
-        .symbol = "measure",
-        .name = "measure",
-        .group = QuantityGroup::extent,
-        .place = Def::Place::edge,
-        .index = Def::Index::terms,
-        .tolerance = true,
-        .length_power = 1,
-        .searched = true},
+    searched(Quantity::extent, "extent", "extent", QuantityGroup::extent, 1),
+    searched(Quantity::measure, "measure", "measure", QuantityGroup::extent, 1),
     Def{.quantity = Quantity::slip,
         .symbol = "slip",
         .name = "slip-zone",
@@ -194,32 +249,10 @@ constexpr std::array quantity_table{
         .exact = no_exact_form_of,
         .real = [](RealLevel& l, const AskedValue& v) { return l.slip_size(v.edge); },
         .route = stick_zone},
-    Def{.quantity = Quantity::stick_a,
-        .symbol = "stick_a",
-        .name = "stick-right-edge",
-        .group = QuantityGroup::slip,
-        .needs = Def::Needs::friction,
-        .length_power = 1,
-        .meaning = "right edge of the stick zone",
-        .ball = [](BallLevel& l,
-                   const AskedValue& /*asked*/) { return l.stick_edge(contact::Edge::right); },
-        .exact = no_exact_form_of,
-        .real = [](RealLevel& l,
-                   const AskedValue& /*asked*/) { return l.stick_edge(contact::Edge::right); },
-        .route = stick_zone},
-    Def{.quantity = Quantity::stick_b,
-        .symbol = "stick_b",
-        .name = "stick-left-edge",
-        .group = QuantityGroup::slip,
-        .needs = Def::Needs::friction,
-        .length_power = 1,
-        .meaning = "left edge of the stick zone",
-        .ball = [](BallLevel& l,
-                   const AskedValue& /*asked*/) { return l.stick_edge(contact::Edge::left); },
-        .exact = no_exact_form_of,
-        .real = [](RealLevel& l,
-                   const AskedValue& /*asked*/) { return l.stick_edge(contact::Edge::left); },
-        .route = stick_zone},
+    edge_of_stick<contact::Edge::right>(Quantity::stick_a, "stick_a", "stick-right-edge",
+                                        "right edge of the stick zone"),
+    edge_of_stick<contact::Edge::left>(Quantity::stick_b, "stick_b", "stick-left-edge",
+                                       "left edge of the stick zone"),
     Def{.quantity = Quantity::residual,
         .symbol = "",
         .name = "residual",
@@ -283,79 +316,13 @@ constexpr std::array quantity_table{
         .exact = [](ExactValues& e, const AskedValue& v) { return e.u(v.distance()); },
         .route = given,
         .cancels_little = true},
-    Def{.quantity = Quantity::local,
-        .symbol = "",
-        .name = "local-pressure",
-        .group = QuantityGroup::pressure,
-        .place = Def::Place::point,
-        .index = Def::Index::terms,
-        .force_power = 1,
-        .length_power = -1,
-        .ball = ball_sum<false>,
-        .exact = exact_sum<false>,
-        .real = real_sum<false>,
-        .route = series},
-    Def{.quantity = Quantity::rel,
-        .symbol = "",
-        .name = "relative-error",
-        .group = QuantityGroup::pressure,
-        .place = Def::Place::point,
-        .index = Def::Index::terms,
-        .ball = ball_error<false>,
-        .exact = exact_error<false>,
-        .real = real_error<false>,
-        .route = series,
-        .short_error = true},
-    Def{.quantity = Quantity::q_local,
-        .symbol = "",
-        .name = "local-shear",
-        .group = QuantityGroup::shear,
-        .place = Def::Place::point,
-        .index = Def::Index::terms,
-        .needs = Def::Needs::shear,
-        .force_power = 1,
-        .length_power = -1,
-        .ball = ball_sum<true>,
-        .exact = exact_sum<true>,
-        .real = real_sum<true>,
-        .route = series},
-    Def{.quantity = Quantity::q_rel,
-        .symbol = "",
-        .name = "relative-error-of-shear",
-        .group = QuantityGroup::shear,
-        .place = Def::Place::point,
-        .index = Def::Index::terms,
-        .needs = Def::Needs::shear,
-        .ball = ball_error<true>,
-        .exact = exact_error<true>,
-        .real = real_error<true>,
-        .route = series,
-        .short_error = true},
-    Def{.quantity = Quantity::extent_fraction,
-        .symbol = "",
-        .name = "extent-fraction",
-        .group = QuantityGroup::extent,
-        .place = Def::Place::edge,
-        .index = Def::Index::terms,
-        .tolerance = true,
-        .searched = true},
-    Def{.quantity = Quantity::measure_fraction,
-        .symbol = "",
-        .name = "measure-fraction",
-        .group = QuantityGroup::extent,
-        .place = Def::Place::edge,
-        .index = Def::Index::terms,
-        .tolerance = true,
-        .searched = true},
-    Def{.quantity = Quantity::crossing,
-        .symbol = "",
-        .name = "crossing",
-        .group = QuantityGroup::extent,
-        .place = Def::Place::edge,
-        .index = Def::Index::terms,
-        .tolerance = true,
-        .length_power = 1,
-        .searched = true},
+    sum_of_terms<false>(Quantity::local, "local-pressure"),
+    error_of_terms<false>(Quantity::rel, "relative-error"),
+    sum_of_terms<true>(Quantity::q_local, "local-shear"),
+    error_of_terms<true>(Quantity::q_rel, "relative-error-of-shear"),
+    searched(Quantity::extent_fraction, "", "extent-fraction", QuantityGroup::extent, 0),
+    searched(Quantity::measure_fraction, "", "measure-fraction", QuantityGroup::extent, 0),
+    searched(Quantity::crossing, "", "crossing", QuantityGroup::extent, 1),
     Def{.quantity = Quantity::load_ratio,
         .symbol = "",
         .name = "load-ratio",
@@ -365,57 +332,11 @@ constexpr std::array quantity_table{
         .exact = no_exact_form_of,
         .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.load_ratio(); },
         .route = stick_zone},
-    Def{.quantity = Quantity::least_tension,
-        .symbol = "",
-        .name = "least-bulk-tension",
-        .group = QuantityGroup::slip,
-        .needs = Def::Needs::friction,
-        .force_power = 1,
-        .length_power = -1,
-        .ball = [](BallLevel& l,
-                   const AskedValue& /*asked*/) { return l.tension_limit(contact::Edge::right); },
-        .exact = no_exact_form_of,
-        .route = stick_zone,
-        .may_be_missing = true},
-    Def{.quantity = Quantity::most_tension,
-        .symbol = "",
-        .name = "most-bulk-tension",
-        .group = QuantityGroup::slip,
-        .needs = Def::Needs::friction,
-        .force_power = 1,
-        .length_power = -1,
-        .ball = [](BallLevel& l,
-                   const AskedValue& /*asked*/) { return l.tension_limit(contact::Edge::left); },
-        .exact = no_exact_form_of,
-        .route = stick_zone,
-        .may_be_missing = true},
-    Def{.quantity = Quantity::slip_terms,
-        .symbol = "",
-        .name = "slip-zone-by-terms",
-        .group = QuantityGroup::slip,
-        .place = Def::Place::edge,
-        .index = Def::Index::terms,
-        .needs = Def::Needs::friction,
-        .length_power = 1,
-        .searched = true},
-    Def{.quantity = Quantity::slip_rel,
-        .symbol = "",
-        .name = "relative-error-of-slip-zone",
-        .group = QuantityGroup::slip,
-        .place = Def::Place::edge,
-        .index = Def::Index::terms,
-        .needs = Def::Needs::friction,
-        .searched = true,
-        .short_error = true},
-    Def{.quantity = Quantity::slip_load,
-        .symbol = "",
-        .name = "slip-load",
-        .group = QuantityGroup::slip,
-        .place = Def::Place::edge,
-        .index = Def::Index::terms,
-        .needs = Def::Needs::friction,
-        .tolerance = true,
-        .searched = true},
+    tension_limit<contact::Edge::right>(Quantity::least_tension, "least-bulk-tension"),
+    tension_limit<contact::Edge::left>(Quantity::most_tension, "most-bulk-tension"),
+    searched(Quantity::slip_terms, "", "slip-zone-by-terms", QuantityGroup::slip, 1),
+    searched(Quantity::slip_rel, "", "relative-error-of-slip-zone", QuantityGroup::slip, 0),
+    searched(Quantity::slip_load, "", "slip-load", QuantityGroup::slip, 0),
 };
 
 /// The rows are in the order of QuantityGroup.
@@ -463,59 +384,5 @@ const QuantityRow& evaluated_row(Quantity quantity) {
     return row;
 }
 std::span<const GroupRow> group_rows() { return group_table; }
-
-double scale_of(const AskedValue& asked, double force, double length) {
-    const QuantityRow& row = row_of(asked.quantity);
-    const double power =
-        row.length_power -
-        (row.index == QuantityRow::Index::order ? static_cast<double>(asked.k) : 0.0);
-    const double unit = row.force_power == 0 ? 1 : force;
-    return power < 0 ? unit / std::pow(length, -power) : unit * std::pow(length, power);
-}
-
-bool has_cycle_energy(const Scene& scene) {
-    return scene.shear->bulk_tension.sign() == 0 &&
-           (scene.punch || scene.profile->has_closed_form());
-}
-
-std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
-    const std::string symbol = symbol_of(asked);
-    switch (row_of(asked.quantity).needs) {
-    case QuantityRow::Needs::nothing:
-        break;
-    case QuantityRow::Needs::shear:
-        if (!scene.shear) {
-            return Lack{symbol + " is requested, but there is no shear",
-                        "add Q or bulk_tension, or leave " + symbol + " out"};
-        }
-        break;
-    case QuantityRow::Needs::friction:
-        if (!scene.slips()) {
-            return Lack{symbol + " is requested, but there is no friction",
-                        "add friction, or leave " + symbol + " out"};
-        }
-        break;
-    case QuantityRow::Needs::friction_alone:
-        if (!scene.slips() || scene.shear->bulk_tension.sign() != 0) {
-            return Lack{symbol + " is requested, but there is " +
-                            (scene.slips() ? "a bulk tension" : "no friction"),
-                        scene.slips() ? "leave bulk_tension out, or leave " + symbol + " out"
-                                      : "add friction, or leave " + symbol + " out"};
-        }
-        if (!has_cycle_energy(scene)) {
-            return Lack{symbol + " is requested, but is not computed for curved slopes",
-                        "leave " + symbol + " out"};
-        }
-        break;
-    case QuantityRow::Needs::unknown_tilt:
-        if (!scene.punch) {
-            return Lack{symbol + " is requested, but is not an unknown of the scene",
-                        "give P and M and no " + symbol + ", or leave " + symbol +
-                            " out of the quantities"};
-        }
-        break;
-    }
-    return {};
-}
 
 } // namespace edgeproof::scene

@@ -70,9 +70,9 @@ public:
             const auto tension = &ShearSpec::bulk_tension;
             times("half-tension", "half of the bulk tension", tension_advice, tension, half);
             times("half-tension", "twice the bulk tension", tension_advice, tension, two);
-            add("no-tension", "the bulk tension is left out", tension_advice,
+            add("no-tension", "no bulk tension", tension_advice,
                 [](Scene& s) { s.shear->bulk_tension = formula::Exact(); });
-            add("sign-of-tension", "the bulk tension has the wrong sign relative to Q",
+            add("sign-of-tension", "the bulk tension of the wrong sign relative to Q",
                 tension_advice, [](Scene& s) {
                     s.shear->bulk_tension = formula::Exact(-s.shear->bulk_tension.expr());
                 });
@@ -97,10 +97,10 @@ private:
     void moduli() {
         if (!scene_.bodies) {
             const Expr E = scene_.contact_modulus.expr();
-            modulus("factor-2", "E* is twice too large", E * two);
-            modulus("factor-2", "E* is half as large", E / two);
-            modulus("factor-pi", "E* is pi times too large", E * Expr::pi());
-            modulus("factor-pi", "E* is pi times too small", E / Expr::pi());
+            modulus("factor-2", "twice E*", E * two);
+            modulus("factor-2", "half of E*", E / two);
+            modulus("factor-pi", "pi times E*", E * Expr::pi());
+            modulus("factor-pi", "E* divided by pi", E / Expr::pi());
             return;
         }
         const Expr E1 = scene_.bodies->E1.expr();
@@ -179,8 +179,8 @@ private:
             parameter("radius-as-diameter", "the diameter instead of the radius", radius_advice,
                       "C", half);
         } else {
-            parameter("factor-2", "C is twice too large", constant_advice, "C", two);
-            parameter("factor-2", "C is half as large", constant_advice, "C", half);
+            parameter("factor-2", "twice C", constant_advice, "C", two);
+            parameter("factor-2", "half of C", constant_advice, "C", half);
         }
         parameter("radius-as-diameter", "the diameter instead of the radius", radius_advice, "R",
                   two);
@@ -229,14 +229,13 @@ private:
         angle("degrees", "the angle converted from degrees to radians twice",
               [degree](const Expr& value) { return value * degree; });
         if (parameters_.contains("alpha")) {
-            profile("mirrored", "the tilt has the wrong sign", tilt_advice,
+            profile("mirrored", "the tilt of the wrong sign", tilt_advice,
                     [](std::string_view key, const Expr& value) {
                         return key == "alpha" ? -value : value;
                     });
-            profile("no-tilt", "the tilt is left out", tilt_advice,
-                    [](std::string_view key, const Expr& value) {
-                        return key == "alpha" ? integer(0) : value;
-                    });
+            profile("no-tilt", "no tilt", tilt_advice, [](std::string_view key, const Expr& value) {
+                return key == "alpha" ? integer(0) : value;
+            });
         }
     }
 

@@ -13,7 +13,7 @@ namespace edgeproof::scene {
 
 struct SceneMistake {
     std::string_view name;   ///< the name of the cause in the output; several mistakes may share it
-    std::string what;        ///< "the diameter instead of the radius"
+    std::string what;        ///< in words, without a verb: "the diameter instead of the radius"
     std::string_view advice; ///< what is right
     std::function<void(Scene&)> change; ///< makes the scene that such a program solves
 };

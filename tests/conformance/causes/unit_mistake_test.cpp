@@ -69,6 +69,19 @@ TEST_CASE("a misread question is recognised and reported") {
           }) == Said{"p, right edge: 2 times ours"});
 }
 
+// Hertz, E* = C = 1: c_0 = sqrt(2 a)/2, c_1 = -c_0/(4 a).
+TEST_CASE("terms of the expansion instead of the pressure are recognised") {
+    const auto terms = [](std::size_t n) {
+        return [n](auto c, double u) {
+            const double c0 = std::sqrt(2 * a_of(c)) / 2;
+            return c0 * std::sqrt(u) * (n == 1 ? 1 : 1 - u / (4 * a_of(c)));
+        };
+    };
+    CHECK(found(keys, hertzes, "p", terms(1)) == Said{"p: the first term of ours at the edge"});
+    CHECK(found(keys, hertzes, "p", terms(2)) ==
+          Said{"p: the first two terms of ours at the edge"});
+}
+
 TEST_CASE(
     "however many rows fail, the reported cause is checked on all of them, and they are counted") {
     // p of the wedge at 70 points (60 are examined first), where a is taken for the full width;

@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace edgeproof::conformance {
@@ -98,6 +99,19 @@ std::vector<Reading> readings(const Questions& questions, const std::set<std::si
              q.edge = opposite(q.edge);
              return q.at_edge();
          }}};
+    for (const auto& [name, words, n] : {std::tuple{"one-term", "the first term", 1U},
+                                         std::tuple{"two-term", "the first two terms", 2U},
+                                         std::tuple{"three-term", "the first three terms", 3U}}) {
+        all.push_back({name, std::string(words) + " of ours at the edge",
+                       "the pressure is asked for, not an approximation of it",
+                       [](scene::Scene&) { return true; },
+                       [n = n](Question& q, const scene::Scene&) {
+                           const bool pressure = q.quantity == scene::Quantity::p;
+                           q.quantity = scene::Quantity::local;
+                           q.k = n;
+                           return pressure;
+                       }});
+    }
     std::set<std::string> known;
     const auto add = [&](const scene::SceneMistake& mistake, const Applies& applies,
                          const std::string& key) {

@@ -120,11 +120,14 @@ private:
         const formula::Exact* given = row.given != nullptr ? row.given(scene_) : nullptr;
         return given != nullptr ? rational_of(*given) : std::nullopt;
     }
-    /// Counts the work of a value. A traction similar to p needs p at the same place.
+    [[nodiscard]] bool is_similar() const {
+        return scene_.shear && scene_.shear->path == contact::LoadingPath::together;
+    }
+    /// Counts the work of a value.
     void count(const AskedValue& asked) {
         contact::Counts& counts = work_.counts;
         const bool of_shear = row_of(asked.quantity).needs == QuantityRow::Needs::shear;
-        const bool similar = of_shear && scene_.shear->path == contact::LoadingPath::together;
+        const bool similar = of_shear && is_similar();
         if (similar && !std::exchange(ratio_counted_, true)) {
             ++counts.resultants;
         }
@@ -134,13 +137,18 @@ private:
             ++counts.resultants;
             break;
         case Quantity::p:
-            count_pressure(asked);
+            count_pressure();
+            if (is_similar()) {
+                pressed_.emplace(asked.edge, asked.distance());
+            }
             break;
         case Quantity::q:
             ++counts.shear_points;
-            if (similar) {
-                count_pressure(asked);
+            // A traction similar to p uses the pressure that was computed just before.
+            if (similar && pressed_ != std::pair(asked.edge, asked.distance())) {
+                count_pressure();
             }
+            pressed_.reset();
             break;
         case Quantity::c:
         case Quantity::local:
@@ -163,12 +171,8 @@ private:
             break;
         }
     }
-    void count_pressure(const AskedValue& asked) {
-        std::pair place{asked.edge, asked.distance()};
-        if (pressed_ != place) {
-            pressed_ = std::move(place);
-            ++(balls_.closed() ? work_.counts.closed_forms : work_.counts.quadratures);
-        }
+    void count_pressure() {
+        ++(balls_.closed() ? work_.counts.closed_forms : work_.counts.quadratures);
     }
     /// The routes in Real. Their work is not counted: the work of this route is counted instead.
     [[nodiscard]] ValueRoute& others() {
@@ -186,7 +190,8 @@ private:
     BallSlips slips_;
     std::set<std::pair<contact::Edge, bool>> expanded_;
     bool ratio_counted_ = false;
-    std::optional<std::pair<contact::Edge, Distance>> pressed_; ///< the last place of a pressure
+    /// The place of the last pressure, for q.
+    std::optional<std::pair<contact::Edge, Distance>> pressed_;
     contact::Work work_of_others_;
     std::unique_ptr<ValueRoute> others_;
 };

@@ -19,10 +19,10 @@ def files_of(tree):
 
 
 def synchronise(tree, changed):
-    """Makes tree a copy of the working tree, except for the texts in `changed`. Files that are
-    equal keep their time stamp, so that little is built again."""
+    """Makes tree a copy of the working tree, except for the texts in `changed`, which may also be
+    those of new files. Files that are equal keep their time stamp, so that little is built again."""
     tree.mkdir(parents=True, exist_ok=True)
-    wanted = files_of(ROOT)
+    wanted = files_of(ROOT) | {Path(name) for name in changed}
     for name in files_of(tree) - wanted:
         (tree / name).unlink()
     for name in wanted:
@@ -31,7 +31,8 @@ def synchronise(tree, changed):
         if not target.exists() or target.read_bytes() != data:
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_bytes(data)
-            target.chmod((ROOT / name).stat().st_mode)
+            if (ROOT / name).exists():
+                target.chmod((ROOT / name).stat().st_mode)
 
 
 class Copy:

@@ -331,6 +331,8 @@ TEST_CASE("another convention is recognised and reported, with its accuracy") {
           "p: 1.37 times ours in 8");
     CHECK(only(conventions_of([](S, double, double other) { return other; })) ==
           "p: ours at the other edge in 8");
+    CHECK(only(conventions_of([](S, double, double other) { return 2 * other; })) ==
+          "p: 2 times ours at the other edge in 8");
     CHECK(only(conventions_of([](S edge, double p, double) { return edge == "left" ? -p : p; })) ==
           "p, left edge: minus ours in 4");
     // Wrong values follow no convention.

@@ -51,8 +51,8 @@ const std::string hertz_pressure =
     "[[claim]]\nid = \"H\"\nkind = \"value\"\nover = \"hertz\"\nof = \"p(x)\"\n"
     "says = \"Es*C/2*sqrt(a^2 - x^2)\"\n";
 /// For a symmetric contact b = a, so that exchanging them has no effect.
-const std::string first = "[[claim]]\nid = \"F\"\nkind = \"identity\"\nover = \"hertz\"\n"
-                          "of = \"right.c0\"\nsays = \"P1*sqrt(2)/(Pi*sqrt(b))\"\n";
+const std::string first_claim = "[[claim]]\nid = \"F\"\nkind = \"identity\"\nover = \"hertz\"\n"
+                                "of = \"right.c0\"\nsays = \"P1*sqrt(2)/(Pi*sqrt(b))\"\n";
 
 } // namespace
 
@@ -70,7 +70,7 @@ TEST_CASE("every misprint of the eight kinds, and no other") {
 }
 
 TEST_CASE("wrong mutants are refuted, equal ones are proved equal, and the edit is named") {
-    const MutationRun r = run_all(hertz_pressure + first, 1);
+    const MutationRun r = run_all(hertz_pressure + first_claim, 1);
     CHECK(r.claims == 2);
     CHECK(r.fates.size() == r.possible);
     REQUIRE(r.fates.size() > 15);
@@ -91,8 +91,8 @@ TEST_CASE("wrong mutants are refuted, equal ones are proved equal, and the edit 
 }
 
 TEST_CASE("the seed chooses the mutants, not the number of threads") {
-    const MutationRun one = run_all(hertz_pressure + first, 1, 8);
-    const MutationRun two = run_all(hertz_pressure + first, 2, 8);
+    const MutationRun one = run_all(hertz_pressure + first_claim, 1, 8);
+    const MutationRun two = run_all(hertz_pressure + first_claim, 2, 8);
     REQUIRE(one.fates.size() == 8);
     REQUIRE(two.fates.size() == 8);
     for (std::size_t k = 0; k < 8; ++k) {
@@ -101,8 +101,8 @@ TEST_CASE("the seed chooses the mutants, not the number of threads") {
     }
 }
 
-TEST_CASE(
-    "the second mutant of a claim that is compared with an integral is decided like the first") {
+TEST_CASE("the second mutant of a claim that is compared with an integral is decided like the "
+          "first_claim") {
     const MutationRun r = run_all(hertz_pressure + R"toml([[claim]]
 id = "P"
 kind = "value"

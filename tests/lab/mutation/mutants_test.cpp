@@ -101,8 +101,8 @@ TEST_CASE("the seed chooses the mutants, not the number of threads") {
     }
 }
 
-TEST_CASE("the second mutant of a claim that is compared with an integral is decided like the "
-          "first_claim") {
+TEST_CASE(
+    "the second mutant of a claim that is compared with an integral is decided like the first") {
     const MutationRun r = run_all(hertz_pressure + R"toml([[claim]]
 id = "P"
 kind = "value"

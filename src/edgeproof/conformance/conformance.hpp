@@ -15,7 +15,7 @@
 ///   conditioning.hpp   how much of an error the rounding of the inputs explains
 ///   agreement.hpp      correct digits, ulps, and the position in the contact
 ///   convention.hpp     failures that another convention explains
-///   unit_mistake.hpp   failures that another interpretation of the question explains
+///   readings.hpp       failures that another interpretation of the question explains
 ///   corruption.hpp     correct answers made wrong, to test that this is detected
 ///   csv.hpp            CSV with the line of each row
 ///   atomic_file.hpp    a file that is either complete or absent
@@ -25,7 +25,7 @@
 #include "edgeproof/conformance/answers/program_driver.hpp"
 #include "edgeproof/conformance/causes/convention.hpp"
 #include "edgeproof/conformance/causes/corruption.hpp"
-#include "edgeproof/conformance/causes/unit_mistake.hpp"
+#include "edgeproof/conformance/causes/readings.hpp"
 #include "edgeproof/conformance/questions/conditioning.hpp"
 #include "edgeproof/conformance/questions/question.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"

@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <set>
+#include <utility>
 
 namespace {
 
@@ -318,21 +320,19 @@ TEST_CASE("another convention is recognised and reported, with its accuracy") {
     };
     using S = const std::string&;
     CHECK(conventions_of([](S, double p, double) { return p; }).empty());
-    CHECK(only(conventions_of([](S, double p, double) { return 2 * p; })) ==
-          "p: 2 times ours in 8");
-    CHECK(only(conventions_of([](S, double p, double) { return p / 2; })) ==
-          "p: 1/2 times ours in 8");
-    CHECK(only(conventions_of([&](S, double p, double) { return p * pi; })) ==
-          "p: pi times ours in 8");
-    CHECK(only(conventions_of([&](S, double p, double) { return -p * pi / 180; })) ==
-          "p: -pi/180 times ours in 8");
-    CHECK(only(conventions_of([](S, double p, double) { return -p; })) == "p: minus ours in 8");
-    CHECK(only(conventions_of([](S, double p, double) { return 1.37 * p; })) ==
-          "p: 1.37 times ours in 8");
-    CHECK(only(conventions_of([](S, double, double other) { return other; })) ==
-          "p: ours at the other edge in 8");
-    CHECK(only(conventions_of([](S, double, double other) { return 2 * other; })) ==
-          "p: 2 times ours at the other edge in 8");
+    const std::vector<std::pair<std::function<double(double, double)>, std::string>> cases{
+        {[](double p, double) { return 2 * p; }, "2 times ours"},
+        {[](double p, double) { return p / 2; }, "1/2 times ours"},
+        {[&](double p, double) { return p * pi; }, "pi times ours"},
+        {[&](double p, double) { return -p * pi / 180; }, "-pi/180 times ours"},
+        {[](double p, double) { return -p; }, "minus ours"},
+        {[](double p, double) { return 1.37 * p; }, "1.37 times ours"},
+        {[](double, double other) { return other; }, "ours at the other edge"},
+        {[](double, double other) { return 2 * other; }, "2 times ours at the other edge"}};
+    for (const auto& [answer, relation] : cases) {
+        CHECK(only(conventions_of([&](S, double p, double other) { return answer(p, other); })) ==
+              "p: " + relation + " in 8");
+    }
     CHECK(only(conventions_of([](S edge, double p, double) { return edge == "left" ? -p : p; })) ==
           "p, left edge: minus ours in 4");
     // Wrong values follow no convention.

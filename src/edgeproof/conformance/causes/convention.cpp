@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/convention.hpp"
 #include "edgeproof/conformance/causes/convention_rule.hpp"
-#include "edgeproof/conformance/causes/unit_mistake.hpp"
+#include "edgeproof/conformance/causes/readings.hpp"
 
 #include <algorithm>
 #include <map>
@@ -167,7 +167,7 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
     };
     look(true);
     std::vector<Convention> read_otherwise;
-    for (Convention& reading : infer_unit_mistakes(answers, agreements, failing, options)) {
+    for (Convention& reading : infer_readings(answers, agreements, failing, options)) {
         bool has_factor = false;
         for (auto& [family, factor] : by_factor) {
             if (family == reading.of) {

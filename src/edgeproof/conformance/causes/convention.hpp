@@ -27,8 +27,8 @@ struct Convention {
 };
 
 /// Searches the failing rows for numbers of few digits, for questions interpreted differently
-/// (unit_mistake.hpp), and for a uniform factor (2, 1/2, pi, units of other systems, ... or any
-/// other), a sign, and exchanged edges (unit_mistake.hpp): for each quantity at both edges, else
+/// (readings.hpp), and for a uniform factor (2, 1/2, pi, units of other systems, ... or any
+/// other), a sign, and exchanged edges (readings.hpp): for each quantity at both edges, else
 /// at one. A convention is accepted if at least 3 failing rows, and 9 of 10, follow it within their
 /// own scatter, this scatter is below 3 %, and it leaves less than a quarter of the error. A
 /// convention that explains several quantities is reported once.

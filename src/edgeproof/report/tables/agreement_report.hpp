@@ -94,7 +94,7 @@ private:
     std::vector<std::string> notes_;
 };
 
-/// Returns the report of answers that are held whole.
+/// Returns the report of all answers at once.
 [[nodiscard]] ConformanceSummary summary_of(const Conformance& c, std::size_t errors);
 [[nodiscard]] std::string conformance_text(const Conformance& c, std::size_t errors);
 

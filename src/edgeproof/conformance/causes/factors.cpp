@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/ratios.hpp"
-#include "edgeproof/conformance/causes/unit_mistake.hpp"
+#include "edgeproof/conformance/causes/readings.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
 
 #include <fmt/format.h>

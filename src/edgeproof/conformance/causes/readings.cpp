@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/causes/unit_mistake.hpp"
+#include "edgeproof/conformance/causes/readings.hpp"
 
 #include "edgeproof/conformance/causes/ratios.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -358,9 +358,9 @@ private:
 
 } // namespace
 
-std::vector<Convention> infer_unit_mistakes(const Answers& answers, const Agreements& agreements,
-                                            const std::vector<std::size_t>& failing,
-                                            ReferenceOptions options) {
+std::vector<Convention> infer_readings(const Answers& answers, const Agreements& agreements,
+                                       const std::vector<std::size_t>& failing,
+                                       ReferenceOptions options) {
     if (failing.size() < least_rows) {
         return {};
     }

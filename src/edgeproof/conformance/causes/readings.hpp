@@ -15,10 +15,10 @@ namespace edgeproof::conformance {
 /// radius, x for u, the modulus of one body for the composite one, the constant of the gap for that
 /// of the slope, the sign of a force; or a mean pressure given instead of a force. Each quantity is
 /// checked separately.
-[[nodiscard]] std::vector<Convention> infer_unit_mistakes(const Answers& answers,
-                                                          const Agreements& agreements,
-                                                          const std::vector<std::size_t>& failing,
-                                                          ReferenceOptions options);
+[[nodiscard]] std::vector<Convention> infer_readings(const Answers& answers,
+                                                     const Agreements& agreements,
+                                                     const std::vector<std::size_t>& failing,
+                                                     ReferenceOptions options);
 
 /// Checks if answers that miss the target are in single precision, or were written with few digits.
 /// Each quantity is checked separately.

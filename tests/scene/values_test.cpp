@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 using namespace edgeproof::scenes;
 
 namespace {
@@ -115,6 +117,16 @@ TEST_CASE("Hertz within 1 %: u = 2a (1 - 1.01^-2) for one term") {
     CHECK(covers_zone(scene, first_exit)); // 0.0394... > 0.039
     scene.ask.process_zone = Exact::parse("0.0395");
     CHECK_FALSE(covers_zone(scene, first_exit));
+}
+
+TEST_CASE("extents of the same number of terms twice, at both edges: as many rows as asked for") {
+    const SceneResult result = run_scene(parsed(hertz(
+        "1", "edges = [\"right\", \"left\"]\nterms = [1, 1]\ntolerance = \"1%\"\ndigits = 10\n")));
+    for (const RowsAt& edge : result.at_edges(QuantityGroup::extent)) {
+        CHECK(std::ranges::count_if(edge, [](const Row& row) {
+                  return row.asked.quantity == Quantity::extent;
+              }) == 2);
+    }
 }
 
 TEST_CASE("balls and quadratures agree, each within its own bound") {

@@ -187,11 +187,16 @@ private:
             found = route_->extent(asked.edge, asked.k);
         } else {
             for (const Row& row : result_.rows) {
-                if (row_of(row.asked.quantity).group == QuantityGroup::extent &&
-                    row.asked.k == asked.k) {
-                    found.push_back(row);
-                    found.back().asked.edge = asked.edge;
+                const bool first = row.asked.quantity == Quantity::extent;
+                if (row_of(row.asked.quantity).group != QuantityGroup::extent ||
+                    row.asked.k != asked.k) {
+                    continue;
                 }
+                if (first && !found.empty()) {
+                    break; // the same number of terms was asked for twice
+                }
+                found.push_back(row);
+                found.back().asked.edge = asked.edge;
             }
         }
         std::ranges::move(found, std::back_inserter(result_.rows));

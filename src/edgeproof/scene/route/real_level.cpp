@@ -66,10 +66,16 @@ BoundedValue RealLevel::alpha() const {
 }
 
 RealLevel::Last& RealLevel::at(contact::Edge edge, const formula::Exact& u) {
-    if (!last_ || last_->edge != edge || !(last_->u == u)) {
-        last_ = Last{edge, u};
+    const auto is_here = [&](const std::optional<Last>& last) {
+        return last && last->edge == edge && last->u == u;
+    };
+    if (!is_here(last_[0])) {
+        std::swap(last_[0], last_[1]);
     }
-    return *last_;
+    if (!is_here(last_[0])) {
+        last_[0] = Last{edge, u};
+    }
+    return *last_[0];
 }
 
 /// If the closed form of a power law has no value in balls, its value in Real is not used either.

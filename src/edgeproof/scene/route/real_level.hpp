@@ -4,6 +4,7 @@
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/scene/route/plan.hpp"
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -61,7 +62,8 @@ public:
     [[nodiscard]] std::string series_name() const;
 
 private:
-    /// The values at the last point, kept for other quantities and approximations there.
+    /// The values at the last two points, kept for other quantities and approximations there: a
+    /// place that depends on the edges is evaluated at both ends of its error interval.
     struct Last {
         contact::Edge edge;
         formula::Exact u;
@@ -86,7 +88,7 @@ private:
     std::optional<contact::ShearTraction> shear_;
     std::optional<contact::NormalContact> uncounted_; ///< its work is not counted here
     std::optional<contact::PartialSlip> slip_;
-    std::optional<Last> last_;
+    std::array<std::optional<Last>, 2> last_; ///< the latest first
     std::map<contact::Edge, std::vector<Real>> raw_c_;
     std::map<contact::Edge, std::vector<BoundedValue>> c_;
     std::map<contact::Edge, std::vector<BoundedValue>> s_;

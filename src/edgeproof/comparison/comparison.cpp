@@ -4,14 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 namespace edgeproof::comparison {
 namespace {
 
 constexpr double most_of_rule = 0.1; ///< the largest error allowed for a fit of the exact pressure
+
+constexpr std::array both_edges{contact::Edge::right, contact::Edge::left};
 
 std::string percent(double x) { return fmt::format("{:.3g} %", 100 * x); }
 
@@ -30,22 +32,17 @@ public:
         coverage();
         pressure();
         shear();
-        if (tolerances_.edges) {
-            if (file_.data.half != contact::Edge::left) {
-                edge("a", file_.contact.a, file_.of_exact.a, exact_.a().value);
-            }
-            if (file_.data.half != contact::Edge::right) {
-                edge("b", file_.contact.b, file_.of_exact.b, exact_.b().value);
+        for (const contact::Edge at : both_edges) {
+            if (tolerances_.edges && file_.data.has(at)) {
+                edge(at);
             }
         }
         if (tolerances_.force) {
             force();
         }
-        if (tolerances_.c0) {
-            for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
-                if (!file_.data.half || *file_.data.half == edge) {
-                    coefficient(edge);
-                }
+        for (const contact::Edge at : both_edges) {
+            if (tolerances_.c0 && file_.data.has(at)) {
+                coefficient(at);
             }
         }
     }
@@ -55,14 +52,12 @@ private:
 
     /// A quantity that the nodes do not determine fails.
     void coverage() {
-        const auto is_held = [this](Determined quantity) {
-            return !tolerances_.partial ||
-                   (quantity == Determined::force     ? tolerances_.force.has_value()
-                    : quantity == Determined::largest ? false
-                                                      : tolerances_.edges.has_value());
-        };
         for (const Undetermined& missing : file_.undetermined) {
-            if (is_held(missing.quantity)) {
+            const bool compared =
+                missing.quantity == Determined::force
+                    ? tolerances_.force.has_value()
+                    : missing.quantity != Determined::largest && tolerances_.edges.has_value();
+            if (!tolerances_.partial || compared) {
                 fail(missing.why + (tolerances_.partial
                                         ? ""
                                         : "; give all of the contact, or --partial to compare p at "
@@ -147,24 +142,28 @@ private:
     static double off(double data, double of_exact, double exact) {
         return std::abs((data - of_exact) / exact);
     }
-    void edge(const char* name, const std::optional<double>& data,
-              const std::optional<double>& of_exact, double exact) {
+    void edge(contact::Edge at) {
+        const char* const name = at == contact::Edge::right ? "a" : "b";
+        const auto& data = file_.contact.at(at);
+        const double exact = exact_.edge(at);
+        const double of_exact = file_.of_exact.at(at).value_or(exact);
         if (!data) {
             fail(fmt::format("{} is not known: no pressure of the data is greater than 0", name));
             return;
         }
-        const double error = off(*data, of_exact.value_or(exact), exact);
+        const double error = off(*data, of_exact, exact);
         if (!(error <= *tolerances_.edges)) {
             fail(fmt::format("{} = {:.6g} by the data is off by {} of the exact {:.6g}, more than "
                              "{} (of the exact pressure at these nodes: {:.6g})",
                              name, *data, percent(error), exact, percent(*tolerances_.edges),
-                             of_exact.value_or(exact)));
+                             of_exact));
         }
     }
     void force() {
-        const bool whole = (file_.data.half == contact::Edge::left || file_.contact.reaches[0]) &&
-                           (file_.data.half == contact::Edge::right || file_.contact.reaches[1]);
-        if (!whole) {
+        const auto missing = [this](contact::Edge at) {
+            return file_.data.has(at) && !file_.contact.reaches[index_of(at)];
+        };
+        if (std::ranges::any_of(both_edges, missing)) {
             fail("P is not known: the data end inside the contact");
             return;
         }
@@ -218,23 +217,16 @@ void count_nodes(FileComparison& file) {
 
 /// Integrates Q by trapezoids, for the data and for the exact q at the same nodes.
 void sum_shear(FileComparison& file) {
-    double sum = 0;
-    double of_exact = 0;
-    const Node* last = nullptr;
-    for (const Node& node : file.data.nodes) {
-        if (!node.shear || !node.shear->exact) {
-            continue;
-        }
-        if (last != nullptr) {
-            const double half_width = 0.5 * (node.x - last->x);
-            sum += half_width * (last->shear->q + node.shear->q);
-            of_exact += half_width * (*last->shear->exact + *node.shear->exact);
-        }
-        last = &node;
-    }
-    if (last != nullptr && !file.data.half) {
-        file.Q = sum;
-        file.Q_of_exact = of_exact;
+    const auto exact = [](const Node& node) {
+        return node.shear ? node.shear->exact : std::optional<double>();
+    };
+    if (!file.data.half && std::ranges::any_of(file.data.nodes, [&](const Node& node) {
+            return exact(node).has_value();
+        })) {
+        file.Q = trapezoids(file.data.nodes, [&](const Node& node) {
+            return exact(node) ? std::optional(node.shear->q) : std::nullopt;
+        });
+        file.Q_of_exact = trapezoids(file.data.nodes, exact);
     }
 }
 
@@ -270,8 +262,8 @@ void find_more(FileComparison& file, const ExactContact& exact) {
                                corners == 1 ? "the node" : "the nodes", corners == 1 ? "is" : "are")
                  : std::string()));
     }
-    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
-        if (!file.contact.reaches[index_of(edge)] && (!file.data.half || *file.data.half == edge)) {
+    for (const contact::Edge edge : both_edges) {
+        if (!file.contact.reaches[index_of(edge)] && file.data.has(edge)) {
             findings.push_back("the data end inside the contact, before its " +
                                scene::edge_name(edge) + " edge");
         }
@@ -309,16 +301,14 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
     sum_shear(file);
     file.distances = by_distance(file.data, exact);
     file.knots = errors_near_knots(file.data, exact, file.contact);
-    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+    for (const contact::Edge edge : both_edges) {
         constexpr double elements_smeared = 2;
-        const double leave_out = std::max(tolerances.zone.at(edge, file.contact),
-                                          elements_smeared * file.contact.element[index_of(edge)]);
+        const double smeared = elements_smeared * file.contact.element[index_of(edge)];
+        const double leave_out = std::max(tolerances.zone.at(edge, file.contact), smeared);
         // A contact of another size has its own edges, and its own c_0 there.
-        const bool right = edge == contact::Edge::right;
-        const auto& by_data = right ? file.contact.a : file.contact.b;
-        const double outwards = by_data.value_or(0) - (right ? exact.a().value : exact.b().value);
-        const bool elsewhere =
-            by_data && std::abs(outwards) > elements_smeared * file.contact.element[index_of(edge)];
+        const auto& by_data = file.contact.at(edge);
+        const double outwards = by_data.value_or(0) - exact.edge(edge);
+        const bool elsewhere = by_data && std::abs(outwards) > smeared;
         file.fits[index_of(edge)] = fit_edge(file.data, exact, edge, leave_out,
                                              elsewhere ? std::optional(outwards) : std::nullopt);
     }
@@ -341,47 +331,37 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
 std::vector<Convergence> convergence_of(const std::vector<FileComparison>& files,
                                         const ExactContact& exact) {
     std::vector<Convergence> list;
-    const auto collect =
-        [&](const std::function<std::optional<double>(const FileComparison&)>& of) {
-            std::vector<MeshValue> values;
-            for (const FileComparison& file : files) {
-                const auto value = of(file);
-                if (!value || !(file.contact.mean_element > 0)) {
-                    return std::vector<MeshValue>();
-                }
-                values.push_back({file.contact.mean_element, *value});
+    /// `limit`: the exact value; without it, the value is an error.
+    const auto add = [&](const char* name, std::optional<double> limit, const auto& of) {
+        std::vector<MeshValue> values;
+        for (const FileComparison& file : files) {
+            const std::optional<double> value = of(file);
+            if (!value || !(file.contact.mean_element > 0)) {
+                return;
             }
-            return values;
-        };
-    const auto add = [&](const char* name, double limit, const auto& of) {
-        if (auto values = collect(of); values.size() >= 2) {
-            list.push_back(converge(name, std::move(values), limit));
+            values.push_back({file.contact.mean_element, *value});
+        }
+        if (values.size() >= 2) {
+            list.push_back(limit ? converge(name, std::move(values), *limit)
+                                 : converge_error(name, std::move(values)));
         }
     };
-    using Maybe = std::optional<double>;
-    add("a", exact.a().value, [](const FileComparison& f) { return f.contact.a; });
-    add("b", exact.b().value, [](const FileComparison& f) { return f.contact.b; });
-    add("P", exact.force().value, [](const FileComparison& f) { return f.contact.force; });
-    const auto c0 = [](contact::Edge edge) {
-        return [edge](const FileComparison& f) {
-            const auto& fit = f.fits[index_of(edge)];
-            return fit ? Maybe(fit->c0.value) : Maybe();
-        };
-    };
-    add("c0", exact.c(contact::Edge::right, 0).value, c0(contact::Edge::right));
-    add("c0_left", exact.c(contact::Edge::left, 0).value, c0(contact::Edge::left));
-    if (!exact.scale().mean) {
-        add("p_max", exact.scale().value,
-            [](const FileComparison& f) { return Maybe(f.contact.largest); });
+    add("a", exact.a().value, [](const auto& f) { return f.contact.a; });
+    add("b", exact.b().value, [](const auto& f) { return f.contact.b; });
+    add("P", exact.force().value, [](const auto& f) { return f.contact.force; });
+    for (const contact::Edge edge : both_edges) {
+        add(edge == contact::Edge::right ? "c0" : "c0_left", exact.c(edge, 0).value,
+            [edge](const auto& f) {
+                const auto& fit = f.fits[index_of(edge)];
+                return fit ? std::optional(fit->c0.value) : std::nullopt;
+            });
     }
-    const auto add_error = [&](const char* name, const auto& of) {
-        if (auto values = collect(of); values.size() >= 2) {
-            list.push_back(converge_error(name, std::move(values)));
-        }
-    };
-    add_error("peak", [](const FileComparison& f) { return Maybe(f.errors.peak); });
-    add_error("local", [](const FileComparison& f) { return Maybe(f.errors.local); });
-    add_error("l2", [](const FileComparison& f) { return Maybe(f.errors.l2); });
+    if (!exact.scale().mean) {
+        add("p_max", exact.scale().value, [](const auto& f) { return f.contact.largest; });
+    }
+    add("peak", {}, [](const auto& f) { return f.errors.peak; });
+    add("local", {}, [](const auto& f) { return f.errors.local; });
+    add("l2", {}, [](const auto& f) { return f.errors.l2; });
     return list;
 }
 

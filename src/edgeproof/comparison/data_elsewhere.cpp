@@ -36,15 +36,17 @@ std::optional<double> factor_near(double wanted) {
 
 void require_nodes_inside(const FileComparison& file, const ExactContact& exact,
                           const EdgeZone& zone) {
+    const auto reject = [&](const std::string& problem, const std::string& instead) {
+        throw InputError(problem, instead).at(file.table.file, 0);
+    };
     if (file.inside >= fewest_inside) {
         const bool any = std::ranges::any_of(file.data.nodes, [&](const Node& node) {
             return node.exact.inside() && is_counted(node, zone, file.contact);
         });
         if (!any) {
-            throw InputError(
+            reject(
                 fmt::format("all {} nodes inside the contact lie in the edge zones", file.inside),
-                "write a narrower --edge-zone, or give a finer mesh")
-                .at(file.table.file, 0);
+                "write a narrower --edge-zone, or give a finer mesh");
         }
         return;
     }
@@ -63,19 +65,14 @@ void require_nodes_inside(const FileComparison& file, const ExactContact& exact,
                     file.inside == 2 ? "lie" : "lies", -b + file.data.origin, a + file.data.origin);
     if (file.inside > 0 &&
         static_cast<std::size_t>(std::ranges::count_if(nodes, pressing)) < fewest_inside) {
-        throw InputError(none + ": too few for a comparison",
-                         "give a finer mesh: three nodes or more inside")
-            .at(file.table.file, 0);
+        reject(none + ": too few for a comparison",
+               "give a finer mesh: three nodes or more inside");
     }
     if (first == nodes.end()) {
-        throw InputError(none + ", and every pressure is zero",
-                         "give the nodes of the contact, with their pressures")
-            .at(file.table.file, 0);
+        reject(none + ", and every pressure is zero",
+               "give the nodes of the contact, with their pressures");
     }
-    auto last = nodes.end() - 1;
-    while (!pressing(*last)) {
-        --last;
-    }
+    const auto last = std::find_if(nodes.rbegin(), nodes.rend(), pressing).base() - 1;
     const double from = first->x + file.data.origin;
     const double to = last->x + file.data.origin;
     const double steps = static_cast<double>(last - first);
@@ -95,10 +92,9 @@ void require_nodes_inside(const FileComparison& file, const ExactContact& exact,
         instead = "write --scale x=... if x is in another unit than the scene's, --origin if it is "
                   "measured from another place";
     }
-    throw InputError(fmt::format("{}: the pressures of the data extend from x = {:.6g} to {:.6g}",
-                                 none, from, to),
-                     instead)
-        .at(file.table.file, 0);
+    reject(fmt::format("{}: the pressures of the data extend from x = {:.6g} to {:.6g}", none, from,
+                       to),
+           instead);
 }
 
 } // namespace edgeproof::comparison

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -15,19 +16,27 @@ constexpr double pi = std::numbers::pi;
 
 double number_in(const SceneKeys& keys, const std::string& key) { return std::stod(keys.at(key)); }
 
+/// Changes programs for contacts that have one of the keys; all contacts if no keys are given.
+Make with(const std::vector<std::string>& names, const std::function<void(Program&)>& change) {
+    return [=](const SceneKeys& keys) -> std::optional<Program> {
+        const auto has = [&](const std::string& name) { return keys.contains(name); };
+        if (!names.empty() && std::ranges::none_of(names, has)) {
+            return {};
+        }
+        Program program{keys};
+        change(program);
+        return program;
+    };
+}
 /// Changes the numbers of those keys that the scene has.
 Make with_key(const std::vector<std::string>& names, const std::function<double(double)>& change) {
-    return [=](const SceneKeys& keys) -> std::optional<Program> {
-        Program program{keys};
-        bool any = false;
+    return with(names, [=](Program& program) {
         for (const std::string& name : names) {
-            if (keys.contains(name)) {
-                program.keys[name] = fmt::format("{:.17g}", change(number_in(keys, name)));
-                any = true;
+            if (program.keys.contains(name)) {
+                program.keys[name] = fmt::format("{:.17g}", change(number_in(program.keys, name)));
             }
         }
-        return any ? std::optional(program) : std::nullopt;
-    };
+    });
 }
 Make times_key(const std::string& name, double k) {
     return with_key({name}, [k](double x) { return k * x; });
@@ -35,50 +44,30 @@ Make times_key(const std::string& name, double k) {
 
 /// Replaces E* by a function of the bodies' constants.
 Make with_modulus(const std::function<double(double, double, double, double)>& modulus) {
-    return [=](const SceneKeys& keys) -> std::optional<Program> {
-        if (!keys.contains("load.E1")) {
-            return {};
-        }
-        Program program{keys};
+    return with({"load.E1"}, [=](Program& program) {
+        SceneKeys& keys = program.keys;
         const double E = modulus(number_in(keys, "load.E1"), number_in(keys, "load.nu1"),
                                  number_in(keys, "load.E2"), number_in(keys, "load.nu2"));
         for (const char* const key : {"load.E1", "load.nu1", "load.E2", "load.nu2"}) {
-            program.keys.erase(key);
+            keys.erase(key);
         }
-        program.keys["load.contact_modulus"] = fmt::format("{:.17g}", E);
-        return program;
-    };
-}
-
-Make any_contact(const std::function<void(Program&)>& change) {
-    return [=](const SceneKeys& keys) -> std::optional<Program> {
-        Program program{keys};
-        change(program);
-        return program;
-    };
+        keys["load.contact_modulus"] = fmt::format("{:.17g}", E);
+    });
 }
 Make factor(double k) {
-    return any_contact([k](Program& program) {
+    return with({}, [k](Program& program) {
         program.p = [k](const ExactContact& contact, double x) { return k * contact.pressure(x); };
     });
 }
 Make x_times(double k) {
-    return any_contact(
-        [k](Program& program) { program.written_x = [k](double x) { return k * x; }; });
+    return with({}, [k](Program& program) { program.written_x = [k](double x) { return k * x; }; });
 }
 /// A mistake that has an effect only if the edges are not alike.
 Make unless_symmetric(const std::function<double(const ExactContact&, double)>& p) {
-    return [p](const SceneKeys& keys) -> std::optional<Program> {
-        if (!keys.contains("profile.alpha") && !keys.contains("load.M")) {
-            return {};
-        }
-        Program program{keys};
-        program.p = p;
-        return program;
-    };
+    return with({"profile.alpha", "load.M"}, [p](Program& program) { program.p = p; });
 }
 Make terms(std::size_t n) {
-    return any_contact([n](Program& program) {
+    return with({}, [n](Program& program) {
         program.p = [n](const ExactContact& contact, double x) {
             const auto place = contact.at(Real(x));
             double sum = 0;
@@ -91,10 +80,10 @@ Make terms(std::size_t n) {
     });
 }
 Make rows(const std::function<void(std::vector<ComputedRow>&)>& change) {
-    return any_contact([change](Program& program) { program.rows = change; });
+    return with({}, [change](Program& program) { program.rows = change; });
 }
 Make digits(int n) {
-    return any_contact([n](Program& program) { program.digits = n; });
+    return with({}, [n](Program& program) { program.digits = n; });
 }
 
 double first_of(double E1, double nu1) { return E1 / (1 - nu1 * nu1); }
@@ -131,7 +120,7 @@ scene::Scene scene_of(const SceneKeys& keys) {
 }
 
 const std::vector<TestedContact>& tested_contacts() {
-    const auto with = [](SceneKeys keys, const SceneKeys& more) {
+    const auto both = [](SceneKeys keys, const SceneKeys& more) {
         keys.insert(more.begin(), more.end());
         return keys;
     };
@@ -159,20 +148,20 @@ const std::vector<TestedContact>& tested_contacts() {
                                   {"load.P", "5000"},
                                   {"load.M", "-2000"}};
     static const std::vector<TestedContact> list{
-        {"two cylinders, like materials", with(cylinders, like)},
-        {"two cylinders, unlike materials", with(cylinders, unlike)},
-        {"a flat with rounded edges, unlike materials", with(pad, unlike)},
-        {"a tilted wedge, a given", with(wedge, like)},
-        {"a tilted flat with rounded edges", with(tilted, unlike)},
-        {"a wedge under P and M", with(rocked, like)},
+        {"two cylinders, like materials", both(cylinders, like)},
+        {"two cylinders, unlike materials", both(cylinders, unlike)},
+        {"a flat with rounded edges, unlike materials", both(pad, unlike)},
+        {"a tilted wedge, a given", both(wedge, like)},
+        {"a tilted flat with rounded edges", both(tilted, unlike)},
+        {"a wedge under P and M", both(rocked, like)},
         {"two cylinders, full stick",
-         with(with(cylinders, like), {{"shear.Q", "40"}, {"shear.bulk_tension", "60"}})},
+         both(both(cylinders, like), {{"shear.Q", "40"}, {"shear.bulk_tension", "60"}})},
         {"a flat with rounded edges, full stick",
-         with(with(pad, like), {{"shear.Q", "40"}, {"shear.bulk_tension", "-25"}})},
+         both(both(pad, like), {{"shear.Q", "40"}, {"shear.bulk_tension", "-25"}})},
         {"two cylinders, partial slip",
-         with(with(cylinders, like), {{"shear.Q", "60"}, {"shear.friction", "0.5"}})},
+         both(both(cylinders, like), {{"shear.Q", "60"}, {"shear.friction", "0.5"}})},
         {"a tilted flat with rounded edges, partial slip",
-         with(with(tilted, like),
+         both(both(tilted, like),
               {{"shear.Q", "200"}, {"shear.bulk_tension", "10"}, {"shear.friction", "0.4"}})},
     };
     return list;
@@ -183,8 +172,8 @@ const std::vector<InjectedMistake>& injected_mistakes() {
     static const auto degrees = [](double x) { return x * 180 / pi; };
     static const std::vector<std::string> angles{"profile.phi", "profile.alpha"};
     static const std::vector<InjectedMistake> list{
-        {"", false, any_contact([](Program&) {})},
-        {"", true, any_contact([](Program&) {})},
+        {"", false, with({}, [](Program&) {})},
+        {"", true, with({}, [](Program&) {})},
         {"factor-2", false, factor(2)},
         {"factor-pi", false, factor(1 / pi)},
         {"factor-sqrt-pi", false, factor(std::sqrt(pi))},
@@ -229,18 +218,23 @@ const std::vector<InjectedMistake>& injected_mistakes() {
         {"x-from-middle", false, unless_symmetric([](const ExactContact& c, double x) {
              return c.pressure(x + (c.a().value - c.b().value) / 2);
          })},
-        {"x-for-u", false, any_contact([](Program& program) {
-             program.p = [](const ExactContact& c, double x) {
-                 return c.pressure(c.a().value - std::abs(x));
-             };
-         })},
-        {"shifted-origin", false, any_contact([](Program& program) {
-             const double length =
-                 number_in(program.keys, program.keys.contains("load.a") ? "load.a" : "load.P");
-             program.written_x = [length, given_a = program.keys.contains("load.a")](double x) {
-                 return x + (given_a ? 0.02 * length : 0.01);
-             };
-         })},
+        {"x-for-u", false,
+         with({},
+              [](Program& program) {
+                  program.p = [](const ExactContact& c, double x) {
+                      return c.pressure(c.a().value - std::abs(x));
+                  };
+              })},
+        {"shifted-origin", false,
+         with({},
+              [](Program& program) {
+                  const double length = number_in(
+                      program.keys, program.keys.contains("load.a") ? "load.a" : "load.P");
+                  program.written_x = [length,
+                                       given_a = program.keys.contains("load.a")](double x) {
+                      return x + (given_a ? 0.02 * length : 0.01);
+                  };
+              })},
         {"shifted-rows", false, rows(shift_rows)},
         {"element-average", false, rows(average_rows)},
         {"one-term", false, terms(1)},
@@ -254,23 +248,16 @@ const std::vector<InjectedMistake>& injected_mistakes() {
         {"no-tension", true, times_key("shear.bulk_tension", 0)},
         {"sign-of-tension", true, times_key("shear.bulk_tension", -1)},
         {"no-slip", true,
-         [](const SceneKeys& keys) -> std::optional<Program> {
-             Program program{keys};
-             return program.keys.erase("shear.friction") > 0 ? std::optional(program)
-                                                             : std::nullopt;
-         }},
+         with({"shear.friction"}, [](Program& program) { program.keys.erase("shear.friction"); })},
         {"all-slips", true,
-         [](const SceneKeys& keys) -> std::optional<Program> {
-             Program program{keys};
-             if (keys.contains("shear.friction")) {
-                 program.rows = [f = number_in(keys, "shear.friction")](auto& computed) {
-                     for (ComputedRow& row : computed) {
-                         row.q = f * row.p;
-                     }
-                 };
-             }
-             return program.rows ? std::optional(program) : std::nullopt;
-         }},
+         with({"shear.friction"},
+              [](Program& program) {
+                  program.rows = [f = number_in(program.keys, "shear.friction")](auto& computed) {
+                      for (ComputedRow& row : computed) {
+                          row.q = f * row.p;
+                      }
+                  };
+              })},
         // The mirror image of a symmetric contact has the same pressure, so only q shows it.
         {"mirrored", true,
          [](const SceneKeys& keys) -> std::optional<Program> {

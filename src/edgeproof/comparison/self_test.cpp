@@ -19,13 +19,8 @@ constexpr int elements = 120;
 constexpr double above_noise = 5;
 constexpr double no_effect = 1e-9;
 
-struct Data {
-    std::vector<ComputedRow> rows;
-    int digits = 0;
-};
-
 /// The output of the program with the mistake, on an interval that contains its own contact.
-std::optional<Data> computed(const Program& program, bool shear) {
+std::optional<std::vector<ComputedRow>> computed(const Program& program, bool shear) {
     try {
         SceneKeys keys = program.keys;
         std::erase_if(
@@ -36,8 +31,7 @@ std::optional<Data> computed(const Program& program, bool shear) {
         const double whole = program.p ? std::max(contact.a().value, contact.b().value) : 0;
         const double left = std::max(contact.b().value, whole) + reach;
         const double right = std::max(contact.a().value, whole) + reach;
-        Data data;
-        data.digits = program.digits;
+        std::vector<ComputedRow> rows;
         for (int i = 0; i <= elements; ++i) {
             check_interruption();
             const double x = -left + (left + right) * i / elements;
@@ -49,12 +43,12 @@ std::optional<Data> computed(const Program& program, bool shear) {
             if (shear) {
                 row.q = contact.traction(at, place).value_or(0);
             }
-            data.rows.push_back(row);
+            rows.push_back(row);
         }
         if (program.rows) {
-            program.rows(data.rows);
+            program.rows(rows);
         }
-        return data;
+        return rows;
     } catch (const Error&) { // no contact: no program could have computed it
         return {};
     }
@@ -69,13 +63,14 @@ std::string written(double value, int digits) {
                : fmt::format("{:.16e}", std::stod(fmt::format("{:.{}e}", value, digits - 1)));
 }
 
-std::string table_of(const Data& data, double noise, std::uint64_t seed) {
+std::string table_of(const std::vector<ComputedRow>& rows, int digits, double noise,
+                     std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal(0, 1);
-    std::string text = data.rows.front().q ? "x,p,q\n" : "x,p\n";
-    for (const ComputedRow& row : data.rows) {
+    std::string text = rows.front().q ? "x,p,q\n" : "x,p\n";
+    for (const ComputedRow& row : rows) {
         const double p = row.p * (1 + noise * normal(random));
-        text += fmt::format("{:.16e},{}", row.x, written(p, data.digits));
+        text += fmt::format("{:.16e},{}", row.x, written(p, digits));
         text += row.q ? fmt::format(",{:.16e}\n", *row.q * (1 + noise * normal(random))) : "\n";
     }
     return text;
@@ -126,9 +121,23 @@ public:
                 continue;
             }
             const auto program = mistake.make(tested.keys);
-            const auto data = program ? computed(*program, shear) : std::nullopt;
-            for (std::size_t i = 0; data && i < noise_levels.size(); ++i) {
-                trial(tested, suspects, exact, mistake, *data, i);
+            const auto rows = program ? computed(*program, shear) : std::nullopt;
+            if (!rows) {
+                continue;
+            }
+            Tolerances strict;
+            strict.pressure = no_effect;
+            const auto compared = [&](double noise) {
+                return compare_file(
+                    parse_result(table_of(*rows, program->digits, noise, seed_), "self-test.csv"),
+                    exact, strict, Rational(0), &suspects);
+            };
+            const Moved effect = moved(compared(0), shear, exact);
+            if (!mistake.name.empty() && effect.by < no_effect) {
+                continue; // no mistake in this contact
+            }
+            for (std::size_t level = 0; level < noise_levels.size(); ++level) {
+                trial(tested, mistake, effect, compared(noise_levels[level]), level);
             }
         }
     }
@@ -141,21 +150,10 @@ private:
         }
         return names;
     }
-    void trial(const TestedContact& tested, SuspectContacts& suspects, const ExactContact& exact,
-               const InjectedMistake& mistake, const Data& data, std::size_t level) {
+    void trial(const TestedContact& tested, const InjectedMistake& mistake, const Moved& effect,
+               const FileComparison& file, std::size_t level) {
         const double noise = noise_levels[level];
-        Tolerances strict;
-        strict.pressure = no_effect;
-        const auto compared = [&](double at) {
-            return compare_file(parse_result(table_of(data, at, seed_), "self-test.csv"), exact,
-                                strict, Rational(0), &suspects);
-        };
         const bool right = mistake.name.empty();
-        const Moved effect = moved(clean(mistake, tested, compared), mistake.of_shear, exact);
-        if (!right && effect.by < no_effect) {
-            return; // no mistake in this contact
-        }
-        const FileComparison file = compared(noise);
         const auto& diagnosis = mistake.of_shear ? file.shear_diagnosis : file.diagnosis;
         const std::vector<std::string> names = names_in(diagnosis);
         // With a mistake in q, p is right.
@@ -164,38 +162,22 @@ private:
             right ? names.empty() : std::ranges::find(names, mistake.name) != names.end();
         const bool hidden = !right && effect.by < above_noise * noise * effect.noise;
         SelfTestCount& count = row(mistake.name).at[level];
+        const bool found = named && !hidden;
+        const bool alone = std::ranges::all_of(
+            names, [&](const std::string& name) { return name == mistake.name; });
         count.cases += hidden ? 0 : 1;
         count.beyond += hidden ? 1 : 0;
-        count.named += named && !hidden ? 1 : 0;
-        count.alone +=
-            named && !hidden &&
-                    std::ranges::all_of(
-                        names, [&](const std::string& name) { return name == mistake.name; })
-                ? 1
-                : 0;
+        count.named += found ? 1 : 0;
+        count.alone += found && alone ? 1 : 0;
         count.wrong += misled || (!named && !names.empty()) ? 1 : 0;
         if (misled || (!named && (!hidden || !names.empty()))) {
-            std::string said;
-            for (const std::string& name : names) {
-                said += (said.empty() ? "" : ", ") + name;
-            }
             result_.misses.push_back(fmt::format(
                 "{} in {}, noise {:g}: {} (it changes {} by {:.2g}, {:.2g} are unexplained)",
                 right ? "right data" : mistake.name, tested.name, noise,
-                said.empty() ? "nothing is named" : "named " + said, mistake.of_shear ? "q" : "p",
-                effect.by, diagnosis ? diagnosis->unexplained : 0));
+                names.empty() ? "nothing is named"
+                              : fmt::format("named {}", fmt::join(names, ", ")),
+                mistake.of_shear ? "q" : "p", effect.by, diagnosis ? diagnosis->unexplained : 0));
         }
-    }
-    /// Returns the comparison without noise, computed once for all levels.
-    template <class Compare>
-    const FileComparison& clean(const InjectedMistake& mistake, const TestedContact& tested,
-                                const Compare& compared) {
-        if (last_mistake_ != &mistake || last_contact_ != &tested) {
-            clean_ = compared(0.0);
-            last_mistake_ = &mistake;
-            last_contact_ = &tested;
-        }
-        return clean_;
     }
     SelfTestRow& row(const std::string& name) {
         const auto found = std::ranges::find(result_.rows, name, &SelfTestRow::name);
@@ -208,9 +190,6 @@ private:
 
     std::uint64_t seed_;
     SelfTest& result_;
-    const InjectedMistake* last_mistake_ = nullptr;
-    const TestedContact* last_contact_ = nullptr;
-    FileComparison clean_;
 };
 
 } // namespace

@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -29,34 +29,19 @@ std::string head_of(const std::string& what) {
 } // namespace
 
 std::vector<PackFile> make_pack(const PackOptions& options) {
-    using namespace pack_template;
     std::vector<PackFile> files;
-    const auto add_rows = [&](const char* name, const std::string& what, const PackRows& rows) {
+    const auto add = [&](const char* name, const std::string& what, const PackRows& rows) {
         files.push_back({name, head_of(what) + fmt::format("# rows: {}\n", rows.rows) +
                                    pack_columns() + rows.text});
     };
-    add_rows("level-a.csv", "level A, engineering",
-             recipe_rows(level_a_toml, "level-a.toml", true, options));
-    add_rows("cases.csv", "levels B, C and D", recipe_rows(pack_toml, "pack.toml", false, options));
-    add_rows("hard-cases.csv", "levels B, C and D, hard cases, with the reason of each",
-             hard_case_rows(hard_cases_toml, "hard-cases.toml", options));
-    const auto add = [&](const char* name, std::string_view text) {
-        files.push_back({name, std::string(text)});
-    };
-    add("README.md", README_md);
-    add("edgeproof_case.h", edgeproof_case_h);
-    add("edgeproof_case.hpp", edgeproof_case_hpp);
-    add("edgeproof_case.f90", edgeproof_case_f90);
-    add("driver.c", driver_c);
-    add("example.c", example_c);
-    add("driver.cpp", driver_cpp);
-    add("example.cpp", example_cpp);
-    add("driver.f90", driver_f90);
-    add("example.f90", example_f90);
-    add("driver.py", driver_py);
-    add("example.py", example_py);
-    add("run_pack.m", run_pack_m);
-    add("edgeproof_answer.m", edgeproof_answer_m);
+    const auto text = [](std::size_t file) { return shipped_files[file].second; };
+    add("level-a.csv", "level A, engineering", recipe_rows(text(1), "level-a.toml", true, options));
+    add("cases.csv", "levels B, C and D", recipe_rows(text(0), "pack.toml", false, options));
+    add("hard-cases.csv", "levels B, C and D, hard cases, with the reason of each",
+        hard_case_rows(text(2), "hard-cases.toml", options));
+    for (const auto& [name, content] : shipped_files.subspan(3)) {
+        files.push_back({std::string(name), std::string(content)});
+    }
     return files;
 }
 
@@ -80,20 +65,19 @@ constexpr double well_conditioned = 8;
 constexpr double units_of_well_conditioned = 4;
 
 /// The columns of the contact, and the keys in them.
-constexpr std::array<std::pair<const char*, const char*>, 13> contact_columns{
-    {{"kind", "kind"},
-     {"m", "m"},
-     {"C", "C"},
-     {"phi", "phi"},
-     {"alpha", "alpha"},
-     {"t", "t"},
-     {"R", "R"},
-     {"a", "a"},
-     {"P", "P"},
-     {"M", "M"},
-     {"E", "contact_modulus"},
-     {"Q", "Q"},
-     {"S", "bulk_tension"}}};
+constexpr std::pair<const char*, const char*> contact_columns[] = {{"kind", "kind"},
+                                                                   {"m", "m"},
+                                                                   {"C", "C"},
+                                                                   {"phi", "phi"},
+                                                                   {"alpha", "alpha"},
+                                                                   {"t", "t"},
+                                                                   {"R", "R"},
+                                                                   {"a", "a"},
+                                                                   {"P", "P"},
+                                                                   {"M", "M"},
+                                                                   {"E", "contact_modulus"},
+                                                                   {"Q", "Q"},
+                                                                   {"S", "bulk_tension"}};
 
 std::string double_text(double x) { return fmt::format("{:.17g}", x); }
 
@@ -141,24 +125,21 @@ public:
             references[i] = *answers[i].reference;
             texts[i] = printed(references[i].value, reference_options_.digits);
             if (texts[i].complete && !texts[i].undecided && texts[i].binary64 &&
-                *texts[i].binary64 != 0 && std::isnormal(*texts[i].binary64)) {
+                std::isnormal(*texts[i].binary64)) {
                 which.push_back(i);
             }
         }
-        conformance::ReferenceOptions quiet = reference_options_;
-        quiet.progress = {};
-        const auto conditions = conditioning(questions_, references, which, quiet);
+        reference_options_.progress = {};
+        const auto conditions = conditioning(questions_, references, which, reference_options_);
         PackRows rows;
-        rows.left_out = answers.size();
         for (const std::size_t i : which) {
-            const auto& condition = conditions[i];
-            if (condition) {
+            if (conditions[i]) {
                 rows.text += reasons.empty() ? "" : "# " + reasons[i] + "\n";
-                rows.text += row(i, texts[i], condition->number());
+                rows.text += row(i, texts[i], conditions[i]->number());
                 ++rows.rows;
-                --rows.left_out;
             }
         }
+        rows.left_out = answers.size() - rows.rows;
         return rows;
     }
 
@@ -181,10 +162,10 @@ private:
         if (!with_scale_) {
             return "nan";
         }
-        auto found = scales_.find(contact);
-        if (found == scales_.end()) {
+        const auto [found, is_new] = scales_.try_emplace(contact);
+        if (is_new) {
             const comparison::ExactContact exact(questions_.contacts[contact].scene);
-            found = scales_.emplace(contact, fmt::format("{:.6g}", exact.scale().value)).first;
+            found->second = fmt::format("{:.6g}", exact.scale().value);
         }
         return found->second;
     }
@@ -199,22 +180,15 @@ private:
 std::optional<scene::NamedQuantity> wanted_of(const io::TomlSection& hard_case) {
     const std::string quantity = hard_case.text("quantity");
     const std::string n = hard_case.written_or("n", "0");
-    if (quantity == "pressure") {
-        return scene::quantity_named("p");
-    }
-    if (quantity == "shear") {
-        return scene::quantity_named("q");
-    }
-    if (quantity == "coefficient") {
-        return scene::quantity_named("c_" + n);
-    }
-    if (quantity == "shear-coefficient") {
-        return scene::quantity_named("s_" + n);
-    }
-    if (quantity == "load") {
-        return scene::quantity_named("P");
-    }
-    return quantity == "left-edge" ? scene::quantity_named("b") : std::nullopt;
+    const std::pair<const char*, std::string> names[] = {{"pressure", "p"},
+                                                         {"shear", "q"},
+                                                         {"coefficient", "c_" + n},
+                                                         {"shear-coefficient", "s_" + n},
+                                                         {"load", "P"},
+                                                         {"left-edge", "b"}};
+    const auto found =
+        std::ranges::find(names, quantity, [](const auto& name) { return name.first; });
+    return found == std::end(names) ? std::nullopt : scene::quantity_named(found->second);
 }
 
 } // namespace
@@ -252,18 +226,14 @@ PackRows hard_case_rows(std::string_view text, const std::string& file,
             if (one.has(section)) {
                 const io::TomlSection part = one.section(section);
                 for (const std::string& key : part.keys()) {
-                    if (part.is_list(key)) {
-                        parameters.push_back({"slopes", "", 0}); // no column can hold a list
-                    } else {
-                        parameters.push_back({key, part.written(key), 0});
-                    }
+                    // No column can hold a list.
+                    parameters.push_back({part.is_list(key) ? "slopes" : key,
+                                          part.is_list(key) ? "" : part.written(key), 0});
                 }
             }
         }
         try {
-            conformance::AskedContact contact;
-            contact.parameters = parameters;
-            if (!has_columns(contact)) {
+            if (!has_columns({parameters, {}})) {
                 continue;
             }
             conformance::Question q;

@@ -2,8 +2,10 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace edgeproof::pack {
@@ -53,25 +55,8 @@ struct PackRows {
 [[nodiscard]] PackRows hard_case_rows(std::string_view cases, const std::string& file,
                                       const PackOptions& options);
 
-/// The files of share/edgeproof/pack and the hard cases when the program was built.
-namespace pack_template {
-extern const std::string_view pack_toml;
-extern const std::string_view level_a_toml;
-extern const std::string_view hard_cases_toml;
-extern const std::string_view README_md;
-extern const std::string_view edgeproof_case_h;
-extern const std::string_view edgeproof_case_hpp;
-extern const std::string_view edgeproof_case_f90;
-extern const std::string_view driver_c;
-extern const std::string_view example_c;
-extern const std::string_view driver_cpp;
-extern const std::string_view example_cpp;
-extern const std::string_view driver_f90;
-extern const std::string_view example_f90;
-extern const std::string_view driver_py;
-extern const std::string_view example_py;
-extern const std::string_view run_pack_m;
-extern const std::string_view edgeproof_answer_m;
-} // namespace pack_template
+/// The names and texts of pack.toml, level-a.toml, hard-cases.toml, and the files of the pack that
+/// are not tables, when the program was built.
+extern const std::span<const std::pair<std::string_view, std::string_view>> shipped_files;
 
 } // namespace edgeproof::pack

@@ -67,7 +67,7 @@ void find_scatter(const std::vector<std::optional<LeftOver>>& left, Fit& fit) {
 }
 
 struct Observed {
-    NodesLookedAt nodes;
+    UsedNodes nodes;
     std::vector<double> values;
     double element = 0;          ///< the widest at an edge
     std::vector<double> corners; ///< where p is infinite
@@ -126,23 +126,19 @@ std::optional<Fit> fit_of(const Observed& data, const Suspect& suspect) {
     return fit;
 }
 
-NodesLookedAt looked_at(const AlignedResult& data) {
-    NodesLookedAt nodes{data, {}};
+Observed observed_in(const AlignedResult& data, const DataContact& contact,
+                     const ExactContact& exact) {
+    Observed observed{{data, {}}, {}, std::max(contact.element[0], contact.element[1]), {}};
     const std::size_t step = (data.nodes.size() + most_nodes - 1) / most_nodes;
     for (std::size_t i = 0; i < data.nodes.size(); i += std::max<std::size_t>(1, step)) {
-        nodes.nodes.push_back(i);
+        observed.nodes.nodes.push_back(i);
     }
-    return nodes;
-}
-
-std::vector<double> corners_of(const ExactContact& exact) {
-    std::vector<double> corners;
     for (const ContactKnot& knot : exact.knots()) {
         if (knot.corner) {
-            corners.push_back(knot.x);
+            observed.corners.push_back(knot.x);
         }
     }
-    return corners;
+    return observed;
 }
 
 double median_ratio(const Observed& data, const std::vector<double>& right) {
@@ -186,7 +182,7 @@ bool explains(const Fit& fit, double allowance, double unexplained) {
 }
 
 Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
-                            const std::function<void(const TakeSuspect&)>& for_each) {
+                            const std::vector<Suspect>& suspects) {
     Diagnosis diagnosis;
     const auto as_it_is = fit_of(data, right); // empty if hardly any node lies in the exact contact
     diagnosis.unexplained = as_it_is ? as_it_is->left : 1;
@@ -197,12 +193,12 @@ Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
     }
     const double allowance = std::min(mesh_allowance, share_for_mesh * diagnosis.unexplained);
     const double factor = median_ratio(data, right.values);
-    for_each([&](const Suspect& suspect) {
+    for (const Suspect& suspect : suspects) {
         const auto fit = fit_of(data, suspect);
         if (fit && explains(*fit, allowance, diagnosis.unexplained)) {
             diagnosis.causes.push_back({suspect.name, suspect.what, factor, fit->left, {}});
         }
-    });
+    }
     rank(diagnosis.causes);
     if (!diagnosis.causes.empty()) {
         diagnosis.noise = diagnosis.causes.front().scatter;
@@ -224,17 +220,15 @@ Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
 
 Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const DataContact& contact,
                    SuspectContacts& suspects, const ExactContact& exact) {
-    Observed observed{
-        looked_at(data), {}, std::max(contact.element[0], contact.element[1]), corners_of(exact)};
+    Observed observed = observed_in(data, contact, exact);
     Suspect right{"", "", exact.a().value, exact.b().value, {}};
     for (std::size_t i = 0; i < observed.nodes.size(); ++i) {
         const Node& node = observed.nodes[i];
         observed.values.push_back(node.p);
         right.values.push_back(node.exact.p.value_or(std::nan("")));
     }
-    Diagnosis diagnosis = diagnose_observed(observed, right, [&](const TakeSuspect& take) {
-        for_each_suspect(observed.nodes, suspects, exact, take);
-    });
+    Diagnosis diagnosis =
+        diagnose_observed(observed, right, pressure_suspects(observed.nodes, suspects, exact));
     if (diagnosis.at_edges_only && diagnosis.causes.empty()) {
         if (const auto cause = cause_in_digits(table, data, exact)) {
             diagnosis.causes.push_back(*cause);
@@ -245,17 +239,14 @@ Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const Da
 
 Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
                          SuspectContacts& suspects, const ExactContact& exact) {
-    Observed observed{
-        looked_at(data), {}, std::max(contact.element[0], contact.element[1]), corners_of(exact)};
+    Observed observed = observed_in(data, contact, exact);
     Suspect right{"", "", exact.a().value, exact.b().value, {}};
     for (std::size_t i = 0; i < observed.nodes.size(); ++i) {
         const auto& shear = observed.nodes[i].shear;
         observed.values.push_back(shear ? shear->q : 0);
         right.values.push_back(shear ? shear->exact.value_or(std::nan("")) : std::nan(""));
     }
-    return diagnose_observed(observed, right, [&](const TakeSuspect& take) {
-        for_each_shear_suspect(observed.nodes, suspects, exact, take);
-    });
+    return diagnose_observed(observed, right, shear_suspects(observed.nodes, suspects, exact));
 }
 
 namespace {
@@ -301,24 +292,21 @@ std::optional<Cause> cause_in_digits(const ResultTable& table, const AlignedResu
     const auto decimal_unit = [&](const Node&) {
         return half_unit * factor * std::pow(10.0, -digits.decimals);
     };
-    if (digits.significant <= most_rounded_digits && explains(data, exact, significant_unit)) {
-        return Cause{fmt::format("rounded-to-{}", digits.significant),
-                     fmt::format("p is rounded to {} digits", digits.significant),
-                     1,
-                     0,
-                     {}};
+    const auto cause = [](const std::string& name, const std::string& what) {
+        return Cause{name, what, 1, 0, {}};
+    };
+    const bool few = digits.significant <= most_rounded_digits;
+    if (few && explains(data, exact, significant_unit)) {
+        return cause(fmt::format("rounded-to-{}", digits.significant),
+                     fmt::format("p is rounded to {} digits", digits.significant));
     }
-    if (!digits.exponents && digits.significant <= most_rounded_digits &&
-        explains(data, exact, decimal_unit)) {
-        return Cause{fmt::format("rounded-to-{}-decimals", digits.decimals),
-                     fmt::format("p is rounded to {} decimals", digits.decimals),
-                     1,
-                     0,
-                     {}};
+    if (few && !digits.exponents && explains(data, exact, decimal_unit)) {
+        return cause(fmt::format("rounded-to-{}-decimals", digits.decimals),
+                     fmt::format("p is rounded to {} decimals", digits.decimals));
     }
     const double single = units_of_binary32 * std::ldexp(exact.scale().value, -24);
     if (digits.binary32 && explains(data, exact, [single](const Node&) { return single; })) {
-        return Cause{"binary32", "p consists of binary32 numbers, about 7 digits", 1, 0, {}};
+        return cause("binary32", "p consists of binary32 numbers, about 7 digits");
     }
     return {};
 }

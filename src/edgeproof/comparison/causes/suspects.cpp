@@ -6,164 +6,338 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string_view>
 
 namespace edgeproof::comparison {
 namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
-} // namespace
+/// Makes suspects of one scene at the nodes used. Keeps references to all arguments.
+class SuspectMaker {
+public:
+    SuspectMaker(const UsedNodes& nodes, SuspectContacts& contacts, const ExactContact& exact)
+        : nodes_(nodes), contacts_(contacts), exact_(exact) {}
 
-void SuspectMaker::add(const std::string& name, const std::string& what, double a, double b,
-                       const Value& value) const {
-    Suspect s{name, what, a, b, {}};
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        check_interruption();
-        s.values.push_back(value(i));
+    [[nodiscard]] std::vector<Suspect> of_pressure() && {
+        factors();
+        for (const scene::SceneMistake& mistake : scene::contact_mistakes(contacts_.scene())) {
+            const auto change = [&](scene::Scene& other) {
+                other.shear.reset();
+                mistake.change(other);
+            };
+            if (const ExactContact* const contact = changed(mistake, change)) {
+                add(mistake.name, mistake.what, contact->a().value, contact->b().value,
+                    [&](std::size_t i) { return pressure(*contact, nodes_[i].x); });
+            }
+        }
+        for (const int rows : {1, -1}) {
+            add("shifted-rows", "p is in the row next to that of its x",
+                [&](std::size_t i) { return exact_pressure(i, rows); });
+        }
+        maps();
+        means();
+        shifts();
+        terms();
+        return std::move(list_);
     }
-    take_(s);
-}
 
-void SuspectMaker::add(const std::string& name, const std::string& what, const Value& value) const {
-    add(name, what, exact_.a().value, exact_.b().value, value);
-}
-
-void SuspectMaker::add_scene(const std::string& name, const std::string& what,
-                             const std::function<void(scene::Scene&)>& change) const {
-    const ExactContact* const contact =
-        contacts_.with(name + ": " + what, [&](scene::Scene& other) {
-            other.shear.reset();
-            change(other);
-        });
-    if (contact != nullptr) {
-        add(name, what, contact->a().value, contact->b().value,
-            [&](std::size_t i) { return pressure(*contact, nodes_[i].x); });
-    }
-}
-
-double SuspectMaker::pressure(const ExactContact& contact, double x) {
-    return contact.at(Real(x)).p.value_or(no_value);
-}
-
-double SuspectMaker::exact_pressure(std::size_t i, std::ptrdiff_t rows) const {
-    const auto at = static_cast<std::ptrdiff_t>(nodes_.nodes[i]) + rows;
-    return at < 0 || at >= std::ssize(nodes_.data.nodes)
-               ? no_value
-               : nodes_.data.nodes[static_cast<std::size_t>(at)].exact.p.value_or(no_value);
-}
-
-void for_each_suspect(const NodesLookedAt& nodes, SuspectContacts& contacts,
-                      const ExactContact& exact, const TakeSuspect& take) {
-    const PrecisionScope scope(ExactContact::place_digits);
-    const SuspectMaker make(nodes, contacts, exact, take);
-    suspect_factors(make);
-    suspect_scenes(make);
-    suspect_places(make);
-    suspect_terms(make);
-}
-
-void for_each_shear_suspect(const NodesLookedAt& nodes, SuspectContacts& contacts,
-                            const ExactContact& exact, const TakeSuspect& take) {
-    const PrecisionScope scope(ExactContact::place_digits);
-    const SuspectMaker make(nodes, contacts, exact, take);
-    const scene::Scene& scene = contacts.scene();
-    const auto factor = [&](const char* name, const std::string& what, double k) {
-        make.add(name, what, [&](std::size_t i) {
-            return nodes[i].shear && nodes[i].shear->exact ? k * *nodes[i].shear->exact : no_value;
-        });
-    };
-    factor("factor-2", "q is twice too large", 2);
-    factor("factor-2", "q is half as large", 0.5);
-    factor("factor-pi", "q is pi times too large", std::acos(-1));
-    factor("factor-pi", "q is pi times too small", 1 / std::acos(-1));
-    for (const scene::SceneMistake& mistake : scene::shear_mistakes(scene)) {
-        // There is no contact if it slides, or slips in the other direction.
-        const ExactContact* const contact =
-            contacts.with(std::string(mistake.name) + ": " + mistake.what, mistake.change);
-        if (contact != nullptr) {
-            make.add(std::string(mistake.name), mistake.what, [&](std::size_t i) {
-                return contact->traction(Real(nodes[i].x), nodes[i].exact).value_or(no_value);
+    [[nodiscard]] std::vector<Suspect> of_shear() && {
+        const scene::Scene& scene = contacts_.scene();
+        const auto factor = [&](const char* name, const std::string& what, double k) {
+            add(name, what, [&](std::size_t i) {
+                return nodes_[i].shear && nodes_[i].shear->exact ? k * *nodes_[i].shear->exact
+                                                                 : no_value;
             });
+        };
+        factor("factor-2", "q is twice too large", 2);
+        factor("factor-2", "q is half as large", 0.5);
+        factor("factor-pi", "q is pi times too large", std::acos(-1));
+        factor("factor-pi", "q is pi times too small", 1 / std::acos(-1));
+        for (const scene::SceneMistake& mistake : scene::shear_mistakes(scene)) {
+            if (const ExactContact* const contact = changed(mistake, mistake.change)) {
+                add(mistake.name, mistake.what, [&](std::size_t i) {
+                    return contact->traction(Real(nodes_[i].x), nodes_[i].exact).value_or(no_value);
+                });
+            }
+        }
+        if (scene.shear->friction) {
+            const double f = scene.shear->friction->to<Real>().convert_to<double>();
+            add("all-slips", "f p everywhere: full sliding",
+                [&](std::size_t i) { return f * exact_pressure(i); });
+        }
+        if (!exact_.symmetric() || scene.shear->bulk_tension.sign() != 0) {
+            add("mirrored", "x has the opposite direction", exact_.b().value, exact_.a().value,
+                [&](std::size_t i) {
+                    const Real x(-nodes_[i].x);
+                    return exact_.traction(x, exact_.at(x)).value_or(no_value);
+                });
+        }
+        return std::move(list_);
+    }
+
+private:
+    using Value = std::function<double(std::size_t)>;
+    /// Adds a suspect with `value` at each node used, on the contact -b < x < a.
+    void add(std::string_view name, const std::string& what, double a, double b,
+             const Value& value) {
+        Suspect& s = list_.emplace_back(Suspect{std::string(name), what, a, b, {}});
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            check_interruption();
+            s.values.push_back(value(i));
         }
     }
-    if (scene.shear->friction) {
-        const double f = scene.shear->friction->to<Real>().convert_to<double>();
-        make.add("all-slips", "f p everywhere: full sliding",
-                 [&](std::size_t i) { return f * make.exact_pressure(i); });
+    /// Adds a suspect on the exact contact.
+    void add(std::string_view name, const std::string& what, const Value& value) {
+        add(name, what, exact_.a().value, exact_.b().value, value);
     }
-    if (!exact.symmetric() || scene.shear->bulk_tension.sign() != 0) {
-        make.add("mirrored", "x has the opposite direction", exact.b().value, exact.a().value,
-                 [&](std::size_t i) {
-                     const Real x(-nodes[i].x);
-                     return exact.traction(x, exact.at(x)).value_or(no_value);
-                 });
+    /// Null if the changed scene has no contact: if it slides, or slips in the other direction.
+    [[nodiscard]] const ExactContact* changed(const scene::SceneMistake& mistake,
+                                              const std::function<void(scene::Scene&)>& change) {
+        return contacts_.with(std::string(mistake.name) + ": " + mistake.what, change);
     }
-}
+    /// The pressure of another contact; NaN on a corner.
+    [[nodiscard]] static double pressure(const ExactContact& contact, double x) {
+        return contact.at(Real(x)).p.value_or(no_value);
+    }
+    /// The exact pressure `rows` rows after a node used; NaN if there is no such row.
+    [[nodiscard]] double exact_pressure(std::size_t i, std::ptrdiff_t rows = 0) const {
+        const auto at = static_cast<std::ptrdiff_t>(nodes_.nodes[i]) + rows;
+        return at < 0 || at >= std::ssize(nodes_.data.nodes)
+                   ? no_value
+                   : nodes_.data.nodes[static_cast<std::size_t>(at)].exact.p.value_or(no_value);
+    }
+
+    void factors() {
+        const auto both_ways = [&](const char* name, const std::string& what, double k) {
+            add(name, "p is " + what + " times too large",
+                [&](std::size_t i) { return k * exact_pressure(i); });
+            add(name, "p is " + what + " times too small",
+                [&](std::size_t i) { return exact_pressure(i) / k; });
+        };
+        const double pi = std::numbers::pi;
+        both_ways("factor-2", "2", 2);
+        both_ways("factor-pi", "pi", pi);
+        both_ways("factor-pi", "2 pi", 2 * pi);
+        both_ways("factor-sqrt-pi", "sqrt(pi)", std::sqrt(pi));
+        // K = sqrt(2 pi) c_0: the stress intensity of fracture mechanics.
+        both_ways("factor-sqrt-2-pi", "sqrt(2 pi)", std::sqrt(2 * pi));
+        both_ways("unit-g", "9.80665", 9.80665);
+        // One psi is 6894.757 Pa; one MPa is 145.038 psi.
+        both_ways("unit-psi", "145.038", 1e6 / 6894.757293168);
+        for (const double ten : {1.0, 1e-3, 1e3}) {
+            both_ways("unit-psi", fmt::format("{:g}", 6894.757293168 * ten), 6894.757293168 * ten);
+        }
+        for (const int n : {1, 2, 3, 4, 5, 6, 9}) {
+            both_ways("power-of-ten", fmt::format("1e{}", n), std::pow(10.0, n));
+        }
+        const auto scale = [&](const char* name, double k) {
+            const double origin = nodes_.data.origin; // undoes the shift that was found
+            add(name, fmt::format("x is {:g} times too large", k), exact_.a().value * k - origin,
+                exact_.b().value * k + origin,
+                [&](std::size_t i) { return pressure(exact_, (nodes_[i].x + origin) / k); });
+        };
+        for (const int n : {1, 2, 3, 6}) {
+            scale("power-of-ten", std::pow(10.0, n));
+            scale("power-of-ten", std::pow(10.0, -n));
+        }
+        scale("unit-inch", 25.4);
+        scale("unit-inch", 1 / 25.4);
+        scale("full-width-for-half", 2);
+        scale("full-width-for-half", 0.5);
+    }
+
+    /// Finds the best small shift by the derivative of p. Returns nothing if the shift is not
+    /// small.
+    [[nodiscard]] std::optional<double> small_shift() const {
+        const double length = exact_.length();
+        double shift = 0;
+        for (int round = 0; round < 6; ++round) {
+            double top = 0;
+            double bottom = 0;
+            for (std::size_t i = 0; i < nodes_.size(); ++i) {
+                const Node& node = nodes_[i];
+                const double step = 1e-4 * length;
+                const double x = node.x - shift;
+                const double margin = 0.05 * length;
+                const bool by_corner = std::ranges::any_of(exact_.knots(), [=](const auto& knot) {
+                    return knot.corner && std::abs(x - knot.x) < margin;
+                });
+                if (by_corner || x > exact_.a().value - margin || x < -exact_.b().value + margin) {
+                    continue;
+                }
+                const double p = pressure(exact_, x);
+                const double slope =
+                    (pressure(exact_, x + step) - pressure(exact_, x - step)) / (2 * step);
+                if (std::isfinite(slope) && std::isfinite(p)) {
+                    top += slope * (p - node.p);
+                    bottom += slope * slope;
+                }
+            }
+            shift += bottom > 0 ? top / bottom : 0;
+            if (!(std::abs(shift) <= 0.1 * length)) {
+                return {};
+            }
+        }
+        return shift;
+    }
+
+    /// Finds the best shift of at least a fiftieth of a + b.
+    [[nodiscard]] std::optional<double> large_shift() const {
+        std::vector<RoughPoint> points;
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            points.push_back({nodes_[i].x, nodes_[i].p});
+        }
+        const auto support = support_of(points);
+        const auto found =
+            support ? origin_of(points, *support, nodes_.data.half, exact_) : std::nullopt;
+        return found ? std::optional(found->exact.convert_to<double>()) : std::nullopt;
+    }
+
+    void shifts() {
+        const double origin = nodes_.data.origin;
+        const auto large = large_shift();
+        const auto shift = large ? large : small_shift();
+        if (shift) {
+            add("shifted-origin",
+                fmt::format(
+                    "x is shifted by {:.4g}: --origin {:.10g} if the data are measured from there",
+                    *shift, origin + *shift),
+                exact_.a().value + *shift, exact_.b().value - *shift,
+                [&](std::size_t i) { return pressure(exact_, nodes_[i].x - *shift); });
+        }
+    }
+
+    /// Adds suspects in which a program confused the coordinate x, as in the data.
+    void maps() {
+        const double a = exact_.a().value;
+        const double b = exact_.b().value;
+        const double origin = nodes_.data.origin; // undoes the shift that was found
+        const auto map = [&](const char* name, const std::string& what, double right, double left,
+                             const auto& place) {
+            add(name, what, right - origin, left + origin,
+                [&](std::size_t i) { return pressure(exact_, place(nodes_[i].x + origin)); });
+        };
+        map("x-for-u", "x is measured from the left edge", a + b, 0,
+            [=](double x) { return x - b; });
+        map("x-for-u", "x, understood as measured from the right edge inwards", a + b, 0,
+            [=](double x) { return a - x; });
+        map("x-for-u", "|x|, understood as measured from the right edge inwards", a + b, a + b,
+            [=](double x) { return a - std::abs(x); });
+        map("x-for-u", "x is measured from the right edge", 0, a + b,
+            [=](double x) { return x + a; });
+        if (exact_.symmetric()) {
+            return;
+        }
+        map("x-from-middle", "x is measured from the middle of the contact", (a + b) / 2,
+            (a + b) / 2, [=](double x) { return x + (a - b) / 2; });
+        map("mirrored", "x has the opposite direction: the tilt is mirrored", b, a,
+            [](double x) { return -x; });
+        map("edges-swapped", "the edges are swapped: each distance is from the other one", a, b,
+            [=](double x) { return a - b - x; });
+    }
+
+    /// Adds nodal values that are means over elements.
+    void means() {
+        const auto of_rows = [&](const std::string& what, double before, double here,
+                                 double behind) {
+            add("element-average", what, [&](std::size_t i) {
+                double sum = 0;
+                for (const auto& [weight, rows] :
+                     {std::pair{before, -1}, std::pair{here, 0}, std::pair{behind, 1}}) {
+                    sum += weight == 0 ? 0 : weight * exact_pressure(i, rows);
+                }
+                return sum;
+            });
+        };
+        of_rows("p of a node is averaged over its two elements", 0.25, 0.5, 0.25);
+        of_rows("the mean over an element is given at its left node", 0, 0.5, 0.5);
+        of_rows("the mean over an element is given at its right node", 0.5, 0.5, 0);
+        // The mean by Gauss's three points; this is inaccurate near an edge, where nodes are not
+        // used.
+        const auto& all = nodes_.data.nodes;
+        add("element-average", "p is the mean over the width of a node", [&](std::size_t i) {
+            const std::size_t at = nodes_.nodes[i];
+            if (at == 0 || at + 1 >= all.size()) {
+                return std::numeric_limits<double>::quiet_NaN();
+            }
+            const double middle = (all[at - 1].x + 2 * all[at].x + all[at + 1].x) / 4;
+            const double half = (all[at + 1].x - all[at - 1].x) / 4;
+            const double reach = half * std::sqrt(0.6);
+            return (5 * pressure(exact_, middle - reach) + 8 * pressure(exact_, middle) +
+                    5 * pressure(exact_, middle + reach)) /
+                   18;
+        });
+    }
+
+    void terms() {
+        static constexpr std::array names{"one-term", "two-term", "three-term"};
+        const auto sum = [this](contact::Edge edge, double u, std::size_t n) {
+            double value = 0;
+            for (std::size_t k = n; k-- > 0;) {
+                value = value * u + exact_.c(edge, k).value;
+            }
+            return value * std::sqrt(u);
+        };
+        for (std::size_t n = 1; n <= names.size(); ++n) {
+            const std::string count = n == 1 ? "term" : fmt::format("{} terms", n);
+            const auto at = [&](const std::string& where, const auto& edge_of) {
+                add(names[n - 1],
+                    fmt::format("the first {} of the expansion at {} instead of p", count, where),
+                    [&](std::size_t i) {
+                        const auto& place = nodes_[i].exact;
+                        if (!place.inside()) {
+                            return 0.0;
+                        }
+                        const contact::Edge edge = edge_of(place);
+                        return sum(
+                            edge, edge == contact::Edge::right ? place.from_right : place.from_left,
+                            n);
+                    });
+            };
+            at("the nearer edge", [](const auto& place) { return place.nearer(); });
+            at("the right edge", [](const auto&) { return contact::Edge::right; });
+            at("the left edge", [](const auto&) { return contact::Edge::left; });
+        }
+    }
+
+    const UsedNodes& nodes_;
+    SuspectContacts& contacts_;
+    const ExactContact& exact_;
+    std::vector<Suspect> list_;
+};
+
+} // namespace
 
 const ExactContact* SuspectContacts::with(const std::string& mistake,
                                           const std::function<void(scene::Scene&)>& change) {
-    const auto known = solved_.find(mistake);
-    if (known != solved_.end()) {
-        return known->second.get();
+    const auto [found, is_new] = solved_.try_emplace(mistake);
+    if (is_new) {
+        try {
+            scene::Scene other = scene_;
+            change(other);
+            found->second.emplace(other);
+        } catch (const Error&) { // the changed scene has no contact
+        }
     }
-    std::unique_ptr<ExactContact> contact;
-    try {
-        scene::Scene other = scene_;
-        change(other);
-        contact = std::make_unique<ExactContact>(other);
-    } catch (const Error&) { // the changed scene has no contact
-    }
-    return solved_.emplace(mistake, std::move(contact)).first->second.get();
+    return found->second ? &*found->second : nullptr;
 }
 
-void suspect_scenes(const SuspectMaker& make) {
-    for (const scene::SceneMistake& mistake : scene::contact_mistakes(make.scene())) {
-        make.add_scene(std::string(mistake.name), mistake.what, mistake.change);
-    }
+std::vector<Suspect> pressure_suspects(const UsedNodes& nodes, SuspectContacts& contacts,
+                                       const ExactContact& exact) {
+    const PrecisionScope scope(ExactContact::place_digits);
+    return SuspectMaker(nodes, contacts, exact).of_pressure();
 }
 
-void suspect_factors(const SuspectMaker& make) {
-    const auto both_ways = [&](const char* name, const std::string& what, double k) {
-        make.add(name, "p is " + what + " times too large",
-                 [&](std::size_t i) { return k * make.exact_pressure(i); });
-        make.add(name, "p is " + what + " times too small",
-                 [&](std::size_t i) { return make.exact_pressure(i) / k; });
-    };
-    const double pi = std::numbers::pi;
-    both_ways("factor-2", "2", 2);
-    both_ways("factor-pi", "pi", pi);
-    both_ways("factor-pi", "2 pi", 2 * pi);
-    both_ways("factor-sqrt-pi", "sqrt(pi)", std::sqrt(pi));
-    // K = sqrt(2 pi) c_0: the stress intensity of fracture mechanics.
-    both_ways("factor-sqrt-2-pi", "sqrt(2 pi)", std::sqrt(2 * pi));
-    both_ways("unit-g", "9.80665", 9.80665);
-    // One psi is 6894.757 Pa; one MPa is 145.038 psi.
-    both_ways("unit-psi", "145.038", 1e6 / 6894.757293168);
-    for (const double ten : {1.0, 1e-3, 1e3}) {
-        both_ways("unit-psi", fmt::format("{:g}", 6894.757293168 * ten), 6894.757293168 * ten);
-    }
-    for (const int n : {1, 2, 3, 4, 5, 6, 9}) {
-        both_ways("power-of-ten", fmt::format("1e{}", n), std::pow(10.0, n));
-    }
-    const ExactContact& exact = make.exact();
-    const auto scale = [&](const char* name, double k) {
-        const double origin = make.nodes().data.origin; // undoes the shift that was found
-        make.add(name, fmt::format("x is {:g} times too large", k), exact.a().value * k - origin,
-                 exact.b().value * k + origin, [&](std::size_t i) {
-                     return make.pressure(exact, (make.nodes()[i].x + origin) / k);
-                 });
-    };
-    for (const int n : {1, 2, 3, 6}) {
-        scale("power-of-ten", std::pow(10.0, n));
-        scale("power-of-ten", std::pow(10.0, -n));
-    }
-    scale("unit-inch", 25.4);
-    scale("unit-inch", 1 / 25.4);
-    scale("full-width-for-half", 2);
-    scale("full-width-for-half", 0.5);
+std::vector<Suspect> shear_suspects(const UsedNodes& nodes, SuspectContacts& contacts,
+                                    const ExactContact& exact) {
+    const PrecisionScope scope(ExactContact::place_digits);
+    return SuspectMaker(nodes, contacts, exact).of_shear();
 }
 
 } // namespace edgeproof::comparison

@@ -4,130 +4,63 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
+#include <ranges>
 
 namespace edgeproof::comparison {
 namespace {
 
-struct KnownName {
-    std::string_view plain;
+struct KnownNames {
+    std::string_view names;
     ColumnRole role;
     int rank;
 };
 
-// Abaqus: COORD1, CPRESS, CSHEAR1. ANSYS: CONT,PRES. CalculiX: CONTACT STRESS. ParaView: Points:0.
-constexpr std::array known_names{
-    KnownName{"x", ColumnRole::place, 1},
-    KnownName{"x1", ColumnRole::place, 2},
-    KnownName{"coord1", ColumnRole::place, 2},
-    KnownName{"coor1", ColumnRole::place, 2},
-    KnownName{"coordcoor1", ColumnRole::place, 2}, // COORD.COOR1 of a report of Abaqus
-    KnownName{"xcoord", ColumnRole::place, 2},
-    KnownName{"xcoordinate", ColumnRole::place, 2},
-    KnownName{"coordx", ColumnRole::place, 2},
-    KnownName{"coordinatex", ColumnRole::place, 2},
-    KnownName{"xcoor", ColumnRole::place, 2},
-    KnownName{"xpos", ColumnRole::place, 2},
-    KnownName{"xposition", ColumnRole::place, 2},
-    KnownName{"xloc", ColumnRole::place, 2},
-    KnownName{"points0", ColumnRole::place, 3},
-    KnownName{"pointsx", ColumnRole::place, 3},
-    KnownName{"position", ColumnRole::place, 4},
-    KnownName{"pos", ColumnRole::place, 4},
-    KnownName{"coordinate", ColumnRole::place, 4},
-    KnownName{"coord", ColumnRole::place, 4},
-    KnownName{"distance", ColumnRole::place, 5},
-    KnownName{"truedistancealongpath", ColumnRole::place, 5},
-    KnownName{"arclength", ColumnRole::place, 6},
-    KnownName{"s", ColumnRole::place, 7},
-    KnownName{"p", ColumnRole::pressure, 1},
-    KnownName{"cpress", ColumnRole::pressure, 1},
-    KnownName{"pressure", ColumnRole::pressure, 1},
-    KnownName{"contactpressure", ColumnRole::pressure, 1},
-    KnownName{"contpres", ColumnRole::pressure, 1},
-    KnownName{"contpress", ColumnRole::pressure, 1},
-    KnownName{"pcontact", ColumnRole::pressure, 2},
-    KnownName{"normalpressure", ColumnRole::pressure, 2},
-    KnownName{"contactstress", ColumnRole::pressure, 2},
-    KnownName{"normaltraction", ColumnRole::pressure, 2},
-    KnownName{"tractionnormal", ColumnRole::pressure, 2},
-    KnownName{"normalstress", ColumnRole::pressure, 2},
-    KnownName{"tn", ColumnRole::pressure, 3},
-    KnownName{"pn", ColumnRole::pressure, 3},
-    KnownName{"pres", ColumnRole::pressure, 3},
-    KnownName{"press", ColumnRole::pressure, 3},
-    KnownName{"sigman", ColumnRole::pressure, 4},
-    KnownName{"sn", ColumnRole::pressure, 4},
-    KnownName{"s22", ColumnRole::pressure, 5},
-    KnownName{"sy", ColumnRole::pressure, 5},
-    KnownName{"syy", ColumnRole::pressure, 5},
-    KnownName{"sigmayy", ColumnRole::pressure, 5},
-    KnownName{"sigmay", ColumnRole::pressure, 5},
-    KnownName{"q", ColumnRole::shear, 1},
-    KnownName{"cshear1", ColumnRole::shear, 1},
-    KnownName{"cshear", ColumnRole::shear, 1},
-    KnownName{"shear", ColumnRole::shear, 2},
-    KnownName{"sheartraction", ColumnRole::shear, 2},
-    KnownName{"tangentialtraction", ColumnRole::shear, 2},
-    KnownName{"contsfri", ColumnRole::shear, 3},
-    KnownName{"tt", ColumnRole::shear, 4},
-    KnownName{"tau", ColumnRole::shear, 4},
+// Abaqus: COORD1, CPRESS, CSHEAR1; COORD.COOR1 in its reports. ANSYS: CONT,PRES. CalculiX: CONTACT
+// STRESS. ParaView: Points:0.
+constexpr KnownNames known_names[] = {
+    {"x", ColumnRole::place, 1},
+    {"x1 coord1 coor1 coordcoor1 xcoord xcoordinate coordx coordinatex xcoor xpos xposition xloc",
+     ColumnRole::place, 2},
+    {"points0 pointsx", ColumnRole::place, 3},
+    {"position pos coordinate coord", ColumnRole::place, 4},
+    {"distance truedistancealongpath", ColumnRole::place, 5},
+    {"arclength", ColumnRole::place, 6},
+    {"s", ColumnRole::place, 7},
+    {"p cpress pressure contactpressure contpres contpress", ColumnRole::pressure, 1},
+    {"pcontact normalpressure contactstress normaltraction tractionnormal normalstress",
+     ColumnRole::pressure, 2},
+    {"tn pn pres press", ColumnRole::pressure, 3},
+    {"sigman sn", ColumnRole::pressure, 4},
+    {"s22 sy syy sigmayy sigmay", ColumnRole::pressure, 5},
+    {"q cshear1 cshear", ColumnRole::shear, 1},
+    {"shear sheartraction tangentialtraction", ColumnRole::shear, 2},
+    {"contsfri", ColumnRole::shear, 3},
+    {"tt tau", ColumnRole::shear, 4},
 };
 
-constexpr std::array<std::string_view, 28> other_names{"node",
-                                                       "nodelabel",
-                                                       "nodenumber",
-                                                       "nodeno",
-                                                       "nodeid",
-                                                       "element",
-                                                       "elem",
-                                                       "elementlabel",
-                                                       "elementnumber",
-                                                       "elementid",
-                                                       "label",
-                                                       "number",
-                                                       "no",
-                                                       "id",
-                                                       "partinstance",
-                                                       "partinstancename",
-                                                       "y",
-                                                       "z",
-                                                       "ycoord",
-                                                       "ycoordinate",
-                                                       "zcoord",
-                                                       "zcoordinate",
-                                                       "coordinatey",
-                                                       "coordinatez",
-                                                       "cstatus",
-                                                       "copen",
-                                                       "gap",
-                                                       "status"};
+constexpr std::string_view other_names =
+    "node nodelabel nodenumber nodeno nodeid element elem elementlabel elementnumber elementid "
+    "label number no id partinstance partinstancename y z ycoord ycoordinate zcoord zcoordinate "
+    "coordinatey coordinatez cstatus copen gap status";
 constexpr std::size_t most_words_of_a_name = 4; // for example "True distance along path"
 constexpr std::size_t most_words_of_a_header = 64;
 
-char lower(char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); }
-
 std::string plain_of(std::string_view text) {
-    std::string out;
-    for (const char raw : text) {
-        const char c = lower(raw);
-        if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) {
-            out += c;
-        }
-    }
+    std::string out = lower_case(text);
+    std::erase_if(out, [](char c) { return (c < 'a' || c > 'z') && (c < '0' || c > '9'); });
     return out;
 }
 
-std::string_view without_blanks(std::string_view text) {
-    const std::size_t from = text.find_first_not_of(" \t");
-    return from == std::string_view::npos
-               ? std::string_view{}
-               : text.substr(from, text.find_last_not_of(" \t") - from + 1);
+bool has_word(std::string_view words, std::string_view word) {
+    return std::ranges::any_of(std::views::split(words, ' '), [word](const auto& part) {
+        return std::string_view(part.begin(), part.end()) == word;
+    });
 }
 
 bool is_known(const std::string& written) {
     const std::string plain = read_column_name(written).plain;
-    return role_of(plain).has_value() || std::ranges::find(other_names, plain) != other_names.end();
+    return role_of(plain).has_value() || has_word(other_names, plain);
 }
 
 /// True for a word that does not occur in prose.
@@ -137,13 +70,28 @@ bool is_symbol(std::string_view word) {
 
 } // namespace
 
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    std::ranges::transform(lower, lower.begin(), [](char c) {
+        return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    });
+    return lower;
+}
+
+std::string_view trimmed(std::string_view text, std::string_view blanks) {
+    const std::size_t from = text.find_first_not_of(blanks);
+    return from == std::string_view::npos
+               ? std::string_view{}
+               : text.substr(from, text.find_last_not_of(blanks) - from + 1);
+}
+
 ColumnName read_column_name(std::string_view written) {
-    written = without_blanks(written);
+    written = trimmed(written);
     ColumnName name;
     const std::size_t open = written.find_first_of("[(<");
     if (open != std::string_view::npos && open > 0) {
         const std::size_t close = written.find_first_of("])>", open);
-        const std::string_view inside = without_blanks(
+        const std::string_view inside = trimmed(
             written.substr(open + 1, close == std::string_view::npos ? close : close - open - 1));
         name.plain = plain_of(written.substr(0, open));
         name.unit = scene::unit_named(inside);
@@ -155,7 +103,7 @@ ColumnName read_column_name(std::string_view written) {
         if (at == std::string_view::npos || at == 0) {
             continue;
         }
-        if (auto unit = scene::unit_named(without_blanks(written.substr(at + before.size())))) {
+        if (auto unit = scene::unit_named(trimmed(written.substr(at + before.size())))) {
             name.plain = plain_of(written.substr(0, at));
             name.unit = std::move(unit);
             return name;
@@ -166,9 +114,10 @@ ColumnName read_column_name(std::string_view written) {
 }
 
 std::optional<NamedRole> role_of(std::string_view plain_name) {
-    const auto found = std::ranges::find(known_names, plain_name, &KnownName::plain);
-    return found == known_names.end() ? std::nullopt
-                                      : std::optional(NamedRole{found->role, found->rank});
+    const auto found = std::ranges::find_if(
+        known_names, [&](const KnownNames& known) { return has_word(known.names, plain_name); });
+    return found == std::end(known_names) ? std::nullopt
+                                          : std::optional(NamedRole{found->role, found->rank});
 }
 
 std::optional<std::vector<std::string>> names_of_words(const std::vector<std::string>& words,
@@ -215,12 +164,10 @@ ColumnChoice parse_columns(std::string_view text) {
     ColumnChoice choice;
     for (std::size_t at = 0; at <= text.size();) {
         const std::size_t comma = std::min(text.find(',', at), text.size());
-        const std::string_view part = without_blanks(text.substr(at, comma - at));
-        const std::size_t equals = part.find('=');
-        const std::string_view key = without_blanks(part.substr(0, std::min(equals, part.size())));
-        const std::string value(equals == std::string_view::npos
-                                    ? std::string_view{}
-                                    : without_blanks(part.substr(equals + 1)));
+        const std::string_view part = trimmed(text.substr(at, comma - at));
+        const std::size_t equals = std::min(part.find('='), part.size());
+        const std::string_view key = trimmed(part.substr(0, equals));
+        const std::string_view value = trimmed(part.substr(std::min(equals + 1, part.size())));
         std::optional<std::string>* const place = key == "x"   ? &choice.x
                                                   : key == "p" ? &choice.p
                                                   : key == "q" ? &choice.q

@@ -12,6 +12,11 @@ namespace edgeproof::comparison {
 
 enum class ColumnRole { place, pressure, shear };
 
+/// The text with ASCII letters in lower case.
+[[nodiscard]] std::string lower_case(std::string_view text);
+/// The text without blanks at its ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text, std::string_view blanks = " \t");
+
 /// The parts of a column's name, such as "CPRESS [MPa]", "x / mm", "x_mm".
 struct ColumnName {
     std::string plain; ///< lower case, letters and digits only

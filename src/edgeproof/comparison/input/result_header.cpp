@@ -8,19 +8,33 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <map>
 
 namespace edgeproof::comparison {
 namespace {
 
+/// The unit in a cell, with or without brackets.
+std::optional<scene::Unit> unit_cell(const Cell& cell) {
+    std::string_view text = cell.text;
+    if (text.size() > 2 && (text.front() == '[' || text.front() == '(')) {
+        text = text.substr(1, text.size() - 2);
+    }
+    return scene::unit_named(text);
+}
+
+bool all_units(const std::vector<Cell>& cells) {
+    return std::ranges::any_of(cells, [](const Cell& c) { return unit_cell(c).has_value(); }) &&
+           std::ranges::all_of(cells, [](const Cell& c) {
+               return unit_cell(c) || c.text.empty() || c.text == "-" || c.text == "[-]" ||
+                      c.text == "1";
+           });
+}
+
 class HeaderReader {
 public:
-    HeaderReader(const std::vector<ResultLine>& lines, const TableShape& shape,
-                 const ResultReading& reading)
-        : lines_(lines), file_(shape.file), separator_(shape.separator), size_(shape.size),
-          first_row_(shape.first_row), reading_(reading) {}
+    HeaderReader(const ResultText& text, const ResultReading& reading)
+        : text_(text), reading_(reading) {}
 
     TableHeader read() {
         find_columns();
@@ -28,15 +42,6 @@ public:
     }
 
 private:
-    [[noreturn]] void reject(std::size_t line, const std::string& problem,
-                             const std::string& instead) const {
-        throw InputError(problem, instead).at(file_, line);
-    }
-    [[nodiscard]] std::size_t numbers_in(const std::vector<Cell>& cells) const {
-        return static_cast<std::size_t>(std::ranges::count_if(
-            cells, [this](const Cell& c) { return number_of(c, separator_).has_value(); }));
-    }
-
     /// Returns the names in a line before the rows, separated as the rows are or in another way.
     [[nodiscard]] std::vector<Cell> names_in(const ResultLine& line) const {
         std::string text = line.text;
@@ -48,18 +53,19 @@ private:
                 text.erase(--at, 1); // "x [mm]" is one name
             }
         }
-        std::vector<Cell> cells = split_row(text, separator_);
+        std::vector<Cell> cells = split_row(text, text_.separator);
         for (const Separator other :
              {Separator::comma, Separator::semicolon, Separator::tab, Separator::blank}) {
             auto again = split_row(text, other);
-            if (cells.size() != size_ && again.size() == size_) {
+            if (cells.size() != text_.size && again.size() == text_.size) {
                 cells = std::move(again);
             }
         }
-        if (separator_ == Separator::blank && cells.size() > size_ && numbers_in(cells) == 0) {
+        if (text_.separator == Separator::blank && cells.size() > text_.size &&
+            text_.numbers_in(cells) == 0) {
             std::vector<std::string> words;
             std::ranges::transform(cells, std::back_inserter(words), &Cell::text);
-            if (auto names = names_of_words(words, size_)) {
+            if (auto names = names_of_words(words, text_.size)) {
                 cells.clear();
                 for (std::string& name : *names) {
                     cells.push_back({std::move(name)});
@@ -93,69 +99,49 @@ private:
 
     /// Finds the line closest above the rows that names their columns.
     void find_header() {
-        for (std::size_t i = first_row_; i-- > 0;) {
-            auto names = names_in(lines_[i]);
-            if (names.empty() || numbers_in(names) > 0) {
+        for (std::size_t i = text_.first_row; i-- > 0;) {
+            auto names = names_in(text_.lines[i]);
+            if (names.empty() || text_.numbers_in(names) > 0) {
                 continue;
             }
             const auto roles = roles_in(names);
             const bool both =
                 roles.contains(ColumnRole::place) && roles.contains(ColumnRole::pressure);
-            if (names.size() == size_ && (both || names_chosen(names))) {
-                header_line_ = lines_[i].number;
+            if (names.size() == text_.size && (both || names_chosen(names))) {
+                header_line_ = text_.lines[i].number;
                 header_ = std::move(names);
                 return;
             }
-            const bool blanks = separator_ == Separator::blank;
+            const bool blanks = text_.separator == Separator::blank;
             const bool chosen_columns = blanks && reading_.columns.x && reading_.columns.p;
-            if (both && !lines_[i].comment && names.size() > 1 && !chosen_columns) {
-                reject(lines_[i].number,
-                       fmt::format("the header names {} columns, and the rows have {}",
-                                   names.size(), size_),
-                       blanks ? "write each name as one word (Node_Label) or in quotes, or give "
-                                "the columns by number: --columns x=1,p=2"
-                              : "name every column once, and write no decimal commas where commas "
-                                "separate");
+            if (both && !text_.lines[i].comment && names.size() > 1 && !chosen_columns) {
+                text_.reject(
+                    text_.lines[i].number,
+                    fmt::format("the header names {} columns, and the rows have {}", names.size(),
+                                text_.size),
+                    blanks ? "write each name as one word (Node_Label) or in quotes, or give "
+                             "the columns by number: --columns x=1,p=2"
+                           : "name every column once, and write no decimal commas where commas "
+                             "separate");
             }
-            if (names.size() == size_ && !near_header_ && !lines_[i].comment && !all_units(names)) {
+            if (names.size() == text_.size && !near_header_ && !text_.lines[i].comment &&
+                !all_units(names)) {
                 near_header_ = i;
             }
         }
     }
     [[nodiscard]] bool names_chosen(const std::vector<Cell>& names) const {
-        return std::ranges::any_of(
-            std::array{&reading_.columns.x, &reading_.columns.p, &reading_.columns.q},
-            [&](const std::optional<std::string>* choice) {
-                return *choice && std::ranges::any_of(names, [&](const Cell& name) {
-                    return name.text == **choice;
-                });
-            });
-    }
-    static bool all_units(const std::vector<Cell>& cells) {
-        bool any = false;
-        for (const Cell& cell : cells) {
-            const bool unit = unit_cell(cell).has_value();
-            if (!unit && !cell.text.empty() && cell.text != "-" && cell.text != "[-]" &&
-                cell.text != "1") {
-                return false;
-            }
-            any = any || unit;
-        }
-        return any;
-    }
-    static std::optional<scene::Unit> unit_cell(const Cell& cell) {
-        std::string_view text = cell.text;
-        if (text.size() > 2 && (text.front() == '[' || text.front() == '(')) {
-            text = text.substr(1, text.size() - 2);
-        }
-        return scene::unit_named(text);
+        const ColumnChoice& chosen = reading_.columns;
+        return std::ranges::any_of(names, [&](const Cell& name) {
+            return chosen.x == name.text || chosen.p == name.text || chosen.q == name.text;
+        });
     }
 
     void find_columns() {
         find_header();
         if (header_.empty() && near_header_) {
-            header_line_ = lines_[*near_header_].number;
-            header_ = names_in(lines_[*near_header_]);
+            header_line_ = text_.lines[*near_header_].number;
+            header_ = names_in(text_.lines[*near_header_]);
         }
         const auto roles = roles_in(header_);
         found_.x = column(ColumnRole::place, reading_.columns.x, "x", roles, 0);
@@ -166,14 +152,14 @@ private:
         }
         if (found_.x.index == found_.p.index || (found_.q && (found_.q->index == found_.x.index ||
                                                               found_.q->index == found_.p.index))) {
-            reject(header_line_, "one column is taken for two quantities",
-                   "name them by --columns x=1,p=2");
+            text_.reject(header_line_, "one column is taken for two quantities",
+                         "name them by --columns x=1,p=2");
         }
         find_units();
         found_.findings.push_back(fmt::format("columns: x is {}, p is {}{}; {} separate them",
                                               column_text(found_.x), column_text(found_.p),
                                               found_.q ? ", q is " + column_text(*found_.q) : "",
-                                              separator_name(separator_)));
+                                              separator_name(text_.separator)));
     }
     [[nodiscard]] std::string column_text(const UsedColumn& c) const {
         return fmt::format("column {}", c.index + 1) +
@@ -189,14 +175,14 @@ private:
         const auto found = roles.find(role);
         if (found != roles.end()) {
             if (found->second.twin) {
-                reject(header_line_,
-                       fmt::format("columns {} and {} may both be {}", *found->second.index + 1,
-                                   *found->second.twin + 1, key),
-                       "name the right one by --columns x=1,p=2");
+                text_.reject(header_line_,
+                             fmt::format("columns {} and {} may both be {}",
+                                         *found->second.index + 1, *found->second.twin + 1, key),
+                             "name the right one by --columns x=1,p=2");
             }
             return at_column(*found->second.index);
         }
-        if (size_ == 2) {
+        if (text_.size == 2) {
             // The other column may be named, or chosen.
             const auto other =
                 roles.find(role == ColumnRole::place ? ColumnRole::pressure : ColumnRole::place);
@@ -208,11 +194,12 @@ private:
                 "{} is taken to be column {}, because no column has its name", key, index + 1));
             return at_column(index);
         }
-        reject(header_line_,
-               header_.empty()
-                   ? fmt::format("the rows have {} columns and no header names them", size_)
-                   : fmt::format("no column has the name {} or a usual name for it", key),
-               "name the columns by --columns x=1,p=2");
+        text_.reject(
+            header_line_,
+            header_.empty()
+                ? fmt::format("the rows have {} columns and no header names them", text_.size)
+                : fmt::format("no column has the name {} or a usual name for it", key),
+            "name the columns by --columns x=1,p=2");
     }
     [[nodiscard]] UsedColumn at_column(std::size_t index) const {
         return {index,
@@ -225,7 +212,7 @@ private:
         }
         const bool digits = choice.find_first_not_of("0123456789") == std::string::npos;
         const std::size_t number = digits && choice.size() < 6 ? std::stoul(choice) : 0;
-        if (number >= 1 && number <= size_) {
+        if (number >= 1 && number <= text_.size) {
             return at_column(number - 1);
         }
         for (std::size_t i = 0; i < header_.size(); ++i) {
@@ -233,27 +220,24 @@ private:
                 return at_column(i);
             }
         }
-        throw InputError(fmt::format("--columns {}={}: {} has no such column", key, choice, file_),
-                         fmt::format("give a number from 1 to {}, or a name of its header", size_));
+        throw InputError(
+            fmt::format("--columns {}={}: {} has no such column", key, choice, text_.file),
+            fmt::format("give a number from 1 to {}, or a name of its header", text_.size));
     }
 
     /// Finds units after names, in a row of their own, or in a comment "units: mm, MPa".
     void find_units() {
-        for (std::size_t i = 0; i < first_row_; ++i) {
-            const std::string& text = lines_[i].text;
-            const auto cells = names_in(lines_[i]);
-            if (cells.size() == size_ && all_units(cells)) {
+        for (std::size_t i = 0; i < text_.first_row; ++i) {
+            const auto cells = names_in(text_.lines[i]);
+            if (cells.size() == text_.size && all_units(cells)) {
                 for (UsedColumn* c : {&found_.x, &found_.p}) {
                     c->name.unit = c->name.unit ? c->name.unit : unit_cell(cells[c->index]);
                 }
             }
-            std::string lower = text;
-            std::ranges::transform(lower, lower.begin(), [](char c) {
-                return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-            });
-            const std::size_t word = lower.find("unit");
+            const std::string& text = text_.lines[i].text;
+            const std::size_t word = lower_case(text).find("unit");
             if (word != std::string::npos) {
-                units_in_text(text.substr(word));
+                units_in_text(std::string_view(text).substr(word));
             }
         }
         convert(found_.x, scene::Unit::Dimension::length, reading_.x_scale,
@@ -295,9 +279,9 @@ private:
             return;
         }
         if (unit->dimension != dimension) {
-            reject(header_line_,
-                   fmt::format("{} is in {}, which is not a unit of it", key, unit->name),
-                   "name the right column by --columns, or the factor by --scale");
+            text_.reject(header_line_,
+                         fmt::format("{} is in {}, which is not a unit of it", key, unit->name),
+                         "name the right column by --columns, or the factor by --scale");
         }
         if (!wanted) {
             found_.findings.push_back(fmt::format("the file has {} in {}, and the scene states no "
@@ -312,11 +296,7 @@ private:
         }
     }
 
-    const std::vector<ResultLine>& lines_;
-    const std::string& file_;
-    Separator separator_;
-    std::size_t size_;
-    std::size_t first_row_;
+    const ResultText& text_;
     const ResultReading& reading_;
     TableHeader found_;
     std::vector<Cell> header_;
@@ -326,9 +306,8 @@ private:
 
 } // namespace
 
-TableHeader read_header(const std::vector<ResultLine>& lines, const TableShape& shape,
-                        const ResultReading& reading) {
-    return HeaderReader(lines, shape, reading).read();
+TableHeader read_header(const ResultText& text, const ResultReading& reading) {
+    return HeaderReader(text, reading).read();
 }
 
 } // namespace edgeproof::comparison

@@ -25,17 +25,9 @@ struct TableHeader {
     std::vector<std::string> findings; ///< notes on how they were found
 };
 
-struct TableShape {
-    std::string file;
-    Separator separator = Separator::comma;
-    std::size_t size = 0;      ///< cells of a row
-    std::size_t first_row = 0; ///< index of its line
-};
-
 /// Reads the lines before the first row: names, and units after them, in a row of their own or in a
 /// comment. Throws InputError if x or p are not found, or are found twice, and for a unit of the
 /// wrong kind.
-[[nodiscard]] TableHeader read_header(const std::vector<ResultLine>& lines, const TableShape& shape,
-                                      const ResultReading& reading);
+[[nodiscard]] TableHeader read_header(const ResultText& text, const ResultReading& reading);
 
 } // namespace edgeproof::comparison

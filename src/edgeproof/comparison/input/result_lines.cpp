@@ -10,24 +10,18 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 
 namespace edgeproof::comparison {
 namespace {
 
 constexpr std::string_view white = " \t\r\f\v";
 constexpr std::size_t lines_looked_at = 400;
-constexpr std::array all_separators{Separator::tab,   Separator::semicolon,       Separator::bar,
-                                    Separator::comma, Separator::comma_and_blank, Separator::blank};
-
-std::string_view trimmed_view(std::string_view text) {
-    const std::size_t from = text.find_first_not_of(white);
-    return from == std::string_view::npos
-               ? std::string_view{}
-               : text.substr(from, text.find_last_not_of(white) - from + 1);
-}
+constexpr std::array all_separators{Separator::tab, Separator::semicolon, Separator::bar,
+                                    Separator::comma, Separator::blank};
 
 bool is_comment(std::string_view line) {
-    line = trimmed_view(line);
+    line = trimmed(line, white);
     line.remove_prefix(line.starts_with('"') ? 1 : 0); // a spreadsheet quotes it
     return std::ranges::any_of(std::array<std::string_view, 5>{"#", "%", "!", "//", "**"},
                                [line](std::string_view mark) { return line.starts_with(mark); });
@@ -53,85 +47,125 @@ bool separates(std::string_view line, std::size_t at, Separator separator) {
 }
 
 Cell cell_of(std::string_view text) {
-    text = trimmed_view(text);
+    text = trimmed(text, white);
     if (text.size() >= 2 && text.front() == text.back() &&
         (text.front() == '"' || text.front() == '\'')) {
-        return {std::string(trimmed_view(text.substr(1, text.size() - 2))), true};
+        return {std::string(trimmed(text.substr(1, text.size() - 2), white)), true};
     }
     return {std::string(text), false};
 }
 
-struct NumberCounts {
-    std::size_t rows = 0; ///< lines of two numbers or more
-    long score = 0;       ///< numbers minus other cells, in those lines
+/// Finds the separator of `text`, and the shape of its rows.
+class ShapeFinder {
+public:
+    explicit ShapeFinder(ResultText& text) : text_(text) {}
+
+    void find() {
+        std::optional<Separator> best;
+        long most = 0;
+        for (const Separator separator : all_separators) {
+            const auto score = score_of(separator);
+            if (score && (!best || *score > most)) {
+                best = separator;
+                most = *score;
+            }
+        }
+        if (!best) {
+            text_.reject(0, "there is no row of two numbers",
+                         "give a table with a column of places x and one of pressures p");
+        }
+        text_.separator = *best == Separator::comma ? which_commas() : *best;
+        std::map<std::size_t, std::size_t> sizes;
+        std::size_t seen = 0;
+        for (const ResultLine& line : text_.lines) {
+            const auto cells = text_.cells(line);
+            if (!line.comment && seen < 100 && text_.numbers_in(cells) >= 2) {
+                ++sizes[cells.size()];
+                ++seen;
+            }
+        }
+        if (!sizes.empty()) {
+            text_.size =
+                std::ranges::max_element(sizes, {}, [](const auto& n) { return n.second; })->first;
+        }
+        const auto first = std::ranges::find_if(text_.lines, [&](const ResultLine& line) {
+            const auto cells = text_.cells(line);
+            return !line.comment && text_.numbers_in(cells) >= 2 && cells.size() == text_.size;
+        });
+        text_.first_row = static_cast<std::size_t>(first - text_.lines.begin());
+    }
+
+private:
+    /// The numbers minus the other cells, in lines of two numbers or more; nothing without any.
+    [[nodiscard]] std::optional<long> score_of(Separator separator) const {
+        std::optional<long> score;
+        std::size_t seen = 0;
+        for (const ResultLine& line : text_.lines) {
+            if (line.comment) {
+                continue;
+            }
+            if (++seen > lines_looked_at) {
+                break;
+            }
+            long numbers = 0;
+            long others = 0;
+            for (const Cell& cell : split_row(line.text, separator)) {
+                const bool number = number_of(cell, separator) || is_nan_or_infinite(cell);
+                numbers += number ? 1 : 0;
+                others += !number && !cell.text.empty() ? 1 : 0;
+            }
+            if (numbers >= 2) {
+                score = score.value_or(0) + numbers - others;
+            }
+        }
+        return score;
+    }
+
+    /// The number of cells in the last line of text before the first row of numbers.
+    [[nodiscard]] std::optional<std::size_t> header_size() const {
+        std::optional<std::size_t> size;
+        for (const ResultLine& line : text_.lines) {
+            const auto cells = split_row(line.text, Separator::comma);
+            const auto numbers = std::ranges::count_if(cells, [](const Cell& cell) {
+                return number_of(cell, Separator::comma).has_value();
+            });
+            if (!line.comment && numbers >= 2) {
+                return size;
+            }
+            size = cells.size();
+        }
+        return {};
+    }
+
+    /// Decides for rows such as "0,5, 1,2" if only commas followed by a blank are separators, or
+    /// all commas.
+    [[nodiscard]] Separator which_commas() const {
+        for (const ResultLine& line : text_.lines) {
+            const auto all = split_row(line.text, Separator::comma);
+            const auto some = split_row(line.text, Separator::comma_and_blank);
+            const bool rows = !line.comment && some.size() >= 2 && all.size() != some.size() &&
+                              std::ranges::all_of(some, [](const Cell& cell) {
+                                  return number_of(cell, Separator::comma_and_blank).has_value();
+                              });
+            if (!rows) {
+                continue;
+            }
+            const auto named = header_size();
+            if (named && *named == some.size()) {
+                return Separator::comma_and_blank;
+            }
+            if (named && *named == all.size()) {
+                return Separator::comma;
+            }
+            text_.reject(line.number, "commas may be decimal here, or separate all columns",
+                         "separate columns by semicolons or tabs, or name every column in a "
+                         "header");
+        }
+        return Separator::comma;
+    }
+
+    ResultText& text_;
 };
-
-NumberCounts count_numbers(const std::vector<ResultLine>& lines, Separator separator) {
-    NumberCounts counts;
-    std::size_t seen = 0;
-    for (const ResultLine& line : lines) {
-        if (line.comment) {
-            continue;
-        }
-        if (++seen > lines_looked_at) {
-            break;
-        }
-        long numbers = 0;
-        long others = 0;
-        for (const Cell& cell : split_row(line.text, separator)) {
-            const bool number = number_of(cell, separator) || is_nan_or_infinite(cell);
-            numbers += number ? 1 : 0;
-            others += !number && !cell.text.empty() ? 1 : 0;
-        }
-        if (numbers >= 2) {
-            ++counts.rows;
-            counts.score += numbers - others;
-        }
-    }
-    return counts;
-}
-
-/// The number of cells in the last line of text before the first row of numbers.
-std::optional<std::size_t> header_size(const std::vector<ResultLine>& lines, Separator separator) {
-    std::optional<std::size_t> size;
-    for (const ResultLine& line : lines) {
-        const auto cells = split_row(line.text, separator);
-        const auto numbers = std::ranges::count_if(
-            cells, [&](const Cell& cell) { return number_of(cell, separator).has_value(); });
-        if (!line.comment && numbers >= 2) {
-            return size;
-        }
-        size = cells.size();
-    }
-    return {};
-}
-
-/// Decides for rows such as "0,5, 1,2" if only commas followed by a blank are separators, or all
-/// commas.
-Separator which_commas(const std::vector<ResultLine>& lines, const std::string& file) {
-    for (const ResultLine& line : lines) {
-        const auto all = split_row(line.text, Separator::comma);
-        const auto some = split_row(line.text, Separator::comma_and_blank);
-        const bool rows = !line.comment && some.size() >= 2 && all.size() != some.size() &&
-                          std::ranges::all_of(some, [](const Cell& cell) {
-                              return number_of(cell, Separator::comma_and_blank).has_value();
-                          });
-        if (!rows) {
-            continue;
-        }
-        const auto named = header_size(lines, Separator::comma);
-        if (named && *named == some.size()) {
-            return Separator::comma_and_blank;
-        }
-        if (named && *named == all.size()) {
-            return Separator::comma;
-        }
-        throw InputError("commas may be decimal here, or separate all columns",
-                         "separate columns by semicolons or tabs, or name every column in a header")
-            .at(file, line.number);
-    }
-    return Separator::comma;
-}
 
 /// Adds the exponent letter to "1.5-104": Fortran omits it if the exponent has three digits.
 std::optional<std::string> with_exponent_letter(const std::string& text) {
@@ -150,34 +184,31 @@ std::optional<std::string> with_exponent_letter(const std::string& text) {
 } // namespace
 
 std::string separator_name(Separator separator) {
-    switch (separator) {
-    case Separator::tab:
-        return "tabs";
-    case Separator::semicolon:
-        return "semicolons";
-    case Separator::bar:
-        return "bars";
-    case Separator::comma:
-        return "commas";
-    case Separator::comma_and_blank:
-        return "commas before blanks";
-    case Separator::blank:
-        break;
-    }
-    return "blanks";
+    static constexpr const char* names[] = {"tabs",   "semicolons",           "bars",
+                                            "commas", "commas before blanks", "blanks"};
+    return names[static_cast<std::size_t>(separator)];
 }
 
-std::vector<ResultLine> result_lines(std::string_view text, const std::string& file) {
+std::size_t ResultText::numbers_in(const std::vector<Cell>& cells) const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(cells, [this](const Cell& cell) { return is_number(cell); }));
+}
+
+void ResultText::reject(std::size_t line, const std::string& problem,
+                        const std::string& instead) const {
+    throw InputError(problem, instead).at(file, line);
+}
+
+ResultText result_text(std::string_view text, const std::string& file) {
+    ResultText result{file, {}};
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-        throw InputError("the file is in UTF-16", "save it in UTF-8").at(file, 1);
+        result.reject(1, "the file is in UTF-16", "save it in UTF-8");
     }
     if (text.find('\0') != std::string_view::npos) {
-        throw InputError("the file is not text: it contains a zero byte",
-                         "give a table of x and p as text")
-            .at(file, 0);
+        result.reject(0, "the file is not text: it contains a zero byte",
+                      "give a table of x and p as text");
     }
     text.remove_prefix(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
-    std::vector<ResultLine> lines;
     std::size_t number = 1;
     for (std::size_t at = 0; at < text.size(); ++number) {
         if (number % 4096 == 0) {
@@ -185,18 +216,22 @@ std::vector<ResultLine> result_lines(std::string_view text, const std::string& f
         }
         const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
         const std::string_view line = text.substr(at, end - at);
-        if (!trimmed_view(line).empty()) {
-            lines.push_back({number, std::string(line), is_comment(line)});
+        if (!trimmed(line, white).empty()) {
+            result.lines.push_back({number, std::string(line), is_comment(line)});
         }
         at = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
     }
-    return lines;
+    if (result.lines.empty()) {
+        result.reject(0, "the file is empty", "give a table of places x and pressures p");
+    }
+    ShapeFinder(result).find();
+    return result;
 }
 
 std::vector<Cell> split_row(std::string_view line, Separator separator) {
     std::vector<Cell> cells;
     if (separator == Separator::blank) {
-        line = trimmed_view(line);
+        line = trimmed(line, white);
     }
     std::size_t from = 0;
     char quote = '\0';
@@ -207,7 +242,7 @@ std::vector<Cell> split_row(std::string_view line, Separator separator) {
             continue;
         }
         if (!end && (line[at] == '"' || line[at] == '\'') &&
-            trimmed_view(line.substr(from, at - from)).empty()) {
+            trimmed(line.substr(from, at - from), white).empty()) {
             quote = line[at];
             continue;
         }
@@ -245,27 +280,6 @@ bool is_nan_or_infinite(const Cell& cell) {
     using conformance::WrittenNumber;
     const WrittenNumber::Kind kind = conformance::written_number(cell.text).kind;
     return kind == WrittenNumber::Kind::nan || kind == WrittenNumber::Kind::infinite;
-}
-
-Separator find_separator(const std::vector<ResultLine>& lines, const std::string& file) {
-    std::optional<Separator> best;
-    NumberCounts most;
-    for (const Separator separator : all_separators) {
-        if (separator == Separator::comma_and_blank) {
-            continue; // distinguished from the comma below
-        }
-        const NumberCounts counts = count_numbers(lines, separator);
-        if (counts.rows > 0 && (!best || counts.score > most.score)) {
-            best = separator;
-            most = counts;
-        }
-    }
-    if (!best) {
-        throw InputError("there is no row of two numbers",
-                         "give a table with a column of places x and one of pressures p")
-            .at(file, 0);
-    }
-    return *best == Separator::comma ? which_commas(lines, file) : *best;
 }
 
 namespace {

@@ -26,10 +26,6 @@ struct ResultLine {
 enum class Separator { tab, semicolon, bar, comma, comma_and_blank, blank };
 [[nodiscard]] std::string separator_name(Separator separator);
 
-/// Returns the lines that are not blank of a text in UTF-8, with or without a byte order mark,
-/// whose lines end in LF, CR LF or CR. Throws InputError for a text in UTF-16 or with a zero byte.
-[[nodiscard]] std::vector<ResultLine> result_lines(std::string_view text, const std::string& file);
-
 /// Returns the cells of a row, trimmed, without quotes. Empty cells at the end are left out.
 [[nodiscard]] std::vector<Cell> split_row(std::string_view line, Separator separator);
 
@@ -39,10 +35,32 @@ enum class Separator { tab, semicolon, bar, comma, comma_and_blank, blank };
 [[nodiscard]] std::optional<std::string> number_of(const Cell& cell, Separator separator);
 [[nodiscard]] bool is_nan_or_infinite(const Cell& cell);
 
-/// Determines the separator of the rows of numbers. Throws InputError if no row has two numbers or
-/// more, and if commas may be decimal or separators and the header does not decide.
-[[nodiscard]] Separator find_separator(const std::vector<ResultLine>& lines,
-                                       const std::string& file);
+/// The lines of a file that are not blank, and the shape of the rows of numbers.
+struct ResultText {
+    std::string file;
+    std::vector<ResultLine> lines;
+    Separator separator = Separator::comma;
+    std::size_t size = 0;      ///< cells of a row
+    std::size_t first_row = 0; ///< index of its line
+
+    [[nodiscard]] std::vector<Cell> cells(const ResultLine& line) const {
+        return split_row(line.text, separator);
+    }
+    [[nodiscard]] bool is_number(const Cell& cell) const {
+        return number_of(cell, separator).has_value();
+    }
+    [[nodiscard]] std::size_t numbers_in(const std::vector<Cell>& cells) const;
+    /// Throws InputError, with the file.
+    [[noreturn]] void reject(std::size_t line, const std::string& problem,
+                             const std::string& instead) const;
+};
+
+/// Reads a text in UTF-8, with or without a byte order mark, whose lines end in LF, CR LF or CR,
+/// and finds the separator of the rows. Of rows of several lengths, the most frequent length of
+/// the first hundred is used. Throws InputError for a text that is empty, in UTF-16 or with a zero
+/// byte, if no row has two numbers or more, and if commas may be decimal or separators and the
+/// header does not decide.
+[[nodiscard]] ResultText result_text(std::string_view text, const std::string& file);
 
 /// Returns half a unit of the last digit of each number of a column. Numbers with an exponent have
 /// as many digits as the longest of the column, those without as many decimals: "0.5" among

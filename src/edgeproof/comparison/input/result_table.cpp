@@ -14,10 +14,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <map>
 
 namespace edgeproof::comparison {
 namespace {
@@ -46,74 +45,25 @@ double scaled_rounding(double rounding, const Rational& factor) {
 class TableReader {
 public:
     TableReader(std::string_view text, const std::string& file, const ResultReading& reading)
-        : file_(file), reading_(reading), lines_(result_lines(text, file)) {
-        if (lines_.empty()) {
-            throw InputError("the file is empty", "give a table of places x and pressures p")
-                .at(file, 0);
-        }
-        separator_ = find_separator(lines_, file);
+        : text_(result_text(text, file)), header_(read_header(text_, reading)) {
         table_.file = file;
+        table_.findings = std::move(header_.findings);
     }
 
     ResultTable read() {
-        find_first_row();
-        TableHeader header = read_header(lines_, {file_, separator_, size_, first_row_}, reading_);
-        x_ = header.x;
-        p_ = header.p;
-        q_ = header.q;
-        x_factor_ = header.x_factor;
-        p_factor_ = header.p_factor;
-        table_.findings = std::move(header.findings);
-        numbered_ = is_number(split_row(lines_[first_row_].text, separator_)[0]);
-        for (std::size_t i = first_row_; i < lines_.size(); ++i) {
+        const auto first = text_.cells(text_.lines[text_.first_row]);
+        numbered_ = text_.is_number(first[0]);
+        for (std::size_t i = text_.first_row; i < text_.lines.size(); ++i) {
             if (i % 1024 == 0) {
                 check_interruption();
             }
-            read_line(lines_[i]);
+            read_line(text_.lines[i]);
         }
         finish();
         return std::move(table_);
     }
 
 private:
-    [[noreturn]] void reject(std::size_t line, const std::string& problem,
-                             const std::string& instead) const {
-        throw InputError(problem, instead).at(file_, line);
-    }
-    [[nodiscard]] bool is_number(const Cell& cell) const {
-        return number_of(cell, separator_).has_value();
-    }
-
-    /// If rows have several lengths, the most frequent one of the first hundred is used.
-    void find_first_row() {
-        std::map<std::size_t, std::size_t> sizes;
-        std::size_t seen = 0;
-        for (const ResultLine& line : lines_) {
-            const auto cells = split_row(line.text, separator_);
-            if (!line.comment && seen < 100 && numbers_in(cells) >= 2) {
-                ++sizes[cells.size()];
-                ++seen;
-            }
-        }
-        std::size_t most = 0;
-        for (const auto& [size, count] : sizes) {
-            if (count > most) {
-                most = count;
-                size_ = size;
-            }
-        }
-        while (first_row_ < lines_.size() &&
-               (lines_[first_row_].comment ||
-                numbers_in(split_row(lines_[first_row_].text, separator_)) < 2 ||
-                split_row(lines_[first_row_].text, separator_).size() != size_)) {
-            ++first_row_;
-        }
-    }
-    [[nodiscard]] std::size_t numbers_in(const std::vector<Cell>& cells) const {
-        return static_cast<std::size_t>(
-            std::ranges::count_if(cells, [this](const Cell& c) { return is_number(c); }));
-    }
-
     void skip(const ResultLine& line) {
         ++skipped_;
         first_skipped_ = first_skipped_ == 0 ? line.number : first_skipped_;
@@ -122,59 +72,63 @@ private:
         if (line.comment) {
             return;
         }
-        const auto cells = split_row(line.text, separator_);
-        const std::size_t last = std::max({x_.index, p_.index, q_ ? q_->index : 0});
-        const std::size_t numbers = numbers_in(cells);
+        const auto cells = text_.cells(line);
+        const std::size_t last =
+            std::max({header_.x.index, header_.p.index, header_.q ? header_.q->index : 0});
+        const std::size_t numbers = text_.numbers_in(cells);
         const auto unusable = [&](const UsedColumn& c) {
-            return c.index >= cells.size() || !is_number(cells[c.index]);
+            return c.index >= cells.size() || !text_.is_number(cells[c.index]);
         };
-        if (numbered_ && !cells.empty() && !cells[0].text.empty() && !is_number(cells[0]) &&
-            !is_nan_or_infinite(cells[0]) && x_.index != 0 && p_.index != 0) {
+        if (numbered_ && !cells.empty() && !cells[0].text.empty() && !text_.is_number(cells[0]) &&
+            !is_nan_or_infinite(cells[0]) && header_.x.index != 0 && header_.p.index != 0) {
             skip(line); // "Total", "Minimum" instead of a node's number
             return;
         }
-        if (!unusable(x_) && !unusable(p_) && !(q_ && unusable(*q_))) {
-            if (cells.size() != size_ && cells.size() > size_) {
-                reject(
-                    line.number,
-                    fmt::format("the row has {} cells and the others have {}", cells.size(), size_),
-                    "write all rows alike");
+        if (!unusable(header_.x) && !unusable(header_.p) && !(header_.q && unusable(*header_.q))) {
+            if (cells.size() != text_.size && cells.size() > text_.size) {
+                text_.reject(line.number,
+                             fmt::format("the row has {} cells and the others have {}",
+                                         cells.size(), text_.size),
+                             "write all rows alike");
             }
             keep(line, cells);
             return;
         }
         for (const Cell& cell : cells) {
             if (is_nan_or_infinite(cell)) {
-                reject(line.number,
-                       "the row holds " + shown_cell(cell.text) + ", which is no number",
-                       "leave out places where the program has no value");
+                text_.reject(line.number,
+                             "the row holds " + shown_cell(cell.text) + ", which is no number",
+                             "leave out places where the program has no value");
             }
         }
         // A line of text: a title, a repeated header, a total.
-        if (numbers == 0 || (cells.size() != size_ && has_new_text(cells))) {
+        if (numbers == 0 || (cells.size() != text_.size && has_new_text(cells))) {
             skip(line);
             return;
         }
         if (cells.size() <= last) {
-            reject(line.number,
-                   fmt::format("the row is cut off: it has {} of {} cells", cells.size(), size_),
-                   "write all rows alike, or take the row out");
+            text_.reject(
+                line.number,
+                fmt::format("the row is cut off: it has {} of {} cells", cells.size(), text_.size),
+                "write all rows alike, or take the row out");
         }
-        const UsedColumn& bad = unusable(x_) ? x_ : unusable(p_) ? p_ : *q_;
-        reject(line.number,
-               fmt::format("{} of {} is no number", shown_cell(cells[bad.index].text),
-                           unusable(x_)   ? "x"
-                           : unusable(p_) ? "p"
-                                          : "q"),
-               "write a decimal such as 1.5e-3, or take the row out");
+        const UsedColumn& bad = unusable(header_.x)   ? header_.x
+                                : unusable(header_.p) ? header_.p
+                                                      : *header_.q;
+        text_.reject(line.number,
+                     fmt::format("{} of {} is no number", shown_cell(cells[bad.index].text),
+                                 unusable(header_.x)   ? "x"
+                                 : unusable(header_.p) ? "p"
+                                                       : "q"),
+                     "write a decimal such as 1.5e-3, or take the row out");
     }
 
     /// True if there is text where the rows have numbers.
     [[nodiscard]] bool has_new_text(const std::vector<Cell>& cells) const {
-        const auto row = split_row(lines_[first_row_].text, separator_);
+        const auto row = text_.cells(text_.lines[text_.first_row]);
         for (std::size_t i = 0; i < cells.size(); ++i) {
-            if (!cells[i].text.empty() && !is_number(cells[i]) &&
-                (i >= row.size() || is_number(row[i]))) {
+            if (!cells[i].text.empty() && !text_.is_number(cells[i]) &&
+                (i >= row.size() || text_.is_number(row[i]))) {
                 return true;
             }
         }
@@ -186,51 +140,50 @@ private:
         const auto written = conformance::written_number(text);
         if (written.kind != conformance::WrittenNumber::Kind::number ||
             abs(written.value) > largest_number()) {
-            reject(line.number, shown_cell(text) + " is beyond the range of a double",
-                   "write a number that a result can have");
+            text_.reject(line.number, shown_cell(text) + " is beyond the range of a double",
+                         "write a number that a result can have");
         }
         Rational scaled = written.value * factor;
         if (abs(scaled) > largest_number()) {
-            reject(line.number,
-                   shown_cell(text) + " times its scale is beyond the range of a double",
-                   "give a smaller factor to --scale");
+            text_.reject(line.number,
+                         shown_cell(text) + " times its scale is beyond the range of a double",
+                         "give a smaller factor to --scale");
         }
         return scaled;
     }
     void keep(const ResultLine& line, const std::vector<Cell>& cells) {
         ResultRow row;
         row.line = line.number;
-        x_texts_.push_back(*number_of(cells[x_.index], separator_));
-        p_texts_.push_back(*number_of(cells[p_.index], separator_));
-        row.x = value(line, x_texts_.back(), x_factor_);
-        row.p = value(line, p_texts_.back(), p_factor_);
-        if (q_) {
-            q_texts_.push_back(*number_of(cells[q_->index], separator_));
-            row.q = value(line, q_texts_.back(), p_factor_);
+        x_texts_.push_back(*number_of(cells[header_.x.index], text_.separator));
+        p_texts_.push_back(*number_of(cells[header_.p.index], text_.separator));
+        row.x = value(line, x_texts_.back(), header_.x_factor);
+        row.p = value(line, p_texts_.back(), header_.p_factor);
+        if (header_.q) {
+            q_texts_.push_back(*number_of(cells[header_.q->index], text_.separator));
+            row.q = value(line, q_texts_.back(), header_.p_factor);
         }
         table_.rows.push_back(std::move(row));
     }
 
     [[nodiscard]] bool is_even() const {
         const auto& rows = table_.rows;
-        for (std::size_t i = 2; i < rows.size(); ++i) {
-            if (rows[i].x - rows[i - 1].x != rows[1].x - rows[0].x) {
-                return false;
-            }
-        }
-        return true;
+        const auto uneven = [step = Rational(rows[1].x - rows[0].x)](const auto& s, const auto& t) {
+            return t.x - s.x != step;
+        };
+        return std::ranges::adjacent_find(rows, uneven) == rows.end();
     }
 
     void finish() {
         auto& rows = table_.rows;
         if (rows.size() < 2) {
-            reject(rows.empty() ? 0 : rows.front().line,
-                   fmt::format("there {} of numbers", rows.empty() ? "is no row" : "is one row"),
-                   "give the whole contact: one row for each node");
+            text_.reject(
+                rows.empty() ? 0 : rows.front().line,
+                fmt::format("there {} of numbers", rows.empty() ? "is no row" : "is one row"),
+                "give the whole contact: one row for each node");
         }
         if (std::ranges::all_of(rows, [&](const ResultRow& r) { return r.x == rows[0].x; })) {
-            reject(rows.front().line, "every row has the same x",
-                   "name the right column by --columns x=1,p=2");
+            text_.reject(rows.front().line, "every row has the same x",
+                         "name the right column by --columns x=1,p=2");
         }
         if (skipped_ > 0) {
             table_.findings.push_back(fmt::format(
@@ -238,26 +191,21 @@ private:
                 skipped_ == 1 ? "1 line" : fmt::format("{} lines", skipped_),
                 skipped_ == 1 ? "is" : "are", first_skipped_));
         }
-        const auto rounding = [](const std::vector<std::string>& texts) {
-            return column_rounding({texts.begin(), texts.end()});
-        };
         table_.p_digits = carried_digits({p_texts_.begin(), p_texts_.end()});
-        table_.p_factor = p_factor_.convert_to<double>();
-        const auto x_half = rounding(x_texts_);
-        const auto p_half = rounding(p_texts_);
-        const auto q_half = rounding(q_texts_);
+        table_.p_factor = header_.p_factor.convert_to<double>();
+        const auto x_half = column_rounding({x_texts_.begin(), x_texts_.end()});
+        const auto p_half = column_rounding({p_texts_.begin(), p_texts_.end()});
+        const auto q_half = column_rounding({q_texts_.begin(), q_texts_.end()});
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            rows[i].x_rounding = scaled_rounding(x_half[i], x_factor_);
-            rows[i].p_rounding = scaled_rounding(p_half[i], p_factor_);
-            rows[i].q_rounding = q_ ? scaled_rounding(q_half[i], p_factor_) : 0;
+            rows[i].x_rounding = scaled_rounding(x_half[i], header_.x_factor);
+            rows[i].p_rounding = scaled_rounding(p_half[i], header_.p_factor);
+            rows[i].q_rounding = header_.q ? scaled_rounding(q_half[i], header_.p_factor) : 0;
         }
-        const auto by_x = [](const ResultRow& s, const ResultRow& t) { return s.x < t.x; };
-        if (!std::ranges::is_sorted(rows, by_x)) {
-            const bool falling = std::ranges::is_sorted(
-                rows, [](const ResultRow& s, const ResultRow& t) { return s.x > t.x; });
+        if (!std::ranges::is_sorted(rows, {}, &ResultRow::x)) {
+            const bool falling = std::ranges::is_sorted(rows, std::greater(), &ResultRow::x);
             table_.findings.emplace_back(falling ? "the rows are ordered from right to left"
                                                  : "the rows are not in the order of x");
-            std::ranges::stable_sort(rows, by_x);
+            std::ranges::stable_sort(rows, {}, &ResultRow::x);
         }
         if (is_even()) { // a grid of few decimals is exact, without rounding
             for (ResultRow& row : rows) {
@@ -275,19 +223,10 @@ private:
         }
     }
 
-    std::string file_;
-    const ResultReading& reading_;
-    std::vector<ResultLine> lines_;
-    Separator separator_ = Separator::comma;
+    ResultText text_;
+    TableHeader header_;
     ResultTable table_;
-    std::size_t size_ = 0; ///< cells of a row
-    std::size_t first_row_ = 0;
     bool numbered_ = false; ///< the first cell of the first row is a number
-    UsedColumn x_;
-    UsedColumn p_;
-    std::optional<UsedColumn> q_;
-    Rational x_factor_ = 1;
-    Rational p_factor_ = 1;
     std::vector<std::string> x_texts_;
     std::vector<std::string> p_texts_;
     std::vector<std::string> q_texts_;

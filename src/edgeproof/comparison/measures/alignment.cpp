@@ -7,9 +7,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
 namespace edgeproof::comparison {
 namespace {
@@ -29,12 +30,12 @@ public:
         if (given) {
             result_.origin = given->convert_to<double>();
             exact_origin_ = Real(*given);
+            if (result_.origin != 0) {
+                result_.findings.push_back(
+                    fmt::format("x is measured from {:.6g} of the data, as given", result_.origin));
+            }
         } else if (support) {
             find_origin(*support);
-        }
-        if (result_.origin != 0 && given) {
-            result_.findings.push_back(
-                fmt::format("x is measured from {:.6g} of the data, as given", result_.origin));
         }
         lay_over();
         return std::move(result_);
@@ -42,18 +43,11 @@ public:
 
 private:
     void find_sign() {
-        double force = 0;
-        double most = 0;
-        for (std::size_t i = 1; i < points_.size(); ++i) {
-            force += 0.5 * (points_[i].x - points_[i - 1].x) * (points_[i].p + points_[i - 1].p);
-        }
-        for (const RoughPoint& point : points_) {
-            most = std::max(most, std::abs(point.p));
-        }
-        if (most == 0) {
+        if (std::ranges::all_of(points_, [](const RoughPoint& point) { return point.p == 0; })) {
             result_.findings.emplace_back("every pressure of the data is zero");
         }
-        result_.sign = force < 0 ? -1 : 1;
+        const auto p = [](const RoughPoint& point) { return point.p; };
+        result_.sign = trapezoids(points_, p) < 0 ? -1 : 1;
         if (result_.sign < 0) {
             result_.findings.emplace_back("compression is negative in the data");
             for (RoughPoint& point : points_) {
@@ -196,10 +190,7 @@ double mismatch(const std::vector<RoughPoint>& points, const ExactContact& exact
     std::vector<double> right;
     double products = 0;
     double squares = 0;
-    const auto width = [&](std::size_t i) {
-        return 0.5 * ((i + 1 < points.size() ? points[i + 1].x : points[i].x) -
-                      (i > 0 ? points[i - 1].x : points[i].x));
-    };
+    const auto width = [&](std::size_t i) { return width_of_node(points, i); };
     for (std::size_t i = 0; i < points.size(); ++i) {
         check_interruption();
         right.push_back(exact.pressure(points[i].x - origin));
@@ -267,11 +258,6 @@ Integer floor(const Rational& q) {
     return quotient * d > n ? Integer(quotient - 1) : quotient;
 }
 
-/// An origin that programs often use; preferred if the fitted one agrees with it.
-struct UsualOrigin {
-    double origin;
-    std::string_view what;
-};
 constexpr double same_origin = 1e-4; ///< relative to a + b
 
 } // namespace
@@ -286,10 +272,7 @@ std::optional<Support> support_of(const std::vector<RoughPoint>& points) {
     if (first == points.end()) {
         return {};
     }
-    auto last = points.end() - 1;
-    while (!loaded(*last)) {
-        --last;
-    }
+    const auto last = std::find_if(points.rbegin(), points.rend(), loaded).base() - 1;
     constexpr double high = 0.4; // an end of the data at such a pressure is not an edge
     Support s;
     s.left = first == points.begin() ? first->x : 0.5 * (first->x + (first - 1)->x);
@@ -324,20 +307,22 @@ std::optional<FoundOrigin> origin_of(const std::vector<RoughPoint>& points, cons
     if (!(mismatch(points, exact, found) <= 0.5 * mismatch(points, exact, 0))) {
         return {}; // no better than the present origin
     }
-    const std::array usual{
-        UsualOrigin{-left, ": x is measured from the left edge of the contact"},
-        UsualOrigin{-right, ": x is measured from the right edge of the contact"},
-        UsualOrigin{-0.5 * (left + right), ": x is measured from the middle of the contact"},
-        UsualOrigin{points.front().x, ": it is at the first node"},
-        UsualOrigin{points.back().x, ": it is at the last node"},
+    // An origin that programs often use is preferred if the fitted one agrees with it.
+    const std::pair<double, std::string_view> usual[] = {
+        {-left, ": x is measured from the left edge of the contact"},
+        {-right, ": x is measured from the right edge of the contact"},
+        {-0.5 * (left + right), ": x is measured from the middle of the contact"},
+        {points.front().x, ": it is at the first node"},
+        {points.back().x, ": it is at the last node"},
     };
     FoundOrigin origin;
-    for (const UsualOrigin& candidate : usual) {
-        if (origin.what.empty() && std::abs(candidate.origin - found) < same_origin * length &&
-            std::abs(candidate.origin) > least_shift * length) {
-            found = candidate.origin;
-            origin.what = candidate.what;
-        }
+    const auto near = std::ranges::find_if(usual, [&](const auto& place) {
+        return std::abs(place.first - found) < same_origin * length &&
+               std::abs(place.first) > least_shift * length;
+    });
+    if (near != std::end(usual)) {
+        found = near->first;
+        origin.what = near->second;
     }
     origin.exact = Real(found);
     if (origin.what.empty()) {

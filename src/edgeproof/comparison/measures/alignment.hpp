@@ -3,6 +3,7 @@
 #include "edgeproof/comparison/input/result_table.hpp"
 #include "edgeproof/comparison/measures/exact_contact.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,6 +39,9 @@ struct AlignedResult {
     /// Set if the data begin (or end) in the middle of a symmetric contact.
     std::optional<contact::Edge> half;
     std::vector<std::string> findings;
+
+    /// False for the edge of the missing half.
+    [[nodiscard]] bool has(contact::Edge edge) const { return !half || *half == edge; }
 };
 
 /// `origin`: the x of the data at the scene's origin; if empty, origin_of() the data, or 0 if that
@@ -45,6 +49,28 @@ struct AlignedResult {
 /// data.
 [[nodiscard]] AlignedResult align(const ResultTable& table, const ExactContact& exact,
                                   const std::optional<Rational>& origin);
+
+/// The integral over x by trapezoids, over the nodes for which value(node) is not empty.
+template <class Nodes, class Value>
+[[nodiscard]] double trapezoids(const Nodes& nodes, const Value& value) {
+    double sum = 0;
+    double last_x = 0;
+    std::optional<double> last;
+    for (const auto& node : nodes) {
+        if (const std::optional<double> y = value(node)) {
+            sum += last ? 0.5 * (node.x - last_x) * (*last + *y) : 0;
+            last_x = node.x;
+            last = y;
+        }
+    }
+    return sum;
+}
+
+/// Half the distance between the neighbours of node i.
+template <class Nodes> [[nodiscard]] double width_of_node(const Nodes& nodes, std::size_t i) {
+    return 0.5 * ((i + 1 < nodes.size() ? nodes[i + 1].x : nodes[i].x) -
+                  (i > 0 ? nodes[i - 1].x : nodes[i].x));
+}
 
 /// A node of the data in double precision, for the search of the origin.
 struct RoughPoint {

@@ -134,17 +134,7 @@ DataContact contact_of(const AlignedResult& data, const ExactContact& exact) {
     if (inside > 1) {
         found.mean_element = (last - first) / static_cast<double>(inside - 1);
     }
-    double force = 0;
-    for (std::size_t i = 1; i < data.nodes.size(); ++i) {
-        const Node& left = data.nodes[i - 1];
-        const Node& right = data.nodes[i];
-        const double half_width = 0.5 * (right.x - left.x);
-        force += half_width * (left.p + right.p);
-    }
-    if (data.half) {
-        force *= 2;
-    }
-    found.force = force;
+    found.force = (data.half ? 2 : 1) * trapezoids(data.nodes, [](const Node& n) { return n.p; });
     if (!(found.largest > 0)) {
         return found;
     }
@@ -152,13 +142,11 @@ DataContact contact_of(const AlignedResult& data, const ExactContact& exact) {
     const double scatter = 4 * scatter_outside(data, std::max(found.element[0], found.element[1]));
     const double threshold = std::max(pressing_fraction * found.largest,
                                       std::min(scatter, most_of_scatter * found.largest));
-    if (data.half != contact::Edge::left) {
-        const auto edge = edge_of(inwards(data, contact::Edge::right), threshold);
-        found.a = edge ? std::optional(-*edge) : edge;
-    }
-    if (data.half != contact::Edge::right) {
-        const auto edge = edge_of(inwards(data, contact::Edge::left), threshold);
-        found.b = edge ? std::optional(-*edge) : edge;
+    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+        if (data.has(edge)) {
+            const auto d = edge_of(inwards(data, edge), threshold);
+            (edge == contact::Edge::right ? found.a : found.b) = d ? std::optional(-*d) : d;
+        }
     }
     bool pressed = false;
     bool gap = false;
@@ -186,7 +174,7 @@ public:
 
     [[nodiscard]] std::vector<Undetermined> find() {
         for (const contact::Edge at : {contact::Edge::right, contact::Edge::left}) {
-            if (!data_.half || *data_.half == at) {
+            if (data_.has(at)) {
                 edge(at);
             }
         }
@@ -202,8 +190,8 @@ private:
         const bool right = at == contact::Edge::right;
         const Determined quantity = right ? Determined::a : Determined::b;
         const char* const name = right ? "a" : "b";
-        const double value = right ? exact_.a().value : exact_.b().value;
-        const auto& found = right ? of_exact_.a : of_exact_.b;
+        const double value = exact_.edge(at);
+        const auto& found = of_exact_.at(at);
         if (!of_exact_.reaches[index_of(at)]) {
             add(quantity,
                 fmt::format("{} is not determined: the data end at x = {:.6g}, inside the "
@@ -218,20 +206,6 @@ private:
         }
     }
 
-    /// The force by trapezoids of the exact pressure, without corners.
-    [[nodiscard]] double exact_force_at_nodes() const {
-        double force = 0;
-        const Node* last = nullptr;
-        for (const Node& node : data_.nodes) {
-            if (node.exact.p) {
-                force += last == nullptr
-                             ? 0
-                             : 0.5 * (node.x - last->x) * (*last->exact.p + *node.exact.p);
-                last = &node;
-            }
-        }
-        return data_.half ? 2 * force : force;
-    }
     /// The widest interval between neighbours, limited to the contact.
     [[nodiscard]] double gap() const {
         double widest = 0;
@@ -256,7 +230,9 @@ private:
     }
     void force() {
         const double value = exact_.force().value;
-        const double found = exact_force_at_nodes();
+        const double found = // without corners
+            (data_.half ? 2 : 1) *
+            trapezoids(data_.nodes, [](const Node& node) { return node.exact.p; });
         const double widest = gap();
         if (const auto from = missing_middle()) {
             add(Determined::force,

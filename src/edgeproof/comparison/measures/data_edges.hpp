@@ -25,6 +25,11 @@ struct DataContact {
     std::optional<double> force;   ///< by trapezoids; doubled for half a contact
     double largest = 0;            ///< the largest pressure
     std::size_t gaps = 0;          ///< places inside where the pressure falls to zero
+
+    /// a or b
+    [[nodiscard]] const std::optional<double>& at(contact::Edge edge) const {
+        return edge == contact::Edge::right ? a : b;
+    }
 };
 
 /// Near an edge p^2 is smooth and nearly linear in the distance, so an edge of the data is the zero

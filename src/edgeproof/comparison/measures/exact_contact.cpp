@@ -21,7 +21,6 @@ namespace {
 
 constexpr unsigned value_digits = 20;
 constexpr unsigned contact_digits = 40;
-constexpr std::size_t coefficients = 3;
 /// The error of a and b at `contact_digits`, relative to a + b.
 constexpr double edge_error = 1e-37;
 constexpr double closed_form_error = 1e-20;
@@ -63,37 +62,6 @@ struct ExactContact::Solved {
                 // Bits do not separate an edge from a corner: the batch rule is used instead.
             }
         }
-        scene::Scene asked = scene;
-        asked.shear.reset();
-        asked.ask = {};
-        asked.ask.edges = {contact::Edge::right, contact::Edge::left};
-        asked.ask.terms = {coefficients};
-        asked.ask.quantities = {scene::QuantityGroup::contact, scene::QuantityGroup::coefficients};
-        asked.ask.digits = {value_digits, Rounding::nearest, false};
-        const scene::SceneResult result = run_scene(asked);
-        a = exact_value(result.at(scene::Quantity::a));
-        b = exact_value(result.at(scene::Quantity::b));
-        force = exact_value(result.at(scene::Quantity::P));
-        for (const scene::RowsAt& edge : result.at_edges(scene::QuantityGroup::coefficients)) {
-            for (std::size_t k = 0; k < coefficients; ++k) {
-                c[index_of(edge.edge())][k] = exact_value(edge.at(scene::Quantity::c, k));
-            }
-        }
-        for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
-            radius[index_of(edge)] = contact.convergence_radius(edge).convert_to<double>();
-        }
-        const PrecisionScope scope(place_digits);
-        const contact::Profile& profile = contact.profile();
-        if (scene.shear) {
-            shear.emplace(scene, profile, contact::Extent<Real>{right, left}, contact.force());
-        }
-        for (std::size_t i = 0; i < profile.knots().size(); ++i) {
-            const Real x = profile.knots()[i].to<Real>();
-            if (x < right && x > -left && bends(profile, i)) {
-                knots.push_back({x.convert_to<double>(), profile.has_corner(i)});
-                exact_knots.push_back(x);
-            }
-        }
     }
 
     /// Returns nothing if the closed form does not have the digits, for example near a corner.
@@ -121,41 +89,69 @@ struct ExactContact::Solved {
     double length = 0;
     Real right; ///< a
     Real left;  ///< b
-    ExactValue a;
-    ExactValue b;
-    ExactValue force;
-    std::array<std::array<ExactValue, coefficients>, 2> c;
-    std::array<double, 2> radius{};
-    std::vector<ContactKnot> knots;
-    std::vector<Real> exact_knots;
-    Scale scale;
     std::optional<ExactShear> shear;
 };
 
-ExactContact::ExactContact(const scene::Scene& scene)
-    : solved_(io::at_place(scene.file, scene.load_line,
-                           [&] { return std::make_unique<Solved>(scene); })) {
-    Solved& s = *solved_;
-    s.scale = {s.force.value / length(), 0, true};
-    if (std::ranges::any_of(s.knots, &ContactKnot::corner)) {
-        return;
+ExactContact::ExactContact(const scene::Scene& scene) {
+    io::at_place(scene.file, scene.load_line, [&] { solve(scene); });
+    scale_ = {force_.value / length(), 0, true};
+    if (std::ranges::none_of(knots_, &ContactKnot::corner)) {
+        find_scale();
     }
-    // Finds the largest p from samples, which are dense near knots, where p may rise steeply; then
-    // refines the best sample between its neighbours. At the maximum p is flat, so an error of its
-    // place has little effect.
+}
+
+void ExactContact::solve(const scene::Scene& scene) {
+    solved_ = std::make_shared<Solved>(scene);
+    Solved& s = *solved_;
+    scene::Scene asked = scene;
+    asked.shear.reset();
+    asked.ask = {};
+    asked.ask.edges = {contact::Edge::right, contact::Edge::left};
+    asked.ask.terms = {coefficients};
+    asked.ask.quantities = {scene::QuantityGroup::contact, scene::QuantityGroup::coefficients};
+    asked.ask.digits = {value_digits, Rounding::nearest, false};
+    const scene::SceneResult result = run_scene(asked);
+    a_ = exact_value(result.at(scene::Quantity::a));
+    b_ = exact_value(result.at(scene::Quantity::b));
+    force_ = exact_value(result.at(scene::Quantity::P));
+    for (const scene::RowsAt& edge : result.at_edges(scene::QuantityGroup::coefficients)) {
+        for (std::size_t k = 0; k < coefficients; ++k) {
+            c_[index_of(edge.edge())][k] = exact_value(edge.at(scene::Quantity::c, k));
+        }
+        radius_[index_of(edge.edge())] =
+            s.contact.convergence_radius(edge.edge()).convert_to<double>();
+    }
+    const PrecisionScope scope(place_digits);
+    const contact::Profile& profile = s.contact.profile();
+    symmetric_ = profile.symmetric();
+    if (scene.shear) {
+        s.shear.emplace(scene, profile, contact::Extent<Real>{s.right, s.left}, s.contact.force());
+    }
+    for (std::size_t i = 0; i < profile.knots().size(); ++i) {
+        const Real x = profile.knots()[i].to<Real>();
+        if (x < s.right && x > -s.left && bends(profile, i)) {
+            knots_.push_back({x.convert_to<double>(), profile.has_corner(i)});
+        }
+    }
+}
+
+/// Finds the largest p from samples, which are dense near knots, where p may rise steeply; then
+/// refines the best sample between its neighbours. At the maximum p is flat, so an error of its
+/// place has little effect.
+void ExactContact::find_scale() {
     std::vector<double> samples;
     constexpr int even = 160;
     for (int i = 1; i < even; ++i) {
-        samples.push_back(-s.b.value + length() * i / even);
+        samples.push_back(-b_.value + length() * i / even);
     }
-    for (const ContactKnot& knot : s.knots) {
+    for (const ContactKnot& knot : knots_) {
         samples.push_back(knot.x);
         for (double step = 0.1 * length(); step > 1e-9 * length(); step /= 2.5) {
             samples.push_back(knot.x - step);
             samples.push_back(knot.x + step);
         }
     }
-    std::erase_if(samples, [&](double x) { return x <= -s.b.value || x >= s.a.value; });
+    std::erase_if(samples, [&](double x) { return x <= -b_.value || x >= a_.value; });
     std::ranges::sort(samples);
     std::size_t best = 0;
     double largest = 0;
@@ -185,28 +181,12 @@ ExactContact::ExactContact(const scene::Scene& scene)
         }
         (p1 < p2 ? lower : upper) = p1 < p2 ? s1 : s2;
     }
-    s.scale = {largest, x, false};
+    scale_ = {largest, x, false};
 }
 
-ExactContact::~ExactContact() = default;
-ExactContact::ExactContact(ExactContact&&) noexcept = default;
-ExactContact& ExactContact::operator=(ExactContact&&) noexcept = default;
-
-const ExactValue& ExactContact::a() const { return solved_->a; }
-const ExactValue& ExactContact::b() const { return solved_->b; }
-const ExactValue& ExactContact::force() const { return solved_->force; }
-const ExactValue& ExactContact::c(contact::Edge edge, std::size_t k) const {
-    return solved_->c.at(index_of(edge)).at(k);
-}
-bool ExactContact::symmetric() const { return solved_->contact.profile().symmetric(); }
-double ExactContact::convergence_radius(contact::Edge edge) const {
-    return solved_->radius.at(index_of(edge));
-}
-const std::vector<ContactKnot>& ExactContact::knots() const { return solved_->knots; }
 std::string ExactContact::pressure_route() const {
     return solved_->words ? "in closed form" : "by the batch rule";
 }
-const ExactContact::Scale& ExactContact::scale() const { return solved_->scale; }
 
 ExactContact::Place ExactContact::at(const Real& x) const {
     const PrecisionScope scope(place_digits);
@@ -255,9 +235,7 @@ std::optional<double> ExactContact::traction(const Real& x, const Place& place) 
     return solved_->shear->at({right, left, x}, place.exact_p).convert_to<double>();
 }
 
-double ExactContact::pressure(double x) const {
-    return at(Real(x)).p.value_or(solved_->scale.value);
-}
+double ExactContact::pressure(double x) const { return at(Real(x)).p.value_or(scale_.value); }
 
 namespace {
 
@@ -305,10 +283,7 @@ struct ExactShear::Solved {
 
 ExactShear::ExactShear(const scene::Scene& scene, const contact::Profile& profile,
                        const contact::Extent<Real>& whole, const Real& force)
-    : solved_(std::make_unique<Solved>(scene, profile, whole, force)) {}
-ExactShear::~ExactShear() = default;
-ExactShear::ExactShear(ExactShear&&) noexcept = default;
-ExactShear& ExactShear::operator=(ExactShear&&) noexcept = default;
+    : solved_(std::make_shared<Solved>(scene, profile, whole, force)) {}
 
 Real ExactShear::at(const contact::Point<Real>& place, const Real& p) const {
     const Solved& s = *solved_;

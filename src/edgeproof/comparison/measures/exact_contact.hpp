@@ -5,7 +5,6 @@
 #include "edgeproof/scene/input/scene_file.hpp"
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,9 +23,6 @@ public:
     /// InputError, with the line, if the contact slides or the stick zone reaches an edge.
     ExactShear(const scene::Scene& scene, const contact::Profile& profile,
                const contact::Extent<Real>& whole, const Real& force);
-    ~ExactShear();
-    ExactShear(ExactShear&&) noexcept;
-    ExactShear& operator=(ExactShear&&) noexcept;
 
     /// q at a place inside the contact where the pressure is p.
     [[nodiscard]] Real at(const contact::Point<Real>& place, const Real& p) const;
@@ -39,7 +35,7 @@ public:
 
 private:
     struct Solved;
-    std::unique_ptr<Solved> solved_;
+    std::shared_ptr<Solved> solved_;
 };
 
 /// A place where g' changes, inside the contact.
@@ -63,20 +59,25 @@ public:
     /// Keeps no reference to the scene. Throws as run_scene and NormalContact do for a load that no
     /// contact carries, or an outer slope that ends inside it, and as ExactShear does.
     explicit ExactContact(const scene::Scene& scene);
-    ~ExactContact();
-    ExactContact(ExactContact&&) noexcept;
-    ExactContact& operator=(ExactContact&&) noexcept;
 
-    [[nodiscard]] const ExactValue& a() const;
-    [[nodiscard]] const ExactValue& b() const;
-    [[nodiscard]] const ExactValue& force() const;
+    [[nodiscard]] const ExactValue& a() const { return a_; }
+    [[nodiscard]] const ExactValue& b() const { return b_; }
+    /// The distance of an edge from the origin: a or b.
+    [[nodiscard]] double edge(contact::Edge edge) const {
+        return edge == contact::Edge::right ? a_.value : b_.value;
+    }
+    [[nodiscard]] const ExactValue& force() const { return force_; }
     /// c_0, c_1 and c_2 at an edge.
-    [[nodiscard]] const ExactValue& c(contact::Edge edge, std::size_t k) const;
-    [[nodiscard]] double length() const { return a().value + b().value; }
-    [[nodiscard]] bool symmetric() const;
+    [[nodiscard]] const ExactValue& c(contact::Edge edge, std::size_t k) const {
+        return c_.at(index_of(edge)).at(k);
+    }
+    [[nodiscard]] double length() const { return a_.value + b_.value; }
+    [[nodiscard]] bool symmetric() const { return symmetric_; }
     /// The radius in u within which the expansion at an edge converges.
-    [[nodiscard]] double convergence_radius(contact::Edge edge) const;
-    [[nodiscard]] const std::vector<ContactKnot>& knots() const;
+    [[nodiscard]] double convergence_radius(contact::Edge edge) const {
+        return radius_.at(index_of(edge));
+    }
+    [[nodiscard]] const std::vector<ContactKnot>& knots() const { return knots_; }
     /// Returns the method for pressures: "in closed form" (nearly all), or "by the batch rule".
     [[nodiscard]] std::string pressure_route() const;
 
@@ -87,7 +88,7 @@ public:
         double x = 0; ///< the place of the largest pressure
         bool mean = false;
     };
-    [[nodiscard]] const Scale& scale() const;
+    [[nodiscard]] const Scale& scale() const { return scale_; }
 
     /// The pressure at x: 0 outside the contact, empty on a corner. `from_right` and `from_left`
     /// are a - x and x + b, without cancellation.
@@ -116,8 +117,20 @@ public:
     static constexpr unsigned place_digits = 60;
 
 private:
+    static constexpr std::size_t coefficients = 3;
+    void solve(const scene::Scene& scene);
+    void find_scale();
+
     struct Solved;
-    std::unique_ptr<Solved> solved_;
+    std::shared_ptr<Solved> solved_;
+    ExactValue a_;
+    ExactValue b_;
+    ExactValue force_;
+    std::array<std::array<ExactValue, coefficients>, 2> c_; ///< by index_of(edge)
+    std::array<double, 2> radius_{};
+    std::vector<ContactKnot> knots_;
+    bool symmetric_ = false;
+    Scale scale_;
 };
 
 } // namespace edgeproof::comparison

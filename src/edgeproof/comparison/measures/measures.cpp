@@ -47,8 +47,7 @@ Errors errors_of(const AlignedResult& data, double scale,
         if (!value.exact) {
             continue;
         }
-        const double width = 0.5 * ((i + 1 < data.nodes.size() ? data.nodes[i + 1].x : node.x) -
-                                    (i > 0 ? data.nodes[i - 1].x : node.x));
+        const double width = width_of_node(data.nodes, i);
         const bool counted = counts(node);
         exact_square += whole || counted ? width * *value.exact * *value.exact : 0;
         if (!counted) {

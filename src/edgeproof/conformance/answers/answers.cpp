@@ -22,10 +22,10 @@ constexpr std::size_t longest_shown = 40;
 class Echo {
 public:
     Echo(const io::Csv& csv, Questions& questions) : csv_(csv), to_(questions) {
-        for (const std::string_view key : parameter_keys()) {
+        for (const ParameterKey& key : parameter_keys()) {
             // P, M and alpha are parameters here; as quantities they are in the column quantity.
-            if (const auto at = csv.column(key)) {
-                keys_.emplace_back(std::string(key), *at);
+            if (const auto at = csv.column(key.name)) {
+                keys_.emplace_back(std::string(key.name), *at);
             }
         }
         quantity_ = csv.column("quantity");
@@ -203,27 +203,17 @@ bool same_number(const formula::Exact& echoed, const formula::Exact& asked) {
 }
 
 bool same_parameter(const Parameter& echoed, const Parameter& asked) {
-    if (echoed.text == asked.text || is_word_key(asked.key)) {
-        return echoed.text == asked.text;
+    if (echoed.key != asked.key || echoed.text == asked.text || asked.is_word()) {
+        return echoed.key == asked.key && echoed.text == asked.text;
     }
-    const auto items = [&](const Parameter& p) {
-        return is_list_key(p.key) ? list_items(p.text) : std::vector<std::string>{p.text};
-    };
-    const auto ours = items(asked);
-    const auto theirs = items(echoed);
-    return std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(),
-                      [](const std::string& x, const std::string& y) {
-                          return x == y ||
-                                 same_number(formula::Exact::parse(x), formula::Exact::parse(y));
-                      });
+    return std::ranges::equal(
+        echoed.items(), asked.items(), [](const std::string& x, const std::string& y) {
+            return x == y || same_number(formula::Exact::parse(x), formula::Exact::parse(y));
+        });
 }
 
 bool same_contact(const AskedContact& echoed, const AskedContact& asked) {
-    return std::is_permutation(echoed.parameters.begin(), echoed.parameters.end(),
-                               asked.parameters.begin(), asked.parameters.end(),
-                               [](const Parameter& x, const Parameter& y) {
-                                   return x.key == y.key && same_parameter(x, y);
-                               });
+    return std::ranges::is_permutation(echoed.parameters, asked.parameters, same_parameter);
 }
 
 bool same_question(const Question& echoed, const Question& asked) {
@@ -310,31 +300,27 @@ void AnswerReader::add_missing(std::vector<std::string>& faults) const {
 }
 
 Answers echoed_answers(const io::Csv& csv) {
-    const auto read = [&](std::set<std::size_t> known_twice, Answers& answers) {
+    Answers answers;
+    std::set<std::size_t> twice;
+    do {
+        auto row = csv.rows.begin();
         AnswerReader reader(
             csv,
-            [&, at = std::size_t{0}](io::Csv::Row& row) mutable {
-                if (at == csv.rows.size()) {
-                    return false;
-                }
-                row = csv.rows[at++];
-                return true;
+            [&](io::Csv::Row& next) {
+                const bool more = row != csv.rows.end();
+                next = more ? *row++ : io::Csv::Row{};
+                return more;
             },
-            std::move(known_twice));
+            twice);
         (void)reader.next(answers, std::numeric_limits<std::size_t>::max());
-        return reader.maybe_twice();
-    };
-    Answers answers;
-    if (auto twice = read({}, answers); !twice.empty()) {
-        (void)read(std::move(twice), answers);
-    }
+        twice = twice.empty() ? reader.maybe_twice() : std::set<std::size_t>();
+    } while (!twice.empty());
     return answers;
 }
 
 Answers answers_to(const Questions& asked, const io::Csv& csv) {
     const AnswerColumns columns = columns_of(csv);
-    Answers answers;
-    answers.questions = asked;
+    Answers answers{asked, {}, {}, 0};
     answers.given.resize(asked.list.size());
     answers.questions.file = csv.file;
     Echo echo(csv, answers.questions);
@@ -344,48 +330,45 @@ Answers answers_to(const Questions& asked, const io::Csv& csv) {
     }
     std::map<std::pair<std::size_t, std::size_t>, bool> same_contacts;
     std::size_t next = 0;
-    for (const io::Csv::Row& given : csv.rows) {
-        io::Csv::Row row = given;
+    for (io::Csv::Row row : csv.rows) {
         put_decimal_points(csv, columns.id, row);
         if (!whole(csv, row, answers.faults)) {
             continue;
         }
         const std::string& id = row.cells[columns.id];
+        const auto fault = [&](const std::string& what) {
+            answers.faults.push_back(place(csv, row.line) + what);
+        };
         const auto found = index.find(id);
         if (found == index.end()) {
-            answers.faults.push_back(place(csv, row.line) + "'" + id.substr(0, longest_shown) +
-                                     "' was not asked");
+            fault("'" + id.substr(0, longest_shown) + "' was not asked");
             continue;
         }
         const std::size_t i = found->second;
         Answer& answer = answers.given[i];
         if (answer.line != 0) {
-            answers.faults.push_back(place(csv, row.line) + id +
-                                     " is answered twice, first in line " +
-                                     std::to_string(answer.line));
+            fault(id + " is answered twice, first in line " + std::to_string(answer.line));
             continue;
         }
         answers.out_of_order += i < next ? 1 : 0; // the id identifies the question
         next = std::max(next, i + 1);
         answer = read_answer(row.cells[columns.value]);
         answer.line = row.line;
-        if (echo.possible()) {
-            const Question& echoed = answers.questions.list[i] = echo.read(row, id);
-            if (!same_question(echoed, asked.list[i])) {
-                answers.faults.push_back(
-                    place(csv, row.line) + id +
-                    " repeats a quantity, edge, u or tolerance other than that of the question");
-            }
-            const auto [known, is_new] =
-                same_contacts.emplace(std::pair{echoed.contact, asked.list[i].contact}, false);
-            if (is_new) {
-                known->second = same_contact(answers.questions.contacts[echoed.contact],
-                                             asked.contacts[asked.list[i].contact]);
-            }
-            if (!known->second) {
-                answers.faults.push_back(place(csv, row.line) + id +
-                                         " repeats a contact other than that of the question");
-            }
+        if (!echo.possible()) {
+            continue;
+        }
+        const Question& echoed = answers.questions.list[i] = echo.read(row, id);
+        if (!same_question(echoed, asked.list[i])) {
+            fault(id + " repeats a quantity, edge, u or tolerance other than that of the question");
+        }
+        const auto [known, is_new] =
+            same_contacts.emplace(std::pair{echoed.contact, asked.list[i].contact}, false);
+        if (is_new) {
+            known->second = same_contact(answers.questions.contacts[echoed.contact],
+                                         asked.contacts[asked.list[i].contact]);
+        }
+        if (!known->second) {
+            fault(id + " repeats a contact other than that of the question");
         }
     }
     return answers;

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <deque>
+#include <functional>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -64,31 +66,27 @@ public:
             open_.pop_front();
             ask(batch);
             if (options_.progress) {
-                std::size_t left = 0;
-                for (const Batch& b : open_) {
-                    left += b.size();
-                }
-                options_.progress(asked_.list.size() - left, asked_.list.size());
+                options_.progress(asked_.list.size() - left(), asked_.list.size());
             }
         }
         return std::move(answers_);
     }
 
 private:
+    [[nodiscard]] std::size_t left() const {
+        return std::transform_reduce(open_.begin(), open_.end(), std::size_t{0}, std::plus{},
+                                     [](const Batch& batch) { return batch.size(); });
+    }
     bool given_up() {
         const bool hopeless = !answered_ && ended_by_ >= hopeless_questions;
         if (!hopeless && runs_ < options_.runs) {
             return false;
         }
-        std::size_t left = 0;
-        for (const Batch& batch : open_) {
-            left += batch.size();
-        }
         answers_.faults.push_back(program_name + " is given up after " + std::to_string(runs_) +
                                   (hopeless ? " runs that answered nothing, the last of which "
                                             : " runs (--runs), the last failed one of which ") +
                                   (last_ending_.empty() ? "ended well" : last_ending_) + "; " +
-                                  std::to_string(left) + " questions are not asked again");
+                                  std::to_string(left()) + " questions are not asked again");
         return true;
     }
 
@@ -99,10 +97,13 @@ private:
         for (const std::size_t i : batch) {
             part.list.push_back(asked_.list[i]);
         }
-        const std::string text =
-            options_.lines == Lines::json ? json_lines(part) : options_.write_csv(part);
+        io::ProgramCall call = io::shell_call(options_.command);
+        call.input = options_.lines == Lines::json ? json_lines(part) : options_.write_csv(part);
+        call.seconds = options_.seconds;
+        call.most_output = std::min(bytes_of_a_run + bytes_an_answer * batch.size(), most_bytes);
+        call.said = options_.said;
         ++runs_;
-        io::ProgramRun run = run_program(call_for(batch.size(), text));
+        io::ProgramRun run = run_program(call);
         const std::string name =
             several_ || runs_ > 1 ? program_name + ", run " + std::to_string(runs_) : program_name;
         const std::string ending = run.ending();
@@ -156,24 +157,14 @@ private:
         }
     }
 
-    io::ProgramCall call_for(std::size_t questions, const std::string& text) const {
-        io::ProgramCall call = io::shell_call(options_.command);
-        call.input = text;
-        call.seconds = options_.seconds;
-        call.most_output = std::min(bytes_of_a_run + bytes_an_answer * questions, most_bytes);
-        call.said = options_.said;
-        return call;
-    }
-
     /// Asks the questions left by a failed run again, in smaller batches.
     void divide(const Batch& left, bool some) {
         if (!answered_ && ended_by_ == 0 && left.size() > hopeless_questions) {
             // The first, the last and the middle question show if the program answers anything at
             // all.
-            const std::size_t middle = left.size() / 2;
-            halve(Batch(left.begin() + 1, left.begin() + static_cast<long>(middle)),
-                  Batch(left.begin() + static_cast<long>(middle) + 1, left.end() - 1));
-            for (const std::size_t i : {left[middle], left.back(), left.front()}) {
+            const auto middle = left.begin() + static_cast<long>(left.size() / 2);
+            halve(Batch(left.begin() + 1, middle), Batch(middle + 1, left.end() - 1));
+            for (const std::size_t i : {*middle, left.back(), left.front()}) {
                 open_.push_front({i});
             }
             return;

@@ -4,6 +4,8 @@
 #include "edgeproof/conformance/causes/readings.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -14,33 +16,6 @@ namespace {
 
 using namespace convention_rule;
 
-/// The references of the failing rows at the other edge, as far as they exist.
-std::map<std::size_t, Ball> mirrored_references(const Answers& answers,
-                                                const std::vector<std::size_t>& failing,
-                                                ReferenceOptions options) {
-    Questions mirrored;
-    mirrored.file = answers.questions.file;
-    mirrored.contacts = answers.questions.contacts;
-    std::vector<std::size_t> of;
-    for (const std::size_t i : failing) {
-        Question q = answers.questions.list[i];
-        if (q.at_edge() && !mirrored.contacts[q.contact].scene.symmetric()) {
-            q.edge = opposite(q.edge);
-            mirrored.list.push_back(std::move(q));
-            of.push_back(i);
-        }
-    }
-    options.digits = {most_digits, Rounding::nearest, false};
-    std::map<std::size_t, Ball> balls;
-    const auto values = references_where_any(mirrored, options);
-    for (std::size_t k = 0; k < of.size(); ++k) {
-        if (values[k]) { // otherwise it is a corner, seen from the other edge
-            balls.emplace(of[k], values[k]->value.value);
-        }
-    }
-    return balls;
-}
-
 /// Failing rows with a common property.
 struct Group {
     std::string name;   ///< "p", "p, left edge", "c_1"
@@ -48,42 +23,33 @@ struct Group {
     std::vector<FailingRow> rows;
 };
 
-/// Assigns each failing row to its quantity (c_k and s_k together, and separately), at both edges
-/// and at its own edge.
-class Groups {
-public:
-    void add(const Question& q, const FailingRow& row) {
-        const std::string name = symbol_of(q);
+/// Groups the rows by quantity (c_k and s_k together, and separately), at both edges and at each
+/// edge. The largest group comes first; among groups of the same rows, the most specific name.
+std::vector<Group> groups_of(const Questions& questions, const std::vector<FailingRow>& rows) {
+    std::vector<Group> groups;
+    for (const FailingRow& row : rows) {
+        const Question& q = questions.list[row.question];
         const std::string family = family_of(q);
-        add(family, family, row);
-        if (q.at_edge()) {
-            add(family + ", " + scene::edge_name(q.edge) + " edge", family, row);
-        }
-        if (family != name) {
-            add(name, family, row);
-        }
-    }
-    /// Sorts the largest group first; among groups of the same rows, the most specific name first.
-    [[nodiscard]] std::vector<Group> sorted() && {
-        const auto says = [](const std::string& name) {
-            return name.size() + (name.ends_with("_k") ? 0 : 1);
+        const auto add = [&](const std::string& name) {
+            auto known = std::ranges::find(groups, name, &Group::name);
+            if (known == groups.end()) {
+                known = groups.insert(known, {name, family, {}});
+            }
+            known->rows.push_back(row);
         };
-        std::stable_sort(groups_.begin(), groups_.end(), [&](const Group& x, const Group& y) {
-            return x.rows.size() != y.rows.size() ? x.rows.size() > y.rows.size()
-                                                  : says(x.name) > says(y.name);
-        });
-        return std::move(groups_);
+        add(family);
+        if (q.at_edge()) {
+            add(family + ", " + scene::edge_name(q.edge) + " edge");
+        }
+        if (symbol_of(q) != family) {
+            add(symbol_of(q));
+        }
     }
-
-private:
-    void add(const std::string& name, const std::string& family, const FailingRow& row) {
-        const auto known = std::find_if(groups_.begin(), groups_.end(),
-                                        [&](const Group& g) { return g.name == name; });
-        (known == groups_.end() ? groups_.emplace_back(Group{name, family, {}}) : *known)
-            .rows.push_back(row);
-    }
-    std::vector<Group> groups_;
-};
+    std::ranges::stable_sort(groups, std::greater(), [](const Group& g) {
+        return std::pair(g.rows.size(), g.name.size() + (g.name.ends_with("_k") ? 0 : 1));
+    });
+    return groups;
+}
 
 /// Returns the rows with wrong values, not only with too few digits.
 std::vector<std::size_t> rows_that_fail(const Answers& answers, const Agreements& agreements) {
@@ -100,10 +66,10 @@ std::vector<std::size_t> rows_that_fail(const Answers& answers, const Agreements
 }
 
 /// Merges equal conventions of several quantities.
-std::vector<Convention> said_once(const std::vector<Convention>& found) {
+std::vector<Convention> merged(const std::vector<Convention>& found) {
     std::vector<Convention> merged;
     for (const Convention& c : found) {
-        const auto same = std::find_if(merged.begin(), merged.end(), [&](const Convention& m) {
+        const auto same = std::ranges::find_if(merged, [&](const Convention& m) {
             return m.relation == c.relation && m.hint == c.hint;
         });
         if (same == merged.end()) {
@@ -111,14 +77,11 @@ std::vector<Convention> said_once(const std::vector<Convention>& found) {
             continue;
         }
         same->of += "; " + c.of;
-        const auto keep_common = [](std::vector<std::string>& kept,
-                                    const std::vector<std::string>& others) {
-            std::erase_if(kept, [&](const std::string& other) {
-                return std::ranges::find(others, other) == others.end();
+        for (auto list : {&Convention::also, &Convention::equally_likely}) {
+            std::erase_if((*same).*list, [&](const std::string& other) {
+                return std::ranges::find(c.*list, other) == (c.*list).end();
             });
-        };
-        keep_common(same->also, c.also);
-        keep_common(same->equally_likely, c.equally_likely);
+        }
         same->digits = std::min(same->digits, c.digits);
         same->held = std::min(same->held, c.held);
         same->rows += c.rows;
@@ -135,57 +98,64 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
     const std::vector<std::size_t> failing = rows_that_fail(answers, agreements);
     std::vector<Convention> found = infer_precision_loss(answers, agreements);
     if (failing.size() < least_rows) {
-        return said_once(found);
+        return merged(found);
     }
-    const auto mirrored = mirrored_references(answers, failing, options);
-    Groups gathered;
-    for (const std::size_t i : failing) {
+    Reading at_other_edge;
+    at_other_edge.place = [](Question& q, const scene::Scene& scene) {
+        q.edge = opposite(q.edge);
+        return q.at_edge() && !scene.symmetric();
+    };
+    ReferenceOptions all_digits = options;
+    all_digits.digits = {most_digits, Rounding::nearest, false};
+    const auto mirrored =
+        values_read_otherwise(answers, agreements, at_other_edge, failing, all_digits);
+    std::vector<FailingRow> rows;
+    for (std::size_t k = 0; k < failing.size(); ++k) {
+        const std::size_t i = failing[k];
         const Real value = Ball(answers.given[i].value, 256).midpoint();
-        FailingRow row{i, value / agreements.references[i].value.value.midpoint(), {}};
-        const auto other = mirrored.find(i);
-        if (other != mirrored.end() && !contains_zero(other->second)) {
-            row.mirrored = value / other->second.midpoint();
+        rows.push_back({i, value / agreements.references[i].value.value.midpoint(), {}});
+        if (mirrored[k]) {
+            rows.back().mirrored = value / *mirrored[k];
         }
-        gathered.add(answers.questions.list[i], row);
     }
-    const std::vector<Group> groups = std::move(gathered).sorted();
+    const std::vector<Group> groups = groups_of(answers.questions, rows);
     std::set<std::size_t> explained;
-    std::vector<std::pair<std::string, Convention>> by_factor; // with the family
-    const auto look = [&](bool named) {
+    std::vector<std::pair<std::string, Convention>> by_family;
+    const auto look_for_factors = [&](bool named) {
         for (const Group& group : groups) {
-            const bool known =
-                std::all_of(group.rows.begin(), group.rows.end(), [&](const FailingRow& row) {
-                    return explained.contains(row.question);
-                });
+            const bool known = std::ranges::all_of(group.rows, [&](const FailingRow& row) {
+                return explained.contains(row.question);
+            });
             if (const auto c = known ? std::nullopt : infer_factor(group.name, group.rows, named)) {
-                by_factor.emplace_back(group.family, *c);
+                by_family.emplace_back(group.family, *c);
                 for (const FailingRow& row : group.rows) {
                     explained.insert(row.question);
                 }
             }
         }
     };
-    look(true);
-    std::vector<Convention> read_otherwise;
+    look_for_factors(true);
+    std::vector<std::pair<std::string, Convention>> readings;
     for (Convention& reading : infer_readings(answers, agreements, failing, options)) {
         bool has_factor = false;
-        for (auto& [family, factor] : by_factor) {
-            if (family == reading.of) {
-                has_factor = true;
-                if (reading.held >= factor.held - as_good) {
-                    factor.also.push_back(reading.relation);
-                    factor.also.insert(factor.also.end(), reading.also.begin(), reading.also.end());
-                    factor.equally_likely.push_back(reading.name);
-                    factor.equally_likely.insert(factor.equally_likely.end(),
-                                                 reading.equally_likely.begin(),
-                                                 reading.equally_likely.end());
-                }
+        for (auto& [family, factor] : by_family) {
+            if (family != reading.of) {
+                continue;
+            }
+            has_factor = true;
+            if (reading.held >= factor.held - as_good) {
+                factor.also.push_back(reading.relation);
+                factor.equally_likely.push_back(reading.name);
+                std::ranges::copy(reading.also, std::back_inserter(factor.also));
+                std::ranges::copy(reading.equally_likely,
+                                  std::back_inserter(factor.equally_likely));
             }
         }
-        const auto rows = std::ranges::find(groups, reading.of, &Group::name);
-        const auto factor = has_factor || rows == groups.end()
-                                ? std::nullopt
-                                : infer_factor(rows->name, rows->rows, false);
+        const auto group = std::ranges::find(groups, reading.of, &Group::name);
+        if (has_factor || group == groups.end()) {
+            continue;
+        }
+        const auto factor = infer_factor(group->name, group->rows, false);
         if (factor && factor->held > reading.held + as_good) {
             continue; // a constant explains the answers better
         }
@@ -193,27 +163,17 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
             reading.also.push_back(factor->relation);
             reading.equally_likely.push_back(factor->name);
         }
-        if (!has_factor) {
-            for (const std::size_t i : failing) {
-                if (family_of(answers.questions.list[i]) == reading.of) {
-                    explained.insert(i);
-                }
-            }
-            read_otherwise.push_back(std::move(reading));
+        for (const FailingRow& row : group->rows) {
+            explained.insert(row.question);
         }
+        readings.emplace_back(reading.of, std::move(reading));
     }
-    const std::size_t with_names = by_factor.size();
-    look(false);
-    for (std::size_t i = 0; i < by_factor.size(); ++i) {
-        if (i == with_names) {
-            found.insert(found.end(), read_otherwise.begin(), read_otherwise.end());
-        }
-        found.push_back(by_factor[i].second);
+    std::ranges::move(readings, std::back_inserter(by_family));
+    look_for_factors(false);
+    for (auto& [family, convention] : by_family) {
+        found.push_back(std::move(convention));
     }
-    if (with_names == by_factor.size()) {
-        found.insert(found.end(), read_otherwise.begin(), read_otherwise.end());
-    }
-    return said_once(found);
+    return merged(found);
 }
 
 std::vector<std::string> unexplained(const Answers& answers, const Agreements& agreements,
@@ -246,11 +206,7 @@ void FailingRows::add(const Answers& answers, const Agreements& agreements) {
     answers_.questions.file = answers.questions.file;
     agreements_.digits = agreements.digits;
     for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
-        const CaseAgreement& held = agreements.cases[i];
-        if (held.pass) {
-            continue;
-        }
-        if (++seen_ > most) {
+        if (agreements.cases[i].pass || ++seen_ > most) {
             continue;
         }
         Question q = answers.questions.list[i];
@@ -262,7 +218,7 @@ void FailingRows::add(const Answers& answers, const Agreements& agreements) {
         q.contact = found->second;
         answers_.questions.list.push_back(std::move(q));
         answers_.given.push_back(answers.given[i]);
-        agreements_.cases.push_back(held);
+        agreements_.cases.push_back(agreements.cases[i]);
         agreements_.references.push_back(agreements.references[i]);
     }
 }

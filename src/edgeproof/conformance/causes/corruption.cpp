@@ -6,13 +6,14 @@
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/precision/split_mix.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <limits>
-#include <set>
 #include <utility>
 
 namespace edgeproof::conformance {
@@ -26,13 +27,8 @@ const std::string quote_begins = "\x01";
 const std::string quote_ends = "\x02";
 
 std::string with_text_behind_quotes(std::string text) {
-    for (const auto& [mark, written] :
-         {std::pair{quote_begins, "\""}, std::pair{quote_ends, "\"999"}}) {
-        const std::size_t at = text.find(mark);
-        if (at != std::string::npos) {
-            text.replace(at, mark.size(), written);
-        }
-    }
+    boost::replace_first(text, quote_begins, "\"");
+    boost::replace_first(text, quote_ends, "\"999");
     return text;
 }
 
@@ -47,7 +43,6 @@ public:
         id_ = *id;
         value_ = *value;
         quantity_ = right.column("quantity");
-        edge_ = right.column("edge");
         u_ = right.column("u");
     }
 
@@ -57,21 +52,19 @@ public:
         for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
             io::Csv csv = right_;
             const std::string what = with_text_behind_quotes(change(*this, csv));
-            std::string text = with_text_behind_quotes(csv_text(csv));
-            if (!what.empty() && cut_ > 0) {
-                text.resize(std::exchange(cut_, 0));
-            }
             if (!what.empty()) {
+                std::string text = with_text_behind_quotes(csv_text(csv));
+                text.resize(std::min(text.size(), std::exchange(cut_, std::string::npos)));
                 return {name, what, text};
             }
         }
         return {};
     }
 
+private:
+    /// Changes the table; returns the change in words, or an empty text if there is none.
     using Change = std::function<std::string(Corrupter&, io::Csv&)>;
     static const std::vector<std::pair<std::string, Change>>& kinds();
-
-private:
     std::size_t below(std::size_t n) { return random_.below(n); }
     std::size_t row(const io::Csv& csv) { return below(csv.rows.size()); }
     static double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
@@ -205,15 +198,11 @@ private:
     /// cut might not change a value.
     std::string truncated(io::Csv& csv) {
         const std::size_t size = csv_text(csv).size();
-        const std::size_t header = header_text(csv).size();
+        io::Csv head;
+        head.header = csv.header;
+        const std::size_t header = csv_text(head).size();
         cut_ = header + below(size > header + 5 ? size - header - 5 : 1);
         return "after " + std::to_string(cut_) + " bytes";
-    }
-
-    static std::string header_text(const io::Csv& csv) {
-        io::Csv alone;
-        alone.header = csv.header;
-        return csv_text(alone);
     }
 
     const io::Csv& right_;
@@ -221,85 +210,82 @@ private:
     std::size_t id_ = 0;
     std::size_t value_ = 0;
     std::optional<std::size_t> quantity_;
-    std::optional<std::size_t> edge_;
     std::optional<std::size_t> u_;
-    std::size_t cut_ = 0;
+    std::size_t cut_ = std::string::npos;
 };
 
 const std::vector<std::pair<std::string, Corrupter::Change>>& Corrupter::kinds() {
-    using S = Corrupter&;
-    const auto one = [](auto f) {
-        return [f](S s, io::Csv& csv) {
-            return s.one(csv, [&](const std::string& v) { return std::string(f(v)); });
-        };
+    using C = Corrupter;
+    using Text = std::string;
+    const auto one = [](const std::function<Text(const Text&)>& f) {
+        return [f](C& c, io::Csv& csv) { return c.one(csv, f); };
+    };
+    const auto all = [](const std::function<double(double)>& f) {
+        return [f](C& c, io::Csv& csv) { return c.all(csv, f); };
+    };
+    const auto quantity = [](double factor) {
+        return [factor](C& c, io::Csv& csv) { return c.quantity(csv, factor); };
     };
     const auto single = [](double x) { return static_cast<double>(static_cast<float>(x)); };
-    static const std::vector<std::pair<std::string, Change>> all{
-        {"one digit of one value", [](S s, io::Csv& csv) { return s.digit(csv); }},
-        {"two digits of one value transposed", [](S s, io::Csv& csv) { return s.transposed(csv); }},
-        {"last bit of one value", one([](const std::string& v) {
+    static const std::vector<std::pair<std::string, Change>> list{
+        {"one digit of one value", &C::digit},
+        {"two digits of one value transposed", &C::transposed},
+        {"last bit of one value", one([](const Text& v) {
              return text(std::nextafter(number(v), std::numeric_limits<double>::infinity()));
          })},
         {"one sign lost",
-         one([](const std::string& v) { return v.front() == '-' ? v.substr(1) : "-" + v; })},
-        {"one power of ten", one([](const std::string& v) { return text(number(v) * 10); })},
-        {"values shifted by a row", [](S s, io::Csv& csv) { return s.shifted(csv); }},
-        {"two values exchanged", [](S s, io::Csv& csv) { return s.exchanged(csv); }},
-        {"left and right exchanged", [](S s, io::Csv& csv) { return s.other_edge(csv); }},
+         one([](const Text& v) { return v.front() == '-' ? v.substr(1) : "-" + v; })},
+        {"one power of ten", one([](const Text& v) { return text(number(v) * 10); })},
+        {"values shifted by a row", &C::shifted},
+        {"two values exchanged", &C::exchanged},
+        {"left and right exchanged", &C::other_edge},
         {"single precision in one value",
-         one([single](const std::string& v) { return text(single(number(v))); })},
-        {"single precision throughout", [single](S s, io::Csv& csv) { return s.all(csv, single); }},
-        {"all off by 1e-13",
-         [](S s, io::Csv& csv) { return s.all(csv, [](double x) { return x * (1 + 1e-13); }); }},
-        {"one quantity doubled", [](S s, io::Csv& csv) { return s.quantity(csv, 2); }},
-        {"one quantity off by 1e-14", [](S s, io::Csv& csv) { return s.quantity(csv, 1 + 1e-14); }},
+         one([single](const Text& v) { return text(single(number(v))); })},
+        {"single precision throughout", all(single)},
+        {"all off by 1e-13", all([](double x) { return x * (1 + 1e-13); })},
+        {"one quantity doubled", quantity(2)},
+        {"one quantity off by 1e-14", quantity(1 + 1e-14)},
         {"one value cut to 10 digits",
-         one([](const std::string& v) { return fmt::format("{:.10g}", number(v)); })},
-        {"another u repeated", [](S s, io::Csv& csv) { return s.echoed(csv); }},
-        {"a row lost", [](S s, io::Csv& csv) { return s.lost(csv); }},
-        {"a row twice", [](S s, io::Csv& csv) { return s.twice(csv); }},
-        {"file cut off", [](S s, io::Csv& csv) { return s.truncated(csv); }},
-        {"nan", one([](const std::string&) { return "nan"; })},
-        {"inf", one([](const std::string&) { return "-inf"; })},
-        {"an empty value", one([](const std::string&) { return ""; })},
-        {"garbage", one([](const std::string& v) { return v + " MPa"; })},
-        {"two signs", one([](const std::string& v) { return "+-" + v; })},
-        {"a NUL byte", one([](const std::string& v) { return v + '\0'; })},
+         one([](const Text& v) { return fmt::format("{:.10g}", number(v)); })},
+        {"another u repeated", &C::echoed},
+        {"a row lost", &C::lost},
+        {"a row twice", &C::twice},
+        {"file cut off", &C::truncated},
+        {"nan", one([](const Text&) { return "nan"; })},
+        {"inf", one([](const Text&) { return "-inf"; })},
+        {"an empty value", one([](const Text&) { return ""; })},
+        {"garbage", one([](const Text& v) { return v + " MPa"; })},
+        {"two signs", one([](const Text& v) { return "+-" + v; })},
+        {"a NUL byte", one([](const Text& v) { return v + '\0'; })},
         {"text behind a closing quote",
-         one([](const std::string& v) { return quote_begins + v + quote_ends; })},
-        {"a decimal comma", one([](std::string v) {
+         one([](const Text& v) { return quote_begins + v + quote_ends; })},
+        {"a decimal comma", one([](Text v) {
              const std::size_t point = v.find('.');
-             return point == std::string::npos ? v : v.replace(point, 1, ",");
+             return point == Text::npos ? v : v.replace(point, 1, ",");
          })},
     };
-    return all;
+    return list;
 }
 
 std::string cell(const std::string& text) {
     if (text.find_first_of("\",\n") == std::string::npos) {
         return text;
     }
-    std::string out = "\"";
-    for (const char c : text) {
-        out += c == '"' ? "\"\"" : std::string(1, c);
-    }
-    return out + "\"";
+    return "\"" + boost::replace_all_copy(text, "\"", "\"\"") + "\"";
 }
 
 } // namespace
 
 std::string csv_text(const io::Csv& csv) {
     std::string out;
-    const auto add = [&](const std::vector<std::string>& cells) {
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            out += (i == 0 ? "" : ",") + cell(cells[i]);
+    const auto add = [&](const io::Csv::Row& row) {
+        for (const std::string& text : row.cells) {
+            out += cell(text) + ",";
         }
-        out += "\n";
+        out.back() = '\n';
     };
-    add(csv.header.cells);
-    for (const io::Csv::Row& row : csv.rows) {
-        add(row.cells);
-    }
+    add(csv.header);
+    std::ranges::for_each(csv.rows, add);
     return out;
 }
 

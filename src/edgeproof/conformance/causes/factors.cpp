@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/causes/ratios.hpp"
+#include "edgeproof/conformance/causes/convention_rule.hpp"
 #include "edgeproof/conformance/causes/readings.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
 
@@ -8,19 +8,16 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <ranges>
+#include <string_view>
 #include <utility>
 
 namespace edgeproof::conformance {
 namespace {
 
 using namespace convention_rule;
-
-struct Factor {
-    std::string formula;
-    const char* hint;
-    const char* name;
-};
 
 constexpr const char* modulus_hint =
     "the modulus of one body, E/(1 - nu^2), taken for that of both? contact_modulus is E* with "
@@ -41,52 +38,34 @@ constexpr const char* unit_hint = "other units? numbers have the units of the qu
 constexpr const char* other_hint =
     "a constant of proportionality that differs; scale by its inverse";
 
-std::vector<Factor> factors_with_names() {
-    std::vector<Factor> factors{
-        {"1", "", "sign"},
-        {"2", modulus_hint, "factor-2"},
-        {"1/2", half_hint, "factor-2"},
-        {"4", modulus_hint, "factor-2"},
-        {"1/4", half_hint, "factor-2"},
-        {"pi", pi_hint, "factor-pi"},
-        {"1/pi", pi_hint, "factor-pi"},
-        {"2*pi", pi_hint, "factor-pi"},
-        {"1/(2*pi)", pi_hint, "factor-pi"},
-        {"pi/2", pi_hint, "factor-pi"},
-        {"2/pi", pi_hint, "factor-pi"},
-        {"sqrt(2)", root_hint, "factor-sqrt-2"},
-        {"1/sqrt(2)", root_hint, "factor-sqrt-2"},
-        {"2*sqrt(2)", root_hint, "factor-sqrt-2"},
-        {"sqrt(pi)", intensity_hint, "factor-sqrt-pi"},
-        {"1/sqrt(pi)", intensity_hint, "factor-sqrt-pi"},
-        {"sqrt(2*pi)", intensity_hint, "factor-sqrt-2-pi"},
-        {"1/sqrt(2*pi)", intensity_hint, "factor-sqrt-2-pi"},
-        {"180/pi", degree_hint, "degrees"},
-        {"pi/180", degree_hint, "degrees"},
-    };
-    // A kilogram-force, an inch in mm, a psi in Pa and in kPa.
-    for (const auto& [unit, name] :
-         {std::pair{"9.80665", "unit-g"}, std::pair{"25.4", "unit-inch"},
-          std::pair{"6894.757293168", "unit-psi"}, std::pair{"6.894757293168", "unit-psi"}}) {
-        factors.push_back({unit, unit_hint, name});
-        factors.push_back({std::string("1/") + unit, unit_hint, name});
-    }
-    for (const int power : {1, 2, 3, 4, 5, 6, 9}) {
-        factors.push_back({fmt::format("10^{}", power), unit_hint, "power-of-ten"});
-        factors.push_back({fmt::format("10^-{}", power), unit_hint, "power-of-ten"});
-    }
-    return factors;
-}
+/// Factors with one cause. A kilogram-force, an inch in mm, a psi in Pa and in kPa are units.
+struct NamedFactors {
+    std::string_view formulas;
+    const char* hint;
+    const char* name;
+};
+constexpr NamedFactors factors_with_names[] = {
+    {"1", "", "sign"},
+    {"2 4", modulus_hint, "factor-2"},
+    {"1/2 1/4", half_hint, "factor-2"},
+    {"pi 1/pi 2*pi 1/(2*pi) pi/2 2/pi", pi_hint, "factor-pi"},
+    {"sqrt(2) 1/sqrt(2) 2*sqrt(2)", root_hint, "factor-sqrt-2"},
+    {"sqrt(pi) 1/sqrt(pi)", intensity_hint, "factor-sqrt-pi"},
+    {"sqrt(2*pi) 1/sqrt(2*pi)", intensity_hint, "factor-sqrt-2-pi"},
+    {"180/pi pi/180", degree_hint, "degrees"},
+    {"9.80665 1/9.80665", unit_hint, "unit-g"},
+    {"25.4 1/25.4", unit_hint, "unit-inch"},
+    {"6894.757293168 1/6894.757293168 6.894757293168 1/6.894757293168", unit_hint, "unit-psi"},
+    {"10^1 10^2 10^3 10^4 10^5 10^6 10^9", unit_hint, "power-of-ten"},
+    {"10^-1 10^-2 10^-3 10^-4 10^-5 10^-6 10^-9", unit_hint, "power-of-ten"},
+};
 
-Real value_of(const Factor& factor) { return formula::Exact::parse(factor.formula).to<Real>(); }
-
-std::string in_words(const Factor& factor, bool negative) {
-    if (factor.formula == "1") {
+std::string in_words(std::string formula, bool negative) {
+    if (formula == "1") {
         return negative ? "minus " : "";
     }
-    std::string text = factor.formula;
-    std::replace(text.begin(), text.end(), '*', ' ');
-    return fmt::format("{}{} times ", negative ? "-" : "", text);
+    std::ranges::replace(formula, '*', ' ');
+    return fmt::format("{}{} times ", negative ? "-" : "", formula);
 }
 
 /// The digits that half the rows have without a factor.
@@ -109,17 +88,20 @@ struct Allowed {
 };
 std::vector<Allowed> allowed_by(const Ratios& ratios) {
     std::vector<Allowed> allowed;
-    for (const Factor& factor : factors_with_names()) {
-        for (const int sign : {1, -1}) {
-            const Real value = value_of(factor) * sign;
-            if (!(factor.formula == "1" && sign > 0) && ratios.allow(value)) {
-                allowed.push_back({value, in_words(factor, sign < 0), factor.hint, factor.name,
-                                   digits_between(ratios.median(), value)});
+    for (const NamedFactors& factors : factors_with_names) {
+        for (const auto part : std::views::split(factors.formulas, ' ')) {
+            const std::string formula(part.begin(), part.end());
+            const Real factor = formula::Exact::parse(formula).to<Real>();
+            for (const int sign : {1, -1}) {
+                const Real value = factor * sign;
+                if ((formula != "1" || sign < 0) && ratios.allow(value)) {
+                    allowed.push_back({value, in_words(formula, sign < 0), factors.hint,
+                                       factors.name, digits_between(ratios.median(), value)});
+                }
             }
         }
     }
-    std::stable_sort(allowed.begin(), allowed.end(),
-                     [](const Allowed& x, const Allowed& y) { return x.digits > y.digits; });
+    std::ranges::stable_sort(allowed, std::greater(), &Allowed::digits);
     return allowed;
 }
 
@@ -258,31 +240,22 @@ std::vector<Convention> infer_precision_loss(const Answers& answers, const Agree
     }
     std::vector<Convention> found;
     for (const auto& [family, t] : families) {
-        const auto most = [&, failing = t.failing](std::size_t n) {
-            return convention_rule::enough(n, failing);
-        };
-        if (most(t.cut)) {
-            found.push_back({family,
-                             fmt::format("right, and cut to {} digits when written", t.written),
-                             t.digits,
-                             t.cut,
-                             t.failing,
-                             "write all 17 digits of a double (%.17g), or state what you write "
-                             "with --digits",
-                             {},
-                             t.digits,
-                             fmt::format("rounded-to-{}", t.written)});
-        } else if (most(t.single)) {
-            found.push_back({family,
-                             "in single precision (binary32)",
-                             t.digits,
-                             t.single,
-                             t.failing,
-                             "compute and write in double precision",
-                             {},
-                             t.digits,
-                             "binary32"});
+        const bool cut = enough(t.cut, t.failing);
+        if (!cut && !enough(t.single, t.failing)) {
+            continue;
         }
+        Convention c;
+        c.of = family;
+        c.relation = cut ? fmt::format("right, and cut to {} digits when written", t.written)
+                         : "in single precision (binary32)";
+        c.digits = c.held = t.digits;
+        c.rows = cut ? t.cut : t.single;
+        c.failing = t.failing;
+        c.hint = cut ? "write all 17 digits of a double (%.17g), or state what you write with "
+                       "--digits"
+                     : "compute and write in double precision";
+        c.name = cut ? fmt::format("rounded-to-{}", t.written) : "binary32";
+        found.push_back(std::move(c));
     }
     return found;
 }

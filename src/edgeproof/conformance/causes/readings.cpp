@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/readings.hpp"
 
-#include "edgeproof/conformance/causes/ratios.hpp"
+#include "edgeproof/conformance/causes/convention_rule.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/mistakes/scene_mistakes.hpp"
 
@@ -21,17 +21,6 @@ using namespace convention_rule;
 
 constexpr std::size_t most_rows_of_a_family = 60; // enough to select readings to test on all
 constexpr unsigned reading_digits = 30;
-
-/// An alternative interpretation of questions.
-struct Reading {
-    std::string name; ///< of the cause (scene_mistakes.hpp)
-    std::string relation;
-    std::string hint;
-    /// Changes the contact to that interpretation; false if this does not change it.
-    std::function<bool(scene::Scene&)> contact;
-    /// Changes the place of a question of that contact. Null: places are as in the question.
-    std::function<bool(Question&, const scene::Scene&)> place = {};
-};
 
 /// C as the constant of the gap, g = C x^(m + 1).
 bool gap_for_slope(scene::Scene& scene) {
@@ -72,7 +61,19 @@ bool is_circle(const scene::Scene& scene) {
     return scene.profile && scene.profile->kind() == contact::Profile::Kind::power_law;
 }
 
-using Applies = std::function<bool(const scene::Scene&)>;
+/// The mistake, for all contacts or only for circles (or for other profiles).
+Reading reading_of(const scene::SceneMistake& mistake, std::optional<bool> circle) {
+    return {std::string(mistake.name), "ours with " + mistake.what, std::string(mistake.advice),
+            [what = mistake.what, circle](scene::Scene& scene) {
+                for (const scene::SceneMistake& m : mistakes_in(scene)) {
+                    if (m.what == what && is_circle(scene) == circle.value_or(is_circle(scene))) {
+                        m.change(scene);
+                        return true;
+                    }
+                }
+                return false;
+            }};
+}
 
 /// The readings of which at least one changes a question: the mistakes of the catalogue that are
 /// possible for some of the contacts, and those that only questions allow.
@@ -82,8 +83,10 @@ std::vector<Reading> readings(const Questions& questions, const std::set<std::si
          "C is the slope's constant: g' = C x^m", gap_for_slope},
         {"sign", "ours with Q and the bulk tension in the other direction",
          "Q is positive towards +x on the body that it acts on", reverse_shear},
-        {"x-for-u", "ours with u taken for x", "u runs inwards from the edge: x = a - u, or u - b",
-         [](scene::Scene&) { return true; },
+        {"x-for-u",
+         "ours with u taken for x",
+         "u runs inwards from the edge: x = a - u, or u - b",
+         {},
          [](Question& q, const scene::Scene& scene) {
              if (!q.u || scene.load.kind != contact::Load::Kind::right_edge) {
                  return false;
@@ -91,10 +94,11 @@ std::vector<Reading> readings(const Questions& questions, const std::set<std::si
              q.u = formula::Exact(scene.load.value.expr() - q.u->expr());
              return q.u->sign() > 0;
          }},
-        {"edges-swapped", "ours at the other edge",
+        {"edges-swapped",
+         "ours at the other edge",
          "left taken for right? u runs inwards from the edge: u = a - x at the right one, u = b + "
          "x at the left one; swap the edges",
-         [](scene::Scene&) { return true; },
+         {},
          [](Question& q, const scene::Scene&) {
              q.edge = opposite(q.edge);
              return q.at_edge();
@@ -102,9 +106,10 @@ std::vector<Reading> readings(const Questions& questions, const std::set<std::si
     for (const auto& [name, words, n] : {std::tuple{"one-term", "the first term", 1U},
                                          std::tuple{"two-term", "the first two terms", 2U},
                                          std::tuple{"three-term", "the first three terms", 3U}}) {
-        all.push_back({name, std::string(words) + " of ours at the edge",
+        all.push_back({name,
+                       std::string(words) + " of ours at the edge",
                        "the pressure is asked for, not an approximation of it",
-                       [](scene::Scene&) { return true; },
+                       {},
                        [n = n](Question& q, const scene::Scene&) {
                            const bool pressure = q.quantity == scene::Quantity::p;
                            q.quantity = scene::Quantity::local;
@@ -112,37 +117,34 @@ std::vector<Reading> readings(const Questions& questions, const std::set<std::si
                            return pressure;
                        }});
     }
-    std::set<std::string> known;
-    const auto add = [&](const scene::SceneMistake& mistake, const Applies& applies,
-                         const std::string& key) {
-        if (!known.insert(key).second) {
-            return;
+    std::set<std::pair<std::string, std::optional<bool>>> known;
+    const auto add = [&](const scene::SceneMistake& mistake, std::optional<bool> circle) {
+        if (known.emplace(mistake.what, circle).second) {
+            all.push_back(reading_of(mistake, circle));
         }
-        all.push_back({std::string(mistake.name), "ours with " + mistake.what,
-                       std::string(mistake.advice), [what = mistake.what, applies](auto& scene) {
-                           for (const scene::SceneMistake& m : mistakes_in(scene)) {
-                               if (m.what == what && applies(scene)) {
-                                   m.change(scene);
-                                   return true;
-                               }
-                           }
-                           return false;
-                       }});
     };
     for (const std::size_t contact : contacts) {
         const scene::Scene& scene = questions.contacts[contact].scene;
         for (const scene::SceneMistake& mistake : mistakes_in(scene)) {
-            add(
-                mistake, [](const auto&) { return true; }, mistake.what);
+            add(mistake, {});
             // A program may take C for 1/R, and yet read R as a diameter.
             if (mistake.name == "radius-as-diameter") {
-                const bool circle = is_circle(scene);
-                add(
-                    mistake, [circle](const auto& other) { return is_circle(other) == circle; },
-                    mistake.what + (circle ? " of C" : " of R"));
+                add(mistake, is_circle(scene));
             }
         }
     }
+    all.push_back({"divided-by-length",
+                   "ours over a + b",
+                   "a mean pressure for a force per unit length? P is the force",
+                   {},
+                   {},
+                   -1});
+    all.push_back({"times-length",
+                   "ours times a + b",
+                   "a force per unit length for a pressure? p and q are tractions",
+                   {},
+                   {},
+                   1});
     return all;
 }
 
@@ -186,6 +188,30 @@ private:
 };
 using Families = std::map<std::string, Rows>;
 
+/// The references times a power of the length of the contact.
+std::vector<std::optional<Real>> times_lengths(const Answers& answers, const Agreements& agreements,
+                                               int power, const std::vector<std::size_t>& which,
+                                               const ReferenceOptions& options) {
+    Questions sizes{answers.questions.file, answers.questions.contacts, {}};
+    for (const std::size_t i : which) {
+        const Question& q = answers.questions.list[i];
+        for (const auto size : {scene::Quantity::a, scene::Quantity::b}) {
+            sizes.list.push_back({{size}, "", q.contact, q.line});
+        }
+    }
+    const auto found = references_where_any(sizes, options);
+    std::vector<std::optional<Real>> values(which.size());
+    for (std::size_t k = 0; k < which.size(); ++k) {
+        if (found[2 * k] && found[2 * k + 1]) {
+            const Real length =
+                found[2 * k]->value.value.midpoint() + found[2 * k + 1]->value.value.midpoint();
+            const Real ours = agreements.references[which[k]].value.value.midpoint();
+            values[k] = power < 0 ? Real(ours / length) : Real(ours * length);
+        }
+    }
+    return values;
+}
+
 class Search {
 public:
     Search(const Answers& answers, const Agreements& agreements,
@@ -201,44 +227,27 @@ public:
         }
     }
 
-    /// The contacts of the failing rows.
-    [[nodiscard]] std::set<std::size_t> contacts() const {
-        std::set<std::size_t> all;
-        for (const std::size_t i : sample_) {
-            all.insert(answers_.questions.list[i].contact);
-        }
-        return all;
-    }
-
-    void look(const Reading& reading) {
-        keep(reading.name, reading.relation, reading.hint,
-             [this, reading](const std::vector<std::size_t>& which) {
-                 return held_to(reading, which);
-             });
-    }
-
-    /// Tests if the answers are the references divided or multiplied by the length of the contact.
-    void look_at_lengths() {
-        for (const int power : {-1, 1}) {
-            keep(power < 0 ? "divided-by-length" : "times-length",
-                 power < 0 ? "ours over a + b" : "ours times a + b",
-                 power < 0 ? "a mean pressure for a force per unit length? P is the force"
-                           : "a force per unit length for a pressure? p and q are tractions",
-                 [this, power](const std::vector<std::size_t>& which) {
-                     return held_to_lengths(power, which);
-                 });
-        }
-    }
-
-    /// Returns the best candidate of each family, with equally good ones. A candidate that fits the
+    /// Returns the best reading of each family, with equally good ones. A reading that fits the
     /// sample of a family is compared with every failing row of it, so that the counts are exact.
     [[nodiscard]] std::vector<Convention> best() const {
+        std::set<std::size_t> contacts;
+        for (const std::size_t i : sample_) {
+            contacts.insert(answers_.questions.list[i].contact);
+        }
+        const std::vector<Reading> all_readings = readings(answers_.questions, contacts);
+        std::map<std::string, std::vector<std::pair<const Reading*, double>>> candidates;
+        for (const Reading& reading : all_readings) {
+            for (const auto& [family, rows] : held_to(reading, sample_)) {
+                if (const auto c = rows.explained()) {
+                    candidates[family].emplace_back(&reading, c->held);
+                }
+            }
+        }
         std::vector<Convention> found;
-        for (const auto& [family, candidates] : candidates_) {
-            const auto first = std::max_element(
-                candidates.begin(), candidates.end(),
-                [](const Candidate& x, const Candidate& y) { return x.held < y.held; });
-            const Families all = first->hold_to(failing_.at(family));
+        for (const auto& [family, of_family] : candidates) {
+            const auto [first, first_held] = *std::ranges::max_element(
+                of_family, {}, [](const auto& candidate) { return candidate.second; });
+            const Families all = held_to(*first, failing_.at(family));
             const auto rows = all.find(family);
             auto c = rows == all.end() ? std::nullopt : rows->second.explained();
             if (!c) {
@@ -249,10 +258,10 @@ public:
             c->relation = first->relation;
             c->hint = first->hint;
             c->failing = failing_.at(family).size();
-            for (const Candidate& other : candidates) {
-                if (&other != &*first && other.held >= first->held - as_good) {
-                    c->also.push_back(other.relation);
-                    c->equally_likely.push_back(other.name);
+            for (const auto& [other, held] : of_family) {
+                if (other != first && held >= first_held - as_good) {
+                    c->also.push_back(other->relation);
+                    c->equally_likely.push_back(other->name);
                 }
             }
             found.push_back(std::move(*c));
@@ -261,102 +270,68 @@ public:
     }
 
 private:
-    using HoldTo = std::function<Families(const std::vector<std::size_t>&)>;
-    struct Candidate {
-        std::string name;
-        std::string relation;
-        std::string hint;
-        double held; ///< on the sample
-        HoldTo hold_to;
-    };
-
     Families held_to(const Reading& reading, const std::vector<std::size_t>& which) const {
-        Questions otherwise;
-        otherwise.file = answers_.questions.file;
-        std::map<std::size_t, std::optional<std::size_t>> contacts;
-        std::vector<std::size_t> of;
-        for (const std::size_t i : which) {
-            Question q = answers_.questions.list[i];
-            try {
-                const auto [known, is_new] = contacts.emplace(q.contact, std::nullopt);
-                if (is_new) {
-                    AskedContact contact = answers_.questions.contacts[q.contact];
-                    if (reading.contact(contact.scene)) {
-                        otherwise.contacts.push_back(std::move(contact));
-                        known->second = otherwise.contacts.size() - 1;
-                    }
-                }
-                if (!known->second ||
-                    (reading.place &&
-                     !reading.place(q, otherwise.contacts[*known->second].scene))) {
-                    continue;
-                }
-                q.contact = *known->second;
-            } catch (const Error&) { // not a valid contact
-                continue;
-            }
-            otherwise.list.push_back(std::move(q));
-            of.push_back(i);
-        }
-        const auto values = references_where_any(otherwise, options_);
-        Families families;
-        for (std::size_t k = 0; k < of.size(); ++k) {
-            if (values[k] && !contains_zero(values[k]->value.value)) {
-                hold(of[k], values[k]->value.value.midpoint(), families);
-            }
-        }
-        return families;
-    }
-
-    Families held_to_lengths(int power, const std::vector<std::size_t>& which) const {
-        Questions sizes;
-        sizes.file = answers_.questions.file;
-        sizes.contacts = answers_.questions.contacts;
-        for (const std::size_t i : which) {
-            const Question& q = answers_.questions.list[i];
-            for (const auto size : {scene::Quantity::a, scene::Quantity::b}) {
-                sizes.list.push_back({{size}, "", q.contact, q.line});
-            }
-        }
-        const auto values = references_where_any(sizes, options_);
+        const auto values = values_read_otherwise(answers_, agreements_, reading, which, options_);
         Families families;
         for (std::size_t k = 0; k < which.size(); ++k) {
-            if (values[2 * k] && values[2 * k + 1]) {
-                const Real length = values[2 * k]->value.value.midpoint() +
-                                    values[2 * k + 1]->value.value.midpoint();
-                const Real ours = agreements_.references[which[k]].value.value.midpoint();
-                hold(which[k], power < 0 ? Real(ours / length) : Real(ours * length), families);
+            if (values[k] && *values[k] != 0) {
+                families[family_of(answers_.questions.list[which[k]])].add(
+                    Ball(answers_.given[which[k]].value, 256).midpoint(),
+                    agreements_.references[which[k]].value.value.midpoint(), *values[k]);
             }
         }
         return families;
-    }
-
-    void hold(std::size_t i, const Real& other, Families& families) const {
-        if (other != 0) {
-            const Real ours = agreements_.references[i].value.value.midpoint();
-            const Real value = Ball(answers_.given[i].value, 256).midpoint();
-            families[family_of(answers_.questions.list[i])].add(value, ours, other);
-        }
-    }
-
-    void keep(const std::string& name, const std::string& relation, const std::string& hint,
-              const HoldTo& hold_to) {
-        for (const auto& [family, rows] : hold_to(sample_)) {
-            if (const auto c = rows.explained()) {
-                candidates_[family].push_back({name, relation, hint, c->held, hold_to});
-            }
-        }
     }
 
     const Answers& answers_;
     const Agreements& agreements_;
-    ReferenceOptions options_;
+    const ReferenceOptions& options_;
     std::vector<std::size_t> sample_;
     std::map<std::string, std::vector<std::size_t>> failing_;
-    std::map<std::string, std::vector<Candidate>> candidates_; ///< by family
 };
 
 } // namespace
+
+std::vector<std::optional<Real>>
+values_read_otherwise(const Answers& answers, const Agreements& agreements, const Reading& reading,
+                      const std::vector<std::size_t>& which, const ReferenceOptions& options) {
+    if (reading.length_power != 0) {
+        return times_lengths(answers, agreements, reading.length_power, which, options);
+    }
+    Questions otherwise{answers.questions.file, {}, {}};
+    std::map<std::size_t, std::optional<std::size_t>> contacts;
+    std::vector<std::size_t> of;
+    for (std::size_t k = 0; k < which.size(); ++k) {
+        Question q = answers.questions.list[which[k]];
+        try {
+            const auto [known, is_new] = contacts.try_emplace(q.contact);
+            if (is_new) {
+                AskedContact contact = answers.questions.contacts[q.contact];
+                if (!reading.contact || reading.contact(contact.scene)) {
+                    known->second = otherwise.contacts.size();
+                    otherwise.contacts.push_back(std::move(contact));
+                }
+            }
+            if (!known->second ||
+                (reading.place && !reading.place(q, otherwise.contacts[*known->second].scene))) {
+                continue;
+            }
+            q.contact = *known->second;
+        } catch (const Error&) { // not a valid contact
+            continue;
+        }
+        otherwise.list.push_back(std::move(q));
+        of.push_back(k);
+    }
+    const auto found = references_where_any(otherwise, options);
+    std::vector<std::optional<Real>> values(which.size());
+    for (std::size_t k = 0; k < of.size(); ++k) {
+        if (found[k] && !contains_zero(found[k]->value.value)) {
+            values[of[k]] = found[k]->value.value.midpoint();
+        }
+    }
+    return values;
+}
 
 std::vector<Convention> infer_readings(const Answers& answers, const Agreements& agreements,
                                        const std::vector<std::size_t>& failing,
@@ -367,12 +342,7 @@ std::vector<Convention> infer_readings(const Answers& answers, const Agreements&
     options.digits = {reading_digits, Rounding::nearest, false};
     options.progress = {};
     const PrecisionScope scope(reading_digits + 20);
-    Search search(answers, agreements, failing, options);
-    for (const Reading& reading : readings(answers.questions, search.contacts())) {
-        search.look(reading);
-    }
-    search.look_at_lengths();
-    return search.best();
+    return Search(answers, agreements, failing, options).best();
 }
 
 } // namespace edgeproof::conformance

@@ -4,11 +4,31 @@
 #include "edgeproof/precision/real.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace edgeproof::conformance {
+
+/// Another interpretation of questions.
+struct Reading {
+    std::string name; ///< of the cause (scene_mistakes.hpp)
+    std::string relation;
+    std::string hint;
+    /// Changes the contact to that interpretation; false if this does not change it. Null: the
+    /// contact is as in the question.
+    std::function<bool(scene::Scene&)> contact = {};
+    /// Changes the place of a question of that contact. Null: places are as in the question.
+    std::function<bool(Question&, const scene::Scene&)> place = {};
+    int length_power = 0; ///< the value is multiplied by this power of a + b
+};
+
+/// Returns the references of the questions listed (by index) in that interpretation; nothing for
+/// those that it does not change or that have no value other than 0.
+[[nodiscard]] std::vector<std::optional<Real>>
+values_read_otherwise(const Answers& answers, const Agreements& agreements, const Reading& reading,
+                      const std::vector<std::size_t>& which, const ReferenceOptions& options);
 
 /// Checks if the answers listed (by index) would be right with another interpretation of the
 /// numbers in their questions: degrees for radians, a width for a half-width, a diameter for a

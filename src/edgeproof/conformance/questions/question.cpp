@@ -5,20 +5,43 @@
 #include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
+#include <boost/algorithm/string/trim.hpp>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
-#include <map>
+#include <ranges>
 #include <set>
 #include <utility>
 
 namespace edgeproof::conformance {
-std::string parameter_text(const AskedContact& contact, std::string_view key) {
-    for (const Parameter& p : contact.parameters) {
-        if (p.key == key) {
-            return p.text;
-        }
+
+std::vector<std::string> Parameter::items() const {
+    std::vector<std::string> items;
+    if (!is_list()) {
+        items.push_back(text);
+        return items;
     }
-    return {};
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find(';', at), text.size());
+        items.push_back(text.substr(at, end - at));
+        boost::trim_if(items.back(), [](char c) { return c == ' '; });
+        at = end + 1;
+    }
+    return items;
+}
+
+void Parameter::set_items(const std::vector<std::string>& items) {
+    text = fmt::format("{}", fmt::join(items, "; "));
+}
+
+bool Parameter::is_word() const {
+    return key == "kind" || key == "slopes" || key == "symmetric" || key == "path";
+}
+
+std::string parameter_text(const AskedContact& contact, std::string_view key) {
+    const auto found = std::ranges::find(contact.parameters, key, &Parameter::key);
+    return found == contact.parameters.end() ? std::string() : found->text;
 }
 
 std::vector<std::string> Questions::columns() const {
@@ -29,40 +52,34 @@ std::vector<std::string> Questions::columns() const {
         }
     }
     std::vector<std::string> keys;
-    for (const std::string_view key : parameter_keys()) {
-        if (used.contains(key)) {
-            keys.emplace_back(key);
+    for (const ParameterKey& key : parameter_keys()) {
+        if (used.contains(key.name)) {
+            keys.emplace_back(key.name);
         }
     }
     return keys;
 }
 
 bool Questions::has_tolerances() const {
-    return std::any_of(list.begin(), list.end(), [](const Question& q) { return q.tolerance; });
+    return std::ranges::any_of(list, [](const Question& q) { return q.tolerance.has_value(); });
 }
 
 std::set<scene::Quantity> Questions::quantities() const {
-    std::set<scene::Quantity> asked;
-    for (const Question& q : list) {
-        asked.insert(q.quantity);
-    }
-    return asked;
+    const auto asked = list | std::views::transform(&Question::quantity);
+    return {asked.begin(), asked.end()};
 }
 
 Questions rounded_to_binary64(const Questions& questions) {
-    Questions rounded;
-    rounded.file = questions.file;
-    for (const AskedContact& contact : questions.contacts) {
-        rounded.contacts.push_back(make_asked_contact(rounded_to_binary64(contact.parameters),
-                                                      questions.file, contact.scene.ask_line));
+    Questions rounded = questions;
+    for (AskedContact& contact : rounded.contacts) {
+        contact = make_asked_contact(rounded_to_binary64(std::move(contact.parameters)),
+                                     questions.file, contact.scene.ask_line);
     }
-    rounded.list = questions.list;
     for (Question& q : rounded.list) {
-        if (q.u) {
-            q.u = rounded_to_binary64(*q.u);
-        }
-        if (q.tolerance) {
-            q.tolerance = rounded_to_binary64(*q.tolerance);
+        for (std::optional<formula::Exact>* const number : {&q.u, &q.tolerance}) {
+            if (*number) {
+                *number = rounded_to_binary64(**number);
+            }
         }
     }
     return rounded;
@@ -75,55 +92,37 @@ void check_askable(const AskedContact& contact, const scene::AskedValue& asked,
     }
 }
 
+const std::vector<ParameterKey>& parameter_keys() {
+    static const std::vector<ParameterKey> keys = [] {
+        constexpr std::pair<std::string_view, std::string_view> sections[] = {
+            {"profile", "kind m C phi alpha t flat_width R R1 R2 knots slopes symmetric"},
+            {"load", "a width P M contact_modulus E1 nu1 E2 nu2"},
+            {"shear", "Q bulk_tension path friction"},
+        };
+        std::vector<ParameterKey> list;
+        for (const auto& [section, names] : sections) {
+            for (const auto name : std::views::split(names, ' ')) {
+                list.push_back({std::string_view(name.begin(), name.end()), section});
+            }
+        }
+        return list;
+    }();
+    return keys;
+}
+
 namespace {
 
-struct Key {
-    std::string_view name;
-    std::string_view section;
-};
-
-constexpr Key all_keys[] = {
-    {"kind", "profile"},
-    {"m", "profile"},
-    {"C", "profile"},
-    {"phi", "profile"},
-    {"alpha", "profile"},
-    {"t", "profile"},
-    {"flat_width", "profile"},
-    {"R", "profile"},
-    {"R1", "profile"},
-    {"R2", "profile"},
-    {"knots", "profile"},
-    {"slopes", "profile"},
-    {"symmetric", "profile"},
-    {"a", "load"},
-    {"width", "load"},
-    {"P", "load"},
-    {"M", "load"},
-    {"contact_modulus", "load"},
-    {"E1", "load"},
-    {"nu1", "load"},
-    {"E2", "load"},
-    {"nu2", "load"},
-    {"Q", "shear"},
-    {"bulk_tension", "shear"},
-    {"path", "shear"},
-    {"friction", "shear"},
-};
-
-std::size_t place_of(std::string_view key) {
+std::size_t place_of(const Parameter& p) {
     const auto& keys = parameter_keys();
-    return static_cast<std::size_t>(std::find(keys.begin(), keys.end(), key) - keys.begin());
+    return static_cast<std::size_t>(std::ranges::find(keys, p.key, &ParameterKey::name) -
+                                    keys.begin());
 }
 
 /// The entry as in a scene file.
 io::TomlEntry entry_of(const Parameter& p, const std::string& file, std::size_t line) {
-    for (const char c : p.text) {
-        if (static_cast<unsigned char>(c) < 0x20) {
-            throw InputError(p.key + " holds a control character",
-                             "write a number or an expression")
-                .at(file, p.line);
-        }
+    if (std::ranges::any_of(p.text, [](char c) { return static_cast<unsigned char>(c) < 0x20; })) {
+        throw InputError(p.key + " holds a control character", "write a number or an expression")
+            .at(file, p.line);
     }
     if (p.key == "symmetric") {
         if (p.text != "true" && p.text != "false") {
@@ -133,67 +132,29 @@ io::TomlEntry entry_of(const Parameter& p, const std::string& file, std::size_t 
         }
         return {p.key, p.text == "true", line};
     }
-    if (is_list_key(p.key)) {
-        return {p.key, list_items(p.text), line};
+    if (p.is_list()) {
+        return {p.key, p.items(), line};
     }
     return {p.key, p.text, line};
 }
 
 } // namespace
 
-const std::vector<std::string_view>& parameter_keys() {
-    static const std::vector<std::string_view> keys = [] {
-        std::vector<std::string_view> list;
-        for (const Key& key : all_keys) {
-            list.push_back(key.name);
-        }
-        return list;
-    }();
-    return keys;
-}
-
-std::string_view section_of(std::string_view key) { return all_keys[place_of(key)].section; }
-bool is_list_key(std::string_view key) { return key == "knots" || key == "slopes"; }
-bool is_word_key(std::string_view key) {
-    return key == "kind" || key == "slopes" || key == "symmetric" || key == "path";
-}
-
-std::vector<std::string> list_items(std::string_view text) {
-    std::vector<std::string> items;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(';'), text.size());
-        std::string_view item = text.substr(0, end);
-        const std::size_t from = item.find_first_not_of(' ');
-        item = from == std::string_view::npos
-                   ? std::string_view{}
-                   : item.substr(from, item.find_last_not_of(' ') - from + 1);
-        items.emplace_back(item);
-        text = end == text.size() ? std::string_view{} : text.substr(end + 1);
-    }
-    return items;
-}
-
 AskedContact make_asked_contact(std::vector<Parameter> parameters, const std::string& file,
                                 std::size_t line) {
-    std::stable_sort(parameters.begin(), parameters.end(), [](const auto& x, const auto& y) {
-        return place_of(x.key) < place_of(y.key);
-    });
+    std::ranges::stable_sort(parameters, {}, place_of);
     // Each key has a line of its own, in the order of columns, so that the first of several wrong
     // keys is reported; `lines` has the file's line for each.
     std::vector<io::TomlTable> tables;
     std::vector<std::size_t> lines;
-    for (const std::string_view section : {"profile", "load", "shear"}) {
-        for (const Parameter& p : parameters) {
-            if (section_of(p.key) != section) {
-                continue;
-            }
-            if (tables.empty() || tables.back().name != section) {
-                lines.push_back(line);
-                tables.push_back({std::string(section), lines.size(), {}});
-            }
-            lines.push_back(p.line != 0 ? p.line : line);
-            tables.back().entries.push_back(entry_of(p, file, lines.size()));
+    for (const Parameter& p : parameters) {
+        const std::string_view section = parameter_keys()[place_of(p)].section;
+        if (tables.empty() || tables.back().name != section) {
+            lines.push_back(line);
+            tables.push_back({std::string(section), lines.size(), {}});
         }
+        lines.push_back(p.line != 0 ? p.line : line);
+        tables.back().entries.push_back(entry_of(p, file, lines.size()));
     }
     const auto mapped = [&](std::size_t at) {
         return at >= 1 && at <= lines.size() ? lines[at - 1] : line;
@@ -218,38 +179,28 @@ formula::Exact rounded_to_binary64(const formula::Exact& x) {
 
 std::vector<Parameter> rounded_to_binary64(std::vector<Parameter> parameters) {
     for (Parameter& p : parameters) {
-        if (is_word_key(p.key)) {
+        if (p.is_word()) {
             continue;
         }
-        std::string text;
-        for (const std::string& item :
-             is_list_key(p.key) ? list_items(p.text) : std::vector<std::string>{p.text}) {
-            text += (text.empty() ? "" : "; ") +
-                    rounded_to_binary64(formula::Exact::parse(item)).text();
+        std::vector<std::string> items = p.items();
+        for (std::string& item : items) {
+            item = rounded_to_binary64(formula::Exact::parse(item)).text();
         }
-        p.text = text;
+        p.set_items(items);
     }
     return parameters;
 }
 
-void AskedList::add(const std::vector<Question>& questions) {
-    if (!questions.empty()) {
-        parts_.push_back({size_, questions});
-        size_ += questions.size();
-    }
-}
-
-void AskedList::add_at_points(const std::string& before_point,
-                              const std::vector<Question>& at_each) {
-    if (points_.size() > 0 && !at_each.empty()) {
-        parts_.push_back({size_, at_each, true, before_point});
-        size_ += points_.size() * at_each.size();
+void AskedList::add(std::vector<Question> each, const std::optional<std::string>& before_point) {
+    const std::size_t count = each.size() * (before_point ? points_.size() : 1);
+    if (count > 0) {
+        parts_.push_back({size_, std::move(each), before_point});
+        size_ += count;
     }
 }
 
 const AskedList::Part& AskedList::part_of(std::size_t i) const {
-    return *std::prev(std::upper_bound(parts_.begin(), parts_.end(), i,
-                                       [](std::size_t n, const Part& p) { return n < p.first; }));
+    return *std::prev(std::ranges::upper_bound(parts_, i, {}, &Part::first));
 }
 
 const Question& AskedList::pattern(std::size_t i) const {
@@ -260,22 +211,20 @@ const Question& AskedList::pattern(std::size_t i) const {
 Question AskedList::at(std::size_t i) const {
     const Part& part = part_of(i);
     Question q = part.each[(i - part.first) % part.each.size()];
-    if (part.at_points) {
+    if (part.before_point) {
         scene::AskedPoint point = points_.at((i - part.first) / part.each.size());
-        q.id = part.before_point + point.u.text() + q.id;
+        q.id = *part.before_point + point.u.text() + q.id;
         q.u = std::move(point.u);
         q.line = point.line;
     }
     return q;
 }
 
-std::vector<Question> AskedList::telling() const {
+std::vector<Question> AskedList::sample() const {
     std::vector<Question> questions;
     for (const Part& part : parts_) {
-        const bool first_only = part.at_points && points_.range;
-        const std::size_t n =
-            part.each.size() * (part.at_points && !first_only ? points_.size() : 1);
-        for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t points = part.before_point && !points_.range ? points_.size() : 1;
+        for (std::size_t k = 0; k < part.each.size() * points; ++k) {
             questions.push_back(at(part.first + k));
         }
     }

@@ -20,17 +20,21 @@ struct Parameter {
     std::string key;
     std::string text;
     std::size_t line = 0; ///< in the file that it was read from
+
+    /// The items of a list, or the text itself.
+    [[nodiscard]] std::vector<std::string> items() const;
+    void set_items(const std::vector<std::string>& items);
+    /// True for kind, slopes, symmetric and path: not a number, and the same for every program.
+    [[nodiscard]] bool is_word() const;
+    [[nodiscard]] bool is_list() const { return key == "knots" || key == "slopes"; }
 };
 
-/// The allowed keys of parameters, in the order of columns.
-[[nodiscard]] const std::vector<std::string_view>& parameter_keys();
-/// Returns "profile", "load" or "shear". The key must be one of parameter_keys().
-[[nodiscard]] std::string_view section_of(std::string_view key);
-/// True for knots and slopes.
-[[nodiscard]] bool is_list_key(std::string_view key);
-/// True for kind, slopes, symmetric and path: not a number, and the same for every program.
-[[nodiscard]] bool is_word_key(std::string_view key);
-[[nodiscard]] std::vector<std::string> list_items(std::string_view text);
+/// The allowed keys of parameters with their sections, in the order of columns.
+struct ParameterKey {
+    std::string_view name;
+    std::string_view section; ///< "profile", "load" or "shear"
+};
+[[nodiscard]] const std::vector<ParameterKey>& parameter_keys();
 
 /// A profile under a load, the subject of questions. Contacts with the same parameters are equal.
 struct AskedContact {
@@ -100,9 +104,9 @@ class AskedList {
 public:
     AskedList() = default;
     explicit AskedList(AskedPoints points) : points_(std::move(points)) {}
-    void add(const std::vector<Question>& questions);
-    /// Appends the questions `at_each` for every point; their ids are the part after the point.
-    void add_at_points(const std::string& before_point, const std::vector<Question>& at_each);
+    /// Appends questions. `before_point`: they are asked at every point; this is the part of their
+    /// ids before the point, and their ids are the part after it.
+    void add(std::vector<Question> each, const std::optional<std::string>& before_point = {});
 
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] Question at(std::size_t i) const;
@@ -110,15 +114,14 @@ public:
     [[nodiscard]] const Question& pattern(std::size_t i) const;
     /// Returns all questions, but for a range only those at the first point: enough to find
     /// duplicates and questions that cannot be asked.
-    [[nodiscard]] std::vector<Question> telling() const;
+    [[nodiscard]] std::vector<Question> sample() const;
     [[nodiscard]] const AskedPoints& points() const { return points_; }
 
 private:
     struct Part {
-        std::size_t first = 0;
+        std::size_t first;
         std::vector<Question> each;
-        bool at_points = false;
-        std::string before_point = {};
+        std::optional<std::string> before_point;
     };
     [[nodiscard]] const Part& part_of(std::size_t i) const;
 

@@ -9,7 +9,6 @@
 #include "edgeproof/scene/input/file_kind.hpp"
 #include "edgeproof/scene/input/points.hpp"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -30,31 +29,25 @@ Rounding rounding_of(const io::TomlSection& top) {
 
 GridAxis read_axis(const io::TomlSection& section, const std::string& key) {
     GridAxis axis{key, {}, section.line(key), false};
-    if (is_list_key(key)) {
-        std::string joined;
-        const auto add = [&](const std::string& item) {
-            joined += (joined.empty() ? "" : "; ") + item;
-        };
-        if (key == "slopes") {
-            for (const std::string& item : section.texts(key)) {
-                add(item);
-            }
-        } else {
-            for (const auto& item : section.exacts(key)) {
-                add(item.value.text());
-            }
-        }
-        axis.values = {joined};
+    Parameter parameter{key, {}};
+    std::vector<std::string> values;
+    if (key == "slopes") {
+        values = section.texts(key);
     } else if (key == "symmetric") {
-        axis.values = {section.flag(key) ? "true" : "false"};
-    } else if (is_word_key(key)) {
-        axis.values = {section.text(key)};
+        values = {section.flag(key) ? "true" : "false"};
+    } else if (parameter.is_word()) {
+        values = {section.text(key)};
     } else {
-        axis.grid = section.is_list(key);
+        axis.grid = section.is_list(key) && !parameter.is_list();
         for (const auto& item : section.exacts(key)) {
-            axis.values.push_back(item.value.text());
+            values.push_back(item.value.text());
         }
     }
+    if (parameter.is_list()) {
+        parameter.set_items(values);
+        values = {parameter.text};
+    }
+    axis.values = std::move(values);
     if (axis.values.empty()) {
         section.reject(key, "there is no value of " + key, "give one value or several");
     }
@@ -69,9 +62,9 @@ std::vector<GridAxis> read_axes(const io::TomlSection& scene) {
         }
         const io::TomlSection section = scene.section(part);
         std::vector<std::string_view> known;
-        for (const std::string_view key : parameter_keys()) {
-            if (section_of(key) == part) {
-                known.push_back(key);
+        for (const ParameterKey& key : parameter_keys()) {
+            if (key.section == part) {
+                known.push_back(key.name);
             }
         }
         section.allow(known);
@@ -122,14 +115,6 @@ AskedPoints read_points(const io::TomlSection& scene) {
     return points;
 }
 
-struct Asked {
-    std::vector<contact::Edge> edges;
-    AskedPoints u;
-    std::vector<scene::NamedQuantity> quantities;
-    std::vector<formula::Exact> tolerances;
-    std::size_t line = 0; ///< of the quantities
-};
-
 std::vector<formula::Exact> read_tolerances(const io::TomlSection& scene) {
     std::vector<formula::Exact> tolerances;
     for (const std::string& text : !scene.has("tolerance") ? std::vector<std::string>{}
@@ -145,110 +130,108 @@ std::vector<formula::Exact> read_tolerances(const io::TomlSection& scene) {
     return tolerances;
 }
 
-Asked read_asked(const io::TomlSection& scene) {
-    Asked asked;
-    asked.line = scene.line("quantities");
+/// Reads the questions for one contact, in the order of the rows. `line`: of the quantities.
+AskedList read_asked(const io::TomlSection& scene, std::size_t& line) {
+    std::vector<scene::NamedQuantity> quantities;
+    line = scene.line("quantities");
     for (const std::string& name : scene.texts("quantities")) {
         const auto quantity = scene::quantity_named(name);
         if (!quantity) {
             scene.reject("quantities", "unknown quantity '" + name + "'",
                          scene::quantity_advice(name));
         }
-        asked.quantities.push_back(*quantity);
+        quantities.push_back(*quantity);
     }
+    std::vector<contact::Edge> edges;
     for (const std::string& name :
          scene.has("edges") ? scene.texts("edges") : std::vector<std::string>{"right"}) {
         const auto edge = scene::edge_named(name);
         if (!edge) {
             scene.reject("edges", "there is no edge '" + name + "'", "write \"right\" or \"left\"");
         }
-        asked.edges.push_back(*edge);
+        edges.push_back(*edge);
     }
-    asked.u = read_points(scene);
-    asked.tolerances = read_tolerances(scene);
-    const auto any = [&](const auto& is) {
-        return std::any_of(asked.quantities.begin(), asked.quantities.end(),
-                           [&](const scene::NamedQuantity& q) { return is(row_of(q.quantity)); });
-    };
-    if (asked.tolerances.empty() && any([](const auto& row) { return row.tolerance; })) {
-        scene.reject("quantities", "an extent is requested and there is no tolerance",
-                     "add tolerance = \"1%\"");
-    }
-    if (asked.u.size() == 0 && any([](const auto& row) { return row.at_point(); })) {
-        scene.reject("quantities", "p or q is requested and there are no points",
-                     "add u = [\"1e-3\", \"0.1\"]");
-    }
-    if (asked.quantities.empty() || asked.edges.empty()) {
-        scene.reject(scene.line(), "no quantity or no edge is requested",
-                     "add quantities = [\"p\"] and edges = [\"right\"]");
-    }
-    return asked;
-}
-
-/// The questions for one contact, in the order of the rows.
-AskedList asked_of_one(const Asked& asked) {
-    AskedList list(asked.u);
+    AskedPoints u = read_points(scene);
+    const std::vector<formula::Exact> tolerances = read_tolerances(scene);
     /// Makes questions for the quantities with `is(row)`, each a copy of `like`.
     const auto questions = [&](const std::string& from, const scene::AskedValue& like,
                                const auto& is) {
         std::vector<Question> found;
-        for (const scene::NamedQuantity& q : asked.quantities) {
+        for (const scene::NamedQuantity& q : quantities) {
             if (is(row_of(q.quantity))) {
                 scene::AskedValue value = like;
                 value.quantity = q.quantity;
                 value.k = q.k;
-                found.push_back({value, from + ":" + symbol_of(value), 0, asked.line});
+                found.push_back({value, from + ":" + symbol_of(value), 0, line});
             }
         }
         return found;
     };
+    const auto at_point = [](const auto& row) { return row.at_point(); };
+    const auto to_tolerance = [](const auto& row) { return row.tolerance; };
+    if (tolerances.empty() && !questions("", {}, to_tolerance).empty()) {
+        scene.reject("quantities", "an extent is requested and there is no tolerance",
+                     "add tolerance = \"1%\"");
+    }
+    if (u.size() == 0 && !questions("", {}, at_point).empty()) {
+        scene.reject("quantities", "p or q is requested and there are no points",
+                     "add u = [\"1e-3\", \"0.1\"]");
+    }
+    if (quantities.empty() || edges.empty()) {
+        scene.reject(scene.line(), "no quantity or no edge is requested",
+                     "add quantities = [\"p\"] and edges = [\"right\"]");
+    }
+    AskedList list(std::move(u));
     list.add(questions("", {}, [](const auto& row) { return !row.at_edge(); }));
-    for (const contact::Edge edge : asked.edges) {
+    for (const contact::Edge edge : edges) {
         const std::string from = ":" + scene::edge_name(edge);
         scene::AskedValue value{.edge = edge};
         list.add(questions(from, value, [](const auto& row) {
             return row.at_edge() && !row.at_point() && !row.tolerance;
         }));
-        for (const formula::Exact& tolerance : asked.tolerances) {
+        for (const formula::Exact& tolerance : tolerances) {
             value.tolerance = tolerance;
-            list.add(questions(from + ":tolerance=" + tolerance.text(), value,
-                               [](const auto& row) { return row.tolerance; }));
+            list.add(questions(from + ":tolerance=" + tolerance.text(), value, to_tolerance));
         }
         value.tolerance.reset();
-        list.add_at_points(from + ":u=",
-                           questions("", value, [](const auto& row) { return row.at_point(); }));
+        list.add(questions("", value, at_point), from + ":u=");
     }
     return list;
 }
 
 } // namespace
 
-RecipeText parse_recipe_text(std::string_view text, const std::string& file) {
+RecipeGrid RecipeGrid::parse(std::string_view text, const std::string& file) {
     const io::TomlSection top = io::TomlSection::parse(text, file);
     expect_file_kind(top, scene::FileKind::recipe);
     top.allow({"title", "digits", "rounding", "scenes"});
-    RecipeText recipe;
-    recipe.title = top.has("title") ? top.text("title") : "";
-    recipe.digits.binary64 = true;
+    RecipeGrid recipe;
+    recipe.file_ = file;
+    recipe.title_ = top.has("title") ? top.text("title") : "";
+    recipe.digits_.binary64 = true;
     if (top.has("digits")) {
-        recipe.digits.count =
+        recipe.digits_.count =
             static_cast<unsigned>(top.count("digits", 2, most_digits_of_a_recipe));
     }
     if (top.has("rounding")) {
-        recipe.digits.rounding = rounding_of(top);
+        recipe.digits_.rounding = rounding_of(top);
     }
-    const io::TomlSection scenes = top.section("scenes");
-    for (const std::string& name : scenes.keys()) {
-        const io::TomlSection scene = scenes.section(name);
+    const io::TomlSection named = top.section("scenes");
+    std::vector<GridScene> scenes;
+    for (const std::string& name : named.keys()) {
+        const io::TomlSection scene = named.section(name);
         scene.allow({"profile", "load", "shear", "edges", "u", "tolerance", "quantities"});
-        std::vector<GridAxis> axes =
-            io::at_place(file, scene.line(), [&] { return read_axes(scene); });
-        const Asked asked = io::at_place(file, scene.line(), [&] { return read_asked(scene); });
-        recipe.scenes.push_back(
-            {name, scene.line(), std::move(axes), asked_of_one(asked), asked.line});
+        io::at_place(file, scene.line(), [&] {
+            GridScene read{name, scene.line(), read_axes(scene), {}, 0};
+            read.asked = read_asked(scene, read.asked_line);
+            scenes.push_back(std::move(read));
+        });
     }
-    if (recipe.scenes.empty()) {
-        top.reject(scenes.line(), "the recipe has no questions", "add [scenes.NAME]");
+    if (scenes.empty()) {
+        top.reject(named.line(), "the recipe has no questions", "add [scenes.NAME]");
+    }
+    for (GridScene& scene : scenes) {
+        recipe.add(std::move(scene));
     }
     return recipe;
 }

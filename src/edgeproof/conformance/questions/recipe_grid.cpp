@@ -61,18 +61,6 @@ RecipeGrid RecipeGrid::read(const std::filesystem::path& file) {
     return parse(io::read_text(file, "recipe (TOML)", io::most_toml_bytes), io::input_name(file));
 }
 
-RecipeGrid RecipeGrid::parse(std::string_view text, const std::string& file) {
-    RecipeText read = parse_recipe_text(text, file);
-    RecipeGrid grid;
-    grid.file_ = file;
-    grid.title_ = std::move(read.title);
-    grid.digits_ = read.digits;
-    for (GridScene& scene : read.scenes) {
-        grid.add(std::move(scene));
-    }
-    return grid;
-}
-
 void RecipeGrid::add(GridScene scene) {
     check_names(scene);
     check_values(scene);
@@ -119,7 +107,7 @@ void RecipeGrid::check_names(const GridScene& scene) const {
     }
     const std::vector<std::size_t> first(scene.axes.size(), 0);
     std::set<std::string_view> seen;
-    const std::vector<Question> asked = scene.asked.telling();
+    const std::vector<Question> asked = scene.asked.sample();
     for (const Question& q : asked) {
         if (!seen.insert(q.id).second) {
             asked_twice(id_of(scene, first) + q.id, file_, q.line);
@@ -140,7 +128,7 @@ void RecipeGrid::check_names(const GridScene& scene) const {
 void RecipeGrid::check_values(const GridScene& scene) const {
     const std::vector<std::size_t> first(scene.axes.size(), 0);
     const AskedContact contact = contact_of(scene, first, file_);
-    for (const Question& q : scene.asked.telling()) {
+    for (const Question& q : scene.asked.sample()) {
         check_askable(contact, q, file_, scene.asked_line);
     }
     for (std::size_t i = 0; i < scene.axes.size(); ++i) {
@@ -183,9 +171,7 @@ void RecipeGrid::ask(const Part& part, std::size_t contact, const std::vector<st
 }
 
 RecipeGrid::Piece RecipeGrid::piece(std::size_t number) const {
-    const Part& part = *std::prev(
-        std::upper_bound(parts_.begin(), parts_.end(), number,
-                         [](std::size_t n, const Part& p) { return n < p.first_piece; }));
+    const Part& part = *std::prev(std::ranges::upper_bound(parts_, number, {}, &Part::first_piece));
     const std::size_t local = number - part.first_piece;
     const std::size_t each = part.scene.asked.size();
     Piece piece;
@@ -209,14 +195,8 @@ RecipeGrid::Piece RecipeGrid::piece(std::size_t number) const {
     return piece;
 }
 
-const RecipeGrid::Part& RecipeGrid::part_of_row(std::size_t row) const {
-    return *std::prev(
-        std::upper_bound(parts_.begin(), parts_.end(), row,
-                         [](std::size_t n, const Part& p) { return n < p.first_row; }));
-}
-
 std::size_t RecipeGrid::piece_of(std::size_t row) const {
-    const Part& part = part_of_row(row);
+    const Part& part = *std::prev(std::ranges::upper_bound(parts_, row, {}, &Part::first_row));
     const std::size_t each = part.scene.asked.size();
     const std::size_t contact = (row - part.first_row) / each;
     return part.first_piece +
@@ -243,36 +223,13 @@ Questions RecipeGrid::questions() const {
     return all;
 }
 
-std::vector<std::string> RecipeGrid::columns() const {
-    std::vector<std::string> keys;
-    for (const std::string_view key : parameter_keys()) {
-        const bool used = std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) {
-            return std::any_of(part.scene.axes.begin(), part.scene.axes.end(),
-                               [&](const GridAxis& axis) { return axis.key == key; });
-        });
-        if (used) {
-            keys.emplace_back(key);
-        }
-    }
-    return keys;
-}
-
-bool RecipeGrid::has_tolerances() const {
-    return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) {
-        const std::vector<Question> asked = part.scene.asked.telling();
-        return std::any_of(asked.begin(), asked.end(),
-                           [](const Question& q) { return q.tolerance.has_value(); });
-    });
-}
-
-std::set<scene::Quantity> RecipeGrid::quantities() const {
-    std::set<scene::Quantity> asked;
+Recipe RecipeGrid::sample() const {
+    Recipe sample{file_, title_, digits_, {file_, {}, {}}};
     for (const Part& part : parts_) {
-        for (const Question& q : part.scene.asked.telling()) {
-            asked.insert(q.quantity);
-        }
+        sample.questions.contacts.push_back(*contact(part, 0));
+        std::ranges::move(part.scene.asked.sample(), std::back_inserter(sample.questions.list));
     }
-    return asked;
+    return sample;
 }
 
 std::uint64_t RecipeGrid::fingerprint() const {
@@ -292,7 +249,7 @@ std::uint64_t RecipeGrid::fingerprint() const {
         if (const auto& range = part.scene.asked.points().range) {
             add("range " + range->text());
         }
-        for (const Question& q : part.scene.asked.telling()) {
+        for (const Question& q : part.scene.asked.sample()) {
             add(q.id + " " + symbol_of(q) + " " + scene::edge_name(q.edge));
             add((q.u ? q.u->text() : "") + " " + (q.tolerance ? q.tolerance->text() : ""));
         }

@@ -7,12 +7,42 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace edgeproof::conformance {
+
+/// The description of a reference table: contacts with grids of parameters, and the questions for
+/// each.
+///
+///     title = "Wedge, Hertz and beyond"
+///     digits = 50
+///     rounding = "nearest"
+///     [scenes.hertz]                    # any name: ids begin with it
+///     edges = ["right", "left"]
+///     u = ["1e-30", "0.1"]              # or { from, to, per_decade } or { from, to, points }
+///     quantities = ["p", "c_0", "P"]    # p, q, c_k, s_k, a, b, P, M, alpha, extent_k, measure_k
+///     tolerance = ["1%", "5%"]          # of extents
+///     [scenes.hertz.profile]            # as in a scene, but a list is a grid of values
+///     kind = "power-law"
+///     m = ["1", "2"]
+///     C = "1"
+///     [scenes.hertz.load]
+///     a = "1"
+///     contact_modulus = "1"
+///
+/// The id of a question consists of the scene's name, the parameters given as a grid, the edge, u
+/// and the quantity ("hertz:m=2:right:u=0.1:p"); it does not change when the recipe grows. Order:
+/// scenes as in the file; grids with the last key varying fastest; for each contact first the
+/// quantities without an edge, then for each edge coefficients, extents by tolerance, and the
+/// points; quantities as listed.
+struct Recipe {
+    std::string file;
+    std::string title;
+    scene::Digits digits; ///< with binary64
+    Questions questions;
+};
 
 /// A parameter of a recipe's scene and its values.
 struct GridAxis {
@@ -44,7 +74,6 @@ public:
     [[nodiscard]] static RecipeGrid read(const std::filesystem::path& file);
     [[nodiscard]] static RecipeGrid parse(std::string_view text, const std::string& file);
 
-    [[nodiscard]] const std::string& file() const { return file_; }
     [[nodiscard]] const std::string& title() const { return title_; }
     [[nodiscard]] const scene::Digits& digits() const { return digits_; } ///< with binary64
     [[nodiscard]] std::size_t rows() const { return rows_; }
@@ -60,10 +89,9 @@ public:
     /// Returns all questions. Throws InputError for more than a million.
     [[nodiscard]] Questions questions() const;
 
-    /// The same as in Questions.
-    [[nodiscard]] std::vector<std::string> columns() const;
-    [[nodiscard]] bool has_tolerances() const;
-    [[nodiscard]] std::set<scene::Quantity> quantities() const;
+    /// Returns the recipe with the first contact of each scene only, and AskedList::sample() of its
+    /// questions: enough to find the columns of the table.
+    [[nodiscard]] Recipe sample() const;
     /// Identifies the questions and their number of digits.
     [[nodiscard]] std::uint64_t fingerprint() const;
 
@@ -80,7 +108,6 @@ private:
     void add(GridScene scene);
     void check_names(const GridScene& scene) const;
     void check_values(const GridScene& scene) const;
-    [[nodiscard]] const Part& part_of_row(std::size_t row) const;
     void ask(const Part& part, std::size_t contact, const std::vector<std::size_t>& which,
              Questions& to) const;
 
@@ -101,12 +128,5 @@ private:
     std::size_t rows_ = 0;
     std::size_t pieces_ = 0;
 };
-
-struct RecipeText {
-    std::string title;
-    scene::Digits digits;
-    std::vector<GridScene> scenes;
-};
-[[nodiscard]] RecipeText parse_recipe_text(std::string_view text, const std::string& file);
 
 } // namespace edgeproof::conformance

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <tuple>
 #include <type_traits>
@@ -19,12 +20,9 @@ namespace edgeproof::conformance {
 namespace {
 
 std::vector<scene::AskedValue> values_of(const Questions& questions, const Piece& piece) {
-    std::vector<scene::AskedValue> values;
-    values.reserve(piece.size());
-    for (const std::size_t i : piece) {
-        values.push_back(questions.list[i]);
-    }
-    return values;
+    const auto values = std::views::transform(
+        piece, [&](std::size_t i) -> const scene::AskedValue& { return questions.list[i]; });
+    return {values.begin(), values.end()};
 }
 
 scene::Scene scene_of(const Questions& questions, const Piece& piece) {
@@ -33,6 +31,7 @@ scene::Scene scene_of(const Questions& questions, const Piece& piece) {
     return scene;
 }
 
+/// The answers of one piece.
 class Answering {
 public:
     Answering(const Questions& questions, const Piece& piece, const scene::Digits& digits)
@@ -108,15 +107,43 @@ private:
     std::map<std::pair<contact::Edge, std::string>, Point> points_;
 };
 
-/// Returns the answer to question i of a piece, or throws an error with the question's line.
-Reference placed_answer(std::optional<Answering>& answering, const Questions& questions,
-                        const Piece& piece, const scene::Digits& digits, std::size_t i) {
-    return io::at_place(questions.file, questions.list[i].line, [&] {
-        if (!answering) {
-            answering.emplace(questions, piece, digits);
-        }
-        return answering->answer(i);
-    });
+/// Calls `handle(i, answering)` for each question of a piece; answering() returns the answers.
+template <class Handle>
+void answer_piece(const Questions& questions, const Piece& piece, const scene::Digits& digits,
+                  const Handle& handle) {
+    check_interruption();
+    std::optional<Answering> answers;
+    const auto answering = [&]() -> Answering& {
+        return answers ? *answers : answers.emplace(questions, piece, digits);
+    };
+    for (const std::size_t i : piece) {
+        check_interruption();
+        handle(i, answering);
+    }
+}
+
+/// Calls `handle` as answer_piece() does for all pieces, in several threads.
+template <class Handle>
+void answer_all(const Questions& questions, const ReferenceOptions& options, const Handle& handle) {
+    const std::vector<Piece> pieces = pieces_of(questions);
+    std::atomic<std::size_t> done{0};
+    const auto piece = [&](std::size_t p) {
+        answer_piece(questions, pieces[p], options.digits, [&](std::size_t i, const auto& answers) {
+            handle(i, answers);
+            const std::size_t n = ++done;
+            if (options.progress) {
+                options.progress(n, questions.list.size());
+            }
+        });
+    };
+    parallel::work_through(parallel::all_pieces(pieces.size()), options.threads, piece);
+}
+
+/// Returns the answer to question i, or throws an error with the question's line.
+template <class Answers>
+Reference placed_answer(const Questions& questions, std::size_t i, const Answers& answering) {
+    return io::at_place(questions.file, questions.list[i].line,
+                        [&] { return answering().answer(i); });
 }
 
 /// Divides n questions into pieces: similar questions of one contact, at most most_in_a_piece each.
@@ -137,22 +164,6 @@ template <class QuestionAt> std::vector<Piece> cut(std::size_t n, const Question
     return pieces;
 }
 
-class Count {
-public:
-    Count(const ReferenceOptions& options, std::size_t total) : options_(options), total_(total) {}
-    void one() {
-        const std::size_t n = ++done_;
-        if (options_.progress) {
-            options_.progress(n, total_);
-        }
-    }
-
-private:
-    const ReferenceOptions& options_;
-    std::size_t total_;
-    std::atomic<std::size_t> done_{0};
-};
-
 } // namespace
 
 std::vector<Piece> pieces_of(const Questions& questions) {
@@ -167,80 +178,48 @@ std::vector<Piece> pieces_of(const AskedList& asked) {
 void references_in_turn(const Questions& questions, const scene::Digits& digits,
                         const std::function<void(std::size_t, const Reference&)>& take) {
     for (const Piece& piece : pieces_of(questions)) {
-        check_interruption();
-        std::optional<Answering> answering;
-        for (const std::size_t i : piece) {
-            check_interruption();
-            take(i, placed_answer(answering, questions, piece, digits, i));
-        }
+        answer_piece(questions, piece, digits, [&](std::size_t i, const auto& answering) {
+            take(i, placed_answer(questions, i, answering));
+        });
     }
 }
 
 std::vector<Reference> references(const Questions& questions, const ReferenceOptions& options) {
     std::vector<Reference> results(questions.list.size());
-    const std::vector<Piece> pieces = pieces_of(questions);
-    Count count(options, questions.list.size());
-    parallel::work_through(
-        parallel::all_pieces(pieces.size()), options.threads, [&](std::size_t p) {
-            check_interruption();
-            std::optional<Answering> answering;
-            for (const std::size_t i : pieces[p]) {
-                check_interruption();
-                results[i] = placed_answer(answering, questions, pieces[p], options.digits, i);
-                count.one();
-            }
-        });
+    answer_all(questions, options, [&](std::size_t i, const auto& answering) {
+        results[i] = placed_answer(questions, i, answering);
+    });
     return results;
 }
 
 std::vector<ReferenceOrWhy> references_or_why(const Questions& questions,
                                               const ReferenceOptions& options) {
     std::vector<ReferenceOrWhy> results(questions.list.size());
-    const std::vector<Piece> pieces = pieces_of(questions);
-    Count count(options, questions.list.size());
-    parallel::work_through(parallel::all_pieces(pieces.size()), options.threads,
-                           [&](std::size_t p) {
-                               check_interruption();
-                               Answering answering(questions, pieces[p], options.digits);
-                               for (const std::size_t i : pieces[p]) {
-                                   check_interruption();
-                                   try {
-                                       results[i].reference = answering.answer(i);
-                                   } catch (const InputError& error) {
-                                       if (!questions.list[i].at_point()) {
-                                           throw;
-                                       }
-                                       results[i].why = error.problem();
-                                   } catch (const BudgetError& error) {
-                                       results[i].why = error.what();
-                                   }
-                                   count.one();
-                               }
-                           });
+    answer_all(questions, options, [&](std::size_t i, const auto& answering) {
+        Answering& answers = answering(); // throws for an invalid contact
+        try {
+            results[i].reference = answers.answer(i);
+        } catch (const InputError& error) {
+            if (!questions.list[i].at_point()) {
+                throw;
+            }
+            results[i].why = error.problem();
+        } catch (const BudgetError& error) {
+            results[i].why = error.what();
+        }
+    });
     return results;
 }
 
 std::vector<std::optional<Reference>> references_where_any(const Questions& questions,
                                                            const ReferenceOptions& options) {
     std::vector<std::optional<Reference>> results(questions.list.size());
-    const std::vector<Piece> pieces = pieces_of(questions);
-    Count count(options, questions.list.size());
-    parallel::work_through(parallel::all_pieces(pieces.size()), options.threads,
-                           [&](std::size_t p) {
-                               check_interruption();
-                               std::optional<Answering> answering;
-                               for (const std::size_t i : pieces[p]) {
-                                   check_interruption();
-                                   try {
-                                       if (!answering) {
-                                           answering.emplace(questions, pieces[p], options.digits);
-                                       }
-                                       results[i] = answering->answer(i);
-                                   } catch (const Error&) { // there is no answer
-                                   }
-                                   count.one();
-                               }
-                           });
+    answer_all(questions, options, [&](std::size_t i, const auto& answering) {
+        try {
+            results[i] = answering().answer(i);
+        } catch (const Error&) { // there is no answer
+        }
+    });
     return results;
 }
 

@@ -79,11 +79,6 @@ ReferenceRows::ReferenceRows(const conformance::Recipe& recipe)
       digits_(recipe.digits), keys_(recipe.questions.columns()),
       tolerances_(recipe.questions.has_tolerances()), quantities_(recipe.questions.quantities()) {}
 
-ReferenceRows::ReferenceRows(const conformance::RecipeGrid& recipe)
-    : recipe_(std::filesystem::path(recipe.file()).filename().string()), title_(recipe.title()),
-      digits_(recipe.digits()), keys_(recipe.columns()), tolerances_(recipe.has_tolerances()),
-      quantities_(recipe.quantities()) {}
-
 template <class Take>
 void ReferenceRows::each_cell(const conformance::Questions& questions, std::size_t i,
                               const conformance::Reference& reference, const Take& take) const {

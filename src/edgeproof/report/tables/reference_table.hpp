@@ -19,7 +19,8 @@ namespace edgeproof::report {
 class ReferenceRows {
 public:
     explicit ReferenceRows(const conformance::Recipe& recipe);
-    explicit ReferenceRows(const conformance::RecipeGrid& recipe);
+    explicit ReferenceRows(const conformance::RecipeGrid& recipe)
+        : ReferenceRows(recipe.sample()) {}
     [[nodiscard]] std::vector<std::string> row(const conformance::Questions& questions,
                                                std::size_t i,
                                                const conformance::Reference& reference) const;

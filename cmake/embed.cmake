@@ -15,8 +15,8 @@ foreach(file IN LISTS FILES)
 endforeach()
 if(TABLE)
     set(type "std::pair<std::string_view, std::string_view>")
-    string(APPEND source "static const ${type} all_files[] = {\n${table}}\;\n"
-        "const std::span<const ${type}> ${TABLE}(all_files)\;\n")
+    string(APPEND source "static const ${type} all_files[] = {\n${table}};\n"
+        "const std::span<const ${type}> ${TABLE}(all_files);\n")
 endif()
 string(APPEND source "} // namespace edgeproof::${NAMESPACE}\n")
 file(WRITE "${OUTPUT}" "${source}")

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 /// Comparison of mesh results, tables of x and p with a few correct digits, with the exact contact.
-///   input/result_table.hpp  ResultTable: a program's table, with any columns and separators
-///   exact_contact.hpp       ExactContact: the scene's own solution
-///   alignment.hpp           AlignedResult: sign, origin, nodes with their exact pressure
-///   alignment.hpp              origin_of(): the scene's origin in the coordinates of the data
-///   data_edges.hpp          DataContact: edges, force and elements of the data
-///   measures.hpp            Errors: relative to the peak, to p itself, in the L2 norm; by distance
-///   data_edges.hpp            undetermined(): quantities that the nodes do not determine
-///   edge_fit.hpp            EdgeFit: c_0 and c_1 by least squares
-///   causes.hpp              Diagnosis: mistakes that would explain wrong data
-///   convergence.hpp         Convergence: orders and extrapolated values of several meshes
+///   input/result_table.hpp      ResultTable: a program's table, with any columns and separators
+///   measures/exact_contact.hpp  ExactContact: the scene's own solution
+///   measures/alignment.hpp      AlignedResult: sign, origin, nodes with their exact pressure
+///   measures/data_edges.hpp     DataContact: edges, force and elements of the data
+///   measures/measures.hpp       Errors: relative to the peak, to p itself, in the L2 norm;
+///                               Convergence: orders and extrapolated values of several meshes
+///   measures/edge_fit.hpp       EdgeFit: c_0 and c_1 by least squares
+///   causes/causes.hpp           Diagnosis: mistakes that would explain wrong data
 /// Only the values of the exact contact are proved, if their routes are; edges, fits and
 /// extrapolated values of data are estimates.
 #include "edgeproof/comparison/causes/causes.hpp"
 #include "edgeproof/comparison/input/result_table.hpp"
 #include "edgeproof/comparison/measures/alignment.hpp"
-#include "edgeproof/comparison/measures/convergence.hpp"
 #include "edgeproof/comparison/measures/data_edges.hpp"
 #include "edgeproof/comparison/measures/edge_fit.hpp"
 #include "edgeproof/comparison/measures/exact_contact.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 #include <string_view>
 
 namespace edgeproof::comparison {
@@ -13,6 +14,17 @@ namespace {
 
 using Make = std::function<std::optional<Program>(const SceneKeys&)>;
 constexpr double pi = std::numbers::pi;
+
+/// Reads "profile.R=2 load.P=3".
+SceneKeys keys_of(const std::string& text) {
+    SceneKeys keys;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        const std::size_t equals = word.find('=');
+        keys.emplace(word.substr(0, equals), word.substr(equals + 1));
+    }
+    return keys;
+}
 
 double number_in(const SceneKeys& keys, const std::string& key) { return std::stod(keys.at(key)); }
 
@@ -120,49 +132,31 @@ scene::Scene scene_of(const SceneKeys& keys) {
 }
 
 const std::vector<TestedContact>& tested_contacts() {
-    const auto both = [](SceneKeys keys, const SceneKeys& more) {
-        keys.insert(more.begin(), more.end());
-        return keys;
-    };
-    static const SceneKeys like{
-        {"load.E1", "200e3"}, {"load.nu1", "0.3"}, {"load.E2", "200e3"}, {"load.nu2", "0.3"}};
-    static const SceneKeys unlike{
-        {"load.E1", "200e3"}, {"load.nu1", "0.3"}, {"load.E2", "70e3"}, {"load.nu2", "0.35"}};
-    static const SceneKeys cylinders{
-        {"profile.kind", "hertz"}, {"profile.R1", "20"}, {"profile.R2", "50"}, {"load.P", "300"}};
-    static const SceneKeys pad{{"profile.kind", "flat-and-rounded"},
-                               {"profile.t", "2"},
-                               {"profile.R", "75"},
-                               {"load.P", "400"}};
-    static const SceneKeys wedge{{"profile.kind", "tilted-wedge"},
-                                 {"profile.phi", "0.15"},
-                                 {"profile.alpha", "0.05"},
-                                 {"load.a", "1"}};
-    static const SceneKeys tilted{{"profile.kind", "tilted-flat-and-rounded"},
-                                  {"profile.alpha", "0.01"},
-                                  {"profile.t", "2"},
-                                  {"profile.R", "75"},
-                                  {"load.P", "1500"}};
-    static const SceneKeys rocked{{"profile.kind", "tilted-wedge"},
-                                  {"profile.phi", "0.1"},
-                                  {"load.P", "5000"},
-                                  {"load.M", "-2000"}};
+    static const std::string like = " load.E1=200e3 load.nu1=0.3 load.E2=200e3 load.nu2=0.3";
+    static const std::string unlike = " load.E1=200e3 load.nu1=0.3 load.E2=70e3 load.nu2=0.35";
+    static const std::string cylinders =
+        "profile.kind=hertz profile.R1=20 profile.R2=50 load.P=300";
+    static const std::string pad =
+        "profile.kind=flat-and-rounded profile.t=2 profile.R=75 load.P=400";
+    static const std::string tilted = "profile.kind=tilted-flat-and-rounded profile.alpha=0.01 "
+                                      "profile.t=2 profile.R=75 load.P=1500";
     static const std::vector<TestedContact> list{
-        {"two cylinders, like materials", both(cylinders, like)},
-        {"two cylinders, unlike materials", both(cylinders, unlike)},
-        {"a flat with rounded edges, unlike materials", both(pad, unlike)},
-        {"a tilted wedge, a given", both(wedge, like)},
-        {"a tilted flat with rounded edges", both(tilted, unlike)},
-        {"a wedge under P and M", both(rocked, like)},
+        {"two cylinders, like materials", keys_of(cylinders + like)},
+        {"two cylinders, unlike materials", keys_of(cylinders + unlike)},
+        {"a flat with rounded edges, unlike materials", keys_of(pad + unlike)},
+        {"a tilted wedge, a given",
+         keys_of("profile.kind=tilted-wedge profile.phi=0.15 profile.alpha=0.05 load.a=1" + like)},
+        {"a tilted flat with rounded edges", keys_of(tilted + unlike)},
+        {"a wedge under P and M",
+         keys_of("profile.kind=tilted-wedge profile.phi=0.1 load.P=5000 load.M=-2000" + like)},
         {"two cylinders, full stick",
-         both(both(cylinders, like), {{"shear.Q", "40"}, {"shear.bulk_tension", "60"}})},
+         keys_of(cylinders + like + " shear.Q=40 shear.bulk_tension=60")},
         {"a flat with rounded edges, full stick",
-         both(both(pad, like), {{"shear.Q", "40"}, {"shear.bulk_tension", "-25"}})},
+         keys_of(pad + like + " shear.Q=40 shear.bulk_tension=-25")},
         {"two cylinders, partial slip",
-         both(both(cylinders, like), {{"shear.Q", "60"}, {"shear.friction", "0.5"}})},
+         keys_of(cylinders + like + " shear.Q=60 shear.friction=0.5")},
         {"a tilted flat with rounded edges, partial slip",
-         both(both(tilted, like),
-              {{"shear.Q", "200"}, {"shear.bulk_tension", "10"}, {"shear.friction", "0.4"}})},
+         keys_of(tilted + like + " shear.Q=200 shear.bulk_tension=10 shear.friction=0.4")},
     };
     return list;
 }

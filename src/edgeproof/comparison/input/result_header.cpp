@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/input/result_header.hpp"
+#include "edgeproof/comparison/input/result_lines.hpp"
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
@@ -240,10 +240,9 @@ private:
                 units_in_text(std::string_view(text).substr(word));
             }
         }
-        convert(found_.x, scene::Unit::Dimension::length, reading_.x_scale,
-                reading_.units ? reading_.units->length : std::nullopt, "x", found_.x_factor);
-        convert(found_.p, scene::Unit::Dimension::pressure, reading_.p_scale,
-                reading_.units ? reading_.units->pressure : std::nullopt, "p", found_.p_factor);
+        const scene::Units units = reading_.units.value_or(scene::Units{});
+        convert(found_.x, scene::Unit::Dimension::length, reading_.x_scale, units.length, "x");
+        convert(found_.p, scene::Unit::Dimension::pressure, reading_.p_scale, units.pressure, "p");
     }
     void units_in_text(std::string_view text) {
         for (std::size_t at = 0; at < text.size();) {
@@ -260,14 +259,14 @@ private:
             at = end + 1;
         }
     }
-    void convert(const UsedColumn& c, scene::Unit::Dimension dimension,
+    void convert(UsedColumn& c, scene::Unit::Dimension dimension,
                  const std::optional<Rational>& scale, const std::optional<scene::Unit>& wanted,
-                 const char* key, Rational& factor) {
+                 const char* key) {
         const auto& unit = c.name.unit;
         if (scale) {
-            factor = *scale;
-            found_.findings.push_back(
-                fmt::format("{} is multiplied by {}, as --scale states", key, exact_text(factor)));
+            c.factor = *scale;
+            found_.findings.push_back(fmt::format("{} is multiplied by {}, as --scale states", key,
+                                                  exact_text(c.factor)));
             return;
         }
         if (!c.name.unread.empty()) {
@@ -289,8 +288,8 @@ private:
                                                   key, unit->name));
             return;
         }
-        factor = unit->factor / wanted->factor;
-        if (factor != 1) {
+        c.factor = unit->factor / wanted->factor;
+        if (c.factor != 1) {
             found_.findings.push_back(
                 fmt::format("{} is converted from {} to {}", key, unit->name, wanted->name));
         }

@@ -70,4 +70,23 @@ struct ResultText {
 /// Returns the digits that the numbers carry.
 [[nodiscard]] CarriedDigits carried_digits(const std::vector<std::string_view>& column);
 
+struct UsedColumn {
+    std::size_t index = 0;
+    ColumnName name;
+    Rational factor = 1; ///< of its numbers
+};
+
+/// The columns of a table in use. q has the factor of p.
+struct TableHeader {
+    UsedColumn x;
+    UsedColumn p;
+    std::optional<UsedColumn> q;
+    std::vector<std::string> findings; ///< notes on how they were found
+};
+
+/// Reads the lines before the first row: names, and units after them, in a row of their own or in a
+/// comment. Throws InputError if x or p are not found, or are found twice, and for a unit of the
+/// wrong kind.
+[[nodiscard]] TableHeader read_header(const ResultText& text, const ResultReading& reading);
+
 } // namespace edgeproof::comparison

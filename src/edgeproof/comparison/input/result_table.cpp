@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/input/result_table.hpp"
 
-#include "edgeproof/comparison/input/result_header.hpp"
 #include "edgeproof/comparison/input/result_lines.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/io/text_file.hpp"
@@ -156,11 +155,11 @@ private:
         row.line = line.number;
         x_texts_.push_back(*number_of(cells[header_.x.index], text_.separator));
         p_texts_.push_back(*number_of(cells[header_.p.index], text_.separator));
-        row.x = value(line, x_texts_.back(), header_.x_factor);
-        row.p = value(line, p_texts_.back(), header_.p_factor);
+        row.x = value(line, x_texts_.back(), header_.x.factor);
+        row.p = value(line, p_texts_.back(), header_.p.factor);
         if (header_.q) {
             q_texts_.push_back(*number_of(cells[header_.q->index], text_.separator));
-            row.q = value(line, q_texts_.back(), header_.p_factor);
+            row.q = value(line, q_texts_.back(), header_.p.factor);
         }
         table_.rows.push_back(std::move(row));
     }
@@ -192,14 +191,14 @@ private:
                 skipped_ == 1 ? "is" : "are", first_skipped_));
         }
         table_.p_digits = carried_digits({p_texts_.begin(), p_texts_.end()});
-        table_.p_factor = header_.p_factor.convert_to<double>();
+        table_.p_factor = header_.p.factor.convert_to<double>();
         const auto x_half = column_rounding({x_texts_.begin(), x_texts_.end()});
         const auto p_half = column_rounding({p_texts_.begin(), p_texts_.end()});
         const auto q_half = column_rounding({q_texts_.begin(), q_texts_.end()});
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            rows[i].x_rounding = scaled_rounding(x_half[i], header_.x_factor);
-            rows[i].p_rounding = scaled_rounding(p_half[i], header_.p_factor);
-            rows[i].q_rounding = header_.q ? scaled_rounding(q_half[i], header_.p_factor) : 0;
+            rows[i].x_rounding = scaled_rounding(x_half[i], header_.x.factor);
+            rows[i].p_rounding = scaled_rounding(p_half[i], header_.p.factor);
+            rows[i].q_rounding = header_.q ? scaled_rounding(q_half[i], header_.p.factor) : 0;
         }
         if (!std::ranges::is_sorted(rows, {}, &ResultRow::x)) {
             const bool falling = std::ranges::is_sorted(rows, std::greater(), &ResultRow::x);

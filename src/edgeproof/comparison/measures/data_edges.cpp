@@ -167,114 +167,102 @@ namespace {
 constexpr double most_off = 0.1;    ///< error of the rules for the exact pressure
 constexpr double widest_gap = 0.25; ///< between neighbours inside, relative to a + b
 
-class Coverage {
-public:
-    Coverage(const AlignedResult& data, const DataContact& of_exact, const ExactContact& exact)
-        : data_(data), of_exact_(of_exact), exact_(exact) {}
+/// Returns the reason why the nodes do not determine an edge, if they do not.
+std::optional<std::string> no_edge(const AlignedResult& data, const DataContact& of_exact,
+                                   const ExactContact& exact, contact::Edge at) {
+    const bool right = at == contact::Edge::right;
+    const char* const name = right ? "a" : "b";
+    const auto& found = of_exact.at(at);
+    if (!of_exact.reaches[index_of(at)]) {
+        return fmt::format("{} is not determined: the data end at x = {:.6g}, inside the contact, "
+                           "before its {} edge",
+                           name, right ? data.nodes.back().x : data.nodes.front().x,
+                           scene::edge_name(at));
+    }
+    if (!found || !(std::abs(*found - exact.edge(at)) <= most_off * exact.length())) {
+        return fmt::format("{} is not determined: the exact pressure at these nodes gives {:.6g}, "
+                           "but the exact value is {:.6g}",
+                           name, found.value_or(0), exact.edge(at));
+    }
+    return {};
+}
 
-    [[nodiscard]] std::vector<Undetermined> find() {
-        for (const contact::Edge at : {contact::Edge::right, contact::Edge::left}) {
-            if (data_.has(at)) {
-                edge(at);
-            }
-        }
-        force();
-        largest();
-        return std::move(list_);
+/// The widest interval between neighbours, limited to the contact.
+double widest_interval(const AlignedResult& data, const ExactContact& exact) {
+    double widest = 0;
+    for (std::size_t i = 1; i < data.nodes.size(); ++i) {
+        const double from = std::max(data.nodes[i - 1].x, -exact.b().value);
+        const double to = std::min(data.nodes[i].x, exact.a().value);
+        widest = std::max(widest, to - from);
     }
+    return widest;
+}
 
-private:
-    void add(Determined quantity, std::string why) { list_.push_back({quantity, std::move(why)}); }
+/// The distance of the beginning of the half from the middle, if that is more than an element.
+std::optional<double> missing_middle(const AlignedResult& data) {
+    if (!data.half) {
+        return {};
+    }
+    const auto& nodes = data.nodes;
+    const bool right = *data.half == contact::Edge::right;
+    const double first = right ? nodes.front().x : -nodes.back().x;
+    const double element =
+        right ? nodes[1].x - nodes[0].x : nodes.back().x - nodes[nodes.size() - 2].x;
+    return std::abs(first) <= element * (1 + 1e-9) ? std::nullopt : std::optional(first);
+}
 
-    void edge(contact::Edge at) {
-        const bool right = at == contact::Edge::right;
-        const Determined quantity = right ? Determined::a : Determined::b;
-        const char* const name = right ? "a" : "b";
-        const double value = exact_.edge(at);
-        const auto& found = of_exact_.at(at);
-        if (!of_exact_.reaches[index_of(at)]) {
-            add(quantity,
-                fmt::format("{} is not determined: the data end at x = {:.6g}, inside the "
-                            "contact, before its {} edge",
-                            name, right ? data_.nodes.back().x : data_.nodes.front().x,
-                            scene::edge_name(at)));
-        } else if (!found || !(std::abs(*found - value) <= most_off * exact_.length())) {
-            add(quantity,
-                fmt::format("{} is not determined: the exact pressure at these nodes gives {:.6g}, "
-                            "but the exact value is {:.6g}",
-                            name, found.value_or(0), value));
-        }
+/// Returns the reason why the nodes do not determine P, if they do not.
+std::optional<std::string> no_force(const AlignedResult& data, const ExactContact& exact) {
+    const double value = exact.force().value;
+    const double found = // without corners
+        (data.half ? 2 : 1) * trapezoids(data.nodes, [](const Node& n) { return n.exact.p; });
+    const double widest = widest_interval(data, exact);
+    if (const auto from = missing_middle(data)) {
+        return fmt::format("P is not determined: the half of the contact begins {:.6g} from its "
+                           "middle",
+                           *from);
     }
-
-    /// The widest interval between neighbours, limited to the contact.
-    [[nodiscard]] double gap() const {
-        double widest = 0;
-        for (std::size_t i = 1; i < data_.nodes.size(); ++i) {
-            const double from = std::max(data_.nodes[i - 1].x, -exact_.b().value);
-            const double to = std::min(data_.nodes[i].x, exact_.a().value);
-            widest = std::max(widest, to - from);
-        }
-        return widest;
+    if (!(widest <= widest_gap * exact.length())) {
+        return fmt::format("P is not determined: {:.6g} of the contact's {:.6g} lie between two "
+                           "neighbouring nodes",
+                           widest, exact.length());
     }
-    /// The distance of the beginning of the half from the middle, if that is more than an element.
-    [[nodiscard]] std::optional<double> missing_middle() const {
-        if (!data_.half) {
-            return {};
-        }
-        const auto& nodes = data_.nodes;
-        const bool right = *data_.half == contact::Edge::right;
-        const double first = right ? nodes.front().x : -nodes.back().x;
-        const double element =
-            right ? nodes[1].x - nodes[0].x : nodes.back().x - nodes[nodes.size() - 2].x;
-        return std::abs(first) <= element * (1 + 1e-9) ? std::nullopt : std::optional(first);
+    if (!(std::abs(found / value - 1) <= most_off)) {
+        return fmt::format("P is not determined: the exact pressure at these nodes gives {:.6g}, "
+                           "but the exact value is {:.6g}",
+                           found, value);
     }
-    void force() {
-        const double value = exact_.force().value;
-        const double found = // without corners
-            (data_.half ? 2 : 1) *
-            trapezoids(data_.nodes, [](const Node& node) { return node.exact.p; });
-        const double widest = gap();
-        if (const auto from = missing_middle()) {
-            add(Determined::force,
-                fmt::format("P is not determined: the half of the contact begins "
-                            "{:.6g} from its middle",
-                            *from));
-        } else if (!(widest <= widest_gap * exact_.length())) {
-            add(Determined::force,
-                fmt::format("P is not determined: {:.6g} of the contact's {:.6g} lie between two "
-                            "neighbouring nodes",
-                            widest, exact_.length()));
-        } else if (!(std::abs(found / value - 1) <= most_off)) {
-            add(Determined::force,
-                fmt::format("P is not determined: the exact pressure at these nodes gives {:.6g}, "
-                            "but the exact value is {:.6g}",
-                            found, value));
-        }
-    }
-    void largest() {
-        double most = 0;
-        for (const Node& node : data_.nodes) {
-            most = std::max(most, node.exact.p.value_or(0));
-        }
-        if (!exact_.scale().mean && !(most >= (1 - most_off) * exact_.scale().value)) {
-            add(Determined::largest,
-                fmt::format("the largest p is not determined: it is {:.6g} at x = {:.6g}, and the "
-                            "exact pressure at these nodes reaches {:.6g}",
-                            exact_.scale().value, exact_.scale().x, most));
-        }
-    }
-
-    const AlignedResult& data_;
-    const DataContact& of_exact_;
-    const ExactContact& exact_;
-    std::vector<Undetermined> list_;
-};
+    return {};
+}
 
 } // namespace
 
 std::vector<Undetermined> undetermined(const AlignedResult& data, const DataContact& of_exact,
                                        const ExactContact& exact) {
-    return Coverage(data, of_exact, exact).find();
+    std::vector<Undetermined> list;
+    const auto add = [&](Determined quantity, const std::optional<std::string>& why) {
+        if (why) {
+            list.push_back({quantity, *why});
+        }
+    };
+    for (const contact::Edge at : {contact::Edge::right, contact::Edge::left}) {
+        if (data.has(at)) {
+            add(at == contact::Edge::right ? Determined::a : Determined::b,
+                no_edge(data, of_exact, exact, at));
+        }
+    }
+    add(Determined::force, no_force(data, exact));
+    double most = 0;
+    for (const Node& node : data.nodes) {
+        most = std::max(most, node.exact.p.value_or(0));
+    }
+    if (!exact.scale().mean && !(most >= (1 - most_off) * exact.scale().value)) {
+        add(Determined::largest,
+            fmt::format("the largest p is not determined: it is {:.6g} at x = {:.6g}, and the "
+                        "exact pressure at these nodes reaches {:.6g}",
+                        exact.scale().value, exact.scale().x, most));
+    }
+    return list;
 }
 
 } // namespace edgeproof::comparison

@@ -112,59 +112,34 @@ double digits_of(const Real& relative, unsigned most) {
     return std::clamp(digits, 0.0, static_cast<double>(most));
 }
 
-/// Compares answers with references of a given number of digits.
-class Holding {
-public:
-    Holding(const Target& target, unsigned digits) : target_(target), digits_(digits) {
-        const PrecisionScope scope(digits + 20);
-        const double needed = target.digits.value_or(target.ulps ? 0 : Target::default_digits);
-        allowed_ = pow(Real(10), Real(-needed));
-    }
-
-    [[nodiscard]] CaseAgreement held(const Answer& answer, const Reference& reference,
-                                     double scale) const {
-        CaseAgreement result;
-        result.reference =
-            printed_text(reference.value, {std::min(digits_, 20U), Rounding::nearest});
-        if (answer.state != Answer::State::number) {
-            result.ulps = std::numeric_limits<double>::infinity();
-            return result;
-        }
-        const Ball& exact = reference.value.value;
-        const long bits = std::max(exact.bits(), formula::bits_for(digits_ + 20));
-        const Ball error = abs(Ball(Ball(answer.value, bits) - exact));
-        // The uncertainty of the reference is not counted as an error of the answer.
-        const Real off = error.lower() > 0 ? error.lower() : Real(0);
-        const bool zero = contains_zero(exact);
-        const Real size = zero ? Real(scale) : Real(abs(exact.midpoint()));
-        const Real relative = off / size;
-        result.digits = digits_of(relative, digits_);
-        // For a ball around a power of two, the unit is that of the power, not the half of it
-        // below.
-        const Real reach = zero ? size : Real(abs(exact).upper());
-        result.ulps = off == 0 ? 0 : Real(off / ulp(reach)).convert_to<double>();
-        result.relative = relative.convert_to<double>();
-        result.within = ((target_.stated() && !target_.digits) || relative <= allowed_) &&
-                        (!target_.ulps || result.ulps <= *target_.ulps);
-        result.pass = result.within;
+/// Compares an answer with a reference of a given number of digits. `scale`: of a value that is 0.
+CaseAgreement compared(const Answer& answer, const Reference& reference, const Target& target,
+                       unsigned digits, double scale) {
+    CaseAgreement result;
+    result.reference = printed_text(reference.value, {std::min(digits, 20U), Rounding::nearest});
+    if (answer.state != Answer::State::number) {
+        result.ulps = std::numeric_limits<double>::infinity();
         return result;
     }
-
-private:
-    const Target& target_;
-    unsigned digits_;
-    Real allowed_;
-};
-
-std::vector<std::size_t> to_condition(const Agreements& agreements, bool all) {
-    std::vector<std::size_t> which;
-    for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
-        const CaseAgreement& held = agreements.cases[i];
-        if (held.no_reference.empty() && (all || !held.pass)) {
-            which.push_back(i);
-        }
-    }
-    return which;
+    const Ball& exact = reference.value.value;
+    const long bits = std::max(exact.bits(), formula::bits_for(digits + 20));
+    const Ball error = abs(Ball(Ball(answer.value, bits) - exact));
+    // The uncertainty of the reference is not counted as an error of the answer.
+    const Real off = error.lower() > 0 ? error.lower() : Real(0);
+    const bool zero = contains_zero(exact);
+    const Real size = zero ? Real(scale) : Real(abs(exact.midpoint()));
+    const Real relative = off / size;
+    result.digits = digits_of(relative, digits);
+    // For a ball around a power of two, the unit is that of the power, not the half of it below.
+    const Real reach = zero ? size : Real(abs(exact).upper());
+    result.ulps = off == 0 ? 0 : Real(off / ulp(reach)).convert_to<double>();
+    result.relative = relative.convert_to<double>();
+    const double needed = target.digits.value_or(target.ulps ? 0 : Target::default_digits);
+    result.within =
+        ((target.stated() && !target.digits) || relative <= Real(pow(Real(10), Real(-needed)))) &&
+        (!target.ulps || result.ulps <= *target.ulps);
+    result.pass = result.within;
+    return result;
 }
 
 /// `all`: the conditioning of all cases, not only of those that miss the target.
@@ -174,7 +149,6 @@ Agreements held_against(std::vector<ReferenceOrWhy> found, const Answers& answer
     result.digits = options.digits.count;
     const Questions& questions = answers.questions;
     const auto sizes = sizes_of(questions, options);
-    const Holding holding(target, result.digits);
     result.cases.resize(found.size());
     result.references.resize(found.size());
     constexpr std::size_t piece = 256;
@@ -192,16 +166,19 @@ Agreements held_against(std::vector<ReferenceOrWhy> found, const Answers& answer
                 continue;
             }
             result.references[i] = std::move(*found[i].reference);
-            held = holding.held(answers.given[i], result.references[i],
-                                scale_of(q, std::abs(s.force), s.a + s.b));
+            held = compared(answers.given[i], result.references[i], target, result.digits,
+                            scale_of(q, std::abs(s.force), s.a + s.b));
             held.regime = regime_of(q, s);
         }
     });
+    std::vector<std::size_t> conditioned;
     for (std::size_t i = 0; i < found.size(); ++i) {
         result.estimates += found[i].reference && !result.references[i].value.proved ? 1 : 0;
+        if (result.cases[i].no_reference.empty() && (all || !result.cases[i].pass)) {
+            conditioned.push_back(i);
+        }
     }
-    const auto conditions =
-        conditioning(questions, result.references, to_condition(result, all), options);
+    const auto conditions = conditioning(questions, result.references, conditioned, options);
     for (std::size_t i = 0; i < result.cases.size(); ++i) {
         CaseAgreement& held = result.cases[i];
         held.conditioning = conditions[i];
@@ -216,25 +193,9 @@ Agreements held_against(std::vector<ReferenceOrWhy> found, const Answers& answer
 } // namespace
 
 std::string regime_name(Regime regime) {
-    switch (regime) {
-    case Regime::near_edge:
-        return "near edge";
-    case Regime::apex:
-        return "apex";
-    case Regime::knot:
-        return "knot";
-    case Regime::interior:
-        return "interior";
-    case Regime::far_field:
-        return "far field";
-    case Regime::coefficient:
-        return "coefficient";
-    case Regime::contact:
-        return "contact";
-    case Regime::outside:
-        break;
-    }
-    return "outside";
+    static constexpr const char* names[] = {"near edge", "apex",        "knot",    "far field",
+                                            "interior",  "coefficient", "contact", "outside"};
+    return names[static_cast<std::size_t>(regime)];
 }
 
 unsigned reference_digits(const Target& target) {

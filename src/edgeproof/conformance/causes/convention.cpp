@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/convention.hpp"
-#include "edgeproof/conformance/causes/convention_rule.hpp"
 #include "edgeproof/conformance/causes/readings.hpp"
 
 #include <algorithm>

@@ -166,9 +166,9 @@ private:
             return {};
         }
         const std::string name = csv.rows[chosen].cells[*quantity_];
-        for (std::size_t r = 0; r < csv.rows.size(); ++r) {
-            if (csv.rows[r].cells[*quantity_] == name) {
-                value(csv, r) = text(number(value(csv, r)) * factor);
+        for (io::Csv::Row& row : csv.rows) {
+            if (row.cells[*quantity_] == name) {
+                row.cells[value_] = text(number(row.cells[value_]) * factor);
             }
         }
         return name;
@@ -190,8 +190,7 @@ private:
     }
     std::string twice(io::Csv& csv) {
         const std::size_t r = row(csv);
-        const io::Csv::Row again = csv.rows[r];
-        csv.rows.insert(csv.rows.begin() + static_cast<long>(r), again);
+        csv.rows.insert(csv.rows.begin() + static_cast<long>(r), right_.rows[r]);
         return right_.rows[r].cells[id_];
     }
     /// Cuts the text anywhere after the header, except within its last five characters, where the

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/causes/convention_rule.hpp"
 #include "edgeproof/conformance/causes/readings.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
 

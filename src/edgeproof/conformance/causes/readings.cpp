@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/readings.hpp"
-
-#include "edgeproof/conformance/causes/convention_rule.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/mistakes/scene_mistakes.hpp"
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the files other than programs and libraries: ledgers, recipes, tables and scenes, which
-# the program finds by their names (src/edgeproof/cli/shipped_file.hpp); the documents; the manual
+# the program finds by their names (src/edgeproof/cli/installed.cpp); the documents; the manual
 # pages and completions that the program itself writes.
 set(data_folder ${CMAKE_INSTALL_DATADIR}/edgeproof)
 cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_DATADIR BASE_DIRECTORY ${CMAKE_INSTALL_FULL_BINDIR}
     OUTPUT_VARIABLE data_from_program)
-set_property(SOURCE src/edgeproof/cli/shipped_file.cpp APPEND PROPERTY
+set_property(SOURCE src/edgeproof/cli/installed.cpp APPEND PROPERTY
     COMPILE_DEFINITIONS "EDGEPROOF_DATA_FOLDER=\"${data_from_program}/edgeproof\"")
 
 foreach(folder verify reference examples)

@@ -26,6 +26,6 @@ if(MPI_CXX_FOUND AND EDGEPROOF_MPI AND NOT EDGEPROOF_SANITIZE)
 else()
     message(STATUS "No MPI: edgeproof table runs on one machine")
 endif()
-set_property(SOURCE src/edgeproof/cli/launched.cpp APPEND PROPERTY
+set_property(SOURCE src/edgeproof/cli/installed.cpp APPEND PROPERTY
     COMPILE_DEFINITIONS "EDGEPROOF_MPI_MODULE=\"${module_definition}\"")
 target_link_libraries(edgeproof_cli PRIVATE ${CMAKE_DL_LIBS})

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/lab.hpp"
 
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/child_process.hpp"
-#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/process_cleanup.hpp"
 #include "edgeproof/io/text_file.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "lab/commands/bounds_tables.hpp"
 
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 
 namespace edgeproof::cli {
 namespace {
@@ -43,10 +39,6 @@ std::string written(const report::Table& table, const Output& o) {
                     : aligned_text(table) + report::program_line() + "\n";
 }
 
-unsigned digits_of_option(const std::string& text) {
-    return static_cast<unsigned>(whole_number("--digits", text, 2, most_digits_of_bounds));
-}
-
 struct CasesOptions {
     std::string file = "reference/hard-cases.toml";
     std::string digits = "50";
@@ -59,29 +51,14 @@ int hard_cases(const CasesOptions& o) {
     const auto cases =
         validation::parse_hard_cases(io::read_text(o.file, "file of hard cases (TOML)"), o.file);
     validation::CaseOptions options;
-    options.digits = digits_of_option(o.digits);
+    options.digits = digits_of(o.digits, most_digits_of_bounds);
     options.threads = threads_of(o.threads);
-    std::vector<validation::CaseOutcome> outcomes;
-    {
-        Progress progress("cases");
-        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
-        outcomes = run_cases(cases, options);
-    }
+    const auto outcomes =
+        with_progress("cases", options.progress, [&] { return run_cases(cases, options); });
     const bool text = !o.output.csv && !o.output.json && !o.output.md;
-    if (!o.classes || text) {
-        report::Table table = case_table(cases, outcomes, options.digits);
-        if (text) {
-            // Rows must fit on a line; the text below the table has the details of failures.
-            table.columns.erase(table.columns.begin() + 3, table.columns.begin() + 5);
-            table.columns.pop_back();
-            for (auto& row : table.rows) {
-                row.erase(row.begin() + 3, row.begin() + 5);
-                row.pop_back();
-            }
-        }
-        if (!o.classes) {
-            std::printf("%s%s", written(table, o.output).c_str(), text ? "\n" : "");
-        }
+    if (!o.classes) {
+        const report::Table table = case_table(cases, outcomes, options.digits, text);
+        std::printf("%s%s", written(table, o.output).c_str(), text ? "\n" : "");
     }
     if (o.classes || text) {
         std::printf("%s", written(family_table(cases, outcomes, options.digits), o.output).c_str());
@@ -104,32 +81,6 @@ int hard_cases(const CasesOptions& o) {
     return faults == 0 ? 0 : 1;
 }
 
-/// Runs a count with progress; its state is kept in a file if one is given.
-template <class State, class Options, class Parse, class Write, class Counting>
-auto kept_count(const std::string& file, State& state, Options& options, const Parse& parse,
-                const Write& write, const Counting& counting) {
-    check_state(file);
-    if (!file.empty()) {
-        if (std::filesystem::exists(file)) {
-            state = parse(io::read_text(file, "state of a count"), file, state);
-        }
-        options.checkpoint = [&](const State& now) { io::write_checkpoint(file, write(now)); };
-    }
-    const io::KeptNote note(file.empty() ? ""
-                                         : "what is done is kept in " + file +
-                                               "; the same command goes on from there");
-    try {
-        Progress progress("values");
-        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
-        return counting();
-    } catch (const Interrupted& e) {
-        throw Interrupted(e.what() +
-                          (file.empty()
-                               ? "; with --state FILE a count can be gone on with"
-                               : ", kept in " + file + "; the same command goes on from there"));
-    }
-}
-
 struct CountingOptions {
     std::string values = "100000";
     std::string seed = "1";
@@ -139,19 +90,44 @@ struct CountingOptions {
     Output output;
 };
 
-int count(const CountingOptions& o) {
-    validation::CountOptions options;
+/// Returns counting(state) with the options of the command line and with progress; the state is
+/// kept in a file if one is given.
+template <class Counting>
+auto counted(const validation::CountKind& kind, const CountingOptions& o,
+             validation::CountOptions& options, const Counting& counting) {
     options.values = whole_number("--values", o.values, 1, most_values);
     options.seed = whole_number("--seed", o.seed, 0, most_values);
-    options.digits = digits_of_option(o.digits);
+    options.digits = digits_of(o.digits, most_digits_of_bounds);
     options.threads = threads_of(o.threads);
-    validation::CountState state;
-    state.seed = options.seed;
-    state.values = options.values;
-    state.digits = options.digits;
-    const validation::CountResult result =
-        kept_count(o.state, state, options, validation::parse_count_state,
-                   validation::write_count_state, [&] { return count_values(options, state); });
+    validation::CountState state{options.seed, options.values, options.digits, {}};
+    const std::string& file = o.state;
+    check_state(file);
+    if (!file.empty()) {
+        if (std::filesystem::exists(file)) {
+            state = parse_count_state(kind, io::read_text(file, "state of a count"), file, state);
+        }
+        options.checkpoint = [&](const validation::CountState& now) {
+            io::write_checkpoint(file, write_count_state(kind, now));
+        };
+    }
+    const io::KeptNote note(file.empty() ? ""
+                                         : "what is done is kept in " + file +
+                                               "; the same command goes on from there");
+    try {
+        return with_progress("values", options.progress, [&] { return counting(state); });
+    } catch (const Interrupted& e) {
+        throw Interrupted(e.what() +
+                          (file.empty()
+                               ? "; with --state FILE a count can be gone on with"
+                               : ", kept in " + file + "; the same command goes on from there"));
+    }
+}
+
+int count(const CountingOptions& o) {
+    validation::EnclosureCountOptions options;
+    const auto result =
+        counted(validation::enclosure_count(), o, options,
+                [&](validation::CountState& state) { return count_values(options, state); });
     std::printf("%s", written(count_table(options, result), o.output).c_str());
     for (const validation::CountFinding& f : result.findings) {
         std::fprintf(stderr, "%s\n", finding_text(f).c_str());
@@ -159,30 +135,16 @@ int count(const CountingOptions& o) {
     return result.total.failures() == 0 ? 0 : 1;
 }
 
-struct Binary64Choice {
-    std::string values = "1000000";
-    std::string seed = "1";
-    std::string threads;
-    std::string state;
-    Output output;
-};
-
-int binary64(const Binary64Choice& o) {
+int binary64(const CountingOptions& o) {
     validation::Binary64Options options;
-    options.values = whole_number("--values", o.values, 1, most_values);
-    options.seed = whole_number("--seed", o.seed, 0, most_values);
-    options.threads = threads_of(o.threads);
-    validation::Binary64State state;
-    state.seed = options.seed;
-    state.values = options.values;
-    const validation::Binary64Count result = kept_count(
-        o.state, state, options, validation::parse_binary64_state, validation::write_binary64_state,
-        [&] { return count_binary64(options, state); });
+    const auto result =
+        counted(validation::binary64_count(), o, options,
+                [&](validation::CountState& state) { return count_binary64(options, state); });
     std::printf("%s", written(binary64_table(result), o.output).c_str());
     for (const std::string& finding : result.findings) {
         std::fprintf(stderr, "%s\n", finding.c_str());
     }
-    return result.total.wrong == 0 ? 0 : 1;
+    return result.total.failures() == 0 ? 0 : 1;
 }
 
 struct HonestyChoice {
@@ -206,17 +168,9 @@ constexpr Peer peers[] = {
      "gp -q -f \"$0\" 3<&0 </dev/null"},
 };
 
-std::string shell_quoted(const std::string& text) {
-    std::string out = "'";
-    for (const char c : text) {
-        out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    return out + "'";
-}
-
 int honesty_of_routes(const HonestyChoice& o) {
     validation::HonestyOptions options;
-    options.digits = digits_of_option(o.digits);
+    options.digits = digits_of(o.digits, most_digits_of_bounds);
     const auto points = validation::honesty_points();
     std::vector<std::pair<std::string, validation::ClaimedValues>> others;
     std::vector<std::string> skipped;
@@ -239,77 +193,72 @@ int honesty_of_routes(const HonestyChoice& o) {
             continue;
         }
         const io::ProgramRun answered =
-            run("sh -c " + shell_quoted(peer.run) + " " + shell_quoted(script.string()),
+            run("sh -c " + single_quoted(peer.run) + " " + single_quoted(script.string()),
                 validation::integral_questions(points, options.digits));
         others.emplace_back(peer.name, validation::integral_answers(answered.output));
     }
-    std::vector<validation::HonestyRow> rows;
-    {
-        Progress progress("values");
-        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
-        rows = honesty(points, others, options);
-    }
+    const auto rows =
+        with_progress("values", options.progress, [&] { return honesty(points, others, options); });
     report::Table table = honesty_table(rows, options.digits);
     table.notes.insert(table.notes.end(), skipped.begin(), skipped.end());
     std::printf("%s", written(table, o.output).c_str());
     return 0;
 }
 
+void add_counting_options(CLI::App& sub, CountingOptions& o, bool digits) {
+    sub.add_option("--values", o.values, "how many")->capture_default_str();
+    sub.add_option("--seed", o.seed, "what they are drawn from")->capture_default_str();
+    if (digits) {
+        sub.add_option("--digits", o.digits, "digits asked for")->capture_default_str();
+    }
+    add_threads_option(sub, o.threads);
+    sub.add_option("--state", o.state,
+                   "keep what is done in this file, and go on from it where it is there");
+    add_output(sub, o.output);
+}
+
 } // namespace
 
 void add_bounds(CLI::App& app, int& code) {
-    CLI::App* sub = app.add_subcommand("bounds", "evidence that the bounds hold");
-    sub->require_subcommand(1);
+    CLI::App& all = *app.add_subcommand("bounds", "evidence that the bounds hold");
+    all.require_subcommand(1);
 
-    CLI::App* cases = sub->add_subcommand(
-        "hard-cases", "values that are hard to get right, by ball and by two routes; exit 1 where "
-                      "they differ");
-    auto c = std::make_shared<CasesOptions>();
-    cases->add_option("file", c->file, "the cases (TOML)")->capture_default_str();
-    cases->add_option("--digits", c->digits, "digits asked for")->capture_default_str();
-    cases->add_option("--threads", c->threads, "threads (default: one a processor)");
-    cases->add_flag("--classes", c->classes, "a row a class only");
-    add_output(*cases, c->output);
-    cases->callback([c, &code] { code = hard_cases(*c); });
+    auto [cases, c] = add_command<CasesOptions>(
+        all, code, "hard-cases",
+        "values that are hard to get right, by ball and by two routes; exit 1 where they differ",
+        hard_cases);
+    cases.add_option("file", c.file, "the cases (TOML)")->capture_default_str();
+    cases.add_option("--digits", c.digits, "digits asked for")->capture_default_str();
+    add_threads_option(cases, c.threads);
+    cases.add_flag("--classes", c.classes, "a row a class only");
+    add_output(cases, c.output);
 
-    CLI::App* counting = sub->add_subcommand(
-        "count",
+    auto [counting, n] = add_command<CountingOptions>(
+        all, code, "count",
         "values drawn from a seed, each tested: enclosed, rounded correctly, tight; exit 1 "
-        "where one fails");
-    auto n = std::make_shared<CountingOptions>();
-    counting->add_option("--values", n->values, "how many")->capture_default_str();
-    counting->add_option("--seed", n->seed, "what they are drawn from")->capture_default_str();
-    counting->add_option("--digits", n->digits, "digits asked for")->capture_default_str();
-    counting->add_option("--threads", n->threads, "threads (default: one a processor)");
-    counting->add_option("--state", n->state,
-                         "keep what is done in this file, and go on from it where it is there");
-    add_output(*counting, n->output);
-    counting->callback([n, &code] { code = count(*n); });
+        "where one fails",
+        count);
+    add_counting_options(counting, n, true);
 
-    CLI::App* words =
-        sub->add_subcommand("binary64", "values in double words (p, q, sums of terms, relative "
-                                        "errors), compared with balls; exit 1 "
-                                        "where one is not correctly rounded");
-    auto b = std::make_shared<Binary64Choice>();
-    words->add_option("--values", b->values, "how many")->capture_default_str();
-    words->add_option("--seed", b->seed, "what they are drawn from")->capture_default_str();
-    words->add_option("--threads", b->threads, "threads (default: one a processor)");
-    words->add_option("--state", b->state,
-                      "keep what is done in this file, and go on from it where it is there");
-    add_output(*words, b->output);
-    words->callback([b, &code] { code = binary64(*b); });
+    auto [words, b] = add_command<CountingOptions>(
+        all, code, "binary64",
+        "values in double words (p, q, sums of terms, relative errors), compared with balls; exit "
+        "1 where one is not correctly rounded",
+        binary64);
+    b.values = "1000000";
+    add_counting_options(words, b, false);
 
-    CLI::App* honest = sub->add_subcommand(
-        "honesty", "the errors that routes claim, compared with their true errors: ours, and other "
-                   "libraries' used plainly");
-    auto h = std::make_shared<HonestyChoice>();
-    honest->add_option("--digits", h->digits, "digits asked for")->capture_default_str();
-    honest->add_option("--scripts", h->scripts, "folder of the scripts for mpmath and PARI")
+    auto [honest, h] = add_command<HonestyChoice>(
+        all, code, "honesty",
+        "the errors that routes claim, compared with their true errors: ours, and other "
+        "libraries' used plainly",
+        honesty_of_routes);
+    honest.add_option("--digits", h.digits, "digits asked for")->capture_default_str();
+    honest.add_option("--scripts", h.scripts, "folder of the scripts for mpmath and PARI")
         ->capture_default_str();
-    add_output(*honest, h->output);
-    honest->callback([h, &code] { code = honesty_of_routes(*h); });
+    add_output(honest, h.output);
 
-    add_bounds_speed(*sub, code);
+    add_bounds_speed(all, code);
 }
 
 } // namespace edgeproof::cli

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/child_process.hpp"
-#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "lab/commands/bounds_tables.hpp"
 #include "lab/cost/cost.hpp"
@@ -12,7 +10,6 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <sstream>
 
 namespace edgeproof::cli {
@@ -108,12 +105,8 @@ int speed(const SpeedChoice& o) {
     if (!o.write.empty()) {
         io::make_folder(o.write); // fails before the work, not after it
     }
-    std::vector<cost::SpeedCell> cells;
-    {
-        Progress progress("scenes");
-        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
-        cells = scan_speed(options);
-    }
+    const auto cells =
+        with_progress("scenes", options.progress, [&] { return scan_speed(options); });
     if (options.only) {
         std::printf("%s\n", cost::sampled_scene(options.seed, *options.only).text.c_str());
     }
@@ -143,20 +136,20 @@ int speed(const SpeedChoice& o) {
 } // namespace
 
 void add_bounds_speed(CLI::App& bounds, int& code) {
-    CLI::App* sub = bounds.add_subcommand(
-        "speed", "scenes drawn from a seed, each timed: those that take much longer than others of "
-                 "their kind; exit 1 where one has no answer");
-    auto o = std::make_shared<SpeedChoice>();
-    sub->add_option("--scenes", o->scenes, "how many")->capture_default_str();
-    sub->add_option("--seed", o->seed, "what they are drawn from")->capture_default_str();
-    sub->add_option("--only", o->only, "only the scene of this number, which is printed too");
-    sub->add_option("--digits", o->digits, "digits asked for, a list")->capture_default_str();
-    sub->add_option("--limit", o->limit, "seconds after which an answer is stopped")
+    auto [sub, o] = add_command<SpeedChoice>(
+        bounds, code, "speed",
+        "scenes drawn from a seed, each timed: those that take much longer than others of their "
+        "kind; exit 1 where one has no answer",
+        speed);
+    sub.add_option("--scenes", o.scenes, "how many")->capture_default_str();
+    sub.add_option("--seed", o.seed, "what they are drawn from")->capture_default_str();
+    sub.add_option("--only", o.only, "only the scene of this number, which is printed too");
+    sub.add_option("--digits", o.digits, "digits asked for, a list")->capture_default_str();
+    sub.add_option("--limit", o.limit, "seconds after which an answer is stopped")
         ->capture_default_str();
-    sub->add_option("--threads", o->threads, "scenes at a time")->capture_default_str();
-    sub->add_option("--write", o->write, "write the slowest scene of each row to this folder");
-    sub->add_flag("--csv", o->csv, "write CSV");
-    sub->callback([o, &code] { code = speed(*o); });
+    sub.add_option("--threads", o.threads, "scenes at a time")->capture_default_str();
+    sub.add_option("--write", o.write, "write the slowest scene of each row to this folder");
+    sub.add_flag("--csv", o.csv, "write CSV");
 }
 
 } // namespace edgeproof::cli

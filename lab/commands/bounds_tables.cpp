@@ -4,8 +4,10 @@
 #include "edgeproof/precision/rounding/digits_right.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace edgeproof::cli {
 namespace {
@@ -16,41 +18,61 @@ std::string capped(unsigned digits) {
     return digits >= most_digits_right ? "exact" : std::to_string(digits);
 }
 
-void add_plain_columns(std::vector<report::Column>& columns, const std::string& prefix) {
-    for (const std::string_view name : validation::plain_arithmetics) {
-        columns.push_back({prefix + std::string(name), Kind::count});
-    }
-}
+using Counts = std::vector<std::pair<const char*, std::size_t validation::CountCell::*>>;
 
-std::vector<std::string> count_cells(const validation::CountCell& c) {
-    return {std::to_string(c.values), std::to_string(c.excluded), std::to_string(c.wrong),
-            std::to_string(c.wide), std::to_string(c.undecided)};
+/// Adds two columns that name a cell, and one for each of the counts; a row for each cell with
+/// values, or for all cells if the kind has them all; and a row for the total.
+void add_counts(report::Table& t, const validation::CountKind& kind,
+                const std::array<const char*, 2>& names, const Counts& counts,
+                const validation::CountCells& cells, const validation::CountCell& total) {
+    t.columns = {{names[0], Kind::text}, {names[1], Kind::text}};
+    for (const auto& [name, member] : counts) {
+        t.columns.push_back({name, Kind::count});
+    }
+    const auto add = [&](std::string_view row, std::string_view column,
+                         const validation::CountCell& c) {
+        t.rows.push_back({std::string(row), std::string(column)});
+        for (const auto& [name, member] : counts) {
+            t.rows.back().push_back(std::to_string(c.*member));
+        }
+    };
+    for (const auto& [number, c] : cells) {
+        if (c.values > 0 || kind.all_cells) {
+            add(kind.rows.at(number / kind.columns.size()),
+                kind.columns.at(number % kind.columns.size()), c);
+        }
+    }
+    add("all", "all", total);
 }
 
 } // namespace
 
 report::Table case_table(const std::vector<validation::HardCase>& cases,
-                         const std::vector<validation::CaseOutcome>& outcomes, unsigned digits) {
+                         const std::vector<validation::CaseOutcome>& outcomes, unsigned digits,
+                         bool brief) {
     report::Table t;
     t.title = "Hard cases at " + std::to_string(digits) + " digits";
     t.notes = {"double ... MPFR 50: digits right of the textbook formula in that arithmetic",
                "proved: digits of the enclosure; route_1, route_2: digits in which two routes in "
                "Real agree with it, as far as it goes",
                "fault: empty where the enclosure determines every digit and both routes agree"};
-    t.columns = {{"case", Kind::text},
-                 {"class", Kind::text},
-                 {"quantity", Kind::text},
-                 {"value", Kind::number},
-                 {"bound", Kind::number}};
-    add_plain_columns(t.columns, "");
-    for (const char* name : {"proved", "route_1", "route_2"}) {
-        t.columns.push_back({name, Kind::number});
+    t.columns = {{"case", Kind::text}, {"class", Kind::text}, {"quantity", Kind::text}};
+    if (!brief) {
+        t.columns.insert(t.columns.end(), {{"value"}, {"bound"}});
     }
-    t.columns.push_back({"fault", Kind::text});
+    for (const std::string_view name : validation::plain_arithmetics) {
+        t.columns.push_back({std::string(name), Kind::count});
+    }
+    t.columns.insert(t.columns.end(), {{"proved"}, {"route_1"}, {"route_2"}});
+    if (!brief) {
+        t.columns.push_back({"fault", Kind::text});
+    }
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const validation::CaseOutcome& o = outcomes[i];
-        std::vector<std::string> row{cases[i].name, cases[i].family, text_of(cases[i].asked),
-                                     o.value, o.bound};
+        std::vector<std::string> row{cases[i].name, cases[i].family, text_of(cases[i].asked)};
+        if (!brief) {
+            row.insert(row.end(), {o.value, o.bound});
+        }
         for (const unsigned d : o.plain) {
             row.push_back(std::to_string(d));
         }
@@ -58,7 +80,9 @@ report::Table case_table(const std::vector<validation::HardCase>& cases,
         for (std::size_t k = 0; k < 2; ++k) {
             row.push_back(k < o.second_routes.size() ? capped(o.second_routes[k].digits) : "");
         }
-        row.push_back(o.fault);
+        if (!brief) {
+            row.push_back(o.fault);
+        }
         t.rows.push_back(std::move(row));
     }
     return t;
@@ -89,7 +113,8 @@ report::Table family_table(const std::vector<validation::HardCase>& cases,
 }
 
 report::Table count_table(const validation::CountOptions& options,
-                          const validation::CountResult& result) {
+                          const validation::CountResult<validation::CountFinding>& result) {
+    using Cell = validation::CountCell;
     report::Table t;
     t.title = std::to_string(result.total.values) + " values at " + std::to_string(options.digits) +
               " digits, seed " + std::to_string(options.seed);
@@ -100,51 +125,26 @@ report::Table count_table(const validation::CountOptions& options,
         "the value in Real",
         "wide: the enclosure is wider than 10 units of the last digit asked",
         "undecided: no enclosure, or no second value, within the budgets"};
-    t.columns = {{"profile", Kind::text},   {"regime", Kind::text}, {"values", Kind::count},
-                 {"excluded", Kind::count}, {"wrong", Kind::count}, {"wide", Kind::count},
-                 {"undecided", Kind::count}};
-    const auto add = [&](std::string_view profile, std::string_view regime,
-                         const validation::CountCell& c) {
-        std::vector<std::string> row{std::string(profile), std::string(regime)};
-        for (std::string& cell : count_cells(c)) {
-            row.push_back(std::move(cell));
-        }
-        t.rows.push_back(std::move(row));
-    };
-    for (std::size_t p = 0; p < validation::sampled_profiles.size(); ++p) {
-        for (std::size_t r = 0; r < validation::sampled_regimes.size(); ++r) {
-            if (result.cells.at(p).at(r).values > 0) {
-                add(validation::sampled_profiles.at(p), validation::sampled_regimes.at(r),
-                    result.cells.at(p).at(r));
-            }
-        }
-    }
-    add("all", "all", result.total);
+    add_counts(t, validation::enclosure_count(), {"profile", "regime"},
+               {{"values", &Cell::values},
+                {"excluded", &Cell::excluded},
+                {"wrong", &Cell::wrong},
+                {"wide", &Cell::wide},
+                {"undecided", &Cell::undecided}},
+               result.cells, result.total);
     return t;
 }
 
-report::Table binary64_table(const validation::Binary64Count& count) {
+report::Table binary64_table(const validation::CountResult<std::string>& count) {
+    using Cell = validation::CountCell;
     report::Table t;
     t.title = "Values in double words, in " + std::to_string(count.contacts) + " contacts";
     t.notes = {"undecided: left to balls, as the rounding is open",
                "wrong: not the binary64 that an enclosure of 320 bits or more rounds to"};
-    t.columns = {{"value", Kind::text},
-                 {"place", Kind::text},
-                 {"values", Kind::count},
-                 {"undecided", Kind::count},
-                 {"wrong", Kind::count}};
-    const auto add = [&](std::string_view form, std::string_view place,
-                         const validation::Binary64Cell& c) {
-        t.rows.push_back({std::string(form), std::string(place), std::to_string(c.values),
-                          std::to_string(c.undecided), std::to_string(c.wrong)});
-    };
-    for (std::size_t f = 0; f < validation::drawn_forms.size(); ++f) {
-        for (std::size_t p = 0; p < validation::drawn_places.size(); ++p) {
-            add(validation::drawn_forms.at(f), validation::drawn_places.at(p),
-                count.cells.at(f).at(p));
-        }
-    }
-    add("all", "all", count.total);
+    add_counts(
+        t, validation::binary64_count(), {"value", "place"},
+        {{"values", &Cell::values}, {"undecided", &Cell::undecided}, {"wrong", &Cell::wrong}},
+        count.cells, count.total);
     return t;
 }
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/lab.hpp"
 
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/io/staged_folder.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "lab/commands/bounds_tables.hpp"
 #include "lab/cost/cost_page.hpp"
@@ -14,7 +11,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 #include <optional>
 #include <set>
 
@@ -33,7 +29,7 @@ struct CostArguments {
     bool json = false;
 };
 
-std::vector<unsigned> digits_of(const std::string& text) {
+std::vector<unsigned> digits_of_costs(const std::string& text) {
     const auto list = whole_numbers("--digits", text, 2, most_digits_of_a_cost);
     const std::set<unsigned> digits(list.begin(), list.end());
     return {digits.begin(), digits.end()};
@@ -60,20 +56,16 @@ report::CostReport measured(const CostArguments& a) {
     report.machine = cost::machine();
     report.cases = cases_of(a);
     cost::CostOptions options;
-    options.digits = report.digits = digits_of(a.digits);
+    options.digits = report.digits = digits_of_costs(a.digits);
     options.points = a.points.empty() ? 0 : whole_number("--points", a.points, 1, most_points);
     options.full = a.full;
     if (a.scenes.empty()) {
-        Progress progress("effects");
-        report.effects =
-            cost::effect_costs(report.usual_digits(), true,
-                               [&](std::size_t done, std::size_t total) { progress(done, total); });
+        report.effects = with_progress("effects", options.progress, [&] {
+            return cost::effect_costs(report.usual_digits(), true, options.progress);
+        });
     }
-    {
-        Progress progress("routes by digits");
-        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
-        report.cells = measure(report.cases, options);
-    }
+    report.cells = with_progress("routes by digits", options.progress,
+                                 [&] { return measure(report.cases, options); });
     return report;
 }
 
@@ -108,11 +100,7 @@ int cost(const CostArguments& a) {
     }
     const report::CostReport report = measured(a);
     if (staged) {
-        try {
-            write_cost_page(report, staged->path());
-        } catch (const InputError& error) {
-            throw staged->with_final_names(error);
-        }
+        staged->fill([&](const std::filesystem::path& folder) { write_cost_page(report, folder); });
         staged->commit();
     }
     if (a.json) {
@@ -126,21 +114,20 @@ int cost(const CostArguments& a) {
 } // namespace
 
 void add_cost(CLI::App& app, int& code) {
-    CLI::App* sub = app.add_subcommand(
-        "cost", "what a value costs by each route: digits reached, evaluations, time");
-    auto a = std::make_shared<CostArguments>();
-    sub->add_option("scenes", a->scenes,
-                    "scenes (TOML) to time at their own points; without any, a set of contacts "
-                    "with easy and hard points");
-    sub->add_option("--digits", a->digits, "how many digits, a list")->capture_default_str();
-    sub->add_option("--points", a->points,
-                    "points of a contact, at most, for every route and number of digits (default: "
-                    "fewer the more digits there are, and few of the reference routes)");
-    sub->add_flag("--full", a->full,
-                  "every route at every point and number of digits, however long it takes");
-    sub->add_option("--out", a->out, "write cost.html, CSV files and figures to this folder");
-    sub->add_flag("--json", a->json, "print JSON, with every point");
-    sub->callback([a, &code] { code = cost(*a); });
+    auto [sub, a] = add_command<CostArguments>(
+        app, code, "cost", "what a value costs by each route: digits reached, evaluations, time",
+        cost);
+    sub.add_option("scenes", a.scenes,
+                   "scenes (TOML) to time at their own points; without any, a set of contacts "
+                   "with easy and hard points");
+    sub.add_option("--digits", a.digits, "how many digits, a list")->capture_default_str();
+    sub.add_option("--points", a.points,
+                   "points of a contact, at most, for every route and number of digits (default: "
+                   "fewer the more digits there are, and few of the reference routes)");
+    sub.add_flag("--full", a.full,
+                 "every route at every point and number of digits, however long it takes");
+    sub.add_option("--out", a.out, "write cost.html, CSV files and figures to this folder");
+    sub.add_flag("--json", a.json, "print JSON, with every point");
 }
 
 } // namespace edgeproof::cli

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/lab.hpp"
 
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/io/process_cleanup.hpp"
 #include "edgeproof/io/text_file.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/report.hpp"
@@ -17,7 +14,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 
 namespace edgeproof::cli {
 namespace {
@@ -52,7 +48,8 @@ std::vector<std::string> false_alarms(const audit::MutationRun& run, const std::
     return all;
 }
 
-int mutate(const MutateOptions& o) {
+int mutate(MutateOptions& o) {
+    o.ledger = file_or_shipped(o.ledger, shipped_ledgers);
     if (o.digits < 10 || o.digits > 1000) {
         throw InputError("--digits " + std::to_string(o.digits) + " is out of range",
                          "give a number of digits from 10 to 1000");
@@ -88,11 +85,8 @@ int mutate(const MutateOptions& o) {
                                                    "; the same command goes on from there";
     const io::KeptNote note(kept);
     try {
-        Progress progress("mutants");
-        options.audit.progress = [&](std::size_t done, std::size_t total) {
-            progress(done, total);
-        };
-        run = run_mutants(ledger, options);
+        run = with_progress("mutants", options.audit.progress,
+                            [&] { return run_mutants(ledger, options); });
     } catch (const Interrupted&) {
         throw Interrupted(o.state.empty() ? "interrupted: nothing is written; with --state FILE a "
                                             "run keeps what is done"
@@ -114,23 +108,18 @@ int mutate(const MutateOptions& o) {
 } // namespace
 
 void add_mutate(CLI::App& app, int& code) {
-    CLI::App* sub = app.add_subcommand(
-        "mutate", "break the confirmed formulas of a ledger, and see that each mutant is refuted");
-    auto o = std::make_shared<MutateOptions>();
-    sub->add_option("ledger", o->ledger, "the ledger (TOML)")->required();
-    sub->add_option("--mutants", o->mutants, "how many")->capture_default_str();
-    sub->add_option("--seed", o->seed, "decides which")->capture_default_str();
-    sub->add_option("--digits", o->digits, "digits to check to")->capture_default_str();
-    sub->add_option("--only", o->only, "claims whose id matches, such as 'EQ2*'");
-    sub->add_option("--out", o->out, "file for a row a mutant (CSV)");
-    sub->add_option("--state", o->state,
-                    "file that keeps what is done: a run that was stopped goes on from it");
-    sub->add_option("--threads", o->threads, "threads (0: as many as the machine has)")
-        ->check(CLI::Range(0, 1024));
-    sub->callback([o, &code] {
-        o->ledger = file_or_shipped(o->ledger, shipped_ledgers);
-        code = mutate(*o);
-    });
+    auto [sub, o] = add_command<MutateOptions>(
+        app, code, "mutate",
+        "break the confirmed formulas of a ledger, and see that each mutant is refuted", mutate);
+    sub.add_option("ledger", o.ledger, "the ledger (TOML)")->required();
+    sub.add_option("--mutants", o.mutants, "how many")->capture_default_str();
+    sub.add_option("--seed", o.seed, "decides which")->capture_default_str();
+    sub.add_option("--digits", o.digits, "digits to check to")->capture_default_str();
+    sub.add_option("--only", o.only, "claims whose id matches, such as 'EQ2*'");
+    sub.add_option("--out", o.out, "file for a row a mutant (CSV)");
+    sub.add_option("--state", o.state,
+                   "file that keeps what is done: a run that was stopped goes on from it");
+    add_threads_option(sub, o.threads);
 }
 
 } // namespace edgeproof::cli

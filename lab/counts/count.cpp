@@ -3,47 +3,28 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/scene/run_scene.hpp"
-#include "lab/counts/state_text.hpp"
 
 #include <algorithm>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 namespace edgeproof::validation {
 
-void CountCell::add(const CountCell& o) {
-    values += o.values;
-    excluded += o.excluded;
-    wrong += o.wrong;
-    wide += o.wide;
-    undecided += o.undecided;
+const CountKind& enclosure_count() {
+    static const CountKind kind{"count",
+                                true,
+                                {sampled_profiles.begin(), sampled_profiles.end()},
+                                {sampled_regimes.begin(), sampled_regimes.end()},
+                                values_a_contact,
+                                false};
+    return kind;
 }
 
-CountResult count_values(const CountOptions& options, CountState& state) {
-    state.seed = options.seed;
-    state.values = options.values;
-    state.digits = options.digits;
-    const ContactSizes sizes{options.values, values_a_contact};
-    auto findings = count_contacts_left<CountFinding>(
-        options, state, sizes, [&options](std::size_t number, std::size_t values) {
-            return count_contact(options, number, values);
-        });
-    CountResult result;
-    for (const auto& [number, cells] : state.contacts) {
-        for (const auto& [cell, found] : cells) {
-            result.cells.at(cell / sampled_regimes.size())
-                .at(cell % sampled_regimes.size())
-                .add(found);
-            result.total.add(found);
-        }
-    }
-    for (auto& [number, list] : findings) {
-        for (CountFinding& f : list) {
-            result.findings.push_back(std::move(f));
-        }
-    }
-    return result;
+CountResult<CountFinding> count_values(const EnclosureCountOptions& options, CountState& state) {
+    return count_contacts<CountFinding>(enclosure_count(), options, state,
+                                        [&options](std::size_t number, std::size_t values) {
+                                            return count_contact(options, number, values);
+                                        });
 }
 
 namespace {
@@ -194,8 +175,9 @@ std::string held_to(const scene::BoundedValue& first, const scene::BoundedValue&
     return wrong;
 }
 
-CountedContact count_contact(const CountOptions& options, std::size_t number, std::size_t values) {
-    CountedContact found;
+CountedContact<CountFinding> count_contact(const EnclosureCountOptions& options, std::size_t number,
+                                           std::size_t values) {
+    CountedContact<CountFinding> found;
     const SampledContact contact = sampled_contact(options.seed, number, values);
     std::optional<Enclosures> coarse;
     std::optional<Enclosures> fine;
@@ -233,59 +215,6 @@ CountedContact count_contact(const CountOptions& options, std::size_t number, st
         }
     }
     return found;
-}
-
-namespace {
-
-std::string head(const CountState& s) {
-    return "edgeproof bounds count, seed " + std::to_string(s.seed) + ", values " +
-           std::to_string(s.values) + ", digits " + std::to_string(s.digits);
-}
-
-} // namespace
-
-std::string write_count_state(const CountState& state) {
-    std::string text = head(state) + "\n";
-    for (const auto& [number, cells] : state.contacts) {
-        const bool clean = std::all_of(cells.begin(), cells.end(), [](const auto& cell) {
-            return cell.second.failures() + cell.second.undecided == 0;
-        });
-        if (!clean) {
-            continue;
-        }
-        text += std::to_string(number);
-        for (const auto& [cell, found] : cells) {
-            text += " " + std::to_string(cell) + ":" + std::to_string(found.values);
-        }
-        text += "\n";
-    }
-    return text + "end\n";
-}
-
-CountState parse_count_state(std::string_view text, const std::string& file,
-                             const CountState& wanted) {
-    CountState state = wanted;
-    state.contacts.clear();
-    read_state_text(text, file, head(wanted), [&](const std::string& line) {
-        std::istringstream words(line);
-        std::size_t contact = 0;
-        if (!(words >> contact)) {
-            return false;
-        }
-        auto& cells = state.contacts[contact];
-        std::size_t cell = 0;
-        std::size_t values = 0;
-        char colon = 0;
-        while (words >> cell) {
-            if (!(words >> colon >> values) || colon != ':' || values > values_a_contact ||
-                cell >= sampled_profiles.size() * sampled_regimes.size()) {
-                return false;
-            }
-            cells[cell].values = values;
-        }
-        return words.eof();
-    });
-    return state;
 }
 
 } // namespace edgeproof::validation

@@ -2,17 +2,14 @@
 #include "lab/validation/hard_cases.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
+#include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/digits_right.hpp"
 #include "edgeproof/scene/input/file_kind.hpp"
-#include "lab/validation/enclosed_value.hpp"
-#include "lab/validation/second_route.hpp"
 #include "lab/validation/textbook_formula.hpp"
-
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+#include "lab/validation/value_routes.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -138,19 +135,12 @@ template <Arithmetic T> unsigned plain(const HardCase& c, const Ball& exact) {
     }
 }
 
-/// Compares a second route (docs/independence.md) with the enclosure: true if every number of the
-/// ball is within 1 unit of the last digit requested of x.
-bool agrees(const Real& x, const Ball& exact, unsigned digits) {
-    return digits_right(x, exact) + 1 >= digits;
-}
-
+/// Compares a second route (docs/independence.md) with the enclosure: it agrees if every number of
+/// the ball is within 1 unit of the last digit requested of its value.
 CaseSecondRoute held(const SecondRoute& o, const Ball& exact, unsigned digits) {
-    CaseSecondRoute said;
-    said.route = o.route;
-    said.value = to_decimal(o.value, digits);
-    said.digits = std::min(digits_right(o.value, exact), digits_proved(exact));
-    said.agrees = agrees(o.value, exact, digits);
-    return said;
+    const unsigned right = digits_right(o.value, exact);
+    return {o.route, to_decimal(o.value, digits), std::min(right, digits_proved(exact)),
+            right + 1 >= digits};
 }
 
 std::string fault_of(const HardCase& c, const CaseOutcome& outcome, unsigned digits) {
@@ -213,17 +203,14 @@ CaseOutcome run_case(const HardCase& c, unsigned digits) {
 std::vector<CaseOutcome> run_cases(const std::vector<HardCase>& cases, const CaseOptions& options) {
     std::vector<CaseOutcome> outcomes(cases.size());
     std::atomic<std::size_t> done{0};
-    const auto one = [&](std::size_t i) {
+    parallel::work_through(parallel::all_pieces(cases.size()), options.threads, [&](std::size_t i) {
         check_interruption();
         outcomes[i] = run_case(cases[i], options.digits);
         const std::size_t n = ++done;
         if (options.progress) {
             options.progress(n, cases.size());
         }
-    };
-    tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
-                                               : static_cast<int>(options.threads));
-    arena.execute([&] { tbb::parallel_for(std::size_t{0}, cases.size(), one); });
+    });
     return outcomes;
 }
 
@@ -231,10 +218,8 @@ std::vector<FamilySummary> summary(const std::vector<HardCase>& cases,
                                    const std::vector<CaseOutcome>& outcomes) {
     std::vector<FamilySummary> list;
     for (const HardCase& c : cases) {
-        const auto same = [&](const FamilySummary& s) { return s.family == c.family; };
-        if (std::none_of(list.begin(), list.end(), same)) {
-            list.push_back({});
-            list.back().family = c.family;
+        if (std::ranges::find(list, c.family, &FamilySummary::family) == list.end()) {
+            list.emplace_back().family = c.family;
         }
     }
     for (FamilySummary& s : list) {
@@ -252,10 +237,10 @@ std::vector<FamilySummary> summary(const std::vector<HardCase>& cases,
             }
         }
         for (std::size_t j = 0; j < plain.size(); ++j) {
-            s.worst[j] = *std::min_element(plain[j].begin(), plain[j].end());
+            s.worst[j] = std::ranges::min(plain[j]);
             s.median[j] = median(plain[j]);
         }
-        s.worst_proved = *std::min_element(proved.begin(), proved.end());
+        s.worst_proved = std::ranges::min(proved);
         s.median_proved = median(proved);
     }
     return list;

@@ -4,8 +4,8 @@
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/digits_right.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
-#include "lab/validation/enclosed_value.hpp"
 #include "lab/validation/plain_tanh_sinh.hpp"
+#include "lab/validation/value_routes.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,11 +2,10 @@
 #include "lab/validation/textbook_formula.hpp"
 
 #include "edgeproof/contact/law/edge_expansion.hpp"
-#include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "lab/validation/enclosed_value.hpp"
 #include "lab/validation/plain_tanh_sinh.hpp"
+#include "lab/validation/value_routes.hpp"
 
 #include <boost/math/special_functions/gamma.hpp>
 
@@ -96,16 +95,9 @@ TextbookFormula<T>::TextbookFormula(const scene::Scene& scene)
         m_ = profile.parameters().at("m").template to<T>();
         C_ = profile.parameters().at("C").template to<T>();
     } else {
-        const contact::SlopeIn<T> slope(profile);
-        for (std::size_t i = 0; i < slope.pieces().size(); ++i) {
-            const auto& p = slope.pieces()[i];
-            if (!p.linear) {
-                throw DomainError("no published formula holds for a curved g'");
-            }
-            const bool first = i == 0;
-            const bool last = i == slope.knots().size();
-            pieces_.push_back({first ? T(0) : slope.knots()[i - 1], last ? T(0) : slope.knots()[i],
-                               first, last, p.at_origin, p.rate});
+        slope_.emplace(profile);
+        if (!std::ranges::all_of(slope_->pieces(), [](const auto& p) { return p.linear; })) {
+            throw DomainError("no published formula holds for a curved g'");
         }
     }
     if (scene.shear) {
@@ -125,11 +117,12 @@ template <Arithmetic T>
 std::vector<typename TextbookFormula<T>::Span> TextbookFormula<T>::spans(const T& a,
                                                                          const T& b) const {
     std::vector<Span> list;
-    for (const Piece& p : pieces_) {
-        const T lo = p.first || p.from < -b ? T(-b) : p.from;
-        const T hi = p.last || p.to > a ? a : p.to;
+    const std::vector<T>& knots = slope_->knots();
+    for (std::size_t i = 0; i <= knots.size(); ++i) {
+        const T lo = i == 0 || knots[i - 1] < -b ? T(-b) : knots[i - 1];
+        const T hi = i == knots.size() || knots[i] > a ? a : knots[i];
         if (lo < hi) {
-            list.push_back({lo, hi, p.at_origin, p.rate});
+            list.push_back({lo, hi, slope_->pieces()[i].at_origin, slope_->pieces()[i].rate});
         }
     }
     return list;
@@ -171,8 +164,8 @@ template <Arithmetic T> T TextbookFormula<T>::left_edge(const T& a) const {
     }
     if (scene_.profile->kind() == contact::Profile::Kind::tilted_wedge) {
         // For phi, alpha: h = pi (phi + alpha)/(2 phi) is the angle of the apex, b = a cot^2(h/2).
-        const T right = pieces_[1].at_origin;
-        const T left = -pieces_[0].at_origin;
+        const T right = slope_->pieces()[1].at_origin;
+        const T left = -slope_->pieces()[0].at_origin;
         const T half = pi<T>() * left / (right + left) / T(2);
         return a * cos(half) * cos(half) / (sin(half) * sin(half));
     }

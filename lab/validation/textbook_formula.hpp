@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
@@ -38,14 +39,6 @@ public:
     [[nodiscard]] T shear_coefficient(contact::Edge edge, std::size_t k) const;
 
 private:
-    struct Piece {
-        T from; ///< -inf if `first`
-        T to;
-        bool first;
-        bool last;
-        T at_origin;
-        T rate;
-    };
     struct Span {
         T lo;
         T hi;
@@ -66,7 +59,7 @@ private:
     bool power_ = false;
     T m_{};
     T C_{};
-    std::vector<Piece> pieces_;
+    std::optional<contact::SlopeIn<T>> slope_; ///< unless `power_`
     T Q_{};
     T sigma_{};
     T a_{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/signals.hpp"
+#include "edgeproof/cli/cli.hpp"
 
 #include "edgeproof/precision/interruption.hpp"
 #include "tests/cli/hertz_ledger.hpp"

@@ -15,7 +15,8 @@ struct AuditOptions {
     unsigned digits = 50;
     int threads = 0;        ///< 0: one for each processor
     std::string only = "*"; ///< a pattern of ids, with * and ? as in a shell
-    std::function<void(std::size_t done, std::size_t total)> progress; ///< called from any thread
+    /// Called from any thread.
+    std::function<void(std::size_t done, std::size_t total)> progress = {};
     bool timed = false; ///< measure the processor time of each claim
     /// The treatment of errors that are found in a claim only when it is checked.
     ClaimErrors errors = ClaimErrors::thrown;

@@ -2,33 +2,44 @@
 #pragma once
 /// The program's subcommands, one file each. Every add_... function adds its command to the command
 /// line; the command that is run writes its exit status to `code`: 0 good, 1 differs or fails the
-/// target, 2 bad input. An interruption (130, 143) is thrown (signals.hpp).
+/// target, 2 bad input. An interruption (130, 143) is thrown (below).
+#include "edgeproof/parallel/distributed_work.hpp"
+
 #include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace edgeproof::cli {
 
-void add_verify(CLI::App& app, int& code);
-void add_pressure(CLI::App& app, int& code);
-void add_expand(CLI::App& app, int& code);
-void add_extent(CLI::App& app, int& code);
-void add_slip(CLI::App& app, int& code);
-void add_plot(CLI::App& app, int& code);
-void add_slip_table(CLI::App& app, int& code);
-void add_explain(CLI::App& app, int& code);
-void add_relations(CLI::App& app, int& code);
-void add_design(CLI::App& app, int& code);
-void add_table(CLI::App& app, int& code);
-void add_points(CLI::App& app, int& code);
-void add_check(CLI::App& app, int& code);
-void add_compare(CLI::App& app, int& code);
-void add_pack(CLI::App& app, int& code);
-void add_certify(CLI::App& app, int& code);
+using AddCommand = void(CLI::App& app, int& code);
+AddCommand add_pressure, add_expand, add_extent, add_slip, add_plot, add_slip_table, add_explain,
+    add_relations, add_design, add_table, add_points, add_check, add_compare, add_pack, add_certify,
+    add_verify;
+
+/// A subcommand and the values of its options, which live as long as the command line.
+template <class Options> struct Command {
+    CLI::App& sub;
+    Options& options;
+};
+
+/// Adds a subcommand. If it is chosen, `run` is called with its options and returns the exit
+/// status, which is written to `code`.
+template <class Options, class Run>
+[[nodiscard]] Command<Options> add_command(CLI::App& app, int& code, std::string name,
+                                           std::string help, Run run) {
+    CLI::App* const sub = app.add_subcommand(std::move(name), std::move(help));
+    const auto options = std::make_shared<Options>();
+    sub->callback([options, run, &code] { code = run(*options); });
+    return {*sub, *options};
+}
 
 /// Shows the number of items done, the rate and the time left on stderr, if that is a terminal that
 /// obeys escape sequences. The line is wiped at the end.
@@ -51,6 +62,15 @@ private:
     std::size_t shown_ = 0;
 };
 
+/// Returns work(), during which calls of `shown` show the progress as `what`.
+template <class Work>
+decltype(auto) with_progress(std::string what, std::function<void(std::size_t, std::size_t)>& shown,
+                             const Work& work) {
+    Progress progress(std::move(what));
+    shown = std::ref(progress);
+    return work();
+}
+
 /// The width of the terminal on stdout in columns; 100 if it is not a terminal.
 [[nodiscard]] std::size_t terminal_width();
 /// The greatest width of a table on stdout in columns; 0, unlimited, if it is not a terminal.
@@ -65,6 +85,15 @@ private:
 [[nodiscard]] std::string unknown_on_command_line(const CLI::App& app, int argc,
                                                   const char* const* argv);
 
+/// Writes the documentation of the command line into a folder: man1/edgeproof.1, a page for each
+/// subcommand, man1/edgeproof-NAME.1, and completions for three shells: edgeproof.bash, _edgeproof
+/// (zsh) and edgeproof.fish.
+void write_manual(const CLI::App& app, const std::string& version,
+                  const std::filesystem::path& folder);
+
+/// Returns the text in single quotes for a POSIX shell.
+[[nodiscard]] std::string single_quoted(std::string_view text);
+
 /// Copies the standard error of programs that are run to ours as it arrives, up to most_bytes in
 /// all; then one line states that the rest is left out.
 class ProgramMessages {
@@ -76,5 +105,51 @@ private:
     std::size_t shown_ = 0;
     bool cut_ = false;
 };
+
+// Files that come with the program, found by their place relative to it (installed.cpp).
+
+inline constexpr std::string_view shipped_ledgers = "verify";
+inline constexpr std::string_view shipped_recipes = "reference";
+inline constexpr std::string_view shipped_scenes = "examples/scenes";
+inline constexpr std::string_view shipped_designs = "examples/design";
+
+/// Returns the file for a command. A bare name ("moore-hills") that is not a file in the current
+/// folder means a file in that folder of the program's files, if there is one; anything else is
+/// returned unchanged.
+[[nodiscard]] std::string file_or_shipped(const std::string& given, std::string_view folder);
+
+/// Returns the processes that mpirun or srun started together with this one, or null if it was
+/// started alone (then only the environment is read). Throws InputError if it is one of several
+/// processes that it cannot reach: in a build without MPI, or under an srun that does not connect
+/// them.
+[[nodiscard]] std::unique_ptr<parallel::Processes> launched_together();
+
+/// Returns the number of processes started together, 1 for one alone.
+[[nodiscard]] std::size_t launched_count();
+
+// The end of the program (signals.cpp).
+
+/// Replaces standard streams that the caller has closed, so that no file opened later takes their
+/// place: reads and writes on such a stream fail. Must be called first.
+void open_standard_streams();
+
+/// After this call SIGINT, SIGTERM and SIGHUP (unless it is ignored, as by nohup) end the program
+/// in at most two seconds. They request an interruption, which the work notices at its next check
+/// (precision/interruption.hpp). If there is no check within a second, or at a second signal, the
+/// process ends at once. In both cases child processes are ended, temporary files are removed, and
+/// the exit status is 128 plus the signal's number. Must be called before any thread is started:
+/// the signals are blocked in all threads, and one thread waits for them.
+void take_signals();
+
+/// After this call an abort in a library (GMP without memory, MPFR, FLINT) or an uncaught exception
+/// ends the program with one line and exit status 2.
+void take_aborts();
+
+/// Writes the line with the reason for the program's end to standard error. Does not return if a
+/// second signal has already written its own line and ends the process.
+void say_at_the_end(const std::string& line);
+
+/// Returns the exit status of an interrupted program: 130 for SIGINT, 143 for SIGTERM.
+[[nodiscard]] int interrupted_status();
 
 } // namespace edgeproof::cli

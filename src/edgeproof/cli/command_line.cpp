@@ -24,23 +24,6 @@ std::vector<std::string> options_of(const CLI::App& app) {
     return names;
 }
 
-std::vector<std::string> subcommands_of(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
-        names.push_back(sub->get_name());
-    }
-    return names;
-}
-
-const CLI::App* subcommand(const CLI::App& app, std::string_view name) {
-    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
-        if (sub->get_name() == name) {
-            return sub;
-        }
-    }
-    return nullptr;
-}
-
 } // namespace
 
 std::string unknown_on_command_line(const CLI::App& app, int argc, const char* const* argv) {
@@ -59,10 +42,18 @@ std::string unknown_on_command_line(const CLI::App& app, int argc, const char* c
             const bool value_follows =
                 option->get_expected_min() > 0 && option->get_type_size() > 0 && name == word;
             i += value_follows ? 1 : 0;
-        } else if (const CLI::App* sub = subcommand(*current, word)) {
-            current = sub;
-        } else if (!subcommands_of(*current).empty()) {
-            return unknown_name("subcommand", word, subcommands_of(*current));
+            continue;
+        }
+        std::vector<std::string> names;
+        const CLI::App* chosen = nullptr;
+        for (const CLI::App* sub : current->get_subcommands([](const CLI::App*) { return true; })) {
+            names.push_back(sub->get_name());
+            chosen = sub->get_name() == word ? sub : chosen;
+        }
+        if (chosen != nullptr) {
+            current = chosen;
+        } else if (!names.empty()) {
+            return unknown_name("subcommand", word, names);
         }
     }
     return {};

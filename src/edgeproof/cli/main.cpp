@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
-#include "edgeproof/cli/manual.hpp"
-#include "edgeproof/cli/signals.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
@@ -50,25 +48,13 @@ int main(int argc, char** argv) {
     app.footer(
         "Exit status: 0 done, and nothing differs or fails; 1 something does; 2 the input was "
         "bad; 130, 143 interrupted (SIGINT, SIGTERM)");
-    cli::add_pressure(app, code);
-    cli::add_expand(app, code);
-    cli::add_extent(app, code);
-    cli::add_slip(app, code);
-    cli::add_plot(app, code);
-    cli::add_slip_table(app, code);
-    cli::add_explain(app, code);
-    cli::add_relations(app, code);
-    cli::add_design(app, code);
-    cli::add_table(app, code);
-    cli::add_points(app, code);
-    cli::add_check(app, code);
-    cli::add_compare(app, code);
-    cli::add_pack(app, code);
-    cli::add_mutate(app, code);
-    cli::add_certify(app, code);
-    cli::add_bounds(app, code);
-    cli::add_cost(app, code);
-    cli::add_verify(app, code);
+    for (const auto add :
+         {cli::add_pressure, cli::add_expand, cli::add_extent, cli::add_slip, cli::add_plot,
+          cli::add_slip_table, cli::add_explain, cli::add_relations, cli::add_design,
+          cli::add_table, cli::add_points, cli::add_check, cli::add_compare, cli::add_pack,
+          cli::add_mutate, cli::add_certify, cli::add_bounds, cli::add_cost, cli::add_verify}) {
+        add(app, code);
+    }
     try {
         if (argc == 3 && std::string_view(argv[1]) == "--write-manual") { // used by the build
             cli::write_manual(app, std::string(report::program_version), argv[2]);
@@ -79,29 +65,24 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& e) {
         const std::string unknown = cli::unknown_on_command_line(app, argc, argv);
         say(unknown.empty() ? std::string(e.what()) + "; see edgeproof --help" : unknown);
-        return 2;
     } catch (const InputError& e) {
         if (e.file().empty()) {
             say(e.what());
         } else {
             cli::say_at_the_end(e.what());
         }
-        return 2;
     } catch (const Interrupted& e) {
         cli::say_at_the_end(e.what());
         return cli::interrupted_status();
     } catch (const Error& e) {
         cli::say_at_the_end(shown(e.what()));
-        return 2;
     } catch (const std::bad_alloc&) {
         say("out of memory; ask for fewer digits");
-        return 2;
     } catch (const std::filesystem::filesystem_error& e) {
         say("a file or folder cannot be used: " + e.code().message() +
             "; give another name, or a folder that is there");
-        return 2;
     } catch (const std::exception& e) {
         say(e.what());
-        return 2;
     }
+    return 2;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/manual.hpp"
+#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/io/output_file.hpp"
 
 #include <algorithm>
@@ -8,6 +8,33 @@
 
 namespace edgeproof::cli {
 namespace {
+
+std::vector<const CLI::App*> subcommands(const CLI::App& app) {
+    return app.get_subcommands([](const CLI::App* sub) { return !sub->get_group().empty(); });
+}
+
+/// Returns the names with their hyphens: "-h", "--help".
+std::vector<std::string> names_of(const CLI::Option& option) {
+    std::vector<std::string> names;
+    for (const std::string& name : option.get_snames()) {
+        names.push_back("-" + name);
+    }
+    for (const std::string& name : option.get_lnames()) {
+        names.push_back("--" + name);
+    }
+    return names;
+}
+
+bool takes_value(const CLI::Option& option) {
+    return option.get_type_size() > 0 && option.get_expected_max() > 0;
+}
+
+/// Returns the options of a command, without its arguments and hidden options.
+std::vector<const CLI::Option*> shown_options(const CLI::App& app) {
+    return app.get_options([](const CLI::Option* option) {
+        return !option->get_positional() && !option->get_group().empty();
+    });
+}
 
 /// Escapes a text for roff.
 std::string roff(const std::string& text) {
@@ -24,11 +51,12 @@ std::string upper(std::string text) {
     return text;
 }
 
-std::string line(const char* macro, const std::string& text) {
-    return std::string(".") + macro + " " + roff(text) + "\n";
-}
-
+/// Returns the entry of an option or an argument.
 std::string option_entry(const CLI::Option& option) {
+    if (option.get_positional()) {
+        return ".TP\n\\fI" + roff(upper(option.get_name())) + "\\fR\n" +
+               roff(option.get_description()) + "\n";
+    }
     std::string names;
     for (const std::string& name : names_of(option)) {
         names += (names.empty() ? "\\fB" : ", \\fB") + roff(name) + "\\fR";
@@ -48,11 +76,8 @@ std::string sections(const CLI::App& of) {
     std::string arguments;
     std::string options;
     for (const CLI::Option* option : of.get_options()) {
-        if (option->get_positional()) {
-            arguments += ".TP\n\\fI" + roff(upper(option->get_name())) + "\\fR\n" +
-                         roff(option->get_description()) + "\n";
-        } else if (!option->get_group().empty()) {
-            options += option_entry(*option);
+        if (option->get_positional() || !option->get_group().empty()) {
+            (option->get_positional() ? arguments : options) += option_entry(*option);
         }
     }
     std::string out;
@@ -73,8 +98,7 @@ std::string synopsis(const std::string& command, const CLI::App& of) {
     return text + (subcommands(of).empty() ? "" : " \\fISUBCOMMAND\\fR") + "\n";
 }
 
-} // namespace
-
+/// Returns the page of one subcommand, or of the program (`of` is `app`), in roff's man macros.
 std::string man_page(const CLI::App& app, const CLI::App& of, const std::string& version) {
     const bool whole = &of == &app;
     const std::string command = whole ? app.get_name() : app.get_name() + " " + of.get_name();
@@ -94,11 +118,10 @@ std::string man_page(const CLI::App& app, const CLI::App& of, const std::string&
                    "; see \\fB" + roff(app.get_name() + "-" + sub->get_name()) + "\\fR(1)\n";
             continue;
         }
-        out += line("SS", command + " " + sub->get_name()) + roff(sub->get_description()) + "\n";
+        out += ".SS " + roff(command + " " + sub->get_name()) + "\n" +
+               roff(sub->get_description()) + "\n";
         for (const CLI::Option* option : sub->get_options()) {
-            out += option->get_positional() ? ".TP\n\\fI" + roff(upper(option->get_name())) +
-                                                  "\\fR\n" + roff(option->get_description()) + "\n"
-                                            : option_entry(*option);
+            out += option_entry(*option);
         }
     }
     if (!app.get_footer().empty()) {
@@ -109,21 +132,6 @@ std::string man_page(const CLI::App& app, const CLI::App& of, const std::string&
     }
     return see.empty() ? out : out + ".SH SEE ALSO\n" + see;
 }
-
-void write_manual(const CLI::App& app, const std::string& version,
-                  const std::filesystem::path& folder) {
-    std::filesystem::create_directories(folder / "man1");
-    io::write_whole(folder / "man1" / (app.get_name() + ".1"), man_page(app, app, version));
-    for (const CLI::App* sub : subcommands(app)) {
-        io::write_whole(folder / "man1" / (app.get_name() + "-" + sub->get_name() + ".1"),
-                        man_page(app, *sub, version));
-    }
-    io::write_whole(folder / (app.get_name() + ".bash"), bash_completion(app));
-    io::write_whole(folder / ("_" + app.get_name()), zsh_completion(app));
-    io::write_whole(folder / (app.get_name() + ".fish"), fish_completion(app));
-}
-
-namespace {
 
 /// Puts a backslash before each of the characters of `special`.
 std::string escaped(std::string_view text, std::string_view special) {
@@ -143,15 +151,6 @@ std::string zsh_word(std::string_view text) {
         out += (plain ? "" : "\\") + std::string(1, c);
     }
     return out;
-}
-
-/// Returns the text in single quotes for a POSIX shell.
-std::string single_quoted(std::string_view text) {
-    std::string out = "'";
-    for (const char c : text) {
-        out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    return out + "'";
 }
 
 std::string words_of(const CLI::App& app) {
@@ -246,8 +245,6 @@ std::string fish_lines(const CLI::App& app, const std::string& program, const st
     return out;
 }
 
-} // namespace
-
 std::string bash_completion(const CLI::App& app) {
     const std::string name = app.get_name();
     return "# Completion of " + name + " for bash.\n_" + name +
@@ -273,6 +270,29 @@ std::string zsh_completion(const CLI::App& app) {
 std::string fish_completion(const CLI::App& app) {
     const std::string name = app.get_name();
     return "# Completion of " + name + " for fish.\n" + fish_lines(app, name, "true");
+}
+
+} // namespace
+
+std::string single_quoted(std::string_view text) {
+    std::string out = "'";
+    for (const char c : text) {
+        out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return out + "'";
+}
+
+void write_manual(const CLI::App& app, const std::string& version,
+                  const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder / "man1");
+    io::write_whole(folder / "man1" / (app.get_name() + ".1"), man_page(app, app, version));
+    for (const CLI::App* sub : subcommands(app)) {
+        io::write_whole(folder / "man1" / (app.get_name() + "-" + sub->get_name() + ".1"),
+                        man_page(app, *sub, version));
+    }
+    io::write_whole(folder / (app.get_name() + ".bash"), bash_completion(app));
+    io::write_whole(folder / ("_" + app.get_name()), zsh_completion(app));
+    io::write_whole(folder / (app.get_name() + ".fish"), fish_completion(app));
 }
 
 } // namespace edgeproof::cli

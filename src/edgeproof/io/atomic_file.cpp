@@ -72,11 +72,12 @@ int own_descriptor(const std::filesystem::path& file) {
     return -1;
 }
 
-[[noreturn]] void cannot_write(const std::filesystem::path& file, const std::string& why) {
-    throw InputError("cannot write " + file.string() + ": " + why, give_writable_folder);
-}
-
 } // namespace
+
+void cannot(const std::string& what, const std::filesystem::path& path, int error) {
+    throw InputError("cannot " + what + " " + path.string() + ": " + std::strerror(error),
+                     give_writable_folder);
+}
 
 OutputTarget OutputTarget::of(const std::filesystem::path& file) {
     OutputTarget target;
@@ -85,7 +86,7 @@ OutputTarget OutputTarget::of(const std::filesystem::path& file) {
     if (target.descriptor >= 0) {
         const int flags = ::fcntl(target.descriptor, F_GETFL);
         if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY) {
-            cannot_write(file, std::strerror(EBADF));
+            cannot("write", file, EBADF);
         }
         target.special = true;
         return target;
@@ -95,7 +96,7 @@ OutputTarget OutputTarget::of(const std::filesystem::path& file) {
     for (int links = 0; std::filesystem::is_symlink(target.path, none); ++links) {
         const std::filesystem::path next = std::filesystem::read_symlink(target.path, none);
         if (links == most_links || next.empty()) {
-            cannot_write(file, std::strerror(ELOOP));
+            cannot("write", file, ELOOP);
         }
         target.path = next.is_absolute() ? next : folder_of(target.path) / next;
     }
@@ -151,7 +152,7 @@ AtomicFile::AtomicFile(std::filesystem::path file, Content content)
                   ? ::fcntl(target_.descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)
                   : ::open(target_.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
         if (fd_ < 0) {
-            cannot(errno);
+            cannot("write", file_, errno);
         }
         return;
     }
@@ -165,7 +166,7 @@ AtomicFile::AtomicFile(std::filesystem::path file, Content content)
                      0666);
     }
     if (fd_ < 0 || (target_.mode && ::fchmod(fd_, *target_.mode) != 0)) {
-        cannot(errno);
+        cannot("write", file_, errno);
     }
     (void)::flock(fd_, LOCK_SH | LOCK_NB); // shows others that it is in use
 }
@@ -179,8 +180,6 @@ AtomicFile::~AtomicFile() {
     }
 }
 
-void AtomicFile::cannot(int error) { cannot_write(file_, std::strerror(error)); }
-
 void AtomicFile::write(const std::string& text) {
     waiting_ += text;
     if (waiting_.size() >= write_at_once) {
@@ -190,7 +189,7 @@ void AtomicFile::write(const std::string& text) {
 
 void AtomicFile::flush() {
     if (const int error = write_all(fd_, waiting_); error != 0) {
-        cannot(error);
+        cannot("write", file_, error);
     }
     waiting_.clear();
 }
@@ -200,7 +199,7 @@ void AtomicFile::give_name() {
     ::unlink(aside_.path().c_str());
     if (::linkat(AT_FDCWD, by_number.c_str(), AT_FDCWD, aside_.path().c_str(), AT_SYMLINK_FOLLOW) !=
         0) {
-        cannot(errno);
+        cannot("write", file_, errno);
     }
     named_ = true;
 }
@@ -216,14 +215,14 @@ void AtomicFile::commit() {
         return;
     }
     if (::fsync(fd_) != 0) {
-        cannot(errno);
+        cannot("write", file_, errno);
     }
     const auto lock = hold_cleanup();
     if (!named_) {
         give_name();
     }
     if (::rename(aside_.path().c_str(), target_.path.c_str()) != 0) {
-        cannot(errno);
+        cannot("write", file_, errno);
     }
     aside_.keep_locked();
     ::close(fd_);

@@ -14,6 +14,9 @@ namespace edgeproof::io {
 inline constexpr const char* give_writable_folder =
     "give a folder that can be written to, with free space";
 
+/// Throws InputError: "cannot WHAT PATH: the text of the error number".
+[[noreturn]] void cannot(const std::string& what, const std::filesystem::path& path, int error);
+
 /// Removes the temporary files that ended processes left next to a file or folder, with names such
 /// as "t.csv.4711.tmp". Files of running processes are locked (flock) and are kept.
 void remove_left_over(const std::filesystem::path& file);
@@ -51,7 +54,6 @@ public:
 private:
     void flush();
     void give_name();
-    [[noreturn]] void cannot(int error);
 
     std::filesystem::path file_; ///< as the user named it
     OutputTarget target_;

@@ -90,7 +90,7 @@ CheckpointFile::CheckpointFile(std::filesystem::path file, std::uint64_t fingerp
         if (errno == ELOOP || errno == EISDIR || errno == ENXIO) {
             not_ours();
         }
-        cannot("write", errno);
+        cannot("write", file_, errno);
     }
     try {
         struct stat now {};
@@ -112,11 +112,6 @@ CheckpointFile::~CheckpointFile() {
     if (fd_ >= 0) {
         ::close(fd_);
     }
-}
-
-void CheckpointFile::cannot(const char* what, int error) const {
-    throw InputError(fmt::format("cannot {} {}: {}", what, file_.string(), std::strerror(error)),
-                     give_writable_folder);
 }
 
 void CheckpointFile::not_ours() const {
@@ -177,12 +172,12 @@ void CheckpointFile::read() {
     const std::uint64_t keep = ours ? end_ : 0;
     if (::ftruncate(fd_, static_cast<off_t>(keep)) != 0 ||
         ::lseek(fd_, static_cast<off_t>(keep), SEEK_SET) < 0) {
-        cannot("write", errno);
+        cannot("write", file_, errno);
     }
     if (!ours) {
         if (const int error = write_all(fd_, head_); error != 0) {
             ::unlink(file_.c_str());
-            cannot("write", error);
+            cannot("write", file_, error);
         }
     }
 }
@@ -217,7 +212,7 @@ void CheckpointFile::add(std::size_t piece, const std::string& body) {
     }
     if (const int error = write_all(fd_, head + body); error != 0) {
         (void)::ftruncate(fd_, static_cast<off_t>(end_));
-        cannot("write", error);
+        cannot("write", file_, error);
     }
     count(piece, body, end_ + head.size());
     end_ += head.size() + body.size();
@@ -231,7 +226,7 @@ std::vector<CheckpointFile::Entry> CheckpointFile::piece(std::size_t number) con
             entries.push_back({index, items, marked, std::string(text)});
         });
     if (body.size() != places_[number].size || !whole) {
-        cannot("read", EIO);
+        cannot("read", file_, EIO);
     }
     return entries;
 }

@@ -50,7 +50,6 @@ private:
     void read();
     void count(std::size_t piece, std::string_view body, std::uint64_t offset);
     [[nodiscard]] std::string at(std::uint64_t offset, std::size_t size) const;
-    [[noreturn]] void cannot(const char* what, int error) const;
     [[noreturn]] void not_ours() const;
 
     std::filesystem::path file_;

@@ -16,7 +16,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <utility>
 
 extern char** environ; // NOLINT: POSIX names it so
 
@@ -27,27 +26,33 @@ constexpr int look_every_ms = 100;
 constexpr int look_for_the_end_every_ms = 2;
 constexpr std::size_t most_bytes_at_once = 1'000'000; // bytes read before the time is checked
 
-[[noreturn]] void cannot(const char* what) {
-    throw Error(std::string("cannot ") + what + ": " + std::strerror(errno));
-}
+struct Descriptor {
+    int fd = -1;
 
-class Descriptor {
-public:
-    explicit Descriptor(int fd) : fd_(fd) {}
+    Descriptor() = default;
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
     ~Descriptor() { close(); }
     void close() {
-        if (fd_ >= 0) {
-            ::close(fd_);
+        if (fd >= 0) {
+            ::close(fd);
         }
-        fd_ = -1;
+        fd = -1;
     }
-    [[nodiscard]] int get() const { return fd_; }
-    [[nodiscard]] int release() { return std::exchange(fd_, -1); }
+};
 
-private:
-    int fd_;
+struct Pipe {
+    Descriptor read;
+    Descriptor write;
+
+    Pipe() {
+        std::array<int, 2> ends{};
+        if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+            throw Error(std::string("cannot make a pipe: ") + std::strerror(errno));
+        }
+        read.fd = ends[0];
+        write.fd = ends[1];
+    }
 };
 
 /// A program that stops reading must not end this process: SIGPIPE is blocked in this thread.
@@ -71,14 +76,6 @@ private:
     sigset_t pipe_{};
     sigset_t before_{};
 };
-
-std::pair<int, int> make_pipe() {
-    std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-        cannot("make a pipe");
-    }
-    return {ends[0], ends[1]};
-}
 
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
     std::vector<char*> pointers;
@@ -168,41 +165,6 @@ template <class Take> bool drain(int fd, const Take& take) {
     return true;
 }
 
-class Listener {
-public:
-    Listener(int out, int err, const ProgramCall& call, ProgramRun& run)
-        : out_(out), err_(err), call_(call), run_(run) {
-        ::fcntl(out, F_SETFL, O_NONBLOCK);
-        ::fcntl(err, F_SETFL, O_NONBLOCK);
-    }
-    void read() {
-        const auto keep = [&](std::string_view text) {
-            const std::size_t space = call_.most_output - run_.output.size();
-            run_.output.append(text.substr(0, space));
-            run_.too_much = run_.too_much || text.size() > space;
-        };
-        const auto hand_on = [&](std::string_view text) {
-            if (call_.said) {
-                call_.said(text);
-            }
-        };
-        if (out_.get() >= 0 && !drain(out_.get(), keep)) {
-            out_.close();
-        }
-        if (err_.get() >= 0 && !drain(err_.get(), hand_on)) {
-            err_.close();
-        }
-    }
-    [[nodiscard]] int out() const { return out_.get(); }
-    [[nodiscard]] int err() const { return err_.get(); }
-
-private:
-    Descriptor out_;
-    Descriptor err_;
-    const ProgramCall& call_;
-    ProgramRun& run_;
-};
-
 } // namespace
 
 std::string ProgramRun::ending() const {
@@ -231,44 +193,54 @@ ProgramRun run_program(const ProgramCall& call) {
         return std::chrono::duration<double>(Clock::now() - begun).count() >= call.seconds;
     };
     const NoBrokenPipe guard;
-    const auto [their_in, our_in] = make_pipe();
-    Descriptor theirs_in(their_in);
-    Descriptor writes(our_in);
-    const auto [our_out, their_out] = make_pipe();
+    Pipe in;
+    Pipe out;
+    Pipe err;
     ProgramRun run;
-    Descriptor theirs_out(their_out);
-    Descriptor ours_out(our_out);
-    const auto [our_err, their_err] = make_pipe();
-    Descriptor theirs_err(their_err);
-    Descriptor ours_err(our_err);
-    // The captures have new names since clang before 16 cannot capture structured bindings.
     const std::string mark = new_mark();
-    ChildGroup child([&call, &mark, in = their_in, out = their_out,
-                      err = their_err] { return start(call, mark, in, out, err); },
+    ChildGroup child([&] { return start(call, mark, in.read.fd, out.write.fd, err.write.fd); },
                      mark);
-    theirs_in.close();
-    theirs_out.close();
-    theirs_err.close();
-    Listener listener(ours_out.release(), ours_err.release(), call, run);
-    ::fcntl(writes.get(), F_SETFL, O_NONBLOCK);
+    in.read.close();
+    out.write.close();
+    err.write.close();
+    for (const int fd : {in.write.fd, out.read.fd, err.read.fd}) {
+        ::fcntl(fd, F_SETFL, O_NONBLOCK);
+    }
+    const auto keep = [&](std::string_view text) {
+        const std::size_t space = call.most_output - run.output.size();
+        run.output.append(text.substr(0, space));
+        run.too_much = run.too_much || text.size() > space;
+    };
+    const auto hand_on = [&](std::string_view text) {
+        if (call.said) {
+            call.said(text);
+        }
+    };
+    const auto listen = [&] {
+        if (out.read.fd >= 0 && !drain(out.read.fd, keep)) {
+            out.read.close();
+        }
+        if (err.read.fd >= 0 && !drain(err.read.fd, hand_on)) {
+            err.read.close();
+        }
+    };
     std::size_t written = 0;
     while (!run.too_much && !run.timed_out) {
-        if (writes.get() >= 0 && !feed(writes.get(), call.input, written)) {
-            writes.close();
+        if (in.write.fd >= 0 && !feed(in.write.fd, call.input, written)) {
+            in.write.close();
         }
         // The end of the program is checked before its output is read, so that the output is
         // complete. Processes that it left may keep the pipes open; they are not waited for.
         const bool ended = child.ended();
-        listener.read();
+        listen();
         check_interruption();
         if (ended) {
             break;
         }
         run.timed_out = late();
-        std::array<pollfd, 3> ends{pollfd{listener.out(), POLLIN, 0},
-                                   pollfd{listener.err(), POLLIN, 0},
-                                   pollfd{writes.get(), POLLOUT, 0}};
-        const bool silent = listener.out() < 0;
+        std::array<pollfd, 3> ends{pollfd{out.read.fd, POLLIN, 0}, pollfd{err.read.fd, POLLIN, 0},
+                                   pollfd{in.write.fd, POLLOUT, 0}};
+        const bool silent = out.read.fd < 0;
         ::poll(ends.data(), ends.size(), silent ? look_for_the_end_every_ms : look_every_ms);
     }
     const bool killed = run.too_much || run.timed_out;
@@ -276,7 +248,7 @@ ProgramRun run_program(const ProgramCall& call) {
     const int status = child.wait(&run.processor_seconds);
     if (!killed) {
         // A pipe holds less than is read at once, so this reads all remaining output.
-        listener.read();
+        listen();
     }
     run.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;

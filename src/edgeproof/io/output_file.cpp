@@ -14,11 +14,6 @@
 namespace edgeproof::io {
 namespace {
 
-[[noreturn]] void cannot(const std::string& what, const std::filesystem::path& path, int error) {
-    throw InputError("cannot " + what + " " + path.string() + ": " + std::strerror(error),
-                     give_writable_folder);
-}
-
 /// `errno` is 0 or the error of the last output: a stream does not store the number of an earlier
 /// error.
 void flush_printed() {

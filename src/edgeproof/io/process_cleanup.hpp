@@ -10,7 +10,7 @@
 namespace edgeproof::io {
 
 // Things that must not outlive this process: temporary files and folders, and child programs. All
-// are registered here, so that a process that cannot wait for its threads (cli/signals.hpp) still
+// are registered here, so that a process that cannot wait for its threads (cli/signals.cpp) still
 // leaves nothing behind. Only SIGKILL and a loss of power do.
 
 /// Delays clean_up() during its lifetime, so that creating or finally naming a registered thing is

@@ -61,10 +61,6 @@ fs::path make_stage(const fs::path& target, bool inside) {
     return stage;
 }
 
-[[noreturn]] void cannot_move(const fs::path& file, const std::error_code& why) {
-    throw InputError("cannot write " + file.string() + ": " + why.message(), give_writable_folder);
-}
-
 } // namespace
 
 StagedFolder::StagedFolder(const fs::path& target)
@@ -117,7 +113,7 @@ void StagedFolder::commit() {
         failed.clear(); // another process has created it meanwhile
     }
     if (fs::create_directories(target_, failed); failed) {
-        cannot_move(target_, failed);
+        cannot("write", target_, failed.value());
     }
     std::vector<std::pair<fs::path, fs::path>> moves;
     for (const auto& entry : fs::recursive_directory_iterator(path(), failed)) {
@@ -125,16 +121,16 @@ void StagedFolder::commit() {
         if (!entry.is_directory()) {
             moves.emplace_back(entry.path(), to);
         } else if (fs::create_directories(to, failed); failed) {
-            cannot_move(to, failed);
+            cannot("write", to, failed.value());
         }
     }
     if (failed) {
-        cannot_move(target_, failed);
+        cannot("write", target_, failed.value());
     }
     for (const auto& [from, to] : moves) {
         fs::rename(from, to, failed);
         if (failed) {
-            cannot_move(to, failed);
+            cannot("write", to, failed.value());
         }
     }
     fs::remove_all(stage_.path(), failed);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// All that Edgeproof knows of MPI: a module of its own, loaded only where the program was started
-/// as one of several processes (cli/launched.cpp), so that alone it does not even link to MPI.
+/// as one of several processes (cli/installed.cpp), so that alone it does not even link to MPI.
 #include "edgeproof/parallel/distributed_work.hpp"
 #include "edgeproof/precision/error.hpp"
 

@@ -4,18 +4,17 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
+#include <tbb/concurrent_queue.h>
+
 #include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <chrono>
-#include <condition_variable>
-#include <deque>
-#include <limits>
+#include <cstddef>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
-#include <vector>
 
 namespace edgeproof::parallel {
 namespace {
@@ -26,19 +25,6 @@ namespace {
 constexpr std::size_t most_in_a_block = 64; // MPI may send short messages before they are received
 constexpr std::chrono::microseconds shortest_nap{50};
 constexpr std::chrono::microseconds longest_nap{1000};
-
-/// Sleeps longer as long as nothing happens.
-class Nap {
-public:
-    void none() { nap_ = shortest_nap; }
-    void take() {
-        std::this_thread::sleep_for(nap_);
-        nap_ = std::min(2 * nap_, longest_nap);
-    }
-
-private:
-    std::chrono::microseconds nap_ = shortest_nap;
-};
 
 /// Removes a number, followed by a blank or the end, from the front of the text and returns it.
 std::size_t take_number(std::string_view& text) {
@@ -80,41 +66,91 @@ template <class F> std::optional<Failure> failure_of(std::size_t piece, const F&
     }
 }
 
-/// The state of the whole work in the first process.
-class Lead {
+/// The part of one process in the work. Other threads make pieces; the thread that calls run()
+/// handles the messages meanwhile.
+class Part {
+public:
+    explicit Part(Processes& processes) : processes_(processes) {}
+    virtual ~Part() = default;
+    Part(const Part&) = delete;
+    Part& operator=(const Part&) = delete;
+
+    // For the threads that make pieces: the next piece, and its result.
+    virtual std::optional<std::size_t> next() = 0;
+    virtual void keep(std::size_t piece, const std::string& text) = 0;
+    virtual void fail(const Failure& f) = 0;
+
+    /// Calls loop() in a thread of its own, and returns when it has returned and the messages have
+    /// ended.
+    void run(const std::function<void()>& loop) {
+        std::atomic<bool> done{false};
+        std::jthread working([&] {
+            loop();
+            done = true;
+        });
+        std::chrono::microseconds nap = shortest_nap;
+        try {
+            while (!done || !over()) {
+                if (exchange()) {
+                    nap = shortest_nap;
+                } else {
+                    std::this_thread::sleep_for(nap);
+                    nap = std::min(2 * nap, longest_nap);
+                }
+            }
+        } catch (const std::exception& e) { // its own threads must end as well
+            stop(e.what());
+            throw;
+        }
+    }
+    /// The same with a loop that makes the pieces.
+    void run(unsigned threads, const MakePiece& make) {
+        run([&] {
+            work_through([&] { return next(); }, threads,
+                         [&](std::size_t p) {
+                             std::string text;
+                             if (const auto failure = failure_of(p, [&] { text = make(p); })) {
+                                 fail(*failure);
+                             } else {
+                                 keep(p, text);
+                             }
+                         });
+        });
+    }
+
+protected:
+    /// Sends and receives messages; returns true if there were any.
+    virtual bool exchange() = 0;
+    /// True if no more messages are expected.
+    [[nodiscard]] virtual bool over() const = 0;
+    /// Ends next(), since messages cannot be handled any longer.
+    virtual void stop(const std::string& why) = 0;
+
+    [[nodiscard]] Processes& processes() const { return processes_; }
+
+private:
+    Processes& processes_;
+};
+
+/// The first process: has the state of the whole work.
+class Lead : public Part {
 public:
     Lead(Processes& processes, std::string sign, const PieceSource& next, const KeepPiece& keep)
-        : processes_(processes), sign_(std::move(sign)), next_(next), keep_(keep) {}
+        : Part(processes), sign_(std::move(sign)), next_(next), keep_(keep) {}
 
-    /// For the threads of this process.
-    std::optional<std::size_t> next() {
+    std::optional<std::size_t> next() override {
         const std::lock_guard lock(mutex_);
         return failure_ ? std::nullopt : next_();
     }
-    void keep(std::size_t piece, const std::string& text) {
+    void keep(std::size_t piece, const std::string& text) override {
         const std::lock_guard lock(mutex_);
         if (const auto failure = failure_of(piece, [&] { keep_(piece, text); })) {
             fail_locked(*failure);
         }
     }
-    void fail(const Failure& f) {
+    void fail(const Failure& f) override {
         const std::lock_guard lock(mutex_);
         fail_locked(f);
-    }
-
-    /// Answers the others until all have sent bye and `done` returns true for this process.
-    template <class Done> void serve(const Done& done) {
-        Nap nap;
-        std::size_t gone = 0;
-        while (gone + 1 < processes_.count() || !done()) {
-            const auto message = processes_.receive();
-            if (!message) {
-                nap.take();
-                continue;
-            }
-            nap.none();
-            gone += hear(*message) ? 1 : 0;
-        }
     }
     void throw_if_failed() const {
         if (!failure_) {
@@ -132,8 +168,17 @@ public:
     }
 
 private:
-    /// Returns true for a bye.
-    bool hear(const Processes::Message& message) {
+    bool exchange() override {
+        const auto message = processes().receive();
+        if (message) {
+            hear(*message);
+        }
+        return message.has_value();
+    }
+    [[nodiscard]] bool over() const override { return gone_ + 1 >= processes().count(); }
+    void stop(const std::string& why) override { fail(Failure::of_process(why)); }
+
+    void hear(const Processes::Message& message) {
         std::string_view text = message.text;
         const char letter = text.empty() ? '?' : text.front();
         text.remove_prefix(text.empty() ? 0 : 1);
@@ -142,7 +187,7 @@ private:
                                      " is another program or reads another recipe; start the same "
                                      "everywhere"));
         } else if (letter == 'w') {
-            processes_.send(message.from, block(take_number(text)));
+            processes().send(message.from, block(take_number(text)));
         } else if (letter == 'r') {
             const std::size_t piece = take_number(text);
             keep(piece, std::string(text));
@@ -151,8 +196,9 @@ private:
             const char kind = text.empty() ? 'e' : text.front();
             text.remove_prefix(text.empty() ? 0 : 1);
             fail({piece, static_cast<Failure::Kind>(kind), std::string(text)});
+        } else if (letter == 'b') {
+            ++gone_;
         }
-        return letter == 'b';
     }
     std::string block(std::size_t wanted) {
         std::string text;
@@ -171,111 +217,77 @@ private:
         }
     }
 
-    Processes& processes_;
     std::string sign_;
     const PieceSource& next_;
     const KeepPiece& keep_;
+    std::size_t gone_ = 0; ///< the processes that have sent bye
     std::mutex mutex_;
     std::optional<Failure> failure_;
 };
 
-/// The pieces that another process has to make, and its results not yet sent.
-class Follow {
+/// Another process: the pieces that it has to make, and its messages not yet sent.
+class Follow : public Part {
 public:
-    explicit Follow(std::size_t threads) : want_(2 * threads) {}
+    Follow(Processes& processes, std::size_t threads, const std::string& first_message)
+        : Part(processes), want_(2 * threads) {
+        to_report_.push(first_message);
+    }
 
-    /// For the threads that make pieces: waits for one.
-    std::optional<std::size_t> next() {
-        std::unique_lock lock(mutex_);
-        changed_.wait(lock, [&] { return !pieces_.empty() || ended_; });
-        if (pieces_.empty()) {
-            return {};
+    std::optional<std::size_t> next() override {
+        std::optional<std::size_t> p;
+        pieces_.pop(p); // waits for one
+        if (!p) {
+            pieces_.push(p); // for the other threads
         }
-        const std::size_t p = pieces_.front();
-        pieces_.pop_front();
         return p;
     }
-    void report(std::string text) {
-        const std::lock_guard lock(mutex_);
-        to_report_.push_back(std::move(text));
+    void keep(std::size_t piece, const std::string& text) override {
+        to_report_.push("r" + std::to_string(piece) + " " + text);
     }
-
-    /// For the thread that handles the messages. Returns true if anything happened.
-    bool exchange(Processes& processes) {
-        std::deque<std::string> out;
-        bool wants = false;
-        {
-            const std::lock_guard lock(mutex_);
-            out.swap(to_report_);
-            wants = !asked_ && !ended_ && pieces_.size() < want_ / 2 + 1;
-        }
-        for (const std::string& text : out) {
-            processes.send(0, text);
-        }
-        if (wants) {
-            asked_ = true;
-            processes.send(0, "w" + std::to_string(want_));
-        }
-        const auto message = processes.receive();
-        if (message) {
-            hear(message->text);
-        }
-        return message || wants || !out.empty();
-    }
-    void end() {
-        const std::lock_guard lock(mutex_);
-        pieces_.clear();
-        ended_ = true;
-        changed_.notify_all();
-    }
-    [[nodiscard]] bool ended() {
-        const std::lock_guard lock(mutex_);
-        return ended_ && to_report_.empty();
-    }
+    void fail(const Failure& f) override { to_report_.push(message_of(f)); }
 
 private:
+    bool exchange() override {
+        bool any = false;
+        for (std::string text; to_report_.try_pop(text); any = true) {
+            processes().send(0, text);
+        }
+        if (!asked_ && !ended_ && pieces_.size() < static_cast<std::ptrdiff_t>(want_ / 2 + 1)) {
+            asked_ = any = true;
+            processes().send(0, "w" + std::to_string(want_));
+        }
+        if (const auto message = processes().receive()) {
+            any = true;
+            hear(message->text);
+        }
+        return any;
+    }
+    [[nodiscard]] bool over() const override { return ended_ && to_report_.empty(); }
+    void stop(const std::string&) override {
+        for (std::optional<std::size_t> p; pieces_.try_pop(p);) {
+        }
+        pieces_.push({});
+    }
     void hear(std::string_view text) {
-        const std::lock_guard lock(mutex_);
-        ended_ = text == "e";
         asked_ = false;
+        ended_ = text == "e";
+        if (ended_) {
+            pieces_.push({});
+        }
         text.remove_prefix(1);
         while (!text.empty()) {
-            pieces_.push_back(take_number(text));
+            pieces_.push(take_number(text));
         }
-        changed_.notify_all();
     }
 
     std::size_t want_;
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    std::deque<std::size_t> pieces_;
-    std::deque<std::string> to_report_;
-    bool asked_ = false; ///< used only by the thread that handles the messages
+    tbb::concurrent_bounded_queue<std::optional<std::size_t>> pieces_; ///< empty: the end
+    tbb::concurrent_queue<std::string> to_report_;
+    bool asked_ = false;
     bool ended_ = false;
 };
 
-/// Reports an exception of `loop` to the first process, then sends bye.
-template <class Loop> void follow(Processes& processes, Follow& mine, const Loop& loop) {
-    std::atomic<bool> done{false};
-    std::jthread working([&] {
-        loop();
-        done = true;
-    });
-    Nap nap;
-    try {
-        while (!done || !mine.ended()) {
-            if (mine.exchange(processes)) {
-                nap.none();
-            } else {
-                nap.take();
-            }
-        }
-        processes.send(0, "b");
-    } catch (...) { // its own threads must end as well
-        mine.end();
-        throw;
-    }
-}
+constexpr const char* bye = "b";
 
 } // namespace
 
@@ -292,60 +304,29 @@ void work_alone(const PieceSource& next, unsigned threads, const MakePiece& make
 void lead_work(Processes& processes, const std::string& sign, const PieceSource& next,
                unsigned threads, const MakePiece& make, const KeepPiece& keep) {
     Lead lead(processes, sign, next, keep);
-    std::atomic<bool> done{false};
-    {
-        std::jthread working([&] {
-            work_through([&] { return lead.next(); }, threads,
-                         [&](std::size_t p) {
-                             std::string text;
-                             if (const auto failure = failure_of(p, [&] { text = make(p); })) {
-                                 lead.fail(*failure);
-                             } else {
-                                 lead.keep(p, text);
-                             }
-                         });
-            done = true;
-        });
-        try {
-            lead.serve([&] { return done.load(); });
-        } catch (const std::exception& e) { // its own threads must end as well
-            lead.fail(Failure::of_process(e.what()));
-            throw;
-        }
-    }
+    lead.run(threads, make);
     lead.throw_if_failed();
 }
 
 void follow_work(Processes& processes, const std::string& sign, unsigned threads,
                  const MakePiece& make) {
-    Follow mine(threads);
-    mine.report("s" + sign);
-    follow(processes, mine, [&] {
-        work_through([&] { return mine.next(); }, threads,
-                     [&](std::size_t p) {
-                         std::string text;
-                         if (const auto failure = failure_of(p, [&] { text = make(p); })) {
-                             mine.report(message_of(*failure));
-                         } else {
-                             mine.report("r" + std::to_string(p) + " " + text);
-                         }
-                     });
-    });
+    Follow(processes, threads, "s" + sign).run(threads, make);
+    processes.send(0, bye);
 }
 
 void dismiss(Processes& processes) {
     const PieceSource none = [] { return std::optional<std::size_t>{}; };
     const KeepPiece no_keep = [](std::size_t, const std::string&) {};
-    Lead(processes, "", none, no_keep).serve([] { return true; });
+    Lead(processes, "", none, no_keep).run([] {});
 }
 
 void follow_failed(Processes& processes, const std::string& why) {
-    Follow mine(1);
-    mine.report(message_of(Failure::of_process(why)));
-    follow(processes, mine, [&] {
+    Follow mine(processes, 1, message_of(Failure::of_process(why)));
+    mine.run([&] {
         while (mine.next()) { // pieces that were handed over meanwhile
         }
     });
+    processes.send(0, bye);
 }
 
 } // namespace edgeproof::parallel

@@ -41,7 +41,7 @@ inline void withdraw_interruption() noexcept { detail::interruption = 0; }
 
 /// Throws Interrupted if there is a request. The cost is one read of memory: loops that may be long
 /// call it in every iteration. It cannot interrupt a single operation on very long numbers; a
-/// program that must end in time needs another means in addition (cli/signals.hpp).
+/// program that must end in time needs another means in addition (cli/signals.cpp).
 inline void check_interruption() {
     if (interruption_requested() != 0) {
         throw Interrupted();

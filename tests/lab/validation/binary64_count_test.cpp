@@ -19,8 +19,10 @@ Binary64Options options(std::uint64_t seed, std::size_t values) {
     o.threads = 1;
     return o;
 }
-Binary64Count counted(const Binary64Options& o) {
-    Binary64State state;
+using Count = CountResult<std::string>;
+
+Count counted(const Binary64Options& o) {
+    CountState state;
     return count_binary64(o, state);
 }
 
@@ -29,23 +31,23 @@ Binary64Count counted(const Binary64Options& o) {
 TEST_CASE(
     "a hundred thousand values in double words, on corners too: none wrong, 1 in 10^5 left to "
     "balls at most") {
-    const Binary64Count count = counted(options(3, 100'000));
+    const Count count = counted(options(3, 100'000));
     CHECK(count.contacts == 10);
     CHECK(count.total.values == 100'000);
     CHECK(count.total.wrong == 0);
     CHECK(count.findings.empty());
     CHECK(count.total.undecided <= 1);
-    for (const auto& form : count.cells) {
-        for (const Binary64Cell& cell : form) {
-            CHECK(cell.values > 500);
-        }
+    CHECK(count.cells.size() == drawn_forms.size() * drawn_places.size());
+    for (const auto& [number, cell] : count.cells) {
+        CHECK(cell.values > 500);
     }
 }
 
 TEST_CASE(
     "q in a stick zone on a corner that algebra cannot recognise is compared with both sides") {
     // A tilted wedge with b = 5 only enclosed; five of its places are u = 5, the apex.
-    const Binary64Contact found = count_binary64_contact(options(11, 10'000), 7969, 10'000);
+    const CountedContact<std::string> found =
+        count_binary64_contact(options(11, 10'000), 7969, 10'000);
     CHECK(found.findings.empty());
     Binary64Options wrong = options(11, 10'000);
     wrong.changed = [](DoubleWord& word) { word.high = std::nextafter(word.high, 1e300); };
@@ -57,39 +59,42 @@ TEST_CASE(
 }
 
 TEST_CASE("the same values for the same seed, others for another") {
-    const Binary64Count one = counted(options(3, 2000));
-    CHECK(one.cells[0][0].values == counted(options(3, 2000)).cells[0][0].values);
-    CHECK(one.cells[0][0].values != counted(options(4, 2000)).cells[0][0].values);
+    const Count one = counted(options(3, 2000));
+    CHECK(one.cells.at(0).values == counted(options(3, 2000)).cells.at(0).values);
+    CHECK(one.cells.at(0).values != counted(options(4, 2000)).cells.at(0).values);
 }
 
 TEST_CASE("a value that is off by more than its bound is counted as wrong") {
     Binary64Options o = options(5, 2000);
     o.changed = [](DoubleWord& x) { x.low += 0x1p-56 * x.high; };
-    const Binary64Count count = counted(o);
+    const Count count = counted(o);
     CHECK(count.total.wrong > 100);
     CHECK(count.findings.size() == count.total.wrong);
 }
 
 TEST_CASE("a count in double words continues from its state") {
-    Binary64State state;
+    CountState state;
     Binary64Options o = options(6, 20'000);
     std::string kept;
-    o.checkpoint = [&](const Binary64State& now) { kept = write_binary64_state(now); };
-    const Binary64Count whole = count_binary64(o, state);
-    Binary64State wanted;
+    o.checkpoint = [&](const CountState& now) { kept = write_count_state(binary64_count(), now); };
+    const Count whole = count_binary64(o, state);
+    CountState wanted;
     wanted.seed = 6;
     wanted.values = 20'000;
-    Binary64State again = parse_binary64_state(kept, "state", wanted);
+    CountState again = parse_count_state(binary64_count(), kept, "state", wanted);
     CHECK(again.contacts.size() == 2);
     again.contacts.erase(1);
-    const Binary64Count second = count_binary64(o, again);
+    const Count second = count_binary64(o, again);
     CHECK(second.total.values == whole.total.values);
-    CHECK(second.cells[5][1].values == whole.cells[5][1].values);
-    CHECK_THROWS_AS((void)parse_binary64_state(kept.substr(0, kept.size() - 2), "state", wanted),
-                    InputError);
+    CHECK(second.cells.at(5 * drawn_places.size() + 1).values ==
+          whole.cells.at(5 * drawn_places.size() + 1).values);
+    CHECK_THROWS_AS(
+        (void)parse_count_state(binary64_count(), kept.substr(0, kept.size() - 2), "state", wanted),
+        InputError);
     wanted.seed = 7;
-    CHECK_THROWS_AS((void)parse_binary64_state(kept, "state", wanted), InputError);
-    CHECK_THROWS_AS((void)parse_binary64_state(
+    CHECK_THROWS_AS((void)parse_count_state(binary64_count(), kept, "state", wanted), InputError);
+    CHECK_THROWS_AS((void)parse_count_state(
+                        binary64_count(),
                         "edgeproof bounds binary64, draw 2, seed 7, values 20000\n0 1:2\nend\n",
                         "state", wanted),
                     InputError);

@@ -11,21 +11,21 @@ namespace {
 /// The index of a contact that takes little time, with a piecewise linear g'.
 constexpr std::size_t quick_contact = 1;
 
-CountOptions small(std::size_t values, unsigned digits = 20) {
-    CountOptions o;
+using Result = CountResult<CountFinding>;
+
+EnclosureCountOptions small(std::size_t values, unsigned digits = 20) {
+    EnclosureCountOptions o;
     o.values = values;
     o.digits = digits;
     o.threads = 2;
     return o;
 }
 
-std::string cells_text(const CountResult& r) {
+std::string cells_text(const Result& r) {
     std::string text;
-    for (const auto& profile : r.cells) {
-        for (const CountCell& c : profile) {
-            text += std::to_string(c.values) + "/" + std::to_string(c.failures()) + "/" +
-                    std::to_string(c.undecided) + " ";
-        }
+    for (const auto& [cell, c] : r.cells) {
+        text += std::to_string(cell) + ": " + std::to_string(c.values) + "/" +
+                std::to_string(c.failures()) + "/" + std::to_string(c.undecided) + " ";
     }
     return text;
 }
@@ -41,7 +41,7 @@ Ball around(const char* middle, int decades) {
 
 std::string message_of(const std::string& text, const CountState& wanted) {
     try {
-        (void)parse_count_state(text, "s", wanted);
+        (void)parse_count_state(enclosure_count(), text, "s", wanted);
     } catch (const InputError& error) {
         return error.what();
     }
@@ -113,9 +113,9 @@ TEST_CASE("a value compared with a second one: excluded, wrong, wide or undecide
 }
 
 TEST_CASE("values drawn: all enclosed, rounded correctly and tight, on one thread or two") {
-    CountOptions options = small(150, 30);
+    EnclosureCountOptions options = small(150, 30);
     CountState state;
-    const CountResult two = count_values(options, state);
+    const Result two = count_values(options, state);
     CHECK(two.total.values == 150);
     CHECK(two.total.failures() == 0);
     CHECK(two.total.undecided == 0);
@@ -125,7 +125,7 @@ TEST_CASE("values drawn: all enclosed, rounded correctly and tight, on one threa
 }
 
 TEST_CASE("a wrong second value is counted, in its cell, with the data that reproduce it") {
-    CountOptions options = small(50);
+    EnclosureCountOptions options = small(50);
     options.second = [](const SampledValue& v, Real& x) {
         if (v.asked.quantity == Quantity::b) {
             x *= 1 + pow(Real(10), -19);
@@ -135,7 +135,7 @@ TEST_CASE("a wrong second value is counted, in its cell, with the data that repr
     for (const SampledValue& v : sampled_contact(options.seed, quick_contact).values) {
         edges += v.asked.quantity == Quantity::b ? 1 : 0;
     }
-    CountedContact found = count_contact(options, quick_contact, 50);
+    CountedContact<CountFinding> found = count_contact(options, quick_contact, 50);
     REQUIRE(edges > 0);
     std::size_t excluded = 0;
     for (const auto& [cell, counted] : found.cells) {
@@ -150,20 +150,23 @@ TEST_CASE("a wrong second value is counted, in its cell, with the data that repr
 
 TEST_CASE(
     "a stopped count continues to the same result; a contact with a finding is counted again") {
-    const CountOptions options = small(150);
+    const EnclosureCountOptions options = small(150);
     CountState whole;
-    const CountResult at_once = count_values(options, whole);
+    const Result at_once = count_values(options, whole);
     CountState half = whole;
     half.contacts.erase(half.contacts.begin());
-    CountState resumed = parse_count_state(write_count_state(half), "state", half);
+    CountState resumed = parse_count_state(
+        enclosure_count(), write_count_state(enclosure_count(), half), "state", half);
     CHECK(resumed.contacts.size() == 2);
     CHECK(cells_text(count_values(options, resumed)) == cells_text(at_once));
 
     CountState spoilt = whole;
     spoilt.contacts.begin()->second.begin()->second.wrong = 1;
-    CHECK(parse_count_state(write_count_state(spoilt), "state", spoilt).contacts.size() == 2);
+    CHECK(parse_count_state(enclosure_count(), write_count_state(enclosure_count(), spoilt),
+                            "state", spoilt)
+              .contacts.size() == 2);
 
-    const std::string text = write_count_state(whole);
+    const std::string text = write_count_state(enclosure_count(), whole);
     CountState other = whole;
     other.seed = 2;
     CHECK(message_of(text, other).find("s:1: the state is not one of") == 0);
@@ -175,16 +178,16 @@ TEST_CASE(
 
 TEST_SUITE("slow") {
     TEST_CASE("2,000 values drawn: none excluded, no wrong digit, none too wide") {
-        CountOptions options = small(2000, 50);
+        EnclosureCountOptions options = small(2000, 50);
         CountState state;
-        const CountResult result = count_values(options, state);
+        const Result result = count_values(options, state);
         CHECK(result.total.values == 2000);
         CHECK(result.total.failures() == 0);
         CHECK(result.total.undecided == 0);
     }
     TEST_CASE("a curved g': a few values") {
-        CountOptions options = small(5);
-        CountedContact found = count_contact(options, 7, 5);
+        EnclosureCountOptions options = small(5);
+        CountedContact<CountFinding> found = count_contact(options, 7, 5);
         for (const CountFinding& f : found.findings) {
             CAPTURE(f.asked);
             CHECK(f.what == "");

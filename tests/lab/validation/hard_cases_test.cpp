@@ -3,8 +3,8 @@
 #include "tests/lab/validation/read_file.hpp"
 
 #include "edgeproof/precision/error.hpp"
-#include "lab/validation/enclosed_value.hpp"
 #include "lab/validation/hard_cases.hpp"
+#include "lab/validation/value_routes.hpp"
 #include "tests/support/namespaces.hpp"
 #include "tests/support/paths.hpp"
 

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/run.hpp"
 #include "edgeproof/certificate/certificate.hpp"
 #include "edgeproof/certificate/scene_certificate.hpp"
-#include "edgeproof/cli/cli.hpp"
-#include "edgeproof/cli/judged_ledger.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "edgeproof/scene/input/file_kind.hpp"
 
@@ -19,7 +14,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,15 +36,13 @@ void write_folder(const CertifyOptions& o, io::StagedFolder& staged,
                   const std::vector<certificate::Certificate>& all, std::string of,
                   std::string things) {
     const std::string only = o.only == "*" ? "" : fmt::format(" --only '{}'", o.only);
-    try {
-        write_certificates(all, staged.path(),
+    staged.fill([&](const std::filesystem::path& folder) {
+        write_certificates(all, folder,
                            {std::move(of), things,
                             fmt::format("edgeproof certify {} --out DIR{}",
                                         std::filesystem::path(o.file).filename().string(), only),
                             std::string(report::program_version)});
-    } catch (const InputError& error) {
-        throw staged.with_final_names(error);
-    }
+    });
     staged.commit();
     std::size_t theorems = 0;
     std::size_t with = 0;
@@ -69,7 +61,8 @@ int certify_ledger(const CertifyOptions& o, const std::string& text) {
         return report_claim_errors(ledger.errors);
     }
     io::StagedFolder staged(o.out);
-    const audit::AuditResult result = judged_ledger(ledger, digits_of_verdicts, o.threads, o.only);
+    const audit::AuditResult result =
+        judged_ledger(ledger, {.digits = digits_of_verdicts, .threads = o.threads, .only = o.only});
     std::vector<certificate::Certificate> all;
     all.reserve(result.claims.size());
     for (const audit::ClaimResult& claim : result.claims) {
@@ -107,7 +100,8 @@ int certify_scene(const CertifyOptions& o, const std::string& text) {
     return 0;
 }
 
-int certify(const CertifyOptions& o) {
+int certify(CertifyOptions& o) {
+    o.file = file_or_shipped(file_or_shipped(o.file, shipped_ledgers), shipped_scenes);
     const std::string text = io::read_text(o.file, "ledger or scene (TOML)", io::most_toml_bytes);
     const io::TomlSection top = io::TomlSection::parse(text, io::input_name(o.file));
     return scene::file_kind(top) == scene::FileKind::scene ? certify_scene(o, text)
@@ -117,20 +111,15 @@ int certify(const CertifyOptions& o) {
 } // namespace
 
 void add_certify(CLI::App& app, int& code) {
-    CLI::App* sub = app.add_subcommand(
-        "certify", "state the verdicts on a ledger, or the values of a scene, as "
-                   "theorems that Coq checks");
-    auto o = std::make_shared<CertifyOptions>();
-    sub->add_option("file", o->file, "the ledger or the scene (TOML)")->required();
-    sub->add_option("--out", o->out, "folder for the Coq files, Makefile, index.csv, README.md")
+    auto [sub, o] = add_command<CertifyOptions>(
+        app, code, "certify",
+        "state the verdicts on a ledger, or the values of a scene, as theorems that Coq checks",
+        certify);
+    sub.add_option("file", o.file, "the ledger or the scene (TOML)")->required();
+    sub.add_option("--out", o.out, "folder for the Coq files, Makefile, index.csv, README.md")
         ->required();
-    sub->add_option("--only", o->only, "claims whose id matches, such as 'EQ2*'");
-    sub->add_option("--threads", o->threads, "threads (0: as many as the machine has)")
-        ->check(CLI::Range(0, 1024));
-    sub->callback([o, &code] {
-        o->file = file_or_shipped(file_or_shipped(o->file, shipped_ledgers), shipped_scenes);
-        code = certify(*o);
-    });
+    sub.add_option("--only", o.only, "claims whose id matches, such as 'EQ2*'");
+    add_threads_option(sub, o.threads);
 }
 
 } // namespace edgeproof::cli

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/comparison/comparison.hpp"
 #include "edgeproof/comparison/data_elsewhere.hpp"
 #include "edgeproof/comparison/self_test.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
-#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/process_cleanup.hpp"
 #include "edgeproof/io/staged_folder.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/figures/comparison_figures.hpp"
@@ -18,7 +14,6 @@
 
 #include <cstdio>
 #include <functional>
-#include <memory>
 #include <optional>
 
 namespace edgeproof::cli {
@@ -95,12 +90,9 @@ std::optional<Rational> origin_of(const std::string& text) {
 
 int test_the_diagnosis(const CompareOptions& o) {
     const std::size_t seed = whole_number("--seed", o.seed, 0, 1'000'000'000);
-    comparison::SelfTest result;
-    {
-        Progress progress("contacts");
-        result = comparison::run_self_test(
-            seed, {}, [&](std::size_t done, std::size_t all) { progress(done, all); });
-    }
+    std::function<void(std::size_t, std::size_t)> progress;
+    const comparison::SelfTest result = with_progress(
+        "contacts", progress, [&] { return comparison::run_self_test(seed, {}, progress); });
     const std::string text = report::self_test_text(result);
     std::fwrite(text.data(), 1, text.size(), stdout);
     return result.passes() ? 0 : 1;
@@ -217,42 +209,39 @@ int compare_results(const CompareOptions& o) {
 } // namespace
 
 void add_compare(CLI::App& app, int& code) {
-    CLI::App* sub = app.add_subcommand(
-        "compare", "results of a mesh (x and p), compared with the exact contact");
-    auto o = std::make_shared<CompareOptions>();
-    sub->add_option("scene", o->scene, "the scene (TOML)");
-    sub->add_option(
-        "results", o->results,
-        "tables of x and p, as programs write them; several: of finer and finer meshes");
-    sub->add_option("--columns", o->columns, "x=1,p=3 or x=COORD1,p=CPRESS: which columns");
-    sub->add_option("--scale", o->scale, "x=1e-3,p=1e6: multiply what the files have");
-    sub->add_option("--origin", o->origin,
-                    "x of the data at the scene's origin, or auto: fitted to the data")
+    auto [sub, o] = add_command<CompareOptions>(
+        app, code, "compare", "results of a mesh (x and p), compared with the exact contact",
+        compare_results);
+    sub.add_option("scene", o.scene, "the scene (TOML)");
+    sub.add_option("results", o.results,
+                   "tables of x and p, as programs write them; several: of finer and finer meshes");
+    sub.add_option("--columns", o.columns, "x=1,p=3 or x=COORD1,p=CPRESS: which columns");
+    sub.add_option("--scale", o.scale, "x=1e-3,p=1e6: multiply what the files have");
+    sub.add_option("--origin", o.origin,
+                   "x of the data at the scene's origin, or auto: fitted to the data")
         ->capture_default_str();
-    sub->add_option("--tolerance", o->tolerance,
-                    "pass with an error of p within this (default: 3%)");
-    sub->add_option("--of", o->of, "peak, local or L2: what that error is relative to")
+    sub.add_option("--tolerance", o.tolerance, "pass with an error of p within this (default: 3%)");
+    sub.add_option("--of", o.of, "peak, local or L2: what that error is relative to")
         ->capture_default_str();
-    sub->add_option("--edge-zone", o->zone,
-                    "leave out the nodes near the edges: 2e (elements), or a length")
+    sub.add_option("--edge-zone", o.zone,
+                   "leave out the nodes near the edges: 2e (elements), or a length")
         ->capture_default_str();
-    sub->add_option("--tolerance-a", o->tolerance_a, "pass with a and b within this");
-    sub->add_option("--tolerance-P", o->tolerance_P, "pass with P within this");
-    sub->add_option("--tolerance-c0", o->tolerance_c0, "pass with c_0 within this");
-    sub->add_option("--tolerance-q", o->tolerance_q,
-                    "pass with an error of q within this (default: as --tolerance)");
-    sub->add_flag("--partial", o->partial,
-                  "the data hold a part of the contact: compare p at their nodes, though they do "
-                  "not determine a, b, P and the largest p");
-    sub->add_flag("--json", o->json, "write JSON to standard output");
-    sub->add_option("--junit", o->junit, "write JUnit XML to this file");
-    sub->add_option("--html", o->html, "write a page to this file");
-    sub->add_option("--figures", o->figures, "draw data and errors into this folder (SVG, CSV)");
-    sub->add_flag("--self-test", o->self_test,
-                  "inject known mistakes and noise into several contacts, and count how many are "
-                  "named; without files");
-    sub->add_option("--seed", o->seed, "of --self-test")->capture_default_str();
-    sub->callback([o, &code] { code = compare_results(*o); });
+    sub.add_option("--tolerance-a", o.tolerance_a, "pass with a and b within this");
+    sub.add_option("--tolerance-P", o.tolerance_P, "pass with P within this");
+    sub.add_option("--tolerance-c0", o.tolerance_c0, "pass with c_0 within this");
+    sub.add_option("--tolerance-q", o.tolerance_q,
+                   "pass with an error of q within this (default: as --tolerance)");
+    sub.add_flag("--partial", o.partial,
+                 "the data hold a part of the contact: compare p at their nodes, though they do "
+                 "not determine a, b, P and the largest p");
+    sub.add_flag("--json", o.json, "write JSON to standard output");
+    sub.add_option("--junit", o.junit, "write JUnit XML to this file");
+    sub.add_option("--html", o.html, "write a page to this file");
+    sub.add_option("--figures", o.figures, "draw data and errors into this folder (SVG, CSV)");
+    sub.add_flag("--self-test", o.self_test,
+                 "inject known mistakes and noise into several contacts, and count how many are "
+                 "named; without files");
+    sub.add_option("--seed", o.seed, "of --self-test")->capture_default_str();
 }
 
 } // namespace edgeproof::cli

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/cli/shipped_file.hpp"
-#include "edgeproof/io/output_file.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/figures/design_figure.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/tables/design_table.hpp"
 #include "edgeproof/scene/design/run_design.hpp"
-
-#include <memory>
 
 namespace edgeproof::cli {
 namespace {
@@ -30,9 +24,7 @@ Rational gap_of(const std::string& text) {
 int run(const DesignCommandOptions& o) {
     const scene::DesignScene design = scene::read_design(file_or_shipped(o.scene, shipped_designs));
     scene::Digits digits;
-    digits.count = o.digits.empty() ? 30
-                                    : static_cast<unsigned>(whole_number(
-                                          "--digits", o.digits, 2, scene::most_design_digits));
+    digits.count = o.digits.empty() ? 30 : digits_of(o.digits, scene::most_design_digits);
     (void)format_of(o.format);
     io::check_output(o.out);
     if (!o.figure.empty()) {
@@ -46,9 +38,9 @@ int run(const DesignCommandOptions& o) {
     options.search.digits = digits.count;
     options.search.gap = gap_of(o.gap);
     options.curve = !o.figure.empty();
-    Progress progress("thousandths of the range");
-    options.search.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
-    const scene::DesignResult result = run_design(design, options);
+    const scene::DesignResult result =
+        with_progress("thousandths of the range", options.search.progress,
+                      [&] { return run_design(design, options); });
     if (!o.figure.empty()) {
         report::write_design_figure(design, result, o.figure);
     }
@@ -59,18 +51,15 @@ int run(const DesignCommandOptions& o) {
 } // namespace
 
 void add_design(CLI::App& app, int& code) {
-    CLI::App* sub = app.add_subcommand(
-        "design", "the parameters of a scene for which an approximation reaches farthest");
-    auto o = std::make_shared<DesignCommandOptions>();
-    sub->add_option("scene", o->scene, "the scene (TOML with [design])")->required();
-    sub->add_option("--digits", o->digits, "significant digits (default: 30)");
-    sub->add_option("--gap", o->gap,
-                    "nothing else in the range does better by more: proved (default: 1e-6)");
-    sub->add_option("--figure", o->figure, "reach against the parameter, as .svg or .csv");
-    sub->add_option("--format", o->format, "csv, json, md or tex")->capture_default_str();
-    sub->add_option("--out", o->out,
-                    "write to this file, whole or not at all (-: standard output)");
-    sub->callback([o, &code] { code = run(*o); });
+    auto [sub, o] = add_command<DesignCommandOptions>(
+        app, code, "design",
+        "the parameters of a scene for which an approximation reaches farthest", run);
+    sub.add_option("scene", o.scene, "the scene (TOML with [design])")->required();
+    sub.add_option("--digits", o.digits, "significant digits (default: 30)");
+    sub.add_option("--gap", o.gap,
+                   "nothing else in the range does better by more: proved (default: 1e-6)");
+    sub.add_option("--figure", o.figure, "reach against the parameter, as .svg or .csv");
+    add_table_options(sub, o.format, o.out);
 }
 
 } // namespace edgeproof::cli

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 
-#include <memory>
 #include <utility>
 
 namespace edgeproof::cli {
@@ -30,29 +28,33 @@ int expand(const SceneOptions& o) {
         table.notes.emplace_back("q = (Q/P) p = sum of s_k u^(k + 1/2)");
     }
     table.notes.push_back(bound_note(result.plan));
-    const ValueColumns value(scene);
-    table.columns = {{"edge", report::Column::Kind::text},
-                     {"coefficient", report::Column::Kind::text},
-                     {"k", report::Column::Kind::count},
-                     {"power", report::Column::Kind::text}};
-    std::vector<report::Column> columns;
-    value.add(columns, "value", "route");
-    columns[1].name = "bound";
-    table.columns.insert(table.columns.end(), columns.begin(), columns.end());
+    struct Coefficient {
+        const scene::Row& row;
+        int half_powers;
+    };
+    std::vector<Coefficient> coefficients;
     for (const scene::RowsAt& edge : result.at_edges(scene::QuantityGroup::coefficients)) {
         for (const auto& [quantity, half_powers] :
              {std::pair{scene::Quantity::c, 1},
               std::pair{scene::Quantity::s, scene::shear_half_powers(scene)}}) {
             for (const scene::Row& row : edge) {
                 if (row.asked.quantity == quantity) {
-                    table.rows.push_back({scene::edge_name(edge.edge()), symbol_of(row.asked),
-                                          std::to_string(row.asked.k),
-                                          power_text(row.asked.k, half_powers)});
-                    value.add(table.rows.back(), *row.value, true);
+                    coefficients.push_back({row, half_powers});
                 }
             }
         }
     }
+    using Kind = report::Column::Kind;
+    Columns<Coefficient> columns(scene);
+    columns.add("edge", Kind::text,
+                [](const auto& c) { return scene::edge_name(c.row.asked.edge); });
+    columns.add("coefficient", Kind::text, [](const auto& c) { return symbol_of(c.row.asked); });
+    columns.add("k", Kind::count, [](const auto& c) { return std::to_string(c.row.asked.k); });
+    columns.add("power", Kind::text,
+                [](const auto& c) { return power_text(c.row.asked.k, c.half_powers); });
+    columns.add_value("value", "route", [](const auto& c) { return c.row.value; });
+    columns.write(table, coefficients);
+    table.columns[5].name = "bound"; // not value_bound
     emit(table, o);
     return 0;
 }
@@ -60,13 +62,11 @@ int expand(const SceneOptions& o) {
 } // namespace
 
 void add_expand(CLI::App& app, int& code) {
-    CLI::App* sub =
-        app.add_subcommand("expand", "coefficients of the expansion at the edges, with bounds");
-    auto o = std::make_shared<SceneOptions>();
-    add_scene_options(*sub, *o);
-    sub->footer("Of several numbers of --terms the greatest; 3 where none is given. Both edges "
-                "unless --edge or the scene says which.");
-    sub->callback([o, &code] { code = expand(*o); });
+    auto [sub, o] = add_command<SceneOptions>(
+        app, code, "expand", "coefficients of the expansion at the edges, with bounds", expand);
+    add_scene_options(sub, o);
+    sub.footer("Of several numbers of --terms the greatest; 3 where none is given. Both edges "
+               "unless --edge or the scene says which.");
 }
 
 } // namespace edgeproof::cli

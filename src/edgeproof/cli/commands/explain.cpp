@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/error_place.hpp"
-#include "edgeproof/precision/error.hpp"
 
 #include <fmt/format.h>
 
 #include <map>
-#include <memory>
 #include <optional>
 
 namespace edgeproof::cli {
@@ -161,13 +158,12 @@ int explain(const ExplainOptions& o) {
 } // namespace
 
 void add_explain(CLI::App& app, int& code) {
-    CLI::App* sub = app.add_subcommand(
-        "explain", "what a scene calls for: the effects that are on and off, and why");
-    auto o = std::make_shared<ExplainOptions>();
-    o->format = "md";
-    add_scene_options(*sub, *o);
-    sub->add_flag("--run", o->run, "run the scene, and show the work done next to the plan");
-    sub->callback([o, &code] { code = explain(*o); });
+    auto [sub, o] = add_command<ExplainOptions>(
+        app, code, "explain", "what a scene calls for: the effects that are on and off, and why",
+        explain);
+    o.format = "md";
+    add_scene_options(sub, o);
+    sub.add_flag("--run", o.run, "run the scene, and show the work done next to the plan");
 }
 
 } // namespace edgeproof::cli

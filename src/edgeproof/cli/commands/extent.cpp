@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/io/output_file.hpp"
-#include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
-#include <memory>
 
 namespace edgeproof::cli {
 namespace {
@@ -48,46 +44,51 @@ int extent(const ExtentOptions& o) {
         table.notes.emplace_back("covers_zone: yes where n terms stay within the tolerance all "
                                  "through the process zone");
     }
-    const ValueColumns value(scene);
-    table.columns = {{"edge", report::Column::Kind::text}, {"n", report::Column::Kind::count}};
-    value.add(table.columns, "first_exit");
-    table.columns.push_back({"first_exit_fraction"});
-    value.add(table.columns, "measure");
-    table.columns.push_back({"measure_fraction"});
-    if (scene.ask.process_zone) {
-        table.columns.push_back({"covers_zone", report::Column::Kind::text});
+    struct Terms {
+        scene::RowsAt edge;
+        std::size_t n;
+    };
+    std::vector<Terms> rows;
+    for (const scene::RowsAt& edge : result.at_edges(scene::QuantityGroup::extent)) {
+        for (const std::size_t n : scene.ask.terms) {
+            rows.push_back({edge, n});
+        }
     }
-    table.columns.push_back({"crossings", report::Column::Kind::text});
-    table.columns.push_back({"route", report::Column::Kind::text});
     using scene::Quantity;
+    using Kind = report::Column::Kind;
     const auto text = [&](const scene::BoundedValue& v) {
         return printed(v, scene.ask.digits).text;
     };
-    for (const scene::RowsAt& edge : result.at_edges(scene::QuantityGroup::extent)) {
-        for (const std::size_t n : scene.ask.terms) {
-            const scene::Row& exit = edge.row(Quantity::extent, n);
-            std::vector<std::string> row{scene::edge_name(edge.edge()), std::to_string(n)};
-            if (exit.reached) {
-                value.add(row, *exit.value, false);
-                row.push_back(text(edge.at(Quantity::extent_fraction, n)));
-            } else {
-                value.add_none(row, false);
-                row.emplace_back();
-            }
-            value.add(row, edge.at(Quantity::measure, n), false);
-            row.push_back(text(edge.at(Quantity::measure_fraction, n)));
-            if (scene.ask.process_zone) {
-                row.emplace_back(covers_zone(scene, *exit.value) ? "yes" : "no");
-            }
-            std::string crossings;
-            for (std::size_t j = 0; const auto* u = edge.find(Quantity::crossing, n, j); ++j) {
-                crossings += (crossings.empty() ? "" : " ") + text(*u->value);
-            }
-            row.push_back(crossings.empty() ? "none" : crossings);
-            row.push_back(exit.value->how());
-            table.rows.push_back(std::move(row));
-        }
+    const auto exit = [](const Terms& t) -> const scene::Row& {
+        return t.edge.row(Quantity::extent, t.n);
+    };
+    Columns<Terms> columns(scene);
+    columns.add("edge", Kind::text, [](const Terms& t) { return scene::edge_name(t.edge.edge()); });
+    columns.add("n", Kind::count, [](const Terms& t) { return std::to_string(t.n); });
+    columns.add_value("first_exit", "", [&](const Terms& t) {
+        return exit(t).reached ? exit(t).value : std::nullopt;
+    });
+    columns.add("first_exit_fraction", Kind::number, [&](const Terms& t) {
+        return exit(t).reached ? text(t.edge.at(Quantity::extent_fraction, t.n)) : "";
+    });
+    columns.add_value("measure", "",
+                      [](const Terms& t) { return t.edge.at(Quantity::measure, t.n); });
+    columns.add("measure_fraction", Kind::number,
+                [&](const Terms& t) { return text(t.edge.at(Quantity::measure_fraction, t.n)); });
+    if (scene.ask.process_zone) {
+        columns.add("covers_zone", Kind::text, [&](const Terms& t) {
+            return covers_zone(scene, *exit(t).value) ? "yes" : "no";
+        });
     }
+    columns.add("crossings", Kind::text, [&](const Terms& t) {
+        std::string crossings;
+        for (std::size_t j = 0; const auto* u = t.edge.find(Quantity::crossing, t.n, j); ++j) {
+            crossings += (crossings.empty() ? "" : " ") + text(*u->value);
+        }
+        return crossings.empty() ? "none" : crossings;
+    });
+    columns.add("route", Kind::text, [&](const Terms& t) { return exit(t).value->how(); });
+    columns.write(table, rows);
     if (!o.figure.empty()) {
         io::write_whole(o.figure,
                         report::picture_file(picture_of(scene), title_of(scene), o.figure));
@@ -99,17 +100,16 @@ int extent(const ExtentOptions& o) {
 } // namespace
 
 void add_extent(CLI::App& app, int& code) {
-    CLI::App* sub = app.add_subcommand(
-        "extent", "how far from each edge n terms stay within a tolerance of the pressure");
-    auto o = std::make_shared<ExtentOptions>();
-    add_scene_options(*sub, *o);
-    add_tolerance_option(*sub, *o, " (default: the scene's)");
-    sub->add_option("--figure", o->figure,
-                    "also draw the pressure and these terms (edgeproof plot) into this file: "
-                    ".svg, .png, .pdf or .html");
-    sub->footer("1, 2 and 3 terms at both edges unless --terms and --edge, or the scene, say "
-                "which.");
-    sub->callback([o, &code] { code = extent(*o); });
+    auto [sub, o] = add_command<ExtentOptions>(
+        app, code, "extent",
+        "how far from each edge n terms stay within a tolerance of the pressure", extent);
+    add_scene_options(sub, o);
+    add_tolerance_option(sub, o, " (default: the scene's)");
+    sub.add_option("--figure", o.figure,
+                   "also draw the pressure and these terms (edgeproof plot) into this file: "
+                   ".svg, .png, .pdf or .html");
+    sub.footer("1, 2 and 3 terms at both edges unless --terms and --edge, or the scene, say "
+               "which.");
 }
 
 } // namespace edgeproof::cli

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/pack/pack.hpp"
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/io/text_file.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <ctime>
-#include <memory>
 
 namespace edgeproof::cli {
 namespace {
@@ -79,7 +75,7 @@ int check_pack(const std::filesystem::path& folder, const std::vector<pack::Pack
     return different == 0 ? 0 : 1;
 }
 
-int make(const PackCommandOptions& o, const std::string& version) {
+int make(const PackCommandOptions& o) {
     check_word("--commit", o.commit);
     check_word("--date", o.date);
     pack::PackOptions options;
@@ -90,12 +86,8 @@ int make(const PackCommandOptions& o, const std::string& version) {
         throw InputError(o.folder + " is no folder",
                          "give the folder of a pack, or leave out --check");
     }
-    std::vector<pack::PackFile> files;
-    {
-        Progress progress("answers");
-        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
-        files = pack::make_pack(options);
-    }
+    const auto files =
+        with_progress("answers", options.progress, [&] { return pack::make_pack(options); });
     if (o.check) {
         return check_pack(o.folder, files);
     }
@@ -104,9 +96,10 @@ int make(const PackCommandOptions& o, const std::string& version) {
         for (const pack::PackFile& file : files) {
             io::write_whole(folder / file.name, file.text);
         }
-        io::write_whole(folder / pack::manifest_name,
-                        manifest(files, {version, o.commit, o.date.empty() ? today() : o.date,
-                                         "edgeproof pack " + o.folder}));
+        io::write_whole(
+            folder / pack::manifest_name,
+            manifest(files, {fmt::format("edgeproof {}", report::program_version), o.commit,
+                             o.date.empty() ? today() : o.date, "edgeproof pack " + o.folder}));
     });
     staged.commit();
     std::printf("%s: %zu files\n", o.folder.c_str(), files.size() + 1);
@@ -116,18 +109,15 @@ int make(const PackCommandOptions& o, const std::string& version) {
 } // namespace
 
 void add_pack(CLI::App& app, int& code) {
-    CLI::App* sub = app.add_subcommand(
-        "pack", "a frozen set of questions and answers with drivers, for a code's own tests");
-    auto o = std::make_shared<PackCommandOptions>();
-    sub->add_option("folder", o->folder, "the folder")->required();
-    sub->add_flag("--check", o->check,
-                  "make it anew and compare it with the folder; exit 1 where a byte differs");
-    sub->add_option("--commit", o->commit, "of the source, for the manifest")
-        ->capture_default_str();
-    sub->add_option("--date", o->date, "for the manifest (default: today)");
-    sub->add_option("--threads", o->threads, "threads (default: one a processor)");
-    sub->callback(
-        [o, &code] { code = make(*o, fmt::format("edgeproof {}", report::program_version)); });
+    auto [sub, o] = add_command<PackCommandOptions>(
+        app, code, "pack",
+        "a frozen set of questions and answers with drivers, for a code's own tests", make);
+    sub.add_option("folder", o.folder, "the folder")->required();
+    sub.add_flag("--check", o.check,
+                 "make it anew and compare it with the folder; exit 1 where a byte differs");
+    sub.add_option("--commit", o.commit, "of the source, for the manifest")->capture_default_str();
+    sub.add_option("--date", o.date, "for the manifest (default: today)");
+    add_threads_option(sub, o.threads);
 }
 
 } // namespace edgeproof::cli

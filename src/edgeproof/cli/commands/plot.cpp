@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/io/output_file.hpp"
-
-#include <memory>
 
 namespace edgeproof::cli {
 namespace {
@@ -27,17 +23,16 @@ int plot(SceneOptions& o) {
 } // namespace
 
 void add_plot(CLI::App& app, int& code) {
-    CLI::App* sub = app.add_subcommand(
-        "plot", "a picture of a scene: the pressure, the first terms, and where they are good");
-    auto o = std::make_shared<SceneOptions>();
-    add_given_scene(*sub, *o);
-    add_tolerance_option(*sub, *o, " (default: the scene's, else 1%)");
-    sub->add_option("--out", o->out,
-                    "write to this file, by its ending .svg, .png, .pdf or .html, whole or not at "
-                    "all (default: a small picture of letters)");
-    sub->footer("Drawn by gnuplot. The edges are those of --edge or of the scene, else the right "
-                "one; the terms 1, 2 and 3 unless --terms or the scene say which.");
-    sub->callback([o, &code] { code = plot(*o); });
+    auto [sub, o] = add_command<SceneOptions>(
+        app, code, "plot",
+        "a picture of a scene: the pressure, the first terms, and where they are good", plot);
+    add_given_scene(sub, o);
+    add_tolerance_option(sub, o, " (default: the scene's, else 1%)");
+    sub.add_option("--out", o.out,
+                   "write to this file, by its ending .svg, .png, .pdf or .html, whole or not at "
+                   "all (default: a small picture of letters)");
+    sub.footer("Drawn by gnuplot. The edges are those of --edge or of the scene, else the right "
+               "one; the terms 1, 2 and 3 unless --terms or the scene say which.");
 }
 
 } // namespace edgeproof::cli

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 
 #include <algorithm>
-#include <memory>
 
 namespace edgeproof::cli {
 namespace {
@@ -13,40 +11,6 @@ namespace {
 bool by_name(const scene::Scene& scene) {
     return std::any_of(scene.ask.u.begin(), scene.ask.u.end(),
                        [](const scene::AskedPoint& point) { return point.place.has_value(); });
-}
-
-std::vector<report::Column> columns_of(const scene::Scene& scene, const scene::Plan& plan) {
-    const ValueColumns value(scene);
-    std::vector<report::Column> columns{{"edge", report::Column::Kind::text}};
-    if (by_name(scene)) {
-        columns.push_back({"asked", report::Column::Kind::text});
-    }
-    columns.push_back({"u"});
-    columns.push_back({"x"});
-    const auto approximations = [&](const std::string& prefix) {
-        for (const std::size_t n : plan.terms > 0 ? scene.ask.terms : std::vector<std::size_t>{}) {
-            columns.push_back({prefix + "local_" + std::to_string(n)});
-            columns.push_back({prefix + "rel_" + std::to_string(n)});
-        }
-    };
-    value.add(columns, "p", "route");
-    approximations("");
-    if (plan.shear) {
-        value.add(columns, "q", "q_route");
-        if (plan.partial_slip) {
-            columns.push_back({"q_over_fp"});
-            columns.push_back({"state", report::Column::Kind::text});
-        } else {
-            approximations("q_");
-        }
-    }
-    for (const scene::QuantityRow& row : scene::quantity_rows()) {
-        if (row.by_its_own_name() && scene.ask.wants(row.group)) {
-            const std::string name = scene::symbol_of({row.quantity});
-            value.add(columns, name, name + "_route");
-        }
-    }
-    return columns;
 }
 
 /// Returns the value for a route column. Its route names the other values of the same columns that
@@ -87,45 +51,57 @@ scene::BoundedValue friction_used(const scene::Scene& scene, const scene::RowsAt
     return {abs(q.value) / most, q.proved && p.proved, "superposition"};
 }
 
-std::vector<std::string> row_of_point(const scene::Scene& scene, const scene::Plan& plan,
-                                      const scene::RowsAt& point) {
+Columns<scene::RowsAt> columns_of(const scene::Scene& scene, const scene::Plan& plan) {
     using scene::Quantity;
-    const ValueColumns value(scene);
-    const scene::Digits& digits = scene.ask.digits;
-    const scene::AskedPoint& asked = scene.ask.u[point.point()];
-    std::vector<std::string> row{scene::edge_name(point.edge())};
+    using scene::RowsAt;
+    using Kind = report::Column::Kind;
+    const auto text = [digits = scene.ask.digits](const scene::BoundedValue& value) {
+        return printed(value, digits).text;
+    };
+    Columns<RowsAt> columns(scene);
+    columns.add("edge", Kind::text, [](const RowsAt& at) { return scene::edge_name(at.edge()); });
     if (by_name(scene)) {
-        row.push_back(asked.text());
+        columns.add("asked", Kind::text,
+                    [&](const RowsAt& at) { return scene.ask.u[at.point()].text(); });
     }
-    const scene::Row* const u = point.find(Quantity::u);
-    row.push_back(u != nullptr ? printed(*u->value, digits).text
-                               : point.row(Quantity::x).asked.u->text());
-    row.push_back(printed(point.at(Quantity::x), digits).text);
-    const auto approximations = [&](scene::QuantityGroup group) {
-        for (const scene::Row& r : point) {
-            const scene::QuantityRow& def = row_of(r.asked.quantity);
-            if (def.group == group && def.index == scene::QuantityRow::Index::terms) {
-                row.push_back(
-                    printed(*r.value, def.short_error ? plan.error_digits() : digits).text);
-            }
+    columns.add("u", Kind::number, [text](const RowsAt& at) {
+        const scene::Row* const u = at.find(Quantity::u);
+        return u != nullptr ? text(*u->value) : at.row(Quantity::x).asked.u->text();
+    });
+    columns.add("x", Kind::number, [text](const RowsAt& at) { return text(at.at(Quantity::x)); });
+    const auto approximations = [&](const std::string& prefix, Quantity sum, Quantity error) {
+        for (const std::size_t n : plan.terms > 0 ? scene.ask.terms : std::vector<std::size_t>{}) {
+            columns.add(prefix + "local_" + std::to_string(n), Kind::number,
+                        [=](const RowsAt& at) { return text(at.at(sum, n)); });
+            columns.add(prefix + "rel_" + std::to_string(n), Kind::number,
+                        [=, digits = plan.error_digits()](const RowsAt& at) {
+                            return printed(at.at(error, n), digits).text;
+                        });
         }
     };
-    value.add(row, marked(point, Quantity::p, ""), true);
-    approximations(scene::QuantityGroup::pressure);
+    columns.add_value("p", "route", [](const RowsAt& at) { return marked(at, Quantity::p, ""); });
+    approximations("", Quantity::local, Quantity::rel);
     if (plan.shear) {
-        value.add(row, marked(point, Quantity::q, "q_"), true);
+        columns.add_value("q", "q_route",
+                          [](const RowsAt& at) { return marked(at, Quantity::q, "q_"); });
         if (plan.partial_slip) {
-            row.push_back(printed(friction_used(scene, point), plan.error_digits()).text);
-            row.push_back(state_name(point.row(Quantity::q).state));
+            columns.add("q_over_fp", Kind::number, [&](const RowsAt& at) {
+                return printed(friction_used(scene, at), plan.error_digits()).text;
+            });
+            columns.add("state", Kind::text,
+                        [](const RowsAt& at) { return state_name(at.row(Quantity::q).state); });
+        } else {
+            approximations("q_", Quantity::q_local, Quantity::q_rel);
         }
-        approximations(scene::QuantityGroup::shear);
     }
-    for (const scene::Row& other : point) {
-        if (row_of(other.asked.quantity).by_its_own_name()) {
-            value.add(row, *other.value, true);
+    for (const scene::QuantityRow& row : scene::quantity_rows()) {
+        if (row.by_its_own_name() && scene.ask.wants(row.group)) {
+            const std::string name = scene::symbol_of({row.quantity});
+            columns.add_value(name, name + "_route",
+                              [&row](const RowsAt& at) { return at.at(row.quantity); });
         }
     }
-    return row;
+    return columns;
 }
 
 int pressure(const SceneOptions& o) {
@@ -177,10 +153,7 @@ int pressure(const SceneOptions& o) {
             "that Q acts on; the q columns are as those of p");
     }
     table.notes.push_back(bound_note(result.plan));
-    table.columns = columns_of(scene, result.plan);
-    for (const scene::RowsAt& point : result.points()) {
-        table.rows.push_back(row_of_point(scene, result.plan, point));
-    }
+    columns_of(scene, result.plan).write(table, result.points());
     emit(table, o);
     return 0;
 }
@@ -188,10 +161,9 @@ int pressure(const SceneOptions& o) {
 } // namespace
 
 void add_pressure(CLI::App& app, int& code) {
-    CLI::App* sub = app.add_subcommand("pressure", "pressures of a scene, each with a bound");
-    auto o = std::make_shared<SceneOptions>();
-    add_scene_options(*sub, *o);
-    sub->callback([o, &code] { code = pressure(*o); });
+    auto [sub, o] = add_command<SceneOptions>(app, code, "pressure",
+                                              "pressures of a scene, each with a bound", pressure);
+    add_scene_options(sub, o);
 }
 
 } // namespace edgeproof::cli

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/relations/relations.hpp"
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/tables/design_table.hpp"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -47,21 +44,18 @@ int relations(const RelationsOptions& o) {
 } // namespace
 
 void add_relations(CLI::App& app, int& code) {
-    CLI::App* sub = app.add_subcommand(
-        "relations", "polynomial relations between multipliers that hold along every profile");
-    auto o = std::make_shared<RelationsOptions>();
-    sub->add_option("quantities", o->quantities,
-                    "left.c1, right.c0, right.s0, b1, L, ...: what they are between; powers of the "
-                    "first are eliminated first")
+    auto [sub, o] = add_command<RelationsOptions>(
+        app, code, "relations",
+        "polynomial relations between multipliers that hold along every profile", relations);
+    sub.add_option("quantities", o.quantities,
+                   "left.c1, right.c0, right.s0, b1, L, ...: what they are between; powers of the "
+                   "first are eliminated first")
         ->required();
-    sub->add_option("--degree", o->degree, "total degree up to which all are found (default: 4)");
-    sub->add_flag("--symmetric", o->symmetric, "b = a");
-    sub->add_option("--given", o->given, "NAME=FORMULA, such as P2=m*P1/a: what is not free");
-    sub->add_option("--free", o->free, "a further free name, such as m");
-    sub->add_option("--format", o->format, "csv, json, md or tex")->capture_default_str();
-    sub->add_option("--out", o->out,
-                    "write to this file, whole or not at all (-: standard output)");
-    sub->callback([o, &code] { code = relations(*o); });
+    sub.add_option("--degree", o.degree, "total degree up to which all are found (default: 4)");
+    sub.add_flag("--symmetric", o.symmetric, "b = a");
+    sub.add_option("--given", o.given, "NAME=FORMULA, such as P2=m*P1/a: what is not free");
+    sub.add_option("--free", o.free, "a further free name, such as m");
+    add_table_options(sub, o.format, o.out);
 }
 
 } // namespace edgeproof::cli

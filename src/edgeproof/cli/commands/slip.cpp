@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/precision/error.hpp"
-
-#include <memory>
 
 namespace edgeproof::cli {
 namespace {
 
-void add_reach(std::vector<std::string>& row, const ValueColumns& value, const scene::Row& load) {
-    if (load.value) {
-        value.add(row, *load.value, false);
-    } else {
-        value.add_none(row, false);
+/// Returns the size of the slip zone. Its route names the values by n terms that are not proved
+/// although this value is.
+scene::BoundedValue marked_size(const scene::RowsAt& edge, const std::vector<std::size_t>& terms) {
+    scene::BoundedValue size = edge.at(scene::Quantity::slip);
+    std::string estimates;
+    for (const std::size_t n : terms) {
+        if (size.proved && !(edge.at(scene::Quantity::slip_terms, n).proved &&
+                             edge.at(scene::Quantity::slip_rel, n).proved)) {
+            estimates += (estimates.empty() ? "d_" : ", d_") + std::to_string(n) + ", rel_" +
+                         std::to_string(n);
+        }
     }
-    row.push_back(!load.value ? "undecided" : load.reached ? load.value->how() : "full sliding");
+    size.route += estimates.empty() ? "" : " (estimate: " + estimates + ")";
+    return size;
 }
 
 int slip(const SceneOptions& o) {
@@ -28,9 +31,7 @@ int slip(const SceneOptions& o) {
     }
     ask_terms(scene);
     const scene::SceneResult result = done(scene);
-    report::Table table;
-    table.title = scene.title;
-    table.facts = facts_of(scene, result);
+    report::Table table = values_table(scene, result);
     add_slip_facts(table.facts, scene, result);
     table.notes = {"d: size of the slip zone at the edge, |d - exact| <= d_bound; the rest of the "
                    "contact, -stick_b < x < stick_a, sticks",
@@ -46,43 +47,31 @@ int slip(const SceneOptions& o) {
                                  "from -Q to Q and back, P held");
     }
     table.notes.push_back(bound_note(result.plan));
-    const ValueColumns value(scene);
-    table.columns = {{"edge", report::Column::Kind::text}};
-    value.add(table.columns, "d", "route");
-    for (const std::size_t n : scene.ask.terms) {
-        table.columns.push_back({"d_" + std::to_string(n)});
-        table.columns.push_back({"rel_" + std::to_string(n)});
-    }
-    for (const std::size_t n : scene.ask.tolerance ? scene.ask.terms : std::vector<std::size_t>{}) {
-        const std::string name = "slip_load_" + std::to_string(n);
-        value.add(table.columns, name);
-        table.columns.push_back({name + "_route", report::Column::Kind::text});
-    }
     using scene::Quantity;
-    for (const scene::RowsAt& edge : result.at_edges(scene::QuantityGroup::slip)) {
-        std::vector<std::string> row{scene::edge_name(edge.edge())};
-        scene::BoundedValue size = edge.at(Quantity::slip);
-        std::string estimates;
-        for (const std::size_t n : scene.ask.terms) {
-            if (size.proved && !(edge.at(Quantity::slip_terms, n).proved &&
-                                 edge.at(Quantity::slip_rel, n).proved)) {
-                estimates += (estimates.empty() ? "d_" : ", d_") + std::to_string(n) + ", rel_" +
-                             std::to_string(n);
-            }
-        }
-        size.route += estimates.empty() ? "" : " (estimate: " + estimates + ")";
-        value.add(row, size, true);
-        for (const std::size_t n : scene.ask.terms) {
-            row.push_back(printed(edge.at(Quantity::slip_terms, n), scene.ask.digits).text);
-            row.push_back(printed(edge.at(Quantity::slip_rel, n), result.plan.error_digits()).text);
-        }
-        for (const std::size_t n : scene.ask.terms) {
-            if (scene.ask.tolerance) {
-                add_reach(row, value, edge.row(Quantity::slip_load, n));
-            }
-        }
-        table.rows.push_back(std::move(row));
+    using scene::RowsAt;
+    using Kind = report::Column::Kind;
+    const std::vector<std::size_t>& terms = scene.ask.terms;
+    Columns<RowsAt> columns(scene);
+    columns.add("edge", Kind::text, [](const RowsAt& e) { return scene::edge_name(e.edge()); });
+    columns.add_value("d", "route", [&](const RowsAt& e) { return marked_size(e, terms); });
+    for (const std::size_t n : terms) {
+        columns.add("d_" + std::to_string(n), Kind::number, [&scene, n](const RowsAt& e) {
+            return printed(e.at(Quantity::slip_terms, n), scene.ask.digits).text;
+        });
+        columns.add("rel_" + std::to_string(n), Kind::number, [&result, n](const RowsAt& e) {
+            return printed(e.at(Quantity::slip_rel, n), result.plan.error_digits()).text;
+        });
     }
+    for (const std::size_t n : scene.ask.tolerance ? terms : std::vector<std::size_t>{}) {
+        const std::string name = "slip_load_" + std::to_string(n);
+        columns.add_value(name, "",
+                          [n](const RowsAt& e) { return e.row(Quantity::slip_load, n).value; });
+        columns.add(name + "_route", Kind::text, [n](const RowsAt& e) -> std::string {
+            const scene::Row& load = e.row(Quantity::slip_load, n);
+            return !load.value ? "undecided" : load.reached ? load.value->how() : "full sliding";
+        });
+    }
+    columns.write(table, result.at_edges(scene::QuantityGroup::slip));
     emit(table, o);
     return 0;
 }
@@ -90,18 +79,17 @@ int slip(const SceneOptions& o) {
 } // namespace
 
 void add_slip(CLI::App& app, int& code) {
-    CLI::App* sub = app.add_subcommand(
-        "slip", "the slip zones of a scene with friction, exact and by n terms of their series");
-    auto o = std::make_shared<SceneOptions>();
-    add_scene_options(*sub, *o);
-    add_tolerance_option(*sub, *o,
+    auto [sub, o] = add_command<SceneOptions>(
+        app, code, "slip",
+        "the slip zones of a scene with friction, exact and by n terms of their series", slip);
+    add_scene_options(sub, o);
+    add_tolerance_option(sub, o,
                          ": also find the Q/(f P) up to which n terms stay within it (default: "
                          "the scene's, else that is not looked for)");
-    sub->footer(
+    sub.footer(
         "P is held, then Q (and bulk_tension) are applied. What slips has |q| = f p in the\n"
         "direction of Q; what sticks is strained alike in both bodies. [shear] of the scene gives\n"
         "Q, bulk_tension and friction. See docs/partial-slip.md.");
-    sub->callback([o, &code] { code = slip(*o); });
 }
 
 } // namespace edgeproof::cli

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/figures/slip_table.hpp"
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/atomic_file.hpp"
-#include "edgeproof/io/output_file.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 
 #include <filesystem>
-#include <memory>
 
 namespace edgeproof::cli {
 namespace {
@@ -43,19 +39,12 @@ int slip_table(const SlipTableRequest& o) {
         io::check_folder(o.figures); // the folder is made when there is something to write
     }
     report::SlipTableOptions options;
-    options.tolerances.clear();
-    for (std::size_t at = 0; at <= o.tolerances.size();) {
-        const std::size_t comma = std::min(o.tolerances.find(',', at), o.tolerances.size());
-        const std::string text = o.tolerances.substr(at, comma - at);
-        (void)tolerance_of(text);
-        options.tolerances.push_back(text);
-        at = comma + 1;
-    }
-    options.terms = numbers_of_terms("--terms", o.terms);
-    options.digits.count = static_cast<unsigned>(whole_number("--digits", o.digits, 2, 1000));
-    Progress progress("profiles");
-    options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
-    const report::Table table = report::slip_table(slip_paper, options);
+    options.tolerances = parts_of(o.tolerances);
+    std::ranges::for_each(options.tolerances, tolerance_of);
+    options.terms = numbers_of_terms(o.terms);
+    options.digits.count = digits_of(o.digits, 1000);
+    const report::Table table = with_progress(
+        "profiles", options.progress, [&] { return report::slip_table(slip_paper, options); });
     if (!o.figures.empty()) {
         draw_slip_figures(o.figures);
     }
@@ -66,21 +55,19 @@ int slip_table(const SlipTableRequest& o) {
 } // namespace
 
 void add_slip_table(CLI::App& app, int& code) {
-    CLI::App* sub = app.add_subcommand(
-        "slip-table", "up to which Q/(f P) the first terms of a slip zone's size are good enough, "
-                      "for the profiles of the literature");
-    auto o = std::make_shared<SlipTableRequest>();
-    sub->add_option("--tolerance", o->tolerances, "tolerances, such as 1%,5%,10%")
+    auto [sub, o] = add_command<SlipTableRequest>(
+        app, code, "slip-table",
+        "up to which Q/(f P) the first terms of a slip zone's size are good enough, "
+        "for the profiles of the literature",
+        slip_table);
+    sub.add_option("--tolerance", o.tolerances, "tolerances, such as 1%,5%,10%")
         ->capture_default_str();
-    sub->add_option("--terms", o->terms, "numbers of terms, such as 1,2,3")->capture_default_str();
-    sub->add_option("--digits", o->digits, "significant digits")->capture_default_str();
-    sub->add_option("--format", o->format, "csv, json, md or tex")->capture_default_str();
-    sub->add_option("--out", o->out,
-                    "write to this file, whole or not at all (-: standard output)");
-    sub->add_option("--figures", o->figures,
-                    "also draw the sizes against Q/(f P), an .svg and a .csv a profile and edge, "
-                    "into this folder");
-    sub->callback([o, &code] { code = slip_table(*o); });
+    sub.add_option("--terms", o.terms, "numbers of terms, such as 1,2,3")->capture_default_str();
+    sub.add_option("--digits", o.digits, "significant digits")->capture_default_str();
+    add_table_options(sub, o.format, o.out);
+    sub.add_option("--figures", o.figures,
+                   "also draw the sizes against Q/(f P), an .svg and a .csv a profile and edge, "
+                   "into this folder");
 }
 
 } // namespace edgeproof::cli

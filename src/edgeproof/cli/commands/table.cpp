@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/commands/table_in_parts.hpp"
-#include "edgeproof/cli/launched.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/io/atomic_file.hpp"
-#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/text_file.hpp"
-#include "edgeproof/parallel/distributed_work.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"
 
 #include <cstdio>
-#include <memory>
 #include <optional>
 
 namespace edgeproof::cli {
@@ -30,13 +23,13 @@ struct TableOptions {
     bool check = false;
 };
 
-conformance::ReferenceOptions
-reference_options(const TableOptions& o, const conformance::Recipe& recipe, Progress& progress) {
+std::vector<conformance::Reference> reference_values(const TableOptions& o,
+                                                     const conformance::Recipe& recipe) {
     conformance::ReferenceOptions options;
     options.digits = recipe.digits;
     options.threads = threads_of(o.threads);
-    options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
-    return options;
+    return with_progress("values", options.progress,
+                         [&] { return references(recipe.questions, options); });
 }
 
 /// Returns the file of the table: --out, else next to the recipe.
@@ -57,9 +50,7 @@ int check(const TableOptions& o, conformance::Recipe& recipe) {
             recipe.questions.list.push_back(all.list[i]);
         }
     }
-    Progress progress("values");
-    const auto values = references(recipe.questions, reference_options(o, recipe, progress));
-    const report::Table made = report::reference_table(recipe, values);
+    const report::Table made = report::reference_table(recipe, reference_values(o, recipe));
     const auto said = table_differences(old, made, every > 1);
     for (std::size_t i = 0; i < said.size() && i < most_said; ++i) {
         std::fprintf(stderr, "%s\n", said[i].c_str());
@@ -107,10 +98,8 @@ int to_file(const TableOptions& o) {
     return 0;
 }
 
-int table(const TableOptions& o) {
-    SceneOptions output;
-    output.format = o.format;
-    output.out = o.out;
+int table(TableOptions& o) {
+    o.recipe = file_or_shipped(o.recipe, shipped_recipes);
     (void)format_of(o.format);
     if (!o.every.empty() && !o.check) {
         throw InputError("--every " + o.every + " takes a sample of a check", "add --check");
@@ -129,36 +118,30 @@ int table(const TableOptions& o) {
     if (o.check) {
         return check(o, recipe);
     }
-    std::vector<conformance::Reference> values;
-    {
-        Progress progress("values");
-        values = references(recipe.questions, reference_options(o, recipe, progress));
-    }
-    emit(report::reference_table(recipe, values), output);
+    SceneOptions output;
+    output.format = o.format;
+    output.out = o.out;
+    emit(report::reference_table(recipe, reference_values(o, recipe)), output);
     return 0;
 }
 
 } // namespace
 
 void add_table(CLI::App& app, int& code) {
-    CLI::App* sub = app.add_subcommand("table", "a table of reference values from a recipe");
-    auto o = std::make_shared<TableOptions>();
-    sub->add_option("recipe", o->recipe, "the recipe (TOML)")->required();
-    sub->add_option("--out", o->out,
-                    "write to this file, whole or not at all; what is done of a long table is "
-                    "kept next to it (.part), and the same command goes on from there");
-    sub->add_option("--format", o->format, "csv, json, md or tex")->capture_default_str();
-    sub->add_option("--threads", o->threads,
-                    "threads (default: one a processor; one each of several processes that "
-                    "mpirun or srun started)");
-    sub->add_flag("--check", o->check,
-                  "make the table anew and compare it with --out (default: the .csv next to the "
-                  "recipe); exit 1 where a digit differs");
-    sub->add_option("--every", o->every, "with --check: every Nth row only");
-    sub->callback([o, &code] {
-        o->recipe = file_or_shipped(o->recipe, shipped_recipes);
-        code = table(*o);
-    });
+    auto [sub, o] = add_command<TableOptions>(app, code, "table",
+                                              "a table of reference values from a recipe", table);
+    sub.add_option("recipe", o.recipe, "the recipe (TOML)")->required();
+    sub.add_option("--out", o.out,
+                   "write to this file, whole or not at all; what is done of a long table is "
+                   "kept next to it (.part), and the same command goes on from there");
+    sub.add_option("--format", o.format, "csv, json, md or tex")->capture_default_str();
+    sub.add_option("--threads", o.threads,
+                   "threads (default: one a processor; one each of several processes that "
+                   "mpirun or srun started)");
+    sub.add_flag("--check", o.check,
+                 "make the table anew and compare it with --out (default: the .csv next to the "
+                 "recipe); exit 1 where a digit differs");
+    sub.add_option("--every", o.every, "with --check: every Nth row only");
 }
 
 } // namespace edgeproof::cli

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/commands/table_in_parts.hpp"
 
-#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/conformance/questions/reference.hpp"
 #include "edgeproof/io/atomic_file.hpp"
-#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/process_cleanup.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/parallel/distributed_work.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"
 #include "edgeproof/report/text/program_line.hpp"

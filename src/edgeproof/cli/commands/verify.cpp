@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/run.hpp"
 #include "edgeproof/certificate/certificate.hpp"
-#include "edgeproof/cli/cli.hpp"
-#include "edgeproof/cli/judged_ledger.hpp"
-#include "edgeproof/cli/shipped_file.hpp"
+#include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/staged_folder.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/report.hpp"
 
@@ -14,7 +10,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <optional>
 
 namespace edgeproof::cli {
@@ -67,20 +62,18 @@ std::string command_text(const VerifyOptions& o) {
 
 void write_files(const audit::AuditResult& result, const audit::Ledger& ledger,
                  io::StagedFolder& staged, const VerifyOptions& o) {
-    try {
-        const std::filesystem::path& out = staged.path();
+    staged.fill([&](const std::filesystem::path& out) {
         io::write_whole(out / "verdicts.json", report::verdicts_json(result));
         io::write_whole(out / "verdicts.csv", report::verdicts_csv(result));
         io::write_whole(out / "verdicts.md", report::verdicts_markdown(result));
         io::write_whole(out / "verdicts.tex", report::verdicts_latex(result));
         report::write_html_report(result, ledger, out, o.threads, command_text(o), o.out);
-    } catch (const InputError& error) {
-        throw staged.with_final_names(error);
-    }
+    });
     staged.commit();
 }
 
-int verify(const VerifyOptions& o) {
+int verify(VerifyOptions& o) {
+    o.ledger = file_or_shipped(o.ledger, shipped_ledgers);
     if (o.digits < 10 || o.digits > most_digits_of_a_formula) {
         throw InputError("--digits " + std::to_string(o.digits) + " is out of range",
                          "give a number of digits from 10 to " +
@@ -102,8 +95,10 @@ int verify(const VerifyOptions& o) {
     if (!o.out.empty()) {
         staged.emplace(o.out);
     }
-    audit::AuditResult result =
-        judged_ledger(ledger, static_cast<unsigned>(o.digits), o.threads, o.only, o.profile);
+    audit::AuditResult result = judged_ledger(ledger, {.digits = static_cast<unsigned>(o.digits),
+                                                       .threads = o.threads,
+                                                       .only = o.only,
+                                                       .timed = o.profile});
     attach_certificates(o, ledger, result);
     if (staged) {
         write_files(result, ledger, *staged, o);
@@ -142,29 +137,23 @@ int verify(const VerifyOptions& o) {
 } // namespace
 
 void add_verify(CLI::App& app, int& code) {
-    CLI::App* sub =
-        app.add_subcommand("verify", "verify a ledger of printed claims against the mechanics");
-    auto o = std::make_shared<VerifyOptions>();
-    sub->add_option("ledger", o->ledger, "the ledger (TOML)")->required();
-    sub->add_option("--digits", o->digits, "digits to verify to")->capture_default_str();
-    sub->add_option("--out", o->out,
-                    "folder for verdicts.json, .csv, .md, .tex, report.html and errata.tex");
-    sub->add_option("--only", o->only, "claims whose id matches, such as 'EQ2*'");
-    sub->add_option("--certificates", o->certificates,
-                    "folder of theorems made by certify (certificates next to the ledger)");
-    sub->add_option("--threads", o->threads, "threads (0: as many as the machine has)")
-        ->check(CLI::Range(0, 1024));
-    sub->add_flag("--record", o->record, "write the golden verdicts next to the ledger");
-    sub->add_flag("--strict", o->strict,
-                  "exit with 1 also where a claim does not hold: any verdict but proved, confirmed "
-                  "and definition");
-    sub->add_flag("--profile", o->profile,
-                  "also print where the processor time goes, claim by claim, and which samples "
-                  "decide");
-    sub->callback([o, &code] {
-        o->ledger = file_or_shipped(o->ledger, shipped_ledgers);
-        code = verify(*o);
-    });
+    auto [sub, o] = add_command<VerifyOptions>(
+        app, code, "verify", "verify a ledger of printed claims against the mechanics", verify);
+    sub.add_option("ledger", o.ledger, "the ledger (TOML)")->required();
+    sub.add_option("--digits", o.digits, "digits to verify to")->capture_default_str();
+    sub.add_option("--out", o.out,
+                   "folder for verdicts.json, .csv, .md, .tex, report.html and errata.tex");
+    sub.add_option("--only", o.only, "claims whose id matches, such as 'EQ2*'");
+    sub.add_option("--certificates", o.certificates,
+                   "folder of theorems made by certify (certificates next to the ledger)");
+    add_threads_option(sub, o.threads);
+    sub.add_flag("--record", o.record, "write the golden verdicts next to the ledger");
+    sub.add_flag("--strict", o.strict,
+                 "exit with 1 also where a claim does not hold: any verdict but proved, confirmed "
+                 "and definition");
+    sub.add_flag("--profile", o.profile,
+                 "also print where the processor time goes, claim by claim, and which samples "
+                 "decide");
 }
 
 } // namespace edgeproof::cli

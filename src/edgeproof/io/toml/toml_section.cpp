@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -186,16 +187,18 @@ struct TomlSection::Access {
         }
         return static_cast<std::size_t>(value);
     }
-    /// Calls f for the elements of a list, or for a single value.
-    template <class F> void for_each(std::string_view key, const F& f) const {
+    /// Returns read(x, key) for the elements x of a list, or for a single value.
+    template <class Read> [[nodiscard]] auto list(std::string_view key, const Read& read) const {
         const toml::node& n = node(key);
+        std::vector<decltype(std::invoke(read, *this, n, key))> list;
         if (const auto* array = n.as_array()) {
             for (const toml::node& element : *array) {
-                f(element);
+                list.push_back(std::invoke(read, *this, element, key));
             }
         } else {
-            f(n);
+            list.push_back(std::invoke(read, *this, n, key));
         }
+        return list;
     }
 };
 
@@ -367,10 +370,7 @@ std::string TomlSection::text(std::string_view key) const {
     return access.text(access.node(key), key);
 }
 std::vector<std::string> TomlSection::texts(std::string_view key) const {
-    const Access access{*this};
-    std::vector<std::string> list;
-    access.for_each(key, [&](const toml::node& n) { list.push_back(access.text(n, key)); });
-    return list;
+    return Access{*this}.list(key, &Access::text);
 }
 std::string TomlSection::written(std::string_view key) const {
     const Access access{*this};
@@ -380,37 +380,26 @@ std::string TomlSection::written_or(std::string_view key, std::string_view other
     return has(key) ? written(key) : std::string(otherwise);
 }
 std::vector<std::string> TomlSection::written_list(std::string_view key) const {
-    const Access access{*this};
-    std::vector<std::string> list;
-    access.for_each(key, [&](const toml::node& n) { list.push_back(access.written(n, key)); });
-    return list;
+    return Access{*this}.list(key, &Access::written);
 }
 formula::Exact TomlSection::exact(std::string_view key) const {
     const Access access{*this};
     return access.exact(access.node(key), key);
 }
 std::vector<TomlSection::Item> TomlSection::exacts(std::string_view key) const {
-    const Access access{*this};
-    std::vector<Item> list;
-    access.for_each(key, [&](const toml::node& n) {
-        list.push_back({access.exact(n, key), access.line_of(n)});
+    return Access{*this}.list(key, [](const Access& access, const toml::node& n, auto name) {
+        return Item{access.exact(n, name), access.line_of(n)};
     });
-    return list;
 }
 std::vector<TomlSection::Written> TomlSection::numbers_written(std::string_view key) const {
-    const Access access{*this};
-    std::vector<Written> list;
-    access.for_each(key, [&](const toml::node& n) {
-        list.push_back({access.scalar(n, key), access.line_of(n)});
+    return Access{*this}.list(key, [](const Access& access, const toml::node& n, auto name) {
+        return Written{access.scalar(n, name), access.line_of(n)};
     });
-    return list;
 }
 std::vector<std::size_t> TomlSection::counts(std::string_view key, long least, long most) const {
-    const Access access{*this};
-    std::vector<std::size_t> list;
-    access.for_each(
-        key, [&](const toml::node& n) { list.push_back(access.count(n, key, least, most)); });
-    return list;
+    return Access{*this}.list(key, [&](const Access& access, const toml::node& n, auto name) {
+        return access.count(n, name, least, most);
+    });
 }
 std::size_t TomlSection::count(std::string_view key, long least, long most) const {
     const Access access{*this};

@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/commands/check/check_kinds.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/cli/shipped_file.hpp"
 #include "edgeproof/conformance/answers/program_driver.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
-#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/text_file.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/report/figures/agreement_figure.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/tables/agreement_report.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"
+#include "edgeproof/report/verdicts/verdict_writers.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <vector>
 
 namespace edgeproof::cli {
@@ -45,7 +42,8 @@ struct CheckOptions {
     bool conditioned = false;
     bool self_test = false;
     bool json = false;
-    SelfTestOptions self;
+    std::string seed = "1";
+    std::string files = "200";
 };
 
 double positive(const std::string& option, const std::string& text, double most) {
@@ -104,14 +102,13 @@ conformance::Answers ask_program(const CheckOptions& o) {
     options.lines = o.lines == "json" ? conformance::Lines::json : conformance::Lines::csv;
     ProgramMessages messages;
     options.said = std::ref(messages);
-    Progress progress("answers");
-    options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
     const conformance::Recipe recipe = conformance::read_recipe(o.answers);
     const conformance::Questions asked = rounded_to_binary64(recipe.questions);
     options.write_csv = [&](const conformance::Questions& part) {
         return write_table(report::question_table(part, recipe.title), report::TableFormat::csv);
     };
-    return ask_program_in_batches(asked, options);
+    return with_progress("answers", options.progress,
+                         [&] { return ask_program_in_batches(asked, options); });
 }
 
 conformance::Answers answers_of(const CheckOptions& o) {
@@ -125,7 +122,33 @@ conformance::Answers answers_of(const CheckOptions& o) {
                      read_answers(o));
 }
 
-int check(const CheckOptions& o) {
+/// Checks a user's own formulas: 0 if all of them hold, else 1.
+int check_ledger(const std::string& ledger, const std::string& threads) {
+    const audit::Ledger formulas = read_ledger(ledger, audit::ClaimErrors::kept);
+    if (formulas.claims.empty() && !formulas.errors.empty()) {
+        return report_claim_errors(formulas.errors);
+    }
+    const audit::AuditResult result =
+        judged_ledger(formulas, {.threads = static_cast<int>(threads_of(threads))}, "formulas");
+    std::fputs(report::verdicts_terminal(result, terminal_width(), stdout_takes_colour()).c_str(),
+               stdout);
+    const auto wrong = std::count_if(result.claims.begin(), result.claims.end(),
+                                     [](const auto& c) { return !holds(c.outcome.verdict); });
+    const bool passes = wrong == 0 && result.errors.empty();
+    std::printf("%s: %zu formulas, %zu do not hold", passes ? "pass" : "FAIL", result.claims.size(),
+                static_cast<std::size_t>(wrong));
+    if (!result.errors.empty()) {
+        std::printf("; %zu more could not be judged", result.errors.size());
+    }
+    std::printf("\n");
+    const int bad = report_claim_errors(result.errors);
+    return bad != 0 ? bad : wrong == 0 ? 0 : 1;
+}
+
+int check(CheckOptions& o) {
+    o.ledger = file_or_shipped(o.ledger, shipped_ledgers);
+    o.recipe = file_or_shipped(o.recipe, shipped_recipes);
+    o.answers = file_or_shipped(o.answers, shipped_recipes);
     if (o.json && (!o.ledger.empty() || o.self_test)) {
         throw InputError("--json is for answers", "leave --json out");
     }
@@ -137,7 +160,7 @@ int check(const CheckOptions& o) {
                          "give ANSWERS.csv, or RECIPE.toml with --exec, or --ledger FORMULAS.toml");
     }
     if (o.self_test) {
-        return self_test(o.answers, o.self, o.threads);
+        return self_test(o.answers, o.seed, o.files, o.threads);
     }
     io::check_output(o.junit);
     if (!o.figure.empty()) {
@@ -147,9 +170,7 @@ int check(const CheckOptions& o) {
     result.target = target_of(o);
     const std::size_t errors = whole_number("--errors", o.errors, 0, 1'000'000'000);
     conformance::ReferenceOptions options;
-    options.threads = o.threads.empty()
-                          ? 0
-                          : static_cast<unsigned>(whole_number("--threads", o.threads, 1, 1024));
+    options.threads = threads_of(o.threads);
     refuse_recipe(o);
     const auto print = [&](const report::ConformanceSummary& summary) {
         const std::string text = o.json ? summary.json() : printable_lines(summary.text());
@@ -162,12 +183,10 @@ int check(const CheckOptions& o) {
         }
     }
     result.answers = answers_of(o);
-    {
-        Progress progress("references");
-        options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
+    with_progress("references", options.progress, [&] {
         result.agreements = compare(result.answers, result.target, options);
         result.conventions = infer_conventions(result.answers, result.agreements, options);
-    }
+    });
     if (!o.junit.empty()) {
         io::write_output(o.junit, conformance_junit(result));
     }
@@ -180,49 +199,41 @@ int check(const CheckOptions& o) {
 } // namespace
 
 void add_check(CLI::App& app, int& code) {
-    CLI::App* sub =
-        app.add_subcommand("check", "compare another program's answers with reference values");
-    auto o = std::make_shared<CheckOptions>();
-    sub->add_option("answers", o->answers,
-                    "the questions of `edgeproof points` with a column value (CSV; - reads stdin); "
-                    "with --exec and --self-test the recipe");
-    sub->add_option("--recipe", o->recipe,
-                    "what was asked: names what is missing or twice; rows may then stand in any "
-                    "order and hold id and value alone");
-    sub->add_option("--exec", o->command,
-                    "run this command: it reads the questions and writes rows with id and value");
-    sub->add_option("--lines", o->lines, "with --exec: speak csv, or json (an object a line)")
+    auto [sub, o] = add_command<CheckOptions>(
+        app, code, "check", "compare another program's answers with reference values", check);
+    sub.add_option("answers", o.answers,
+                   "the questions of `edgeproof points` with a column value (CSV; - reads stdin); "
+                   "with --exec and --self-test the recipe");
+    sub.add_option("--recipe", o.recipe,
+                   "what was asked: names what is missing or twice; rows may then stand in any "
+                   "order and hold id and value alone");
+    sub.add_option("--exec", o.command,
+                   "run this command: it reads the questions and writes rows with id and value");
+    sub.add_option("--lines", o.lines, "with --exec: speak csv, or json (an object a line)")
         ->capture_default_str();
-    sub->add_option("--batch", o->batch, "with --exec: questions that one run is asked")
+    sub.add_option("--batch", o.batch, "with --exec: questions that one run is asked")
         ->capture_default_str();
-    sub->add_option("--runs", o->runs, "with --exec: start it at most so often")
+    sub.add_option("--runs", o.runs, "with --exec: start it at most so often")
         ->capture_default_str();
-    sub->add_option("--timeout", o->timeout, "with --exec: seconds after which a run is stopped")
+    sub.add_option("--timeout", o.timeout, "with --exec: seconds after which a run is stopped")
         ->capture_default_str();
-    sub->add_option("--digits", o->digits, "pass with |value/exact - 1| <= 10^-D");
-    sub->add_option("--ulps", o->ulps, "pass within N binary64 units in the last place");
-    sub->add_flag("--conditioned", o->conditioned,
-                  "let errors pass that the rounding of the inputs explains");
-    sub->add_option("--errors", o->errors, "show at most this number of failures")
+    sub.add_option("--digits", o.digits, "pass with |value/exact - 1| <= 10^-D");
+    sub.add_option("--ulps", o.ulps, "pass within N binary64 units in the last place");
+    sub.add_flag("--conditioned", o.conditioned,
+                 "let errors pass that the rounding of the inputs explains");
+    sub.add_option("--errors", o.errors, "show at most this number of failures")
         ->capture_default_str();
-    sub->add_flag("--json", o->json,
-                  "write the outcome and the causes as JSON instead of the report");
-    sub->add_option("--junit", o->junit, "write JUnit XML to this file");
-    sub->add_option("--figure", o->figure, "draw digits against u into this file (.svg or .csv)");
-    sub->add_option("--ledger", o->ledger, "verify the formulas of this ledger instead");
-    sub->add_flag("--self-test", o->self_test,
-                  "answer the recipe rightly, corrupt the answers in many ways, and count what is "
-                  "found");
-    sub->add_option("--seed", o->self.seed, "of --self-test")->capture_default_str();
-    sub->add_option("--files", o->self.files, "of --self-test: corrupted files")
-        ->capture_default_str();
-    sub->add_option("--threads", o->threads, "threads (default: one a processor)");
-    sub->callback([o, &code] {
-        o->ledger = file_or_shipped(o->ledger, shipped_ledgers);
-        o->recipe = file_or_shipped(o->recipe, shipped_recipes);
-        o->answers = file_or_shipped(o->answers, shipped_recipes);
-        code = check(*o);
-    });
+    sub.add_flag("--json", o.json,
+                 "write the outcome and the causes as JSON instead of the report");
+    sub.add_option("--junit", o.junit, "write JUnit XML to this file");
+    sub.add_option("--figure", o.figure, "draw digits against u into this file (.svg or .csv)");
+    sub.add_option("--ledger", o.ledger, "verify the formulas of this ledger instead");
+    sub.add_flag("--self-test", o.self_test,
+                 "answer the recipe rightly, corrupt the answers in many ways, and count what is "
+                 "found");
+    sub.add_option("--seed", o.seed, "of --self-test")->capture_default_str();
+    sub.add_option("--files", o.files, "of --self-test: corrupted files")->capture_default_str();
+    add_threads_option(sub, o.threads);
 }
 
 } // namespace edgeproof::cli

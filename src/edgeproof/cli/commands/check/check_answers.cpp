@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/commands/check/check_kinds.hpp"
+#include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/conformance/causes/convention.hpp"
 #include "edgeproof/io/csv.hpp"
 #include "edgeproof/precision/interruption.hpp"

@@ -17,17 +17,9 @@ namespace edgeproof::cli {
 check_in_blocks(const std::filesystem::path& file, const conformance::Target& target,
                 std::size_t errors, const conformance::ReferenceOptions& options);
 
-// The following functions return the exit status.
-
-/// Checks a user's own formulas: 0 if all of them hold, else 1.
-[[nodiscard]] int check_ledger(const std::string& ledger, const std::string& threads);
-
-struct SelfTestOptions {
-    std::string seed = "1";
-    std::string files = "200";
-};
-/// Checks that right answers to a recipe pass and that corrupted ones are found: 0 if all are.
-[[nodiscard]] int self_test(const std::string& recipe, const SelfTestOptions& options,
-                            const std::string& threads);
+/// Checks that right answers to a recipe pass and that corrupted ones are found: 0 if all are. The
+/// last parameters are the values of --seed, --files and --threads.
+[[nodiscard]] int self_test(const std::string& recipe, const std::string& seed,
+                            const std::string& files, const std::string& threads);
 
 } // namespace edgeproof::cli

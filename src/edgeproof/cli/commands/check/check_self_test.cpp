@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/commands/check/check_kinds.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/conformance/causes/corruption.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/report/tables/agreement_report.hpp"
@@ -48,16 +46,15 @@ std::string complaint(const conformance::Questions& asked, const std::string& te
 
 } // namespace
 
-int self_test(const std::string& recipe_file, const SelfTestOptions& o,
-              const std::string& threads) {
-    const std::size_t seed = whole_number("--seed", o.seed, 0, 1'000'000'000);
-    const std::size_t files = whole_number("--files", o.files, 1, 100'000);
+int self_test(const std::string& recipe_file, const std::string& seed_text,
+              const std::string& files_text, const std::string& threads) {
+    const std::size_t seed = whole_number("--seed", seed_text, 0, 1'000'000'000);
+    const std::size_t files = whole_number("--files", files_text, 1, 100'000);
     const conformance::Recipe recipe = conformance::read_recipe(recipe_file);
     const conformance::Questions asked = rounded_to_binary64(recipe.questions);
     conformance::ReferenceOptions options;
     options.digits.binary64 = true;
-    options.threads =
-        threads.empty() ? 0 : static_cast<unsigned>(whole_number("--threads", threads, 1, 1024));
+    options.threads = threads_of(threads);
     const io::Csv right = right_answers(asked, recipe.title, options);
     const std::string said = complaint(asked, conformance::csv_text(right), options);
 

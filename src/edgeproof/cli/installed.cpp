@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/launched.hpp"
+#include "edgeproof/cli/cli.hpp"
 
 #include "edgeproof/precision/error.hpp"
 
@@ -18,6 +18,13 @@ namespace {
 /// not built.
 constexpr std::string_view module_path = EDGEPROOF_MPI_MODULE;
 
+/// Returns the path of a file given by its path relative to the program's folder.
+std::filesystem::path installed(const std::filesystem::path& file) {
+    std::error_code failed;
+    const auto self = std::filesystem::read_symlink("/proc/self/exe", failed);
+    return (self.parent_path() / file).lexically_normal();
+}
+
 std::size_t number_in(const char* variable) {
     const char* const value = std::getenv(variable);
     std::size_t n = 0;
@@ -35,6 +42,17 @@ std::size_t number_in(const char* variable) {
 }
 
 } // namespace
+
+std::string file_or_shipped(const std::string& given, std::string_view folder) {
+    std::error_code failed;
+    if (given.empty() || given.find_first_of("./") != std::string::npos ||
+        std::filesystem::exists(given, failed)) {
+        return given;
+    }
+    const auto file =
+        installed(std::filesystem::path(EDGEPROOF_DATA_FOLDER) / folder / (given + ".toml"));
+    return std::filesystem::exists(file, failed) ? file.string() : given;
+}
 
 std::size_t launched_count() {
     // These variables are set by Open MPI's mpirun; by other launchers (and srun --mpi=pmi2). For
@@ -57,9 +75,7 @@ std::unique_ptr<parallel::Processes> launched_together() {
     if (module_path.empty()) {
         cannot_share("this edgeproof was built without MPI", alone);
     }
-    std::error_code failed;
-    const auto self = std::filesystem::read_symlink("/proc/self/exe", failed);
-    const auto file = (self.parent_path() / module_path).lexically_normal();
+    const std::filesystem::path file = installed(module_path);
     // Open MPI loads further modules, which need its symbols to be global.
     void* const module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
     if (module == nullptr) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/validation/second_route.hpp"
+#include "lab/validation/value_routes.hpp"
+
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "lab/validation/enclosed_value.hpp"
+#include "edgeproof/scene/run_scene.hpp"
 #include "lab/validation/textbook_formula.hpp"
 
 #include <algorithm>
@@ -12,6 +14,89 @@ namespace {
 
 using scene::AskedValue;
 using scene::Quantity;
+
+/// The most digits added until a difference has its digits.
+constexpr unsigned most_cancelled = 4000;
+
+scene::Digits to_digits(unsigned digits) { return {digits, Rounding::nearest, false}; }
+
+scene::BoundedValue single(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    return scene::SceneValues(scene, {asked}, to_digits(digits)).value(asked);
+}
+
+/// Returns value(digits + extra) with more and more extra digits until it has its digits.
+template <class Value> scene::BoundedValue with_its_digits(unsigned digits, const Value& value) {
+    for (unsigned extra = 32;; extra *= 2) {
+        scene::BoundedValue d = value(digits + extra);
+        if (scene::has_digits(d.value, to_digits(digits)) || extra >= most_cancelled) {
+            return d;
+        }
+    }
+}
+
+scene::BoundedValue tilt_difference(const scene::Scene& scene, const AskedValue& asked,
+                                    unsigned digits) {
+    const scene::Scene other = upright(scene);
+    AskedValue pressure = asked;
+    pressure.quantity = Quantity::p;
+    return with_its_digits(digits, [&](unsigned more) -> scene::BoundedValue {
+        const scene::BoundedValue p = single(scene, pressure, more);
+        const scene::BoundedValue q = single(other, pressure, more);
+        return {p.value - q.value, p.proved && q.proved, p.route};
+    });
+}
+
+/// 1 - (the first n terms)/p, with its sign; p = sum of c_k u^(k + 1/2) (docs/expansions.md).
+scene::BoundedValue residual(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
+    AskedValue pressure = asked;
+    pressure.quantity = Quantity::p;
+    std::vector<AskedValue> all{pressure};
+    for (std::size_t k = 0; k < asked.k; ++k) {
+        all.push_back({Quantity::c, k, asked.edge});
+    }
+    return with_its_digits(digits, [&](unsigned more) -> scene::BoundedValue {
+        scene::SceneValues values(scene, all, to_digits(more));
+        const scene::BoundedValue p = values.value(pressure);
+        const Ball u = ball_of(*asked.u, formula::bits_for(more) + 64);
+        Ball sum;
+        bool proved = p.proved;
+        for (std::size_t k = asked.k; k-- > 0;) {
+            const scene::BoundedValue c = values.value(all[k + 1]);
+            proved = proved && c.proved;
+            sum = k + 1 < asked.k ? sum * u + c.value : c.value;
+        }
+        return {1 - sum * sqrt(u) / p.value, proved, "series"};
+    });
+}
+
+} // namespace
+
+scene::Scene upright(const scene::Scene& scene) {
+    const formula::Exact none = formula::Exact::of(Rational(0));
+    const auto& parameters = scene.profile->parameters();
+    scene::Scene s = scene;
+    switch (scene.profile->kind()) {
+    case contact::Profile::Kind::tilted_wedge:
+        s.profile = contact::Profile::tilted_wedge(parameters.at("phi"), none);
+        return s;
+    case contact::Profile::Kind::tilted_flat_and_rounded:
+        s.profile =
+            contact::Profile::tilted_flat_and_rounded(none, parameters.at("t"), parameters.at("R"));
+        return s;
+    default:
+        throw InputError("a " + scene.profile->kind_name() + " profile has no tilt",
+                         "take a tilted-wedge or tilted-flat-and-rounded profile");
+    }
+}
+
+scene::BoundedValue enclosed_value(const scene::Scene& scene, const AskedValue& asked,
+                                   unsigned digits) {
+    return asked.quantity == Quantity::tilt_difference ? tilt_difference(scene, asked, digits)
+           : asked.quantity == Quantity::residual      ? residual(scene, asked, digits)
+                                                       : single(scene, asked, digits);
+}
+
+namespace {
 
 constexpr unsigned most_extra = 6000;
 /// Additional digits for a coefficient far below its natural size.
@@ -185,6 +270,98 @@ SecondRoute by_library_scan(const scene::Scene& scene, const AskedValue& asked, 
                     Real(e.estimate + power_of_ten(-static_cast<int>(digits))));
 }
 
+constexpr unsigned guard = 80;
+constexpr int scan_decades = 10;
+constexpr int per_decade = 40;
+constexpr int even_points = 400;
+
+class ErrorCurve {
+public:
+    ErrorCurve(const scene::Scene& scene, contact::Edge edge, std::size_t n, unsigned digits)
+        : formula_(scene), edge_(edge),
+          c_(contact::NormalContact(scene.profile.value(), scene.contact_modulus, scene.load,
+                                    digits + guard)
+                 .expansion(edge, n)) {}
+
+    [[nodiscard]] Real operator()(const Real& u) const {
+        const Real x =
+            edge_ == contact::Edge::right ? Real(formula_.a() - u) : Real(u - formula_.b());
+        return abs(Real(1 - sum_of(c_, u, 0) / formula_.pressure(x)));
+    }
+    /// Points from 1e-10 of the contact to within 1e-4 of the other edge, geometric and even.
+    [[nodiscard]] std::vector<Real> grid() const {
+        std::vector<Real> points;
+        // The length is slightly reduced, so that no point is on a knot, where the formula is
+        // infinity times 0.
+        const Real length = (formula_.a() + formula_.b()) * (1 - 1 / pow(Real(2), Real(61) / 4));
+        for (int i = -scan_decades * per_decade; i < 0; ++i) {
+            points.push_back(length * pow(Real(10), Real(i) / per_decade));
+        }
+        for (int i = 1; i < even_points; ++i) {
+            points.push_back(length * i / even_points);
+        }
+        for (int i = -4 * per_decade; i < -per_decade; ++i) {
+            points.push_back(length * (1 - pow(Real(10), Real(i) / per_decade)));
+        }
+        std::sort(points.begin(), points.end());
+        return points;
+    }
+    /// The place of the maximum between lo and hi.
+    [[nodiscard]] Real summit(Real lo, Real hi, unsigned digits) const {
+        // An error d of the place changes the maximum by only d^2.
+        const Real enough = hi * pow(Real(10), -static_cast<int>(digits / 2 + 10));
+        while (hi - lo > enough) {
+            const Real third = (hi - lo) / 3;
+            const Real left = lo + third;
+            const Real right = hi - third;
+            ((*this)(left) < (*this)(right) ? lo : hi) =
+                (*this)(left) < (*this)(right) ? left : right;
+        }
+        return (lo + hi) / 2;
+    }
+
+private:
+    TextbookFormula<Real> formula_;
+    contact::Edge edge_;
+    std::vector<Real> c_;
+};
+
+/// Finds the first exit by a scan that uses only the coefficients of the library, not
+/// contact/extent.hpp: the pressure is the printed formula with more digits than it loses; every
+/// local maximum of the error above half the tolerance is located by trisection; the root is found
+/// by bisection. Throws DomainError if there is no exit.
+SecondRoute independent_extent(const scene::Scene& scene, const scene::AskedValue& asked,
+                               unsigned digits) {
+    const PrecisionScope scope(digits + guard);
+    const ErrorCurve error(scene, asked.edge, asked.k, digits);
+    const Real tolerance = asked.tolerance.value().to<Real>();
+    const std::vector<Real> u = error.grid();
+    std::vector<Real> e;
+    const auto crossing = [&](Real inside, Real outside) {
+        const Real enough = outside * pow(Real(10), -static_cast<int>(digits + 5));
+        while (abs(Real(outside - inside)) > enough) {
+            const Real middle = (inside + outside) / 2;
+            (error(middle) < tolerance ? inside : outside) = middle;
+        }
+        return SecondRoute{"independent-scan", outside, enough};
+    };
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        e.push_back(error(u[i]));
+        if (i > 1 && e[i] <= e[i - 1] && e[i - 2] < e[i - 1] && e[i - 1] < tolerance &&
+            e[i - 1] > tolerance / 2) {
+            const Real top = error.summit(u[i - 2], u[i], 2 * digits);
+            if (!(error(top) < tolerance)) {
+                return crossing(u[i - 2], top);
+            }
+        }
+        if (i > 0 && !(e[i] < tolerance)) {
+            // The maximum may lie just before.
+            return crossing(u[i - 1], u[i]);
+        }
+    }
+    throw DomainError("the approximation stays within the tolerance");
+}
+
 using By = SecondRoute (*)(const scene::Scene&, const AskedValue&, unsigned);
 
 template <contact::Route route>
@@ -233,102 +410,6 @@ std::vector<Quantity> second_route_quantities() {
         list.push_back(routes.quantity);
     }
     return list;
-}
-
-namespace {
-
-constexpr unsigned guard = 80;
-constexpr int scan_decades = 10;
-constexpr int per_decade = 40;
-constexpr int even_points = 400;
-
-class ErrorCurve {
-public:
-    ErrorCurve(const scene::Scene& scene, contact::Edge edge, std::size_t n, unsigned digits)
-        : formula_(scene), edge_(edge),
-          c_(contact::NormalContact(scene.profile.value(), scene.contact_modulus, scene.load,
-                                    digits + guard)
-                 .expansion(edge, n)) {}
-
-    [[nodiscard]] Real operator()(const Real& u) const {
-        Real sum = c_.back();
-        for (std::size_t k = c_.size() - 1; k-- > 0;) {
-            sum = sum * u + c_[k];
-        }
-        const Real x =
-            edge_ == contact::Edge::right ? Real(formula_.a() - u) : Real(u - formula_.b());
-        return abs(Real(1 - sum * sqrt(u) / formula_.pressure(x)));
-    }
-    /// Points from 1e-10 of the contact to within 1e-4 of the other edge, geometric and even.
-    [[nodiscard]] std::vector<Real> grid() const {
-        std::vector<Real> points;
-        // The length is slightly reduced, so that no point is on a knot, where the formula is
-        // infinity times 0.
-        const Real length = (formula_.a() + formula_.b()) * (1 - 1 / pow(Real(2), Real(61) / 4));
-        for (int i = -scan_decades * per_decade; i < 0; ++i) {
-            points.push_back(length * pow(Real(10), Real(i) / per_decade));
-        }
-        for (int i = 1; i < even_points; ++i) {
-            points.push_back(length * i / even_points);
-        }
-        for (int i = -4 * per_decade; i < -per_decade; ++i) {
-            points.push_back(length * (1 - pow(Real(10), Real(i) / per_decade)));
-        }
-        std::sort(points.begin(), points.end());
-        return points;
-    }
-    /// The place of the maximum between lo and hi.
-    [[nodiscard]] Real summit(Real lo, Real hi, unsigned digits) const {
-        // An error d of the place changes the maximum by only d^2.
-        const Real enough = hi * pow(Real(10), -static_cast<int>(digits / 2 + 10));
-        while (hi - lo > enough) {
-            const Real third = (hi - lo) / 3;
-            const Real left = lo + third;
-            const Real right = hi - third;
-            ((*this)(left) < (*this)(right) ? lo : hi) =
-                (*this)(left) < (*this)(right) ? left : right;
-        }
-        return (lo + hi) / 2;
-    }
-
-private:
-    TextbookFormula<Real> formula_;
-    contact::Edge edge_;
-    std::vector<Real> c_;
-};
-
-} // namespace
-
-SecondRoute independent_extent(const scene::Scene& scene, const scene::AskedValue& asked,
-                               unsigned digits) {
-    const PrecisionScope scope(digits + guard);
-    const ErrorCurve error(scene, asked.edge, asked.k, digits);
-    const Real tolerance = asked.tolerance.value().to<Real>();
-    const std::vector<Real> u = error.grid();
-    std::vector<Real> e;
-    const auto crossing = [&](Real inside, Real outside) {
-        const Real enough = outside * pow(Real(10), -static_cast<int>(digits + 5));
-        while (abs(Real(outside - inside)) > enough) {
-            const Real middle = (inside + outside) / 2;
-            (error(middle) < tolerance ? inside : outside) = middle;
-        }
-        return SecondRoute{"independent-scan", outside, enough};
-    };
-    for (std::size_t i = 0; i < u.size(); ++i) {
-        e.push_back(error(u[i]));
-        if (i > 1 && e[i] <= e[i - 1] && e[i - 2] < e[i - 1] && e[i - 1] < tolerance &&
-            e[i - 1] > tolerance / 2) {
-            const Real top = error.summit(u[i - 2], u[i], 2 * digits);
-            if (!(error(top) < tolerance)) {
-                return crossing(u[i - 2], top);
-            }
-        }
-        if (i > 0 && !(e[i] < tolerance)) {
-            // The maximum may lie just before.
-            return crossing(u[i - 1], u[i]);
-        }
-    }
-    throw DomainError("the approximation stays within the tolerance");
 }
 
 } // namespace edgeproof::validation

@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/scene/input/bounded_value.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
 #include <string>
 #include <vector>
 
+/// One number of a scene: by balls, and by two routes in Real.
 namespace edgeproof::validation {
+
+/// Returns the same scene with zero tilt. Throws InputError if the profile has no tilt.
+[[nodiscard]] scene::Scene upright(const scene::Scene& scene);
+
+/// Returns the value as Edgeproof prints it: by the route that a plan of the scene chooses; an
+/// enclosure if `proved`. A residual and a tilt difference, which are computed from other values,
+/// use as many additional digits as cancel. Throws as scene::SceneValues does.
+[[nodiscard]] scene::BoundedValue enclosed_value(const scene::Scene& scene,
+                                                 const scene::AskedValue& asked, unsigned digits);
 
 /// A value in Real with the absolute error that its route claims.
 struct SecondRoute {
@@ -31,12 +42,5 @@ second_routes(const scene::Scene& scene, const scene::AskedValue& asked, unsigne
 /// Returns the quantities that have two routes, in the order used in messages; hard cases are
 /// limited to these.
 [[nodiscard]] std::vector<scene::Quantity> second_route_quantities();
-
-/// Finds the first exit by a scan that uses only the coefficients of the library, not
-/// contact/extent.hpp: the pressure is the printed formula with more digits than it loses; every
-/// local maximum of the error above half the tolerance is located by trisection; the root is found
-/// by bisection. Throws DomainError if there is no exit.
-[[nodiscard]] SecondRoute independent_extent(const scene::Scene& scene,
-                                             const scene::AskedValue& asked, unsigned digits);
 
 } // namespace edgeproof::validation

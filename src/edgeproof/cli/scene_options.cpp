@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/scene_options.hpp"
+
+#include "edgeproof/cli/cli.hpp"
+#include "edgeproof/io/atomic_file.hpp"
+#include "edgeproof/io/output_file.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace edgeproof::cli {
+namespace {
+
+constexpr std::size_t most_digits_of_a_scene = 100'000;
+constexpr std::size_t most_terms = 400;
+constexpr std::size_t most_threads = 1024;
+
+struct StatedProfile {
+    const char* kind;
+    const char* help;
+};
+constexpr StatedProfile stated_profiles[] = {
+    {"power-law", "g' = C x^m: --m, --C"},
+    {"hertz", "two cylinders, or one on a flat: --R, or --R1 and --R2"},
+    {"cylinder-on-flat", "--R"},
+    {"flat-and-rounded", "--t (or --flat-width), --R"},
+    {"tilted-wedge", "--phi, --alpha"},
+    {"tilted-flat-and-rounded", "--alpha, --t, --R"},
+};
+
+using scene::SceneEntries;
+
+struct StatedQuantity {
+    const char* key; ///< in a scene's file; an underscore is a hyphen on the command line
+    SceneEntries::Section SceneEntries::*section;
+    const char* help;
+    bool list = false;
+};
+constexpr StatedQuantity stated_quantities[] = {
+    {"m", &SceneEntries::profile, "exponent of g'"},
+    {"C", &SceneEntries::profile, "factor of g'"},
+    {"R", &SceneEntries::profile, "radius"},
+    {"R1", &SceneEntries::profile, "radius of the one body"},
+    {"R2", &SceneEntries::profile, "radius of the other, negative for a hollow"},
+    {"t", &SceneEntries::profile, "half the length of the flat"},
+    {"flat_width", &SceneEntries::profile, "length of the flat"},
+    {"phi", &SceneEntries::profile, "slope of a wedge's flanks"},
+    {"alpha", &SceneEntries::profile, "tilt"},
+    {"a", &SceneEntries::load, "the right edge"},
+    {"width", &SceneEntries::load, "the contact's width, where it is symmetric"},
+    {"P", &SceneEntries::load, "normal force per length"},
+    {"M", &SceneEntries::load, "moment per length, with P, of an unknown tilt"},
+    {"contact_modulus", &SceneEntries::load, "E*"},
+    {"E1", &SceneEntries::load, "Young's modulus of the one body"},
+    {"nu1", &SceneEntries::load, "its Poisson's ratio"},
+    {"E2", &SceneEntries::load, "Young's modulus of the other"},
+    {"nu2", &SceneEntries::load, "its Poisson's ratio"},
+    {"Q", &SceneEntries::shear, "shear force per length"},
+    {"bulk_tension", &SceneEntries::shear, "difference of the bulk tensions"},
+    {"friction", &SceneEntries::shear, "coefficient of friction"},
+    {"path", &SceneEntries::shear, "normal-first or together"},
+    {"u", &SceneEntries::ask, "points by their distances from the edge: 1e-3,a/2", true},
+    {"x", &SceneEntries::ask, "points by their places: 0,a/2", true},
+    {"process_zone", &SceneEntries::ask, "a length from the edge"},
+};
+
+void add_stated_options(CLI::App& sub, SceneOptions& o) {
+    const char* const group = "A scene by its quantities, in place of a file";
+    const char* const ask_group = "What is asked, in place of what the scene's file asks";
+    for (const StatedProfile& p : stated_profiles) {
+        sub.add_flag(std::string("--") + p.kind, o.profiles[p.kind], p.help)->group(group);
+    }
+    for (const StatedQuantity& q : stated_quantities) {
+        std::string name = std::string("--") + q.key;
+        std::ranges::replace(name, '_', '-');
+        sub.add_option(name, o.stated[q.key], q.help)
+            ->group(q.section == &SceneEntries::ask ? ask_group : group);
+    }
+}
+
+/// Returns the entries for the options that are given, without the kind of the profile.
+SceneEntries stated_entries(const SceneOptions& o) {
+    SceneEntries entries;
+    for (const StatedQuantity& q : stated_quantities) {
+        const std::string& text = o.stated.at(q.key);
+        if (!text.empty() && q.list) {
+            (entries.*q.section).push_back({q.key, parts_of(text)});
+        } else if (!text.empty()) {
+            (entries.*q.section).push_back({q.key, text});
+        }
+    }
+    return entries;
+}
+
+std::string stated_kind(const SceneOptions& o) {
+    std::string kind;
+    for (const auto& [name, given] : o.profiles) {
+        if (given && !kind.empty()) {
+            throw InputError(fmt::format("both --{} and --{} are given", kind, name),
+                             "give one profile");
+        }
+        kind = given ? name : kind;
+    }
+    if (kind.empty()) {
+        std::string all;
+        for (const StatedProfile& p : stated_profiles) {
+            all += (all.empty() ? "--" : ", --") + std::string(p.kind);
+        }
+        throw InputError("no profile is given", "add one of " + all + ", or name a scene's file");
+    }
+    return kind;
+}
+
+std::vector<std::string> edges_of(const std::string& text) {
+    return text == "both" ? std::vector<std::string>{"right", "left"} : std::vector{text};
+}
+
+/// Returns the scene for the quantities on the command line.
+scene::Scene stated_scene(const SceneOptions& o, SceneEntries entries) {
+    entries.profile.insert(entries.profile.begin(), {"kind", stated_kind(o)});
+    const auto add = [&](const char* key, const std::string& text, auto value) {
+        if (!text.empty()) {
+            entries.ask.push_back({key, std::move(value)});
+        }
+    };
+    add("edges", o.edges, edges_of(o.edges));
+    add("terms", o.terms, parts_of(o.terms));
+    add("tolerance", o.tolerance, o.tolerance);
+    add("digits", o.digits, o.digits);
+    add("quantities", o.quantities, parts_of(o.quantities));
+    scene::Scene scene = scene::make_scene(entries);
+    scene.file = "command line";
+    o.as_file = scene_text(entries);
+    return scene;
+}
+
+scene::Scene given_scene(const SceneOptions& o) {
+    SceneEntries entries = stated_entries(o);
+    const bool stated =
+        !entries.profile.empty() || !entries.load.empty() || !entries.shear.empty() ||
+        std::ranges::any_of(o.profiles, [](const auto& profile) { return profile.second; });
+    if (o.scene.empty() && !stated) {
+        throw InputError("no scene is given", "name its file, - for standard input, or give its "
+                                              "quantities: --hertz --R 100 --P 120 ...");
+    }
+    if (!o.scene.empty() && stated) {
+        throw InputError("a scene is given by its file and by quantities", "give one of the two");
+    }
+    return stated ? stated_scene(o, std::move(entries))
+                  : scene::read_scene(file_or_shipped(o.scene, shipped_scenes), entries.ask);
+}
+
+Rounding rounding_of(const std::string& name) {
+    if (const auto mode = rounding_named(name)) {
+        return *mode;
+    }
+    throw InputError("--round " + name + " is no way to round",
+                     "write nearest, down, up or enclosure");
+}
+
+void ask_quantities(scene::Scene& scene, const std::string& list) {
+    scene.ask.quantities.clear();
+    for (const std::string& name : parts_of(list)) {
+        const auto rows = scene::group_rows();
+        const auto row = std::ranges::find(rows, name, &scene::GroupRow::name);
+        if (row == rows.end()) {
+            std::vector<std::string_view> names;
+            std::ranges::transform(rows, std::back_inserter(names), &scene::GroupRow::name);
+            throw InputError(fmt::format("--quantity {}: unknown quantity '{}'", list, name),
+                             one_of(name, names));
+        }
+        scene.ask.quantities.insert(row->group);
+    }
+}
+
+} // namespace
+
+void add_table_options(CLI::App& sub, std::string& format, std::string& out) {
+    sub.add_option("--format", format, "csv, json, md or tex")->capture_default_str();
+    sub.add_option("--out", out, "write to this file, whole or not at all (-: standard output)");
+}
+
+void add_threads_option(CLI::App& sub, std::string& threads) {
+    sub.add_option("--threads", threads, "threads (default: one a processor)");
+}
+
+void add_threads_option(CLI::App& sub, int& threads) {
+    sub.add_option("--threads", threads, "threads (0: as many as the machine has)")
+        ->check(CLI::Range(0, static_cast<int>(most_threads)));
+}
+
+void add_given_scene(CLI::App& sub, SceneOptions& o) {
+    sub.add_option("scene", o.scene, "the scene (TOML); -: standard input");
+    sub.add_option("--edge", o.edges, "right, left or both (default: the scene's)");
+    sub.add_option("--terms", o.terms, "numbers of terms, such as 1,2,3 (default: the scene's)");
+    sub.add_option("--quantity", o.quantities,
+                   "what is asked, such as pressure,shear, as far as the command gives it "
+                   "(default: the scene's)");
+    add_stated_options(sub, o);
+}
+
+void add_scene_options(CLI::App& sub, SceneOptions& o) {
+    add_given_scene(sub, o);
+    sub.add_option("--digits", o.digits, "significant digits (default: the scene's, else 50)");
+    add_table_options(sub, o.format, o.out);
+    sub.add_option("--round", o.rounding, "nearest, down, up or enclosure")->capture_default_str();
+    sub.add_flag("--binary64", o.binary64, "add the binary64 nearest to each value");
+}
+
+void add_tolerance_option(CLI::App& sub, SceneOptions& o, const std::string& help) {
+    sub.add_option("--tolerance", o.tolerance, "1%, 0.01 or 1/100" + help);
+}
+
+scene::Scene asked_scene(const SceneOptions& o) {
+    (void)format_of(o.format); // checked before any work
+    const Rounding rounding = rounding_of(o.rounding);
+    scene::Scene scene = given_scene(o);
+    if (!o.digits.empty()) {
+        scene.ask.digits.count = digits_of(o.digits, most_digits_of_a_scene);
+    }
+    scene.ask.digits.rounding = rounding;
+    scene.ask.digits.binary64 = o.binary64;
+    if (!o.edges.empty()) {
+        scene.ask.edges.clear();
+        for (const std::string& name : edges_of(o.edges)) {
+            const auto edge = scene::edge_named(name);
+            if (!edge) {
+                throw InputError("--edge " + name + ": there is no such edge",
+                                 "write right, left or both");
+            }
+            scene.ask.edges.push_back(*edge);
+        }
+    }
+    if (!o.terms.empty()) {
+        scene.ask.terms = numbers_of_terms(o.terms);
+    }
+    if (!o.tolerance.empty()) {
+        scene.ask.tolerance = tolerance_of(o.tolerance);
+    }
+    if (!o.quantities.empty()) {
+        ask_quantities(scene, o.quantities);
+    }
+    io::check_output(o.out);
+    return scene;
+}
+
+void ask_at_edges(scene::Scene& scene, const SceneOptions& o) {
+    if (o.edges.empty() && !scene.ask.edges_given) {
+        scene.ask.edges = {contact::Edge::right, contact::Edge::left};
+    }
+}
+
+void ask_terms(scene::Scene& scene) {
+    if (scene.ask.terms.empty()) {
+        scene.ask.terms = {1, 2, 3};
+    }
+}
+
+void ask_for(scene::Scene& scene, const SceneOptions& o, scene::QuantityGroup own,
+             const std::vector<scene::QuantityGroup>& other_groups) {
+    std::set<scene::QuantityGroup> all{own};
+    std::ranges::copy_if(other_groups, std::inserter(all, all.end()),
+                         [&](scene::QuantityGroup group) { return scene.ask.wants(group); });
+    for (const scene::QuantityGroup group : scene.ask.quantities) {
+        if (!o.quantities.empty() && !all.contains(group)) {
+            std::string given = group_name(own);
+            for (const scene::QuantityGroup& other : other_groups) {
+                given += (&other == &other_groups.back() ? " or " : ", ") + group_name(other);
+            }
+            throw InputError("--quantity " + o.quantities + ": this command does not give the " +
+                                 group_name(group),
+                             "write " + given);
+        }
+    }
+    scene.ask.quantities = std::move(all);
+}
+
+formula::Exact tolerance_of(const std::string& text) {
+    try {
+        return scene::parse_tolerance(text);
+    } catch (const InputError& error) {
+        throw InputError("--tolerance " + text + ": " + error.problem(), error.instead());
+    }
+}
+
+std::vector<std::string> parts_of(const std::string& text) {
+    std::vector<std::string> parts;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', at), text.size());
+        parts.push_back(text.substr(at, comma - at));
+        at = comma + 1;
+    }
+    return parts;
+}
+
+std::size_t whole_number(const std::string& option, const std::string& text, std::size_t least,
+                         std::size_t most) {
+    std::size_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || stop != end || value < least || value > most) {
+        throw InputError(option + " " + text + " is out of range",
+                         fmt::format("give a whole number from {} to {}", least, most));
+    }
+    return value;
+}
+
+std::vector<std::size_t> whole_numbers(const std::string& option, const std::string& text,
+                                       std::size_t least, std::size_t most) {
+    std::vector<std::size_t> numbers;
+    for (const std::string& part : parts_of(text)) {
+        numbers.push_back(whole_number(option, part, least, most));
+    }
+    return numbers;
+}
+
+std::vector<std::size_t> numbers_of_terms(const std::string& text) {
+    return whole_numbers("--terms", text, 1, most_terms);
+}
+
+unsigned digits_of(const std::string& text, std::size_t most) {
+    return static_cast<unsigned>(whole_number("--digits", text, 2, most));
+}
+
+unsigned threads_of(const std::string& text) {
+    return text.empty() ? 0
+                        : static_cast<unsigned>(whole_number("--threads", text, 1, most_threads));
+}
+
+report::TableFormat format_of(const std::string& name) {
+    const auto format = report::table_format(name);
+    if (!format) {
+        throw InputError("--format " + name + " is no format", "write csv, json, md or tex");
+    }
+    return *format;
+}
+
+void check_state(const std::string& file) {
+    if (file.empty()) {
+        return;
+    }
+    io::check_output(file);
+    if (file == "-" || io::OutputTarget::of(file).special) {
+        throw InputError("--state " + file + ": a state is read again, which that cannot be",
+                         "name a file");
+    }
+}
+
+} // namespace edgeproof::cli

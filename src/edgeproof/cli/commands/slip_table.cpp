@@ -43,7 +43,6 @@ int slip_table(const SlipTableRequest& o) {
         io::check_folder(o.figures); // the folder is made when there is something to write
     }
     report::SlipTableOptions options;
-    options.tolerances.clear();
     for (std::size_t at = 0; at <= o.tolerances.size();) {
         const std::size_t comma = std::min(o.tolerances.find(',', at), o.tolerances.size());
         const std::string text = o.tolerances.substr(at, comma - at);

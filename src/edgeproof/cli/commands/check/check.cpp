@@ -147,9 +147,7 @@ int check(const CheckOptions& o) {
     result.target = target_of(o);
     const std::size_t errors = whole_number("--errors", o.errors, 0, 1'000'000'000);
     conformance::ReferenceOptions options;
-    options.threads = o.threads.empty()
-                          ? 0
-                          : static_cast<unsigned>(whole_number("--threads", o.threads, 1, 1024));
+    options.threads = threads_of(o.threads);
     refuse_recipe(o);
     const auto print = [&](const report::ConformanceSummary& summary) {
         const std::string text = o.json ? summary.json() : printable_lines(summary.text());

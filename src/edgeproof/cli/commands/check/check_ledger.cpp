@@ -17,8 +17,7 @@ int check_ledger(const std::string& ledger, const std::string& threads) {
         return report_claim_errors(formulas.errors);
     }
     audit::AuditOptions options;
-    options.threads =
-        threads.empty() ? 0 : static_cast<int>(whole_number("--threads", threads, 1, 1024));
+    options.threads = static_cast<int>(threads_of(threads));
     options.errors = audit::ClaimErrors::kept;
     audit::AuditResult result;
     {

@@ -56,8 +56,7 @@ int self_test(const std::string& recipe_file, const SelfTestOptions& o,
     const conformance::Questions asked = rounded_to_binary64(recipe.questions);
     conformance::ReferenceOptions options;
     options.digits.binary64 = true;
-    options.threads =
-        threads.empty() ? 0 : static_cast<unsigned>(whole_number("--threads", threads, 1, 1024));
+    options.threads = threads_of(threads);
     const io::Csv right = right_answers(asked, recipe.title, options);
     const std::string said = complaint(asked, conformance::csv_text(right), options);
 

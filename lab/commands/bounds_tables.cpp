@@ -195,35 +195,11 @@ std::string finding_text(const validation::CountFinding& f) {
 }
 
 std::string aligned_text(const report::Table& table) {
-    std::vector<std::size_t> width;
-    for (const report::Column& c : table.columns) {
-        width.push_back(c.name.size());
-    }
-    for (const auto& row : table.rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            width[i] = std::max(width[i], row[i].size());
-        }
-    }
-    const auto line = [&](const auto& cell) {
-        std::string text;
-        for (std::size_t i = 0; i < width.size(); ++i) {
-            const std::string value = cell(i);
-            const std::string pad(width[i] - value.size(), ' ');
-            text += (i > 0 ? "  " : "") +
-                    (table.columns[i].kind == Kind::text ? value + pad : pad + value);
-        }
-        return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
-    };
     std::string text = table.title + "\n";
     for (const std::string& note : table.notes) {
         text += "  " + note + "\n";
     }
-    const std::string head = line([&](std::size_t i) { return table.columns[i].name; });
-    text += "\n" + head + std::string(head.size() - 1, '-') + "\n";
-    for (const auto& row : table.rows) {
-        text += line([&](std::size_t i) { return row[i]; });
-    }
-    return text;
+    return text + "\n" + report::aligned_lines(table, 0, true);
 }
 
 } // namespace edgeproof::cli

@@ -3,15 +3,14 @@
 /// The cost of a value: digits reached, evaluations counted, processor time with its spread.
 ///   cost_case.hpp   contacts and points that are timed
 ///   cost_route.hpp  the routes in each arithmetic, with one interface for all
-///   measure.hpp     CostCell: a route at a number of digits over the points of a case
+///   measure.hpp     CostCell: a route at a number of digits over the points of a case; the machine
+///                   on which times are taken
 ///   growth.hpp      how cost grows with the digits; the cost of a proof, of tilt, shear,
 ///                   expansions and extents in a scene
 ///   speed_scan.hpp  random scenes: which take much longer than others
-///   cost_tables.hpp, cost_figures.hpp, cost_page.hpp  the results in each format
-///   machine.hpp     the machine on which times were taken
+///   cost_tables.hpp, cost_page.hpp  the results in each format
 #include "lab/cost/cost_case.hpp"
 #include "lab/cost/cost_route.hpp"
 #include "lab/cost/growth.hpp"
-#include "lab/cost/machine.hpp"
 #include "lab/cost/measure.hpp"
 #include "lab/cost/speed_scan.hpp"

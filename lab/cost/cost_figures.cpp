@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/cost/cost_figures.hpp"
+#include "lab/cost/cost_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -14,15 +14,17 @@ namespace {
 using Colour = Pen::Colour;
 constexpr double microseconds = 1e6;
 
-struct Point {
-    double x = 0;
-    double y = 0;
-};
 struct Line {
     std::string title;
     Pen pen;
-    std::vector<Point> points;
+    std::vector<std::pair<double, double>> points;
 };
+
+/// Returns the line with this title, which is added if there is none.
+Line& line_named(std::vector<Line>& lines, const std::string& title, const Pen& pen) {
+    const auto found = std::ranges::find(lines, title, &Line::title);
+    return found != lines.end() ? *found : lines.emplace_back(Line{title, pen, {}});
+}
 
 bool in_machine(const cost::CostCell& c) {
     return c.arithmetic != "MPFR" && c.arithmetic != "balls";
@@ -61,63 +63,44 @@ Plot plot_of(std::string id, std::string title, std::string description, Axis x,
     plot.columns = {"x"};
     plot.key_below = true;
     const PrecisionScope scope(20);
-    for (std::size_t k = 0; k < lines.size(); ++k) {
-        std::string column = lines[k].title;
+    for (const Line& line : lines) {
+        std::string column = line.title;
         std::replace(column.begin(), column.end(), ',', ' ');
-        plot.columns.push_back(column);
-        plot.curves.push_back({column, lines[k].title, lines[k].pen});
-        for (const Point& p : lines[k].points) {
-            std::vector<std::optional<Real>> row(lines.size() + 1);
-            row[0] = Real(p.x);
-            row[k + 1] = Real(p.y);
-            plot.rows.push_back(std::move(row));
+        plot.add_curve(column, line.title, line.pen);
+        for (const auto& [x_value, y_value] : line.points) {
+            plot.add_row(Real(x_value)).back() = Real(y_value);
         }
     }
     return plot;
 }
 
 /// The cells of a case: one line per route (all machine arithmetics together), one point per cell.
-using Coordinate = std::function<std::optional<double>(const cost::CostCell&)>;
+/// A coordinate that is 0 is missing.
+using Coordinate = std::function<double(const cost::CostCell&)>;
 std::vector<Line> by_cell(const CostReport& report, const std::string& scene, const Coordinate& x,
                           const Coordinate& y, bool machines = true) {
     std::vector<Line> lines;
     for (const cost::CostCell& c : report.cells) {
-        if (c.scene != scene || c.failed() == c.points.size() || (!machines && in_machine(c))) {
-            continue;
+        const bool shown =
+            c.scene == scene && c.failed() < c.points.size() && (machines || !in_machine(c));
+        if (shown && x(c) > 0 && y(c) > 0) {
+            line_named(lines, name_of(c), pen_of(c)).points.emplace_back(x(c), y(c));
         }
-        const auto px = x(c);
-        const auto py = y(c);
-        if (!px || !py || !(*px > 0) || !(*py > 0)) {
-            continue;
-        }
-        auto found = std::find_if(lines.begin(), lines.end(),
-                                  [&](const Line& l) { return l.title == name_of(c); });
-        if (found == lines.end()) {
-            found = lines.insert(lines.end(), {name_of(c), pen_of(c), {}});
-        }
-        found->points.push_back({*px, *py});
     }
     return lines;
 }
 
-std::optional<double> digits_asked(const cost::CostCell& c) { return c.digits; }
-std::optional<double> digits_right(const cost::CostCell& c) { return c.right().least; }
-std::optional<double> time_taken(const cost::CostCell& c) {
-    return c.seconds().median * microseconds;
-}
-std::optional<double> evaluations(const cost::CostCell& c) {
-    const auto e = c.evaluations();
-    return e ? std::optional(e->median) : std::nullopt;
+double digits_asked(const cost::CostCell& c) { return c.digits; }
+double digits_right(const cost::CostCell& c) { return c.right().least; }
+double time_taken(const cost::CostCell& c) { return c.seconds().median * microseconds; }
+double evaluations(const cost::CostCell& c) {
+    return c.evaluations().value_or(cost::Quartiles{}).median;
 }
 
 /// Adds the exponent of the growth with the digits to the titles.
 void add_exponents(std::vector<Line>& lines) {
     for (Line& line : lines) {
-        std::vector<std::pair<double, double>> points;
-        for (const Point& p : line.points) {
-            points.emplace_back(p.x, p.y);
-        }
-        if (const auto fit = roots::power_law_fit(points); fit && fit->points > 2) {
+        if (const auto fit = roots::power_law_fit(line.points); fit && fit->points > 2) {
             line.title += fmt::format(" ~ d^{:.2f}", fit->exponent);
         }
     }
@@ -125,7 +108,7 @@ void add_exponents(std::vector<Line>& lines) {
 
 /// The points of a case at one number of digits, against the distance from the critical place.
 std::vector<Line> by_point(const CostReport& report, const cost::CostCase& which, unsigned digits,
-                           const std::function<std::optional<double>(const cost::PointCost&)>& y) {
+                           const std::function<double(const cost::PointCost&)>& y) {
     std::vector<Line> lines;
     for (const cost::CostCell& c : report.cells) {
         if (c.scene != which.name || in_machine(c) || c.digits != digits) {
@@ -133,28 +116,26 @@ std::vector<Line> by_point(const CostReport& report, const cost::CostCase& which
         }
         Line line{name_of(c), pen_of(c), {}};
         for (const cost::PointCost& p : c.points) {
-            const auto value = y(p);
-            if (p.failure.empty() && value && *value > 0) {
-                line.points.push_back({which.distance(p.point), *value});
+            if (p.failure.empty() && y(p) > 0) {
+                line.points.emplace_back(which.distance(p.point), y(p));
             }
         }
-        std::sort(line.points.begin(), line.points.end(),
-                  [](const Point& a, const Point& b) { return a.x < b.x; });
+        std::ranges::sort(line.points);
         if (!line.points.empty()) {
             lines.push_back(std::move(line));
         }
     }
     return lines;
 }
-std::optional<double> point_time(const cost::PointCost& p) { return p.seconds * microseconds; }
-std::optional<double> point_evaluations(const cost::PointCost& p) {
-    return p.evaluations ? std::optional(static_cast<double>(*p.evaluations)) : std::nullopt;
+double point_time(const cost::PointCost& p) { return p.seconds * microseconds; }
+double point_evaluations(const cost::PointCost& p) {
+    return static_cast<double>(p.evaluations.value_or(0));
 }
 
-const Axis digits_axis{"digits asked for", true, {}};
-const Axis right_axis{"digits right, worst point", true, {}};
-const Axis time_axis{"time a value, microseconds", true, {}};
-const Axis evaluations_axis{"evaluations of the integrand", true, {}};
+const Axis digits_axis{"digits asked for", true};
+const Axis right_axis{"digits right, worst point", true};
+const Axis time_axis{"time a value, microseconds", true};
+const Axis evaluations_axis{"evaluations of the integrand", true};
 
 Figure work_precision(const CostReport& report, const std::string& scene) {
     return {
@@ -192,7 +173,7 @@ Figure growth(const CostReport& report, const std::string& scene) {
 Figure places(const CostReport& report, const cost::CostCase& which, const std::string& id,
               const std::string& title, const std::string& distance) {
     const unsigned digits = report.usual_digits();
-    const Axis x{distance, true, {}};
+    const Axis x{distance, true};
     const std::string at = " at " + std::to_string(digits) + " digits";
     return {
         id,
@@ -211,18 +192,11 @@ Figure proofs(const CostReport& report) {
                                  Colour::purple, Colour::yellow};
     std::vector<Line> lines;
     for (const cost::BoundCost& b : bound_costs(report.cells)) {
-        auto found = std::find_if(lines.begin(), lines.end(),
-                                  [&](const Line& l) { return l.title == b.scene; });
-        if (found == lines.end()) {
-            const std::size_t k = lines.size();
-            found = lines.insert(lines.end(),
-                                 {b.scene,
-                                  {colours.at(k % colours.size()), k < colours.size() ? 1U : 4U,
-                                   static_cast<unsigned>(4 + k)},
-                                  {}});
-        }
-        found->points.push_back(
-            {static_cast<double>(b.digits), b.enclosure_seconds / b.bare_seconds});
+        const std::size_t k = lines.size();
+        const Pen pen{colours.at(k % colours.size()), k < colours.size() ? 1U : 4U,
+                      static_cast<unsigned>(4 + k)};
+        line_named(lines, b.scene, pen)
+            .points.emplace_back(b.digits, b.enclosure_seconds / b.bare_seconds);
     }
     return {"proofs",
             "What a proof costs",
@@ -230,7 +204,7 @@ Figure proofs(const CostReport& report) {
             "all its digits. Below 1 the proved value is the cheaper one.",
             {plot_of("proofs-ratio", "enclosure over bare value",
                      "The ratio of times against the digits, a line a contact.", digits_axis,
-                     {"time of the enclosure / bare time", true, {}}, lines)}};
+                     {"time of the enclosure / bare time", true}, lines)}};
 }
 
 } // namespace

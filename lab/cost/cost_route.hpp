@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,12 +19,9 @@ struct CostValue {
 };
 
 /// A contact prepared for one route at one precision: the work that is done once for each contact.
-class ReadyContact {
-public:
-    virtual ~ReadyContact() = default;
-    /// Returns p at the point with index i of the case. Throws the route's errors.
-    [[nodiscard]] virtual CostValue at(std::size_t i) = 0;
-};
+/// Returns p at the point with index i of the case, which must outlive it. Throws the route's
+/// errors.
+using ReadyContact = std::function<CostValue(std::size_t i)>;
 
 /// One route to a pressure, in one arithmetic.
 struct CostRoute {
@@ -36,7 +32,7 @@ struct CostRoute {
     bool expensive = false; ///< so slow that it is timed at few points and digits, unless asked to
     /// True if the route takes this profile.
     std::function<bool(const scene::Scene&)> takes;
-    std::function<std::unique_ptr<ReadyContact>(const CostCase&, unsigned digits)> ready;
+    std::function<ReadyContact(const CostCase&, unsigned digits)> ready;
 };
 
 /// Returns all routes; a new route is a new entry of this list.

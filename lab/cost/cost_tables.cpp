@@ -20,24 +20,21 @@ std::string whole(double x) { return fmt::format("{:.0f}", x); }
 std::string digits_text(double digits) { return whole(std::floor(digits)); }
 std::string seconds_text(double seconds) { return fmt::format("{:.4g}", seconds); }
 
-std::vector<std::string> reading_cells(const cost::CostCell& c) {
-    const bool none = c.failed() == c.points.size();
-    const cost::Quartiles right = c.right();
-    const cost::Quartiles seconds = c.seconds();
-    const auto evaluations = c.evaluations();
-    std::vector<std::string> row{std::to_string(c.digits), std::to_string(c.points.size())};
-    if (none) {
+/// Adds the cells of the columns below to the first ones of a row.
+std::vector<std::string> reading_row(std::vector<std::string> row, const cost::CostCell& c) {
+    row.insert(row.end(), {std::to_string(c.digits), std::to_string(c.points.size())});
+    if (c.failed() == c.points.size()) {
         row.insert(row.end(), {"none", "", "", "", "", "", "", ""});
         return row;
     }
-    row.push_back(digits_text(right.least) + (c.failed() > 0 ? "*" : ""));
-    row.push_back(digits_text(right.median));
-    row.push_back(evaluations ? whole(evaluations->median) : "");
-    row.push_back(evaluations ? whole(evaluations->most) : "");
-    row.push_back(time_text(seconds.median));
-    row.push_back(time_text(seconds.low) + " - " + time_text(seconds.high));
-    row.push_back(time_text(seconds.most));
-    row.push_back(fmt::format("{:.0f} %", 100 * c.spread()));
+    const cost::Quartiles right = c.right();
+    const cost::Quartiles seconds = c.seconds();
+    const auto evaluations = c.evaluations();
+    row.insert(row.end(), {digits_text(right.least) + (c.failed() > 0 ? "*" : ""),
+                           digits_text(right.median), evaluations ? whole(evaluations->median) : "",
+                           evaluations ? whole(evaluations->most) : "", time_text(seconds.median),
+                           time_text(seconds.low) + " - " + time_text(seconds.high),
+                           time_text(seconds.most), fmt::format("{:.0f} %", 100 * c.spread())});
     return row;
 }
 
@@ -70,19 +67,27 @@ Table table(std::string title, std::vector<Column> columns) {
     return t;
 }
 
-nlohmann::ordered_json json_of(const Table& t) {
-    auto rows = nlohmann::ordered_json::array();
-    for (const auto& row : t.rows) {
-        nlohmann::ordered_json one;
+using Json = nlohmann::ordered_json;
+
+template <class List, class One> Json list_of(const List& list, const One& one) {
+    Json all = Json::array();
+    for (const auto& item : list) {
+        all.push_back(one(item));
+    }
+    return all;
+}
+
+Json json_of(const Table& t) {
+    return list_of(t.rows, [&](const std::vector<std::string>& row) {
+        Json one;
         for (std::size_t i = 0; i < row.size(); ++i) {
             const bool number = t.columns[i].kind != ColumnKind::text;
-            one[t.columns[i].name] = row[i].empty() ? nlohmann::ordered_json(nullptr)
-                                     : number       ? nlohmann::ordered_json::parse(row[i])
-                                                    : nlohmann::ordered_json(row[i]);
+            one[t.columns[i].name] = row[i].empty() ? Json(nullptr)
+                                     : number       ? Json::parse(row[i])
+                                                    : Json(row[i]);
         }
-        rows.push_back(std::move(one));
-    }
-    return rows;
+        return one;
+    });
 }
 
 } // namespace
@@ -93,12 +98,11 @@ unsigned CostReport::usual_digits() const {
 }
 
 const cost::CostCase& CostReport::case_named(const std::string& name) const {
-    for (const cost::CostCase& c : cases) {
-        if (c.name == name) {
-            return c;
-        }
+    const auto found = std::ranges::find(cases, name, &cost::CostCase::name);
+    if (found == cases.end()) {
+        throw Error("no case is called " + name);
     }
-    throw Error("no case is called " + name);
+    return *found;
 }
 
 std::string time_text(double seconds) {
@@ -117,10 +121,7 @@ Table cost_table(const CostReport& report, const std::string& scene) {
     add_reading_columns(t);
     for (const cost::CostCell& c : report.cells) {
         if (c.scene == scene) {
-            std::vector<std::string> row{c.route, c.arithmetic};
-            const auto cells = reading_cells(c);
-            row.insert(row.end(), cells.begin(), cells.end());
-            t.rows.push_back(std::move(row));
+            t.rows.push_back(reading_row({c.route, c.arithmetic}, c));
         }
     }
     return t;
@@ -138,11 +139,8 @@ Table cost_table_at(const CostReport& report, unsigned digits) {
             (c.digits != digits && !(machine && c.arithmetic == "double"))) {
             continue;
         }
-        std::vector<std::string> row{c.scene == last ? "" : c.scene, c.route, c.arithmetic};
+        t.rows.push_back(reading_row({c.scene == last ? "" : c.scene, c.route, c.arithmetic}, c));
         last = c.scene;
-        const auto cells = reading_cells(c);
-        row.insert(row.end(), cells.begin(), cells.end());
-        t.rows.push_back(std::move(row));
     }
     return t;
 }
@@ -271,45 +269,36 @@ Table cost_points(const CostReport& report) {
 }
 
 std::string cost_json(const CostReport& report) {
-    nlohmann::ordered_json json;
+    Json json;
     json["program"] = program_line();
     for (const auto& [name, value] : report.machine) {
         json["machine"][name] = value;
     }
     json["cells"] = json_of(cost_cells(report));
     json["points"] = json_of(cost_points(report));
-    auto growth = nlohmann::ordered_json::array();
-    for (const cost::Growth& g : growths(report.cells)) {
-        nlohmann::ordered_json one{{"contact", g.scene},
-                                   {"route", g.route},
-                                   {"arithmetic", g.arithmetic},
-                                   {"time_exponent", g.time.exponent},
-                                   {"evaluations_exponent", nullptr}};
-        if (g.evaluations) {
-            one["evaluations_exponent"] = g.evaluations->exponent;
-        }
-        growth.push_back(std::move(one));
-    }
-    json["growth"] = std::move(growth);
-    auto bounds = nlohmann::ordered_json::array();
-    for (const cost::BoundCost& b : bound_costs(report.cells)) {
-        bounds.push_back({{"contact", b.scene},
-                          {"digits", b.digits},
-                          {"bare_route", b.bare},
-                          {"bare_seconds", b.bare_seconds},
-                          {"enclosure_seconds", b.enclosure_seconds},
-                          {"rounded_seconds", b.rounded_seconds}});
-    }
-    json["bounds"] = std::move(bounds);
-    auto effects = nlohmann::ordered_json::array();
-    for (const cost::EffectCost& e : report.effects) {
-        effects.push_back({{"effect", e.effect},
-                           {"base", e.base},
-                           {"seconds", e.seconds},
-                           {"ratio", e.ratio},
-                           {"evaluations", e.work.evaluations}});
-    }
-    json["effects"] = std::move(effects);
+    json["growth"] = list_of(growths(report.cells), [](const cost::Growth& g) {
+        return Json{{"contact", g.scene},
+                    {"route", g.route},
+                    {"arithmetic", g.arithmetic},
+                    {"time_exponent", g.time.exponent},
+                    {"evaluations_exponent",
+                     g.evaluations ? Json(g.evaluations->exponent) : Json(nullptr)}};
+    });
+    json["bounds"] = list_of(bound_costs(report.cells), [](const cost::BoundCost& b) {
+        return Json{{"contact", b.scene},
+                    {"digits", b.digits},
+                    {"bare_route", b.bare},
+                    {"bare_seconds", b.bare_seconds},
+                    {"enclosure_seconds", b.enclosure_seconds},
+                    {"rounded_seconds", b.rounded_seconds}};
+    });
+    json["effects"] = list_of(report.effects, [](const cost::EffectCost& e) {
+        return Json{{"effect", e.effect},
+                    {"base", e.base},
+                    {"seconds", e.seconds},
+                    {"ratio", e.ratio},
+                    {"evaluations", e.work.evaluations}};
+    });
     return json.dump(1) + "\n";
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/report/figures/figures.hpp"
 #include "edgeproof/report/tables/table.hpp"
 #include "lab/cost/cost.hpp"
 
@@ -37,5 +38,11 @@ struct CostReport {
 [[nodiscard]] Table cost_points(const CostReport& report);
 /// Returns both of these, the growth, the bounds, the effects and the machine as JSON.
 [[nodiscard]] std::string cost_json(const CostReport& report);
+
+/// For the first case: digits reached against evaluations and against time; growth with the digits
+/// on logarithmic axes, with the fitted exponents; cost against the distance from the edge. For the
+/// case near a knot, if there is one: cost against the distance from it. For all cases: the cost of
+/// a proof. Figures without data are left out.
+[[nodiscard]] std::vector<Figure> cost_figures(const CostReport& report);
 
 } // namespace edgeproof::report

@@ -99,43 +99,25 @@ const Section untilted{{"kind", "tilted-flat-and-rounded"}, {"t", "0.4"}, {"R", 
 const Section by_edge{{"a", "1"}};
 const Section by_force{{"P", "1/2"}};
 const Section by_moment{{"P", "1/2"}, {"M", "-1/50"}};
+const Section both_edges{{"edges", Texts{"right", "left"}}};
+const Section extents_of_terms{
+    {"terms", Texts{"1", "3"}}, {"tolerance", "5%"}, {"quantities", Texts{"extent"}}};
+
+constexpr const char* plain = "pressures of a symmetric punch";
 
 const Added effects[] = {
-    {"pressures of a symmetric punch", "", flat, by_edge},
-    {"P given instead of a", "pressures of a symmetric punch", flat, by_force},
-    {"tilt", "pressures of a symmetric punch", tilted, by_edge},
+    {plain, "", flat, by_edge},
+    {"P given instead of a", plain, flat, by_force},
+    {"tilt", plain, tilted, by_edge},
     {"tilt found from P and M", "tilt", untilted, by_moment},
-    {"both edges of a tilted punch",
-     "tilt",
-     tilted,
-     by_edge,
-     {},
-     {{"edges", Texts{"right", "left"}}}},
-    {"shear under full stick", "pressures of a symmetric punch", flat, by_edge, {{"Q", "0.1"}}},
-    {"shear and bulk tension",
-     "pressures of a symmetric punch",
-     flat,
-     by_edge,
-     {{"Q", "0.1"}, {"bulk_tension", "0.2"}}},
-    {"shear in proportion to P",
-     "pressures of a symmetric punch",
-     flat,
-     by_edge,
-     {{"Q", "0.1"}, {"path", "together"}}},
-    {"expansion to 3 terms", "pressures of a symmetric punch", flat, by_edge, {}, {{"terms", "3"}}},
-    {"expansion to 10 terms",
-     "pressures of a symmetric punch",
-     flat,
-     by_edge,
-     {},
-     {{"terms", "10"}}},
+    {"both edges of a tilted punch", "tilt", tilted, by_edge, {}, both_edges},
+    {"shear under full stick", plain, flat, by_edge, {{"Q", "0.1"}}},
+    {"shear and bulk tension", plain, flat, by_edge, {{"Q", "0.1"}, {"bulk_tension", "0.2"}}},
+    {"shear in proportion to P", plain, flat, by_edge, {{"Q", "0.1"}, {"path", "together"}}},
+    {"expansion to 3 terms", plain, flat, by_edge, {}, {{"terms", "3"}}},
+    {"expansion to 10 terms", plain, flat, by_edge, {}, {{"terms", "10"}}},
     {"expansion to 3 terms, tilted", "tilt", tilted, by_edge, {}, {{"terms", "3"}}},
-    {"extents of 1 and 3 terms",
-     "pressures of a symmetric punch",
-     flat,
-     by_edge,
-     {},
-     {{"terms", Texts{"1", "3"}}, {"tolerance", "5%"}, {"quantities", Texts{"extent"}}}},
+    {"extents of 1 and 3 terms", plain, flat, by_edge, {}, extents_of_terms},
 };
 
 scene::Scene scene_of(const Added& e, unsigned digits) {

@@ -4,14 +4,24 @@
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"
+#include "edgeproof/precision/ball/arb_include.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/digits_right.hpp"
 #include "edgeproof/precision/rounding/escalate.hpp"
 
+#include <boost/version.hpp>
+
+#include <gmp.h>
+#include <mpfr.h>
+#include <sys/utsname.h>
+
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
+#include <thread>
+#include <tuple>
 #include <utility>
 
 namespace edgeproof::cost {
@@ -74,15 +84,15 @@ double clock_seconds() {
 /// row.
 class Timing {
 public:
-    Timing(ReadyContact& contact, std::vector<PointCost>& points)
+    Timing(const ReadyContact& contact, std::vector<PointCost>& points)
         : contact_(contact), points_(points), samples_(points.size()) {}
 
-    template <class Stopping> void run(const Stopping& stopping) {
+    void run() {
         for (std::size_t round = 0; round < most_samples; ++round) {
             bool any = false;
             for (std::size_t p = 0; p < points_.size(); ++p) {
                 if (points_[p].failure.empty() && wants_more(samples_[p])) {
-                    stopping();
+                    check_interruption();
                     samples_[p].push_back(sample(p));
                     any = true;
                 }
@@ -113,23 +123,23 @@ private:
             static_cast<std::size_t>(std::ceil(batch_seconds / std::max(about, 1e-8)));
         const double begun = parallel::thread_seconds();
         for (std::size_t k = 0; k < calls; ++k) {
-            (void)contact_.at(points_[p].point);
+            (void)contact_(points_[p].point);
         }
         const double seconds = parallel::thread_seconds() - begun - clock_seconds();
         return std::max(seconds, 0.0) / static_cast<double>(calls);
     }
 
-    ReadyContact& contact_;
+    const ReadyContact& contact_;
     std::vector<PointCost>& points_;
     std::vector<std::vector<double>> samples_;
 };
 
 /// Returns the cost of one point, without its times.
-PointCost point_cost(ReadyContact& contact, std::size_t i, const Ball& exact) {
+PointCost point_cost(const ReadyContact& contact, std::size_t i, const Ball& exact) {
     PointCost cost;
     cost.point = i;
     try {
-        const CostValue value = contact.at(i);
+        const CostValue value = contact(i);
         cost.evaluations = value.evaluations;
         cost.right = digits_reached(value.value, exact);
         if (value.ball && !(value.ball->is_finite() && overlaps(*value.ball, exact))) {
@@ -139,97 +149,71 @@ PointCost point_cost(ReadyContact& contact, std::size_t i, const Ball& exact) {
             // value.
             cost.right = std::min(cost.right, digits_reached(value.ball->midpoint(), *value.ball));
         }
-    } catch (const Error& error) {
-        cost.failure = error.what();
-    } catch (const std::exception& error) { // Boost throws its own types
+    } catch (const std::exception& error) { // Error, or a type of Boost
         cost.failure = error.what();
     }
     return cost;
 }
 
-class Measuring {
-public:
-    Measuring(const CostCase& c, const CostOptions& options, bool first)
-        : case_(c), options_(options) {
-        unsigned most = 0;
-        for (const unsigned digits : options.digits) {
-            most = std::max(most, digits);
-        }
-        for (const CostRoute& route : cost_routes()) {
-            if (!route.takes(c.scene)) {
-                continue;
-            }
-            const auto add = [&](unsigned digits) {
-                const std::size_t points = options.points > 0 ? options.points
-                                           : options.full     ? c.u.size()
-                                                              : usual_points(route, digits, first);
-                if (points > 0) {
-                    planned_.push_back({&route, digits, points});
-                }
-            };
-            if (route.digits == 0) {
-                for (const unsigned digits : options.digits) {
-                    add(digits);
-                }
-            } else if (route.digits <= most) {
-                add(route.digits);
-            }
-        }
-    }
-    [[nodiscard]] std::size_t cells() const { return planned_.size(); }
-    [[nodiscard]] CostCell cell(std::size_t k) {
-        const auto& [route, digits, points] = planned_[k];
-        const std::vector<std::size_t> chosen = thinned(case_.u.size(), points);
-        const std::vector<Ball>& exact = exact_at(digits, chosen);
-        CostCell cell{case_.name, route->name, route->arithmetic, digits, route->proves, 0, {}};
-        try {
-            const double begun = parallel::thread_seconds();
-            const auto contact = route->ready(case_, digits);
-            cell.contact_seconds = parallel::thread_seconds() - begun;
-            for (std::size_t p = 0; p < chosen.size(); ++p) { // fills tables and caches
-                check_interruption();
-                cell.points.push_back(point_cost(*contact, chosen[p], exact[p]));
-            }
-            if (options_.timed) {
-                Timing(*contact, cell.points).run([&] { check_interruption(); });
-            }
-        } catch (const InputError&) {
-            throw;
-        } catch (const std::exception& error) {
-            cell.points.clear();
-            for (const std::size_t i : chosen) {
-                cell.points.push_back({i, 0, {}, 0, 0, error.what()});
-            }
-        }
-        return cell;
-    }
-
-private:
-    const std::vector<Ball>& exact_at(unsigned digits, const std::vector<std::size_t>& chosen) {
-        for (const auto& [known, points, balls] : exact_) {
-            if (known == digits && points == chosen) {
-                return balls;
-            }
-        }
-        exact_.push_back({digits, chosen, enclosures(case_, chosen, digits + more_digits)});
-        return exact_.back().balls;
-    }
-
-    struct Exactly {
-        unsigned digits;
-        std::vector<std::size_t> points;
-        std::vector<Ball> balls;
-    };
-    struct Planned {
-        const CostRoute* route;
-        unsigned digits;
-        std::size_t points;
-    };
-    const CostCase& case_;
-    const CostOptions& options_;
-    std::vector<Planned> planned_;
-    std::vector<Exactly> exact_;
+/// A cell to be measured.
+struct Planned {
+    const CostCase* c;
+    const CostRoute* route;
+    unsigned digits;
+    std::size_t points;
 };
+
+std::vector<Planned> planned_cells(const std::vector<CostCase>& cases, const CostOptions& options) {
+    const auto asked = [&](const CostRoute& route) {
+        const bool possible = std::ranges::any_of(
+            options.digits, [&](unsigned digits) { return route.digits <= digits; });
+        return route.digits == 0 ? options.digits
+               : possible        ? std::vector{route.digits}
+                                 : std::vector<unsigned>{};
+    };
+    std::vector<Planned> planned;
+    for (const CostCase& c : cases) {
+        for (const CostRoute& route : cost_routes()) {
+            for (const unsigned digits :
+                 route.takes(c.scene) ? asked(route) : std::vector<unsigned>{}) {
+                const std::size_t points = options.points > 0 ? options.points
+                                           : options.full
+                                               ? c.u.size()
+                                               : usual_points(route, digits, &c == &cases.front());
+                if (points > 0) {
+                    planned.push_back({&c, &route, digits, points});
+                }
+            }
+        }
+    }
+    return planned;
+}
+
+CostCell measured_cell(const Planned& plan, const std::vector<std::size_t>& chosen,
+                       const std::vector<Ball>& exact, bool timed) {
+    const auto& [c, route, digits, points] = plan;
+    CostCell cell{c->name, route->name, route->arithmetic, digits, route->proves, 0, {}};
+    try {
+        const double begun = parallel::thread_seconds();
+        const ReadyContact contact = route->ready(*c, digits);
+        cell.contact_seconds = parallel::thread_seconds() - begun;
+        for (std::size_t p = 0; p < chosen.size(); ++p) { // fills tables and caches
+            check_interruption();
+            cell.points.push_back(point_cost(contact, chosen[p], exact[p]));
+        }
+        if (timed) {
+            Timing(contact, cell.points).run();
+        }
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::exception& error) {
+        cell.points.clear();
+        for (const std::size_t i : chosen) {
+            cell.points.push_back({i, 0, {}, 0, 0, error.what()});
+        }
+    }
+    return cell;
+}
 
 template <class F> Quartiles over_points(const std::vector<PointCost>& points, const F& number) {
     std::vector<double> numbers;
@@ -313,22 +297,63 @@ double CostCell::spread() const {
 }
 
 std::vector<CostCell> measure(const std::vector<CostCase>& cases, const CostOptions& options) {
-    std::vector<Measuring> all;
-    std::size_t total = 0;
-    for (const CostCase& c : cases) {
-        all.emplace_back(c, options, &c == &cases.front());
-        total += all.back().cells();
-    }
+    const std::vector<Planned> planned = planned_cells(cases, options);
+    std::map<std::tuple<const CostCase*, unsigned, std::size_t>, std::vector<Ball>> exact;
     std::vector<CostCell> cells;
-    for (Measuring& m : all) {
-        for (std::size_t k = 0; k < m.cells(); ++k) {
-            if (options.progress) {
-                options.progress(cells.size(), total);
-            }
-            cells.push_back(m.cell(k));
+    for (const Planned& plan : planned) {
+        if (options.progress) {
+            options.progress(cells.size(), planned.size());
         }
+        const std::vector<std::size_t> chosen = thinned(plan.c->u.size(), plan.points);
+        const auto [found, fresh] = exact.try_emplace({plan.c, plan.digits, chosen.size()});
+        if (fresh) {
+            found->second = enclosures(*plan.c, chosen, plan.digits + more_digits);
+        }
+        cells.push_back(measured_cell(plan, chosen, found->second, options.timed));
     }
     return cells;
+}
+
+namespace {
+
+std::string processor() {
+    std::ifstream in("/proc/cpuinfo");
+    for (std::string line; std::getline(in, line);) {
+        const std::size_t colon = line.find(": ");
+        if (line.starts_with("model name") && colon != std::string::npos) {
+            return line.substr(colon + 2);
+        }
+    }
+    utsname name{};
+    return ::uname(&name) == 0 ? name.machine : "unknown";
+}
+
+std::string compiler() {
+#ifdef __clang__
+    return "Clang " __clang_version__;
+#else
+    return "GCC " __VERSION__;
+#endif
+}
+
+} // namespace
+
+std::vector<std::pair<std::string, std::string>> machine() {
+    std::vector<std::pair<std::string, std::string>> facts{
+        {"processor", processor()},
+        {"cores", std::to_string(std::thread::hardware_concurrency())},
+        {"compiler", compiler()},
+        {"Boost", std::to_string(BOOST_VERSION / 100000) + "." +
+                      std::to_string(BOOST_VERSION / 100 % 1000) + "." +
+                      std::to_string(BOOST_VERSION % 100)},
+        {"GMP", gmp_version},
+        {"MPFR", mpfr_get_version()},
+        {"FLINT", FLINT_VERSION},
+    };
+#ifndef EDGEPROOF_ARB_IN_FLINT
+    facts.emplace_back("Arb", arb_version);
+#endif
+    return facts;
 }
 
 } // namespace edgeproof::cost

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace edgeproof::cost {
@@ -70,5 +71,9 @@ struct CostOptions {
 /// InputError for a point that is not inside the contact.
 [[nodiscard]] std::vector<CostCell> measure(const std::vector<CostCase>& cases,
                                             const CostOptions& options);
+
+/// Returns the machine on which times are taken as names and values: processor, cores, compiler,
+/// libraries with versions.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> machine();
 
 } // namespace edgeproof::cost

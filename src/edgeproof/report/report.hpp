@@ -9,7 +9,7 @@
 ///   html.hpp       an audit as a page, with the paper's figures recomputed
 ///   figures.hpp           a figure as data, drawn by gnuplot
 ///   program_line.hpp      version, commit and libraries, included in every file
-///   html_markup.hpp       text in HTML
+///   escape.hpp            text of other authors in each format
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/report/figures/figures.hpp"
 #include "edgeproof/report/page/html.hpp"

@@ -2,6 +2,7 @@
 #include "edgeproof/report/text/escape.hpp"
 
 #include "edgeproof/io/csv.hpp"
+#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/report.hpp"
 #include "edgeproof/report/tables/table.hpp"
@@ -183,4 +184,38 @@ TEST_CASE("verdicts of hostile claims keep their rows in every format") {
     for (const std::string& text : {markdown, latex, terminal, verdicts_csv(result)}) {
         CHECK_FALSE(has_control(text));
     }
+}
+
+TEST_CASE("escaping: the characters of markup in a text are escaped") {
+    CHECK(escape_html("<script>alert('x')</script>") ==
+          "&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt;");
+    CHECK(escape_html("a & b \"c\"") == "a &amp; b &quot;c&quot;");
+    CHECK(escape_html("&lt;") == "&amp;lt;");
+    CHECK(escape_html("π ≤ 3.2 — 𝜋") == "π ≤ 3.2 — 𝜋");
+    CHECK(escape_html("line\nline\tend\x01\x7f") == "line\nline\tend  ");
+}
+
+TEST_CASE("escaping: bytes that are not UTF-8 are replaced by U+FFFD") {
+    CHECK(escape_html("a\xFFz") == "a\xEF\xBF\xBDz");
+    CHECK(escape_html("\xC3") == "\xEF\xBF\xBD");
+    CHECK(escape_html("\xC0\xBC") == "\xEF\xBF\xBD\xEF\xBF\xBD"); // "<" in an overlong encoding
+    CHECK(escape_html("\xED\xA0\x80").find('\xED') == std::string::npos);
+}
+
+TEST_CASE("a template is filled once, and an unknown name in it is an error") {
+    CHECK(fill_template("a {{x}} b {{x}}{{y}}", {{"x", "{{y}}"}, {"y", "2"}}) ==
+          "a {{y}} b {{y}}2");
+    CHECK_THROWS_AS((void)fill_template("{{z}}", {}), Error);
+    CHECK_THROWS_AS((void)fill_template("{{z", {{"z", ""}}), Error);
+}
+
+TEST_CASE("the program contains the complete templates") {
+    CHECK(report_template::page_html.starts_with("<!doctype html>"));
+    CHECK(report_template::page_html.ends_with("</html>\n"));
+    CHECK(report_template::page_css.find("@media print") != std::string_view::npos);
+    CHECK(report_template::page_js.ends_with("})();\n"));
+    // A proved claim has its own mark; the button names the theme that a click selects.
+    CHECK(report_template::page_css.find(".proved::before") != std::string_view::npos);
+    CHECK(report_template::page_js.find("isDark() ? \"Light\" : \"Dark\"") !=
+          std::string_view::npos);
 }

@@ -65,10 +65,6 @@ std::string shown_name(const FileComparison& file) {
     return std::filesystem::path(file.table.file).filename().string();
 }
 
-std::string length_label(const ComparisonReport& report) {
-    return report.units ? unit_label(report.units->length) : std::string();
-}
-
 /// The plotted properties of the pressure, or of the shear traction.
 struct Traction {
     std::string symbol;
@@ -133,10 +129,9 @@ Plot traction_plot(const ComparisonReport& report, const FileComparison& file,
     plot.title = traction.title + ": " + shown_name(file);
     plot.description = "The " + traction.id + " of the data as points, and the exact one as a " +
                        "line, along the contact";
-    plot.x = {"x" + length_label(report), false, {}};
-    plot.y = {traction.symbol + (report.units ? unit_label(report.units->pressure) : std::string()),
-              false,
-              {}};
+    const scene::Units units = report.units.value_or(scene::Units{});
+    plot.x = {"x" + unit_label(units.length)};
+    plot.y = {traction.symbol + unit_label(units.pressure)};
     plot.columns = {"x", "exact", "data"};
     plot.curves = {{"exact", "exact", {Pen::Colour::blue, 1, {}, 2}},
                    {"data", "data", {Pen::Colour::black, 0, 6, 1.5}}};
@@ -151,14 +146,14 @@ Plot traction_plot(const ComparisonReport& report, const FileComparison& file,
         if (value && traction.limit) {
             reach(std::clamp(*value, -*traction.limit, *traction.limit));
         }
-        plot.rows.push_back({Real(x), value ? point(*value) : std::nullopt, std::nullopt});
+        plot.add_row(Real(x))[1] = value ? point(*value) : std::nullopt;
     }
     for (const Node& node : file.data.nodes) {
         const auto value = traction.data(node);
         // Nodes far outside are not shown.
         if (value && node.exact.u() > -0.15 * exact.length()) {
             reach(*value);
-            plot.rows.push_back({point(node.x), std::nullopt, point(*value)});
+            plot.add_row(Real(node.x))[2] = point(*value);
         }
     }
     if (traction.limit) {
@@ -181,8 +176,8 @@ Plot error_plot(const ComparisonReport& report, const FileComparison& file, cons
         " against the distance from the edge, on logarithmic axes; the two "
         "elements at the edge " +
         (fitted ? "and the window that c_0 is fitted over are shaded" : "are shaded");
-    plot.x = {"distance from the edge, u/(a + b)", true, {}};
-    plot.y = {traction.error_label, true, {}};
+    plot.x = {"distance from the edge, u/(a + b)", true};
+    plot.y = {traction.error_label, true};
     plot.columns = {"u", "right", "left"};
     double least_u = 0.5;
     double least = 1;
@@ -195,13 +190,12 @@ Plot error_plot(const ComparisonReport& report, const FileComparison& file, cons
         const double u = node.exact.u() / exact.length();
         const double error = *found;
         const bool right = node.exact.nearer() == contact::Edge::right;
-        plot.rows.push_back(
-            {point(u), right ? point(error) : std::nullopt, right ? std::nullopt : point(error)});
+        plot.add_row(Real(u))[right ? 1 : 2] = point(error);
         least_u = std::min(least_u, u);
         least = std::min(least, error);
         most = std::max(most, error);
     }
-    std::ranges::stable_sort(plot.rows, [](const auto& s, const auto& t) { return *s[0] < *t[0]; });
+    plot.sort_rows();
     plot.curves = {{"right", "right edge", {Pen::Colour::vermilion, 0, 7, 1}},
                    {"left", "left edge", {Pen::Colour::blue, 0, 4, 1}}};
     const double from = least_u / 2;
@@ -232,14 +226,14 @@ Plot convergence_plot(const ComparisonReport& report) {
     plot.title = "Errors of several meshes";
     plot.description = "Errors relative to the exact values against the mean width of an element, "
                        "on logarithmic axes";
-    plot.x = {"width of an element/(a + b)", true, {}};
-    plot.y = {"relative error", true, {}};
-    plot.columns = {"h", "peak", "L2", "a", "P", "c_0"};
-    plot.curves = {{"peak", "p, of the peak", {Pen::Colour::vermilion, 1, 7, 1}},
-                   {"L2", "p, L2", {Pen::Colour::blue, 2, 4, 1}},
-                   {"a", "a", {Pen::Colour::green, 3, 8, 1}},
-                   {"P", "P", {Pen::Colour::purple, 4, 10, 1}},
-                   {"c_0", "c_0", {Pen::Colour::black, 5, 12, 1}}};
+    plot.x = {"width of an element/(a + b)", true};
+    plot.y = {"relative error", true};
+    plot.columns = {"h"};
+    plot.add_curve("peak", "p, of the peak", {Pen::Colour::vermilion, 1, 7, 1});
+    plot.add_curve("L2", "p, L2", {Pen::Colour::blue, 2, 4, 1});
+    plot.add_curve("a", "a", {Pen::Colour::green, 3, 8, 1});
+    plot.add_curve("P", "P", {Pen::Colour::purple, 4, 10, 1});
+    plot.add_curve("c_0", "c_0", {Pen::Colour::black, 5, 12, 1});
     for (const FileComparison& file : report.comparison.files) {
         const auto relative = [](const std::optional<double>& data,
                                  double value) -> std::optional<Real> {
@@ -256,13 +250,12 @@ Plot convergence_plot(const ComparisonReport& report) {
                              relative(fit ? std::optional(fit->c0.value) : std::nullopt,
                                       exact.c(contact::Edge::right, 0).value)});
     }
-    std::ranges::stable_sort(plot.rows, [](const auto& s, const auto& t) { return *s[0] < *t[0]; });
+    plot.sort_rows();
     plot.key_below = true;
     return plot;
 }
 
-} // namespace
-
+/// All plots of a report, file by file; the ids follow the names of the files.
 std::vector<Figure> comparison_figures(const ComparisonReport& report) {
     const PrecisionScope scope(comparison::ExactContact::place_digits);
     std::vector<Figure> figures;
@@ -300,6 +293,8 @@ std::vector<Figure> comparison_figures(const ComparisonReport& report) {
     }
     return figures;
 }
+
+} // namespace
 
 DrawnComparison draw_comparison(const ComparisonReport& report) {
     const PrecisionScope scope(figure_digits + 10);

@@ -10,11 +10,9 @@
 
 namespace edgeproof::report {
 
-/// Returns all plots of a report, file by file: the pressures of the data with the exact curve,
-/// their errors against u/(a + b), and the same for the shear traction if data and scene have one;
-/// then the errors of several files against the element width. Ids follow the names of the files.
-[[nodiscard]] std::vector<Figure> comparison_figures(const ComparisonReport& report);
-
+/// All plots of a report, file by file: the pressures of the data with the exact curve, their
+/// errors against u/(a + b), and the same for the shear traction if data and scene have one; then
+/// the errors of several files against the element width. Ids follow the names of the files.
 struct DrawnComparison {
     std::vector<Figure> figures;
     std::map<std::string, std::string> svg; ///< by the id of a plot

@@ -185,6 +185,23 @@ void set_terminal(GnuplotScript& script, PictureKind kind, std::size_t plots, st
 
 } // namespace
 
+std::vector<std::optional<Real>>& Plot::add_row(const Real& first) {
+    rows.emplace_back(columns.size()).front() = first;
+    return rows.back();
+}
+
+void Plot::sort_rows() {
+    std::ranges::stable_sort(rows, [](const auto& r, const auto& s) { return *r[0] < *s[0]; });
+}
+
+void Plot::add_curve(const std::string& column, std::string curve_title, const Pen& pen) {
+    columns.push_back(column);
+    curves.push_back({column, std::move(curve_title), pen});
+    for (auto& row : rows) {
+        row.emplace_back();
+    }
+}
+
 std::string to_csv(const Plot& plot) {
     std::string csv = "# " + printable(plot.title) + '\n';
     csv += "# " + printable(plot.description) + '\n';
@@ -237,12 +254,12 @@ constexpr std::size_t longest_gnuplot_number = 400;
 } // namespace
 
 GnuplotText::GnuplotText(std::string_view text) {
-    quoted_ = '\'';
+    text_ = '\'';
     for (const char c : printable(shortened(text, longest_gnuplot_text))) {
         // gnuplot 5.4 does not accept a doubled quote at the beginning of a string.
-        quoted_ += c == '\'' ? "’" : c == '`' ? "‘" : std::string(1, c);
+        text_ += c == '\'' ? "’" : c == '`' ? "‘" : std::string(1, c);
     }
-    quoted_ += '\'';
+    text_ += '\'';
 }
 
 GnuplotNumber::GnuplotNumber(std::string_view number) : text_(number) {

@@ -24,10 +24,10 @@ namespace edgeproof::report {
 class GnuplotText {
 public:
     explicit GnuplotText(std::string_view text);
-    [[nodiscard]] const std::string& quoted() const noexcept { return quoted_; }
+    [[nodiscard]] const std::string& text() const noexcept { return text_; }
 
 private:
-    std::string quoted_;
+    std::string text_; ///< in quotes
 };
 
 /// A decimal number as text. Throws Error for any other text.
@@ -50,11 +50,14 @@ private:
     const char* words_;
 };
 
+template <class T>
+concept GnuplotToken =
+    std::same_as<T, GnuplotText> || std::same_as<T, GnuplotNumber> || std::same_as<T, GnuplotWords>;
+
 /// The types that may be inserted into a command. std::string is not one of them, so that input
 /// text can reach gnuplot only as a GnuplotText.
 template <class T>
-concept GnuplotValue = std::integral<T> || std::floating_point<T> || std::same_as<T, GnuplotText> ||
-    std::same_as<T, GnuplotNumber> || std::same_as<T, GnuplotWords>;
+concept GnuplotValue = std::integral<T> || std::floating_point<T> || GnuplotToken<T>;
 
 /// A script for gnuplot: commands fixed at compile time, with inserted values.
 class GnuplotScript {
@@ -72,26 +75,11 @@ private:
 
 } // namespace edgeproof::report
 
-/// @cond formatters of fmt, which doxygen does not place
-template <>
-struct fmt::formatter<edgeproof::report::GnuplotText> : fmt::formatter<std::string_view> {
-    template <class Context>
-    auto format(const edgeproof::report::GnuplotText& value, Context& context) const {
-        return fmt::formatter<std::string_view>::format(value.quoted(), context);
-    }
-};
-template <>
-struct fmt::formatter<edgeproof::report::GnuplotNumber> : fmt::formatter<std::string_view> {
-    template <class Context>
-    auto format(const edgeproof::report::GnuplotNumber& value, Context& context) const {
-        return fmt::formatter<std::string_view>::format(value.text(), context);
-    }
-};
-template <>
-struct fmt::formatter<edgeproof::report::GnuplotWords> : fmt::formatter<std::string_view> {
-    template <class Context>
-    auto format(const edgeproof::report::GnuplotWords& value, Context& context) const {
-        return fmt::formatter<std::string_view>::format(value.text(), context);
+/// @cond a formatter of fmt, which doxygen does not place
+template <edgeproof::report::GnuplotToken Token>
+struct fmt::formatter<Token> : fmt::formatter<std::string_view> {
+    template <class Context> auto format(const Token& token, Context& context) const {
+        return fmt::formatter<std::string_view>::format(token.text(), context);
     }
 };
 /// @endcond
@@ -144,6 +132,13 @@ struct Plot {
     std::optional<std::pair<std::string, std::string>> level = {};
     std::vector<Band> bands = {};
     bool key_below = false; ///< the curves are always named below the plot
+
+    /// Adds a row with a value in its first column only, and returns the row.
+    std::vector<std::optional<Real>>& add_row(const Real& first);
+    /// Sorts the rows by their first column, and keeps the order of equal ones.
+    void sort_rows();
+    /// Adds a column without values, and a curve for it.
+    void add_curve(const std::string& column, std::string curve_title, const Pen& pen);
 };
 
 /// A figure of the page: panels with one caption.

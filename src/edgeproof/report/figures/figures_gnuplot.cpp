@@ -5,13 +5,15 @@
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
-#include "edgeproof/report/text/html_markup.hpp"
+#include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <ranges>
 #include <string_view>
 #include <utility>
 
@@ -20,12 +22,6 @@ namespace {
 
 constexpr std::size_t most_messages = 10'000;
 constexpr std::size_t most_message_bytes = 200;
-
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
-        text.replace(at, from.size(), to);
-    }
-}
 
 /// Replaces the text from `open` to `close`, including both.
 void replace_element(std::string& text, std::string_view open, std::string_view close,
@@ -79,14 +75,11 @@ std::string drawn(const io::FileStem& id, const GnuplotScript& script,
 } // namespace
 
 std::optional<std::filesystem::path> find_gnuplot() {
-    const char* path = std::getenv("PATH");
-    std::string_view rest = path == nullptr ? "" : path;
-    while (!rest.empty()) {
-        const std::size_t colon = rest.find(':');
-        const std::string_view folder = rest.substr(0, colon);
-        rest = colon == std::string_view::npos ? "" : rest.substr(colon + 1);
+    const char* const path = std::getenv("PATH");
+    for (const auto part : std::views::split(std::string_view(path == nullptr ? "" : path), ':')) {
         // An empty entry would be the current folder, from which programs are never started.
-        const std::filesystem::path candidate = std::filesystem::path(folder) / "gnuplot";
+        const std::filesystem::path folder(part.begin(), part.end());
+        const std::filesystem::path candidate = folder / "gnuplot";
         if (!folder.empty() && access(candidate.c_str(), X_OK) == 0 &&
             std::filesystem::is_regular_file(candidate)) {
             return candidate;
@@ -150,21 +143,24 @@ std::string inline_svg(const std::string& svg, const Plot& plot) {
                         "</desc>");
     replace_element(out, "<metadata>", "</metadata>", ""); // the page names the program
     const std::string own = plot.id.with("-");
-    replace_all(out, "id=\"gnuplot_canvas\"", "id=\"" + own + "canvas\"");
-    replace_all(out, "id='gp", "id='" + own + "gp");
-    replace_all(out, "href='#gp", "href='#" + own + "gp");
-    for (const char* filter : {"textbox", "greybox"}) {
-        replace_all(out, std::string("id='") + filter, "id='" + own + filter);
-        replace_all(out, std::string("#") + filter, "#" + own + filter);
-    }
-    for (const char* black : {"color=\"black\" ", "color=\"white\" "}) {
-        replace_all(out, black, "");
-    }
     replace_element(out, "fill=\"#ffffff\"", "/>", "fill=\"none\"/>"); // the background
-    replace_all(out, "fill=\"black\"", "fill=\"currentColor\"");
-    replace_all(out, "fill = 'black'", "fill = 'currentColor'");
-    replace_all(out, "stroke='black'", "stroke='currentColor'");
-    replace_all(out, "rgb(  0,   0,   0)", "currentColor");
+    const std::pair<std::string, std::string> replacements[] = {
+        {"id=\"gnuplot_canvas\"", "id=\"" + own + "canvas\""},
+        {"id='gp", "id='" + own + "gp"},
+        {"href='#gp", "href='#" + own + "gp"},
+        {"id='textbox", "id='" + own + "textbox"},
+        {"#textbox", "#" + own + "textbox"},
+        {"id='greybox", "id='" + own + "greybox"},
+        {"#greybox", "#" + own + "greybox"},
+        {"color=\"black\" ", ""},
+        {"color=\"white\" ", ""},
+        {"fill=\"black\"", "fill=\"currentColor\""},
+        {"fill = 'black'", "fill = 'currentColor'"},
+        {"stroke='black'", "stroke='currentColor'"},
+        {"rgb(  0,   0,   0)", "currentColor"}};
+    for (const auto& [from, to] : replacements) {
+        boost::replace_all(out, from, to);
+    }
     return out;
 }
 

@@ -1,19 +1,133 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/figures/figures_paper.hpp"
-#include "edgeproof/audit/checks/parts/residual_fit.hpp"
-#include "edgeproof/audit/sample/evaluated_scene.hpp"
-#include "edgeproof/precision/rounding/text.hpp"
+
+#include "edgeproof/contact/routes/normal_contact.hpp"
+#include "edgeproof/precision/error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <optional>
 
 namespace edgeproof::report {
 namespace {
 
 constexpr const char* moore_hills = "moore-hills";
+constexpr unsigned working = figure_digits + 10;
+constexpr std::size_t most_terms = 3;
+
+struct PanelScene {
+    std::string id;    ///< "fig2a"
+    std::string title; ///< "a) wedge, m = 0"
+    contact::Profile profile;
+    std::string half_width;    ///< a, exactly
+    std::string pressure_unit; ///< "E*C", in words; its value is 1
+    contact::Edge edge = contact::Edge::right;
+};
+
+/// Fractions of the distance from the edge to the origin for a panel: rational, and therefore the
+/// same on every machine.
+std::vector<Rational> geometric_then_even() {
+    std::vector<Rational> w;
+    // 10^(-4 + k/20), to five figures.
+    static constexpr std::array<long, 20> mantissa{10000, 11220, 12589, 14125, 15849, 17783, 19953,
+                                                   22387, 25119, 28184, 31623, 35481, 39811, 44668,
+                                                   50119, 56234, 63096, 70795, 79433, 89125};
+    for (const long decade : {100'000'000L, 10'000'000L, 1'000'000L}) {
+        for (const long m : mantissa) {
+            w.emplace_back(m, decade);
+        }
+    }
+    for (int k = 20; k <= 200; ++k) {
+        w.emplace_back(k, 200);
+    }
+    return w;
+}
+
+std::vector<Rational> even_steps() {
+    std::vector<Rational> w;
+    for (const int k : {1, 2, 5, 10, 20, 50}) { // at the edge the square root is steep
+        w.emplace_back(k, 10'000);
+    }
+    for (int k = 1; k <= 160; ++k) {
+        w.emplace_back(k, 160);
+    }
+    return w;
+}
+
+Plot table_of(const PanelScene& scene, const std::vector<Rational>& fractions) {
+    Plot plot;
+    plot.id = scene.id;
+    plot.title = scene.title;
+    plot.columns = {"fraction", "x_over_a", "p", "p1", "p2", "p3", "e1", "e2", "e3"};
+    const contact::NormalContact contact(
+        scene.profile, formula::Exact::parse("1"),
+        contact::Load::right_edge(formula::Exact::parse(scene.half_width)), working);
+    const PrecisionScope scope(working + 5);
+    const Real side = scene.edge == contact::Edge::right ? contact.a() : contact.b();
+    const std::vector<Real> c = contact.expansion(scene.edge, most_terms);
+    for (const Rational& w : fractions) {
+        const Real fraction = from_rational<Real>(w);
+        const Real u = side * fraction;
+        Real p;
+        try {
+            p = contact.pressure(scene.edge, u).value;
+        } catch (const DomainError&) {
+            continue; // a corner
+        }
+        const Real x =
+            scene.edge == contact::Edge::right ? Real(contact.a() - u) : Real(u - contact.b());
+        std::vector<std::optional<Real>> row{fraction, Real(x / contact.a()), p};
+        Real sum = 0;
+        Real power = sqrt(u);
+        for (std::size_t n = 0; n < most_terms; ++n) {
+            sum += c[n] * power;
+            power *= u;
+            row.emplace_back(sum);
+        }
+        for (std::size_t n = 0; n < most_terms; ++n) {
+            row.emplace_back(abs(1 - *row[3 + n] / p));
+        }
+        plot.rows.push_back(std::move(row));
+    }
+    return plot;
+}
+
+Plot error_plot(const PanelScene& scene) {
+    const bool right = scene.edge == contact::Edge::right;
+    Plot plot = table_of(scene, geometric_then_even());
+    plot.x = {right ? "distance from the edge, 1 − x/a" : "distance from the edge, 1 + x/b",
+              true,
+              {{"1e-4", "1"}}};
+    plot.y = {"relative error |1 − p_local/p|", true, {{"1e-12", "10"}}};
+    add_term_curves(plot, "e");
+    plot.level = {{"0.01", "1 %"}};
+    plot.description = "Relative error of the one-, two- and three-term approximations at the " +
+                       scene::edge_name(scene.edge) +
+                       "-hand edge against the distance from it, both axes logarithmic.";
+    return plot;
+}
+
+Plot pressure_plot(const PanelScene& scene) {
+    Plot plot = table_of(scene, even_steps());
+    // The rows are ordered from left to right.
+    if (scene.edge == contact::Edge::right) {
+        std::ranges::reverse(plot.rows);
+    }
+    for (auto& row : plot.rows) {
+        std::swap(row[0], row[1]);
+    }
+    std::swap(plot.columns[0], plot.columns[1]);
+    plot.x = {"x/a"};
+    plot.y = {"pressure p/(" + scene.pressure_unit + ")", false, {{"0", "*"}}};
+    plot.curves.push_back({"p", "exact", exact_pen});
+    add_term_curves(plot, "p");
+    plot.description = "Exact contact pressure, and its one-, two- and three-term approximations "
+                       "from the " +
+                       scene::edge_name(scene.edge) + "-hand edge, against position.";
+    return plot;
+}
 
 formula::Exact exact(const char* text) { return formula::Exact::parse(text); }
 contact::Profile power_law(const char* m) {
@@ -48,18 +162,24 @@ std::vector<std::function<Plot()>> panels(Maker make, std::vector<PanelScene> sc
 }
 
 PanelScene power_law_scene(const char* id, const char* title, const char* m) {
-    return {id, title, power_law(m), "1", "E*C aᵐ", "1"};
+    return {id, title, power_law(m), "1", "E*C aᵐ"};
 }
 PanelScene flat_scene(const char* id, const char* title, const char* t) {
-    return {id, title, flat_and_rounded(t), "1", "E*a/R", "1"};
+    return {id, title, flat_and_rounded(t), "1", "E*a/R"};
 }
 std::vector<PanelScene> both_edges(const std::string& id, const contact::Profile& profile,
                                    const char* half_width) {
-    return {{id + "a", "a) left-hand edge", profile, half_width, "E*", "1", contact::Edge::left},
-            {id + "b", "b) right-hand edge", profile, half_width, "E*", "1", contact::Edge::right}};
+    return {{id + "a", "a) left-hand edge", profile, half_width, "E*", contact::Edge::left},
+            {id + "b", "b) right-hand edge", profile, half_width, "E*", contact::Edge::right}};
 }
 
 } // namespace
+
+void add_term_curves(Plot& plot, const std::string& prefix) {
+    plot.curves.push_back({prefix + "1", "one term", {Pen::Colour::purple, 2, {}, 2}});
+    plot.curves.push_back({prefix + "2", "two terms", {Pen::Colour::blue, 4, {}, 2}});
+    plot.curves.push_back({prefix + "3", "three terms", {Pen::Colour::green, 1, {}, 2}});
+}
 
 std::vector<FigureRecipe> paper_figures(const std::string& name) {
     if (name != moore_hills) {
@@ -128,198 +248,6 @@ std::vector<NamedScene> paper_scenes(const std::string& name) {
             {"tilted-wedge", "tilted wedge, φ = π/16, α = π/20", wedge(), "1", both},
             {"tilted-flat", "tilted flat-and-rounded, α = π/16, t = 1, R = 2, a = 3/2",
              tilted_flat(), tilted_flat_half_width, both}};
-}
-
-namespace {
-
-using Colour = Pen::Colour;
-
-constexpr std::size_t orders = 8;
-/// Colours for distinct curves; yellow is too faint on white for a line.
-constexpr std::array<Colour, orders> order_colours{
-    Colour::black,  Colour::blue,   Colour::vermilion, Colour::green,
-    Colour::purple, Colour::orange, Colour::sky_blue,  Colour::black};
-
-std::string fixed(const Real& x, int places) {
-    return fmt::format("{:.{}f}", x.convert_to<double>(), places);
-}
-
-std::string edge_words(contact::Edge edge) {
-    return edge == contact::Edge::right ? "right-hand" : "left-hand";
-}
-
-struct Coefficient {
-    contact::Edge edge;
-    std::size_t k;
-};
-
-/// Reads "right.c1".
-std::optional<Coefficient> coefficient_named(std::string_view text) {
-    const std::size_t dot = text.find('.');
-    const std::string_view side = text.substr(0, dot);
-    if (dot == std::string_view::npos || (side != "right" && side != "left") ||
-        text.size() < dot + 3 || text[dot + 1] != 'c') {
-        return std::nullopt;
-    }
-    std::size_t k = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data() + dot + 2, end, k);
-    if (error != std::errc() || stop != end || k > 9) {
-        return std::nullopt;
-    }
-    return Coefficient{side == "right" ? contact::Edge::right : contact::Edge::left, k};
-}
-
-/// Returns the slope between the two rows nearest to the edge; "none" if a residual is 0.
-std::string last_slope(const Plot& plot, std::size_t column) {
-    const auto& near = plot.rows.back();
-    const auto& next = plot.rows[plot.rows.size() - 2];
-    if (!near[column] || !next[column]) {
-        return "none";
-    }
-    return fixed(log(*next[column] / *near[column]) / log(*next[0] / *near[0]), 4);
-}
-
-std::optional<Real> size_of(const Real& x) {
-    return x == 0 ? std::nullopt : std::optional<Real>(abs(x));
-}
-
-std::optional<Plot> plot_in(const audit::Sample& sample, const audit::Claim& claim,
-                            const formula::Expr& says, const std::optional<formula::Expr>& correct,
-                            const Coefficient& which) {
-    constexpr unsigned digits = 60;
-    constexpr int places = 33; // u = 0.2 of the radius, then each 10^(-1/4) times the one before
-    const audit::EvaluatedScene scene_values(sample.scene, digits);
-    const PrecisionScope scope(digits + 10);
-    audit::Variables variables;
-    for (const auto& [name, value] : sample.variables) {
-        variables.emplace(name, value.to<Real>());
-    }
-    if (claim.has("where") && !scene_values.holds(claim.condition("where"), nullptr, variables)) {
-        return std::nullopt;
-    }
-    const std::vector<Real> c = scene_values.expansion(which.edge, which.k + 2);
-    const Real printed = scene_values.evaluate(says, nullptr, variables).value;
-    const Real corrected =
-        correct ? scene_values.evaluate(*correct, nullptr, variables).value : c[which.k];
-    const Real size = std::max(Real(abs(printed)), Real(abs(c[which.k])));
-    if (abs(printed - c[which.k]) <= size * pow(Real(10), -20) ||
-        abs(corrected - c[which.k]) > size * pow(Real(10), -40)) {
-        return std::nullopt;
-    }
-    Plot plot;
-    plot.id = "erratum-" + claim.id;
-    plot.columns = {"u_over_length", "printed", "corrected"};
-    const Real start = scene_values.contact().convergence_radius(which.edge) / 5;
-    for (int j = 0; j < places; ++j) {
-        const Real u = start * pow(Real(10), Real(-j) / 4);
-        Real sum = 0;
-        for (std::size_t k = which.k; k-- > 0;) {
-            sum = sum * u + c[k];
-        }
-        const Real rest = scene_values.pressure(which.edge, u) - sqrt(u) * sum;
-        const Real step = sqrt(u) * pow(u, static_cast<int>(which.k));
-        plot.rows.push_back({Real(u / scene_values.length()), size_of(rest - printed * step),
-                             size_of(rest - corrected * step)});
-    }
-    plot.title = fmt::format("{}: remainder after {} term{}", claim.id, which.k + 1,
-                             which.k == 0 ? "" : "s");
-    const std::string as_printed = last_slope(plot, 1);
-    const std::string as_corrected = last_slope(plot, 2);
-    plot.x = {"u/(a + b), from the " + edge_words(which.edge) + " edge", true};
-    plot.y = {"|p − p_local|", true};
-    plot.curves = {{"printed", "as printed: slope " + as_printed, {Colour::vermilion, 2, {}, 2}},
-                   {"corrected", "as corrected: slope " + as_corrected, {Colour::blue, 1, {}, 2}}};
-    plot.description =
-        fmt::format("The pressure less its first {} term{} at the {} edge, log-log against the "
-                    "distance from it, in the scene {}. With the coefficient as printed the slope "
-                    "is {}, as corrected {}.",
-                    which.k + 1, which.k == 0 ? "" : "s", edge_words(which.edge),
-                    sample.scene.text(), as_printed, as_corrected);
-    return plot;
-}
-
-} // namespace
-
-Plot residual_fit_plot(const NamedScene& scene, contact::Edge edge) {
-    const auto fits = audit::fit_residuals(
-        scene.profile, formula::Exact::parse("1"),
-        contact::Load::right_edge(formula::Exact::parse(scene.half_width)), edge,
-        {.orders = orders, .points = 12, .digits = figure_digits + 5, .start = 2});
-    Plot plot;
-    plot.id = "residual-" + scene.id + (edge == contact::Edge::right ? "-right" : "-left");
-    plot.title = scene.name + ", " + edge_words(edge) + " edge";
-    plot.x = {"distance u from the edge (same unit as a)", true};
-    plot.y = {"|p − first n terms|/E*", true};
-    plot.columns = {"u"};
-    for (const Real& u : fits.front().u) {
-        plot.rows.push_back({u});
-    }
-    const PrecisionScope scope(figure_digits + 10);
-    for (const audit::OrderFit& fit : fits) {
-        const std::string column = fmt::format("r{}", fit.n);
-        plot.columns.push_back(column);
-        for (std::size_t j = 0; j < plot.rows.size(); ++j) {
-            plot.rows[j].push_back(size_of(fit.residual[j]));
-        }
-        plot.curves.push_back({column,
-                               fmt::format("n = {}: slope {}", fit.n, fixed(fit.slope, 6)),
-                               {order_colours[fit.n], fit.n == orders - 1 ? 2U : 1U,
-                                static_cast<unsigned>(fit.n + 4), 1.5}});
-    }
-    plot.description = fmt::format(
-        "Remainder of the pressure after n = 0 to {} terms at the {} edge, log-log against the "
-        "distance from it, with the slopes extrapolated to the edge.",
-        orders - 1, edge_words(edge));
-    return plot;
-}
-
-std::vector<FigureRecipe> residual_figures(const std::string& name) {
-    std::vector<FigureRecipe> figures;
-    for (const NamedScene& scene : paper_scenes(name)) {
-        FigureRecipe figure{"residual-" + scene.id,
-                            "Residual fit: " + scene.name,
-                            "Remainder of the exact pressure after n terms of the expansion, "
-                            "against the distance from the edge. The slope of order n is n + 1/2 "
-                            "if all coefficients before it are right (the next one where a "
-                            "coefficient vanishes).",
-                            {}};
-        for (const contact::Edge edge : scene.edges) {
-            figure.plots.emplace_back([scene, edge] { return residual_fit_plot(scene, edge); });
-        }
-        figures.push_back(std::move(figure));
-    }
-    return figures;
-}
-
-std::optional<Plot> erratum_plot(const audit::ClaimResult& result, const audit::Ledger& ledger) {
-    const audit::Claim& claim = result.claim;
-    if (result.outcome.verdict != audit::Verdict::refuted || !claim.has("of") ||
-        !claim.has("says")) {
-        return std::nullopt;
-    }
-    const auto which = coefficient_named(claim.text("of"));
-    if (!which) {
-        return std::nullopt;
-    }
-    std::optional<formula::Expr> correct;
-    if (result.outcome.correct) {
-        try {
-            correct = expand_definitions(parse_formula(*result.outcome.correct, claim.vocabulary),
-                                         claim.vocabulary);
-        } catch (const Error&) { // it is in words: the coefficient of the mechanics is used instead
-        }
-    }
-    const audit::AuditContext context(ledger, 50);
-    for (const audit::Sample& sample : context.samples(claim)) {
-        try {
-            if (auto plot = plot_in(sample, claim, claim.formula("says"), correct, *which)) {
-                return plot;
-            }
-        } catch (const DomainError&) { // not in this scene
-        }
-    }
-    return std::nullopt;
 }
 
 } // namespace edgeproof::report

@@ -12,25 +12,6 @@
 
 namespace edgeproof::report {
 
-struct PanelScene {
-    std::string id;    ///< "fig2a"
-    std::string title; ///< "a) wedge, m = 0"
-    contact::Profile profile;
-    std::string half_width;     ///< a, exactly
-    std::string pressure_unit;  ///< "E*C": the divisor of p, in words
-    std::string pressure_scale; ///< the same as an exact number, in the units of the scene
-    contact::Edge edge = contact::Edge::right;
-    /// The end of the panel, as a fraction of the distance from the edge to the origin.
-    Rational until = 1;
-};
-
-/// Columns: fraction (u divided by the distance from the edge to the origin: 1 - x/a at the right
-/// edge), x_over_a, p (in the panel's unit), p1 ... p3 (1, 2, 3 terms), e1 ... e3 (|1 - p_n/p|).
-/// Values are correct to `figure_digits`; a row at a corner, where p is infinite, is left out.
-[[nodiscard]] Plot error_plot(const PanelScene& scene);
-/// The same columns for even steps of x, drawn as pressures.
-[[nodiscard]] Plot pressure_plot(const PanelScene& scene);
-
 /// The description of a figure: its names, and functions that make its panels (in any thread).
 struct FigureRecipe {
     std::string id;
@@ -40,7 +21,16 @@ struct FigureRecipe {
 };
 
 /// Returns figures 2 to 9 of the paper for the ledger `name`; none for a ledger of another source.
+/// Columns of a panel: fraction (u divided by the distance from the edge to the origin: 1 - x/a at
+/// the right edge), x_over_a, p (in the panel's unit), p1 ... p3 (1, 2, 3 terms), e1 ... e3
+/// (|1 - p_n/p|). Values are correct to `figure_digits`; a row at a corner, where p is infinite, is
+/// left out. Panels of pressures have even steps of x.
 [[nodiscard]] std::vector<FigureRecipe> paper_figures(const std::string& name);
+
+/// Adds the curves of one, two and three terms, with the columns `prefix`1 ... `prefix`3.
+void add_term_curves(Plot& plot, const std::string& prefix);
+/// The pen of the exact curve in a figure with such terms.
+inline constexpr Pen exact_pen{Pen::Colour::black, 1, {}, 2.5};
 
 /// The contacts of the paper's figures, one for each profile and set of parameters.
 struct NamedScene {

@@ -4,6 +4,9 @@
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/report/figures/figures_gnuplot.hpp"
+#include "edgeproof/report/text/escape.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <fmt/format.h>
@@ -121,45 +124,43 @@ private:
         }
         return total * sqrt(u);
     }
-    [[nodiscard]] std::string units(std::optional<scene::Unit> scene::Units::*which) const {
-        return scene_.units ? unit_label((*scene_.units).*which) : std::string();
-    }
-
     [[nodiscard]] Plot pressures() {
         Plot plot;
         plot.id = "pressure";
         plot.title = scene_.title.empty() ? "Contact pressure" : scene_.title;
         plot.description = "Exact contact pressure against position, with the sums of the first "
                            "terms at the edges and where each first leaves the tolerance.";
-        plot.x = {"x" + units(&scene::Units::length), false, {}};
-        plot.y = {(scene_.shear ? "p, q" : "p") + units(&scene::Units::pressure), false, {}};
-        plot.columns = {"x", "p"};
-        plot.curves.push_back({"p", "p, exact", {Pen::Colour::black, 1, {}, 2.5}});
+        const scene::Units units = scene_.units.value_or(scene::Units{});
+        plot.x = {"x" + unit_label(units.length)};
+        plot.y = {(scene_.shear ? "p, q" : "p") + unit_label(units.pressure)};
+        plot.columns = {"x"};
+        plot.add_curve("p", "p, exact", {Pen::Colour::black, 1, {}, 2.5});
         if (scene_.shear) {
-            plot.columns.push_back("q");
-            plot.curves.push_back({"q", "q, exact", {Pen::Colour::black, 3, {}, 1.5}});
+            plot.add_curve("q", "q, exact", {Pen::Colour::black, 3, {}, 1.5});
         }
-        const std::size_t first = plot.columns.size();
-        name_sums(plot);
-        const Real length = a_ + b_;
+        std::vector<Real> places; // 0 at the left edge, 1 at the right one
         std::vector<Real> heights;
         for (int k = 0; k <= even_places; ++k) {
-            const Real w = (1 - cos(Real(k) * pi<Real>() / even_places)) / 2; // 0 at the left edge
-            std::vector<std::optional<Real>> row(plot.columns.size());
-            row[0] = length * w - b_;
+            const Real w = (1 - cos(Real(k) * pi<Real>() / even_places)) / 2;
+            const Real u = (a_ + b_) * w;
+            auto& row = plot.add_row(u - b_);
             const bool inside = k > 0 && k < even_places;
-            row[1] = inside ? at(scene::Quantity::p, contact::Edge::left, Real(length * w))
-                            : std::optional(Real(0));
+            row[1] =
+                inside ? at(scene::Quantity::p, contact::Edge::left, u) : std::optional(Real(0));
             if (scene_.shear && inside) {
-                row[2] = at(scene::Quantity::q, contact::Edge::left, Real(length * w));
+                row[2] = at(scene::Quantity::q, contact::Edge::left, u);
             }
             if (row[1]) {
                 heights.push_back(*row[1]);
             }
-            add_sums(row, first, length, w);
-            plot.rows.push_back(std::move(row));
+            places.push_back(w);
         }
-        add_exits(plot, first);
+        std::size_t number = 0;
+        for (const OfEdge& of : edges_) {
+            for (std::size_t i = 0; i < scene_.ask.terms.size(); ++i) {
+                add_sum(plot, of, i, places, number++);
+            }
+        }
         // The pressure at a corner is infinite: the range shows most of the contact.
         std::ranges::sort(heights);
         const Real top =
@@ -176,53 +177,29 @@ private:
         }
         return std::max(least, Real(-top)).str(6);
     }
-    /// A sum is shown from its edge to the middle.
-    void name_sums(Plot& plot) const {
-        std::size_t i = 0;
-        for (const OfEdge& of : edges_) {
-            for (const std::size_t n : scene_.ask.terms) {
-                const std::string id = scene::edge_name(of.edge) + std::to_string(n);
-                plot.columns.push_back(id);
-                plot.curves.push_back(
-                    {id, in_terms(n) + ", " + scene::edge_name(of.edge) + " edge", pen_of(i)});
-                plot.columns.push_back(id + "_exit");
-                plot.curves.push_back(
-                    {id + "_exit", "leaves " + scene_.ask.tolerance->text(), exit_pen(i)});
-                ++i;
+    /// Adds the curve of a sum, from its edge to the middle, and a mark at its exit.
+    void add_sum(Plot& plot, const OfEdge& of, std::size_t i, const std::vector<Real>& places,
+                 std::size_t number) const {
+        const std::size_t n = scene_.ask.terms[i];
+        const bool right = of.edge == contact::Edge::right;
+        const std::string name = scene::edge_name(of.edge);
+        const std::string id = name + std::to_string(n);
+        plot.add_curve(id, in_terms(n) + ", " + name + " edge", pen_of(number));
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const Real part = right ? Real(1 - places[k]) : places[k];
+            if (part * 2 <= 1) {
+                plot.rows[k].back() = sum(of.c, n, Real((a_ + b_) * part));
             }
+        }
+        plot.add_curve(id + "_exit", "leaves " + scene_.ask.tolerance->text(), exit_pen(number));
+        if (of.exits[i]) {
+            const Real& u = *of.exits[i];
+            plot.add_row(right ? Real(a_ - u) : Real(u - b_)).back() = sum(of.c, n, u);
         }
     }
     [[nodiscard]] static Pen exit_pen(std::size_t i) {
         return {pen_of(i).colour, 0, exit_points[i % exit_points.size()], 2};
     }
-    void add_sums(std::vector<std::optional<Real>>& row, std::size_t first, const Real& length,
-                  const Real& w) const {
-        std::size_t column = first;
-        for (const OfEdge& of : edges_) {
-            const Real part = of.edge == contact::Edge::left ? w : Real(1 - w);
-            for (const std::size_t n : scene_.ask.terms) {
-                if (part * 2 <= 1) {
-                    row[column] = sum(of.c, n, Real(length * part));
-                }
-                column += 2;
-            }
-        }
-    }
-    void add_exits(Plot& plot, std::size_t first) const {
-        std::size_t column = first + 1;
-        for (const OfEdge& of : edges_) {
-            for (std::size_t i = 0; i < scene_.ask.terms.size(); ++i, column += 2) {
-                if (of.exits[i]) {
-                    const Real& u = *of.exits[i];
-                    std::vector<std::optional<Real>> row(plot.columns.size());
-                    row[0] = of.edge == contact::Edge::right ? Real(a_ - u) : Real(u - b_);
-                    row[column] = sum(of.c, scene_.ask.terms[i], u);
-                    plot.rows.push_back(std::move(row));
-                }
-            }
-        }
-    }
-
     [[nodiscard]] Plot errors(const OfEdge& of) {
         Plot plot;
         const std::string name = scene::edge_name(of.edge);
@@ -230,13 +207,14 @@ private:
         plot.title = "Error at the " + name + " edge";
         plot.description = "Relative error of the first terms against the distance from the " +
                            name + " edge, both axes logarithmic, with the tolerance.";
-        plot.x = {"distance from the edge u" + units(&scene::Units::length), true, {}};
-        plot.y = {"relative error |1 - local/p|", true, {}};
+        plot.x = {"distance from the edge u" +
+                      unit_label(scene_.units.value_or(scene::Units{}).length),
+                  true};
+        plot.y = {"relative error |1 - local/p|", true};
         plot.columns = {"u"};
         for (std::size_t i = 0; i < scene_.ask.terms.size(); ++i) {
             const std::size_t n = scene_.ask.terms[i];
-            plot.columns.push_back("e" + std::to_string(n));
-            plot.curves.push_back({plot.columns.back(), in_terms(n), pen_of(i)});
+            plot.add_curve("e" + std::to_string(n), in_terms(n), pen_of(i));
         }
         const Real length = a_ + b_;
         Real least = 1;
@@ -246,28 +224,22 @@ private:
             if (!p) {
                 continue;
             }
-            std::vector<std::optional<Real>> row{u};
-            for (const std::size_t n : scene_.ask.terms) {
-                const Real error = abs(Real(1 - sum(of.c, n, u) / *p));
-                row.emplace_back(error > Real(1e-20) ? std::optional(error) : std::nullopt);
-                least = row.back() ? std::min(least, error) : least;
+            auto& row = plot.add_row(u);
+            for (std::size_t i = 0; i < scene_.ask.terms.size(); ++i) {
+                const Real error = abs(Real(1 - sum(of.c, scene_.ask.terms[i], u) / *p));
+                if (error > Real(1e-20)) {
+                    row[i + 1] = error;
+                    least = std::min(least, error);
+                }
             }
-            plot.rows.push_back(std::move(row));
         }
         plot.level = {scene_.ask.tolerance->to<Real>().str(12),
                       "tolerance " + scene_.ask.tolerance->text()};
         for (std::size_t i = 0; i < scene_.ask.terms.size(); ++i) {
             if (of.exits[i]) {
-                plot.columns.push_back("exit" + std::to_string(scene_.ask.terms[i]));
-                plot.curves.push_back(
-                    {plot.columns.back(), "leaves it at u = " + of.exits[i]->str(3), exit_pen(i)});
-                for (auto& row : plot.rows) {
-                    row.emplace_back();
-                }
-                std::vector<std::optional<Real>> row(plot.columns.size());
-                row.front() = *of.exits[i];
-                row.back() = scene_.ask.tolerance->to<Real>();
-                plot.rows.push_back(std::move(row));
+                plot.add_curve("exit" + std::to_string(scene_.ask.terms[i]),
+                               "leaves it at u = " + of.exits[i]->str(3), exit_pen(i));
+                plot.add_row(*of.exits[i]).back() = scene_.ask.tolerance->to<Real>();
             }
         }
         plot.y.range = {pow(Real(10), floor(log10(least))).str(3), "10"};
@@ -290,6 +262,82 @@ ScenePicture scene_picture(const scene::Scene& scene,
                            const std::function<void(std::size_t, std::size_t)>& progress) {
     const PrecisionScope scope(picture_digits + 10);
     return Painter(scene, progress).paint();
+}
+
+namespace {
+
+std::filesystem::path gnuplot_for_picture() {
+    const auto gnuplot = find_gnuplot();
+    if (!gnuplot) {
+        throw InputError("there is no gnuplot to draw with", "install gnuplot-nox");
+    }
+    return *gnuplot;
+}
+
+std::string page_of(const ScenePicture& picture, const std::string& title) {
+    const auto gnuplot = gnuplot_for_picture();
+    std::string page =
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+        "name=\"viewport\" content=\"width=device-width\">\n<title>" +
+        escape_html(title) +
+        "</title>\n<style>body{font:1rem/1.4 sans-serif;color:#000;background:#fff;margin:1rem}"
+        ".panels{display:grid;gap:1rem;max-width:84rem;"
+        "grid-template-columns:repeat(auto-fit,minmax(min(26rem,100%),1fr))}"
+        ".panels "
+        "svg{width:100%;height:auto}footer{font-size:.8rem}</style>\n</head>\n<body>\n<h1>" +
+        escape_html(title) + "</h1>\n<div class=\"panels\">\n";
+    for (const Plot& plot : picture.plots) {
+        page += inline_svg(draw_svg(plot, gnuplot), plot) + "\n";
+    }
+    page += "</div>\n<ul>\n";
+    for (const std::string& exit : picture.exits) {
+        page += "<li>" + escape_html(exit) + "</li>\n";
+    }
+    return page + "</ul>\n<footer>" + escape_html(program_line()) + "</footer>\n</body>\n</html>\n";
+}
+
+} // namespace
+
+void check_picture_name(const std::string& file) {
+    const std::filesystem::path ending = std::filesystem::path(file).extension();
+    if (ending != ".svg" && ending != ".png" && ending != ".pdf" && ending != ".html") {
+        throw InputError(file + " is neither .svg, .png, .pdf nor .html", "name the file so");
+    }
+}
+
+std::string picture_file(const ScenePicture& picture, const std::string& title,
+                         const std::string& file) {
+    check_picture_name(file);
+    const std::filesystem::path ending = std::filesystem::path(file).extension();
+    if (ending == ".html") {
+        return page_of(picture, title);
+    }
+    const auto gnuplot = gnuplot_for_picture();
+    return draw_picture(picture.plots,
+                        ending == ".svg"   ? PictureKind::svg
+                        : ending == ".png" ? PictureKind::png
+                                           : PictureKind::pdf,
+                        0, gnuplot);
+}
+
+std::string picture_text(const ScenePicture& picture, std::size_t width) {
+    const auto gnuplot = gnuplot_for_picture();
+    Plot plot = picture.plots.front();
+    for (Curve& curve : plot.curves) {
+        // The key's columns are narrow in text, and gnuplot cuts its lines; the exits are listed
+        // below.
+        if (curve.title.starts_with("leaves")) {
+            curve.title.clear();
+        } else if (curve.title.ends_with(" edge")) {
+            curve.title.resize(curve.title.size() - std::string_view(" edge").size());
+        }
+    }
+    std::string text = draw_picture({plot}, PictureKind::text, width, gnuplot);
+    text.erase(0, text.find_first_not_of("\f\n"));
+    for (const std::string& exit : picture.exits) {
+        text += exit + "\n";
+    }
+    return text;
 }
 
 } // namespace edgeproof::report

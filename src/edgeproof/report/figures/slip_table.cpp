@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/figures/slip_table.hpp"
+#include "edgeproof/contact/slip/slip_reach.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/report/figures/figures_paper.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
+#include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -14,6 +17,38 @@ namespace edgeproof::report {
 namespace {
 
 constexpr long most_bits_of_slip = 1L << 12;
+
+/// The slip of one of the paper's contacts under a shear force alone, in balls with any number of
+/// bits. Relative sizes do not depend on E*, f or P, so that E* = f = 1.
+class PaperSlip {
+public:
+    explicit PaperSlip(const NamedScene& scene) : scene_(scene) {}
+    /// Throws BudgetError if these bits do not enclose the contact.
+    [[nodiscard]] const contact::BallSlip& at(long bits) {
+        auto& level = levels_[bits];
+        if (!level) {
+            auto made = std::make_unique<Level>();
+            made->contact.emplace(
+                scene_.profile, formula::Exact::of(Rational(1)),
+                contact::Load::right_edge(formula::Exact::parse(scene_.half_width)), bits);
+            made->zones = closed_form_zones(*made->contact);
+            const Ball P = made->contact->force();
+            made->slip.emplace(*made->contact, *made->zones, P,
+                               contact::ShearLoad<Ball>{P / 2, Ball(0, bits)}, Ball(1, bits));
+            level = std::move(made);
+        }
+        return *level->slip;
+    }
+
+private:
+    struct Level {
+        std::optional<contact::BallContact> contact;
+        std::unique_ptr<contact::ZoneSolver> zones;
+        std::optional<contact::BallSlip> slip;
+    };
+    const NamedScene& scene_;
+    std::map<long, std::unique_ptr<Level>> levels_;
+};
 
 scene::BoundedValue load_of(PaperSlip& slip, contact::Edge edge, std::size_t n,
                             const formula::Exact& tolerance, const scene::Digits& digits) {
@@ -37,29 +72,6 @@ scene::BoundedValue load_of(PaperSlip& slip, contact::Edge edge, std::size_t n,
 }
 
 } // namespace
-
-struct PaperSlip::Level {
-    std::optional<contact::BallContact> contact;
-    std::unique_ptr<contact::ZoneSolver> zones;
-    std::optional<contact::BallSlip> slip;
-};
-
-const contact::BallSlip& PaperSlip::at(long bits) {
-    auto& level = levels_[bits];
-    if (!level) {
-        const formula::Exact one = formula::Exact::of(Rational(1));
-        auto made = std::make_shared<Level>();
-        made->contact.emplace(scene_.profile, one,
-                              contact::Load::right_edge(formula::Exact::parse(scene_.half_width)),
-                              bits);
-        made->zones = closed_form_zones(*made->contact);
-        const Ball P = made->contact->force();
-        made->slip.emplace(*made->contact, *made->zones, P,
-                           contact::ShearLoad<Ball>{P / 2, Ball(0, bits)}, Ball(1, bits));
-        level = std::move(made);
-    }
-    return *level->slip;
-}
 
 Table slip_table(const std::string& paper, const SlipTableOptions& options) {
     Table table;
@@ -103,14 +115,8 @@ namespace {
 constexpr long slip_figure_bits = 160;
 constexpr int slip_steps = 100;
 constexpr std::size_t slip_terms = 3;
-constexpr std::array slip_term_names{"one term", "two terms", "three terms"};
-constexpr std::array<Pen, slip_terms> slip_term_pens{Pen{Pen::Colour::purple, 2, {}, 2},
-                                                     Pen{Pen::Colour::blue, 4, {}, 2},
-                                                     Pen{Pen::Colour::green, 1, {}, 2}};
 
-Plot slip_plot(PaperSlip& paper, contact::Edge edge) {
-    const contact::BallSlip& slip = paper.at(slip_figure_bits);
-    const NamedScene& scene = paper.scene();
+Plot slip_plot(const NamedScene& scene, const contact::BallSlip& slip, contact::Edge edge) {
     const bool alone = scene.edges.size() == 1;
     Plot plot;
     plot.id = "slip-" + scene.id + (alone ? "" : "-" + scene::edge_name(edge));
@@ -125,10 +131,8 @@ Plot slip_plot(PaperSlip& paper, contact::Edge edge) {
               false,
               {{"0", "*"}}};
     plot.columns = {"load", "d", "d1", "d2", "d3"};
-    plot.curves.push_back({"d", "exact", {Pen::Colour::black, 1, {}, 2.5}});
-    for (std::size_t n = 0; n < slip_terms; ++n) {
-        plot.curves.push_back({fmt::format("d{}", n + 1), slip_term_names[n], slip_term_pens[n]});
-    }
+    plot.curves.push_back({"d", "exact", exact_pen});
+    add_term_curves(plot, "d");
     const auto series = slip.series(slip_terms);
     const auto& kappa = edge == contact::Edge::right ? series.right : series.left;
     const Ball unit = slip.whole().at(edge);
@@ -153,7 +157,7 @@ std::vector<Plot> slip_plots(const std::string& paper) {
     for (const NamedScene& scene : paper_scenes(paper)) {
         PaperSlip slip(scene);
         for (const contact::Edge edge : scene.edges) {
-            plots.push_back(slip_plot(slip, edge));
+            plots.push_back(slip_plot(scene, slip.at(slip_figure_bits), edge));
         }
     }
     return plots;

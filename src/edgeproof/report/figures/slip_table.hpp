@@ -1,38 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/slip/slip_reach.hpp"
 #include "edgeproof/report/figures/figures.hpp"
-#include "edgeproof/report/figures/figures_paper.hpp"
 #include "edgeproof/report/tables/table.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
 
 #include <cstddef>
 #include <functional>
-#include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace edgeproof::report {
 
-/// The slip of one of the paper's contacts under a shear force alone, in balls with any number of
-/// bits. Relative sizes do not depend on E*, f or P, so that E* = f = 1.
-class PaperSlip {
-public:
-    explicit PaperSlip(const NamedScene& scene) : scene_(scene) {}
-    [[nodiscard]] const NamedScene& scene() const { return scene_; }
-    /// Throws BudgetError if these bits do not enclose the contact.
-    [[nodiscard]] const contact::BallSlip& at(long bits);
-
-private:
-    struct Level;
-    NamedScene scene_;
-    std::map<long, std::shared_ptr<Level>> levels_;
-};
-
 struct SlipTableOptions {
-    std::vector<std::string> tolerances{"1%", "5%",
-                                        "10%"}; ///< in the format of scene::parse_tolerance
+    std::vector<std::string> tolerances; ///< in the format of scene::parse_tolerance
     std::vector<std::size_t> terms{1};
     scene::Digits digits{10};
     std::function<void(std::size_t, std::size_t)> progress = {}; ///< rows done, and their total

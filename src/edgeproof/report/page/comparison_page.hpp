@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace edgeproof::report {
 
@@ -11,6 +12,19 @@ namespace edgeproof::report {
 namespace cost_template {
 extern const std::string_view cost_html;
 } // namespace cost_template
+
+/// A part of a self-contained page.
+struct PagePart {
+    std::string id;
+    std::string title;
+    std::string html;
+    std::string listed; ///< its name in the table of contents; empty: it is not listed
+};
+/// Returns the page with its parts, all texts escaped. `about`: a line below the title; `labelled`:
+/// each part refers to its title, for screen readers.
+[[nodiscard]] std::string parts_page(const std::string& title, const std::string& about,
+                                     const std::vector<PagePart>& parts, bool labelled,
+                                     const std::string& footer);
 
 /// Returns one self-contained page: outcome, quantities, errors and, if drawn, figures of each
 /// file.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/report/page/correction.hpp"
+#include "edgeproof/report/page/errata.hpp"
 
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/formula_tex.hpp"
@@ -16,32 +16,40 @@ using audit::Claim;
 using audit::Evidence;
 using audit::PrintedSource;
 
-const Evidence* nested_at(const Evidence& evidence, std::string_view key) {
-    const audit::EvidenceItem* item = evidence.find(key);
-    return item == nullptr ? nullptr : std::get_if<Evidence>(&item->value());
-}
-std::string text_in(const Evidence& evidence, std::string_view key) {
-    const audit::EvidenceItem* item = evidence.find(key);
-    const auto* text = item == nullptr ? nullptr : std::get_if<std::string>(&item->value());
-    return text == nullptr ? "" : *text;
-}
-
 std::string family_of(const Claim& claim) { return claim.text_or("over", ""); }
-
-std::string tex_of(const std::string& text, const Claim& claim, const PrintedSource& source,
-                   formula::Expr (*arrange)(const formula::Expr&) = nullptr) {
-    const auto e = formula_of(text, claim);
-    if (!e) {
-        return "\\text{" + latex_text(text) + "}";
-    }
-    return formula_tex(arrange != nullptr ? arrange(*e) : *e, source, family_of(claim));
-}
-
 std::string math(const std::string& tex) { return "$" + tex + "$"; }
 
-/// Typesets "eps^(3/2)" from the evidence of expansions.
-std::string power_tex(const std::string& power, const Claim& claim, const PrintedSource& source) {
-    return tex_of(power, claim, source);
+/// Typesets the formulas of a claim in the notation of its source.
+struct Typeset {
+    const Claim& claim;
+    const PrintedSource& source;
+    using Arrange = formula::Expr (*)(const formula::Expr&);
+
+    [[nodiscard]] std::string tex(const std::string& text, Arrange arrange = nullptr) const {
+        const auto e = formula_of(text, claim);
+        return !e ? "\\text{" + latex_text(text) + "}"
+                  : formula_tex(arrange != nullptr ? arrange(*e) : *e, source, family_of(claim));
+    }
+    /// The formula of evidence under a key, such as "eps^(3/2)".
+    [[nodiscard]] std::string part(const Evidence& c, std::string_view key,
+                                   Arrange arrange = nullptr) const {
+        return tex(text_in(c, key), arrange);
+    }
+    /// "$x = 1$, $y = 2$" without the variable `except`.
+    [[nodiscard]] std::string values(const Evidence& c, std::string_view except = {}) const {
+        std::string out;
+        for (const auto& [name, item] : part_of<Evidence>(c, "with")->entries()) {
+            if (name != except) {
+                out += (out.empty() ? "" : ", ") + math(tex(name) + " = " + tex(item.text()));
+            }
+        }
+        return out;
+    }
+};
+
+/// A number of the evidence that continues.
+std::string digits_in(const Evidence& c, std::string_view key) {
+    return number_tex(text_in(c, key)) + "\\dots";
 }
 
 /// Returns the claim or the reading to which a correction refers: the last that is refuted.
@@ -55,85 +63,60 @@ std::pair<const Claim*, const audit::Outcome*> spoken_of(const audit::ClaimResul
     return found;
 }
 
-std::string values_tex(const Evidence& with, const Claim& claim, const PrintedSource& source) {
-    std::string out;
-    for (const auto& [name, item] : with.entries()) {
-        out += (out.empty() ? "" : ", ") +
-               math(tex_of(name, claim, source) + " = " + tex_of(item.text(), claim, source));
-    }
-    return out;
-}
-
-std::string value_steps(const Evidence& clearest, const std::string& which, const Claim& claim,
-                        const PrintedSource& source) {
+std::string value_steps(const Evidence& clearest, const std::string& which, const Typeset& by) {
     const std::string exact = text_in(clearest, which + "_value");
     const std::string decimal = text_in(clearest, which + "_decimal");
-    std::string out =
-        tex_of(text_in(clearest, which), claim, source, which == "correct" ? arranged : nullptr);
-    if (!exact.empty()) {
-        out += " = " + tex_of(exact, claim, source, gathered);
-    }
-    if (!decimal.empty() && decimal != exact) {
-        out += " = " + number_tex(decimal) + "\\dots";
-    }
-    return out;
+    return by.part(clearest, which, which == "correct" ? arranged : nullptr) +
+           (exact.empty() ? "" : " = " + by.tex(exact, gathered)) +
+           (decimal.empty() || decimal == exact ? "" : " = " + number_tex(decimal) + "\\dots");
 }
 
 /// Names the other coefficients that vanish where the claim states that this one does.
-std::string others_in_words(const audit::Outcome& outcome, const Claim& claim,
-                            const PrintedSource& source) {
+std::string others_in_words(const audit::Outcome& outcome, const Typeset& by) {
     std::string out;
-    if (const Evidence* others = nested_at(outcome.evidence, "elsewhere")) {
+    if (const auto* others = part_of<Evidence>(outcome.evidence, "elsewhere")) {
         for (const auto& [name, found] : others->entries()) {
             if (found.text() == "vanishes at the printed value") {
-                out += " At the printed value " + math(tex_of(name, claim, source)) + " vanishes.";
+                out += " At the printed value " + math(by.tex(name)) + " vanishes.";
             }
         }
     }
     return out;
 }
 
-std::vector<std::string> reach_steps(const Evidence& c, const Claim& claim,
-                                     const PrintedSource& source) {
-    const std::string base = tex_of(text_in(c, "of"), claim, source);
+std::vector<std::string> reach_steps(const Evidence& c, const Typeset& by) {
     const std::string p_local = "p_{\\mathrm{local}}";
-    return {"Take " + values_tex(*nested_at(c, "with"), claim, source) + ", and the distance " +
-                math(number_tex(text_in(c, "distance")) + "\\," + base) + " from the " +
+    const std::string terms = text_in(c, "terms");
+    return {"Take " + by.values(c) + ", and the distance " +
+                math(number_tex(text_in(c, "distance")) + "\\," + by.part(c, "of")) + " from the " +
                 text_in(c, "edge") + "-hand edge.",
-            "The pressure there is " +
-                math("p = " + number_tex(text_in(c, "pressure")) + "\\dots") + ", and " +
-                text_in(c, "terms") +
-                (text_in(c, "terms") == "1" ? " term gives " : " terms give ") +
-                math(p_local + " = " + number_tex(text_in(c, "approximation")) + "\\dots") + ".",
-            "The relative error is " +
-                math("|1 - " + p_local + "/p| = " + number_tex(text_in(c, "error")) + "\\dots") +
+            "The pressure there is " + math("p = " + digits_in(c, "pressure")) + ", and " + terms +
+                (terms == "1" ? " term gives " : " terms give ") +
+                math(p_local + " = " + digits_in(c, "approximation")) + ".",
+            "The relative error is " + math("|1 - " + p_local + "/p| = " + digits_in(c, "error")) +
                 "; as printed, it would be " + text_in(c, "printed_means") + ", " +
-                math(tex_of(text_in(c, "tolerance"), claim, source)) + "."};
+                math(by.part(c, "tolerance")) + "."};
 }
 
-std::vector<std::string> course_steps(const Evidence& c, const Claim& claim,
-                                      const PrintedSource& source) {
-    Evidence fixed;
+std::vector<std::string> course_steps(const Evidence& c, const Typeset& by) {
     const std::string along = text_in(c, "along");
-    for (const auto& [name, item] : nested_at(c, "with")->entries()) {
-        if (name != along) {
-            fixed.add(name, item);
-        }
-    }
-    const std::string what = math(tex_of(text_in(c, "of"), claim, source));
     const auto at = [&](const char* where, const char* value) {
-        return math(tex_of(along, claim, source) + " = " +
-                    tex_of(text_in(c, where), claim, source)) +
-               ": " + what + math("\\; = " + number_tex(text_in(c, value)) + "\\dots");
+        return "At " + math(by.tex(along) + " = " + by.part(c, where)) + ": " +
+               math(by.part(c, "of")) + math("\\; = " + digits_in(c, value)) + ".";
     };
     const std::string place = text_in(c, "place");
-    return {"Take " + values_tex(fixed, claim, source) +
-                (place.empty() ? "" : ", at " + note_tex(place, claim, source)) + ".",
-            "At " + at("first_at", "first") + ".", "At " + at("second_at", "second") + ".",
+    return {"Take " + by.values(c, along) +
+                (place.empty() ? "" : ", at " + note_tex(place, by.claim, by.source)) + ".",
+            at("first_at", "first"), at("second_at", "second"),
             "As printed, it " + text_in(c, "claimed") + " from the one to the other."};
 }
 
 } // namespace
+
+std::string text_in(const Evidence& evidence, std::string_view key) {
+    const auto* text = part_of<std::string>(evidence, key);
+    return text == nullptr ? "" : *text;
+}
 
 std::string number_tex(const std::string& number) {
     const std::size_t e = number.find('e');
@@ -150,33 +133,27 @@ std::optional<Correction> correction_of(const audit::ClaimResult& result,
     if (!outcome->correct || is_sentence(claim->printed)) {
         return std::nullopt;
     }
-    Correction correction;
-    const formula::Expr* says = claim->find_written("says");
-    const auto correct = formula_of(*outcome->correct, *claim);
-    const std::string family = family_of(*claim);
-    const audit::EvidenceItem* instead = outcome->evidence.find("derived_instead");
-    const audit::EvidenceItem* terms = outcome->evidence.find("terms");
-    if (instead != nullptr && terms != nullptr) {
-        for (const auto& item : std::get<std::vector<audit::EvidenceItem>>(terms->value())) {
+    const Typeset by{*claim, source};
+    const auto* terms = part_of<std::vector<audit::EvidenceItem>>(outcome->evidence, "terms");
+    if (outcome->evidence.find("derived_instead") != nullptr && terms != nullptr) {
+        for (const audit::EvidenceItem& item : *terms) {
             const auto& term = std::get<Evidence>(item.value());
-            const std::string printed = text_in(term, "printed");
-            if (!printed.empty()) {
-                correction.what = "the coefficient of " +
-                                  math(power_tex(text_in(term, "power"), *claim, source)) +
-                                  (claim->reading.empty() ? "" : ", " + latex_text(claim->reading));
-                correction.printed = tex_of(printed, *claim, source, gathered);
-                correction.corrected = tex_of(text_in(term, "derived"), *claim, source, gathered);
-                return correction;
+            if (!text_in(term, "printed").empty()) {
+                return Correction{
+                    "the coefficient of " + math(by.part(term, "power")) +
+                        (claim->reading.empty() ? "" : ", " + latex_text(claim->reading)),
+                    "", by.part(term, "printed", gathered), by.part(term, "derived", gathered)};
             }
         }
     }
+    const formula::Expr* says = claim->find_written("says");
+    const auto correct = formula_of(*outcome->correct, *claim);
     if (says == nullptr || !correct) {
         return std::nullopt;
     }
-    correction.left = left_side(claim->printed);
-    correction.printed = formula_tex(*says, source, family);
-    correction.corrected = formula_tex(arranged(*correct), source, family);
-    return correction;
+    const std::string family = family_of(*claim);
+    return Correction{"", left_side(claim->printed), formula_tex(*says, source, family),
+                      formula_tex(arranged(*correct), source, family)};
 }
 
 std::string correction_in_words(const audit::ClaimResult& result, const PrintedSource& source) {
@@ -194,33 +171,33 @@ std::string correction_in_words(const audit::ClaimResult& result, const PrintedS
         const std::string before = "rounds to ";
         const std::size_t begin = outcome.note.find(before);
         const std::size_t end = outcome.note.find(" %", begin == std::string::npos ? 0 : begin);
-        if (begin != std::string::npos && end != std::string::npos) {
-            const std::size_t from = begin + before.size();
-            computed = outcome.note.substr(from, end - from) + "\\,\\%$ ($" + computed;
-            return "For " + math(quoted) + " read " + math(computed) + ").";
-        }
-        return "For " + math(quoted) + " read " + math(computed) + ".";
+        const bool rounded = begin != std::string::npos && end != std::string::npos;
+        const std::size_t from = begin + before.size();
+        return "For " + math(quoted) + " read " +
+               (rounded ? math(outcome.note.substr(from, end - from) + "\\,\\%") + " (" +
+                              math(computed) + ")."
+                        : math(computed) + ".");
     }
-    const Evidence* clearest = nested_at(outcome.evidence, "clearest");
+    const auto* clearest = part_of<Evidence>(outcome.evidence, "clearest");
     if (clearest != nullptr && clearest->find("along") != nullptr) {
-        const Claim& reading = *spoken_of(result).first;
-        const std::string along = tex_of(text_in(*clearest, "along"), reading, source) + " = ";
+        const Typeset by{*spoken_of(result).first, source};
         const auto at = [&](const char* value, const char* where) {
             return math(number_tex(text_in(*clearest, value))) + " at " +
-                   math(along + tex_of(text_in(*clearest, where), reading, source));
+                   math(by.part(*clearest, "along") + " = " + by.part(*clearest, where));
         };
-        return math(tex_of(text_in(*clearest, "of"), reading, source)) + " is " +
-               at("first", "first_at") + ", and " + at("second", "second_at") + ".";
+        return math(by.part(*clearest, "of")) + " is " + at("first", "first_at") + ", and " +
+               at("second", "second_at") + ".";
     }
     if (outcome.correct) {
-        const std::size_t equals = outcome.correct->find(" = ");
-        const std::size_t of = outcome.correct->rfind(" for ");
+        const Typeset by{claim, source};
+        const std::string& correct = *outcome.correct;
+        const std::size_t equals = correct.find(" = ");
+        const std::size_t of = correct.rfind(" for ");
         if (equals != std::string::npos && of != std::string::npos) {
-            return math(tex_of(outcome.correct->substr(of + 5), claim, source)) + " vanishes at " +
-                   math(tex_of(outcome.correct->substr(0, equals), claim, source) + " = " +
-                        tex_of(outcome.correct->substr(equals + 3, of - equals - 3), claim,
-                               source)) +
-                   "." + others_in_words(outcome, claim, source);
+            return math(by.tex(correct.substr(of + 5))) + " vanishes at " +
+                   math(by.tex(correct.substr(0, equals)) + " = " +
+                        by.tex(correct.substr(equals + 3, of - equals - 3))) +
+                   "." + others_in_words(outcome, by);
         }
     }
     std::string words = note_tex(outcome.note, claim, source) + ".";
@@ -230,32 +207,28 @@ std::string correction_in_words(const audit::ClaimResult& result, const PrintedS
 
 std::vector<std::string> counterexample_steps(const audit::ClaimResult& result,
                                               const PrintedSource& source) {
-    const Evidence* c = nested_at(result.outcome.evidence, "clearest");
-    if (c == nullptr || nested_at(*c, "with") == nullptr) {
+    const auto* c = part_of<Evidence>(result.outcome.evidence, "clearest");
+    if (c == nullptr || part_of<Evidence>(*c, "with") == nullptr) {
         return {};
     }
-    const Claim& claim = *spoken_of(result).first;
+    const Typeset by{*spoken_of(result).first, source};
     if (c->find("distance") != nullptr) {
-        return reach_steps(*c, claim, source);
+        return reach_steps(*c, by);
     }
     if (c->find("along") != nullptr) {
-        return course_steps(*c, claim, source);
+        return course_steps(*c, by);
     }
     if (c->find("claimed_value") != nullptr) {
-        return {"Take " + values_tex(*nested_at(*c, "with"), claim, source) +
-                    ", which is the ratio printed.",
-                "Then " +
-                    math(tex_of(text_in(*c, "of"), claim, source) + " = " +
-                         number_tex(text_in(*c, "value")) + "\\dots") +
+        return {"Take " + by.values(*c) + ", which is the ratio printed.",
+                "Then " + math(by.part(*c, "of") + " = " + digits_in(*c, "value")) +
                     ", but the printed value is " + math(text_in(*c, "claimed_value")) + "."};
     }
-    const std::string power = text_in(*c, "coefficient_of");
-    return {"Take " + values_tex(*nested_at(*c, "with"), claim, source) + "." +
-                (power.empty()
+    return {"Take " + by.values(*c) + "." +
+                (text_in(*c, "coefficient_of").empty()
                      ? ""
-                     : " The coefficient of " + math(power_tex(power, claim, source)) + ":"),
-            "as printed, " + math(value_steps(*c, "printed", claim, source)) + ";",
-            "correctly, " + math(value_steps(*c, "correct", claim, source)) + "."};
+                     : " The coefficient of " + math(by.part(*c, "coefficient_of")) + ":"),
+            "as printed, " + math(value_steps(*c, "printed", by)) + ";",
+            "correctly, " + math(value_steps(*c, "correct", by)) + "."};
 }
 
 std::string note_tex(const std::string& note, const Claim& claim, const PrintedSource& source) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/page/errata.hpp"
-#include "edgeproof/report/page/correction.hpp"
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "edgeproof/report/text/tex_math.hpp"
@@ -43,29 +42,17 @@ Weight weight_of(const audit::ClaimResult& result, const ById& all) {
     return reaches_conclusion(result, all, seen) ? Weight::carried : Weight::slip;
 }
 
-const std::string& text_or_empty(const audit::Evidence& evidence, std::string_view key) {
-    static const std::string none;
-    const audit::EvidenceItem* item = evidence.find(key);
-    const auto* text = item == nullptr ? nullptr : std::get_if<std::string>(&item->value());
-    return text == nullptr ? none : *text;
-}
-
 } // namespace
 
 std::vector<LaterWords> later_results_of(const audit::ClaimResult& result) {
     std::vector<LaterWords> all;
-    const audit::EvidenceItem* item = result.outcome.evidence.find("later_results");
     const auto* list =
-        item == nullptr ? nullptr : std::get_if<std::vector<audit::EvidenceItem>>(&item->value());
-    if (list == nullptr) {
-        return all;
-    }
-    for (const audit::EvidenceItem& entry : *list) {
-        const auto& one = std::get<audit::Evidence>(entry.value());
-        const audit::EvidenceItem* printed = one.find("as_printed");
-        if (printed != nullptr) {
-            all.push_back({text_or_empty(one, "claim"), text_or_empty(one, "what"),
-                           text_or_empty(one, "comes_to"), std::get<bool>(printed->value())});
+        part_of<std::vector<audit::EvidenceItem>>(result.outcome.evidence, "later_results");
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+        const auto& one = std::get<audit::Evidence>((*list)[i].value());
+        if (const bool* as_printed = part_of<bool>(one, "as_printed")) {
+            all.push_back({text_in(one, "claim"), text_in(one, "what"), text_in(one, "comes_to"),
+                           *as_printed});
         }
     }
     return all;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/report/page/evidence_words.hpp"
+#include "edgeproof/report/page/html_claim.hpp"
 
-#include "edgeproof/report/page/correction.hpp"
+#include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/formula_tex.hpp"
-#include "edgeproof/report/text/html_markup.hpp"
 #include "edgeproof/report/text/tex_math.hpp"
 
 #include <algorithm>
@@ -140,12 +139,8 @@ std::string item_html(const EvidenceItem& item, const Claim& claim, const Printe
 
 /// A table of the values of a parameter and the results for each.
 std::string course_html(const Evidence& evidence, const Claim& claim, const PrintedSource& source) {
-    const EvidenceItem* taken = evidence.find("values_taken");
-    const EvidenceItem* values = evidence.find("values");
-    const auto* x =
-        taken == nullptr ? nullptr : std::get_if<std::vector<EvidenceItem>>(&taken->value());
-    const auto* y =
-        values == nullptr ? nullptr : std::get_if<std::vector<EvidenceItem>>(&values->value());
+    const auto* x = part_of<std::vector<EvidenceItem>>(evidence, "values_taken");
+    const auto* y = part_of<std::vector<EvidenceItem>>(evidence, "values");
     if (x == nullptr || y == nullptr || x->size() != y->size()) {
         return "";
     }

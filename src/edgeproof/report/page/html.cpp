@@ -4,25 +4,24 @@
 #include "edgeproof/io/sha256.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
+#include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/figures/figures_paper.hpp"
-#include "edgeproof/report/page/errata.hpp"
-#include "edgeproof/report/page/evidence_words.hpp"
 #include "edgeproof/report/page/html_claim.hpp"
-#include "edgeproof/report/text/html_markup.hpp"
+#include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"
+#include "edgeproof/report/verdicts/verdict_writers.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <cstdlib>
 #include <ctime>
 #include <functional>
 #include <optional>
 #include <set>
-#include <thread>
 
 namespace edgeproof::report {
 namespace {
@@ -34,40 +33,26 @@ std::string section_key(const audit::PrintedSource& source, const audit::Claim& 
     return "s" + std::to_string(next - source.sections.begin());
 }
 
-std::size_t count_of(const audit::AuditResult& result, audit::Verdict verdict) {
-    return static_cast<std::size_t>(std::ranges::count(
-        result.claims, verdict, [](const audit::ClaimResult& r) { return r.outcome.verdict; }));
-}
-
-std::string_view meaning(audit::Verdict verdict) {
-    switch (verdict) {
-    case audit::Verdict::proved:
-        return "symbolic identity: printed minus derived is zero";
-    case audit::Verdict::confirmed:
-        return "the enclosures agree to the required digits, or round to the quoted figure";
-    case audit::Verdict::imprecise:
-        return "differs by one unit of the last quoted digit, or is true in one reading only";
-    case audit::Verdict::refuted:
-        return "different: the enclosures are disjoint";
-    case audit::Verdict::underspecified:
-        return "cannot be evaluated as printed";
-    case audit::Verdict::undecided:
-        return "the enclosures do not decide";
-    case audit::Verdict::definition:
-        return "there is nothing to check";
-    }
-    return "";
-}
+/// In the order of audit::all_verdicts.
+constexpr std::array<const char*, audit::all_verdicts.size()> meanings{
+    "symbolic identity: printed minus derived is zero",
+    "the enclosures agree to the required digits, or round to the quoted figure",
+    "differs by one unit of the last quoted digit, or is true in one reading only",
+    "different: the enclosures are disjoint",
+    "cannot be evaluated as printed",
+    "the enclosures do not decide",
+    "there is nothing to check"};
 
 std::string summary(const audit::AuditResult& result) {
     std::string out = "<table class=\"counts\"><thead><tr><th scope=\"col\">Verdict</th>"
                       "<th scope=\"col\" class=\"number\">Claims</th>"
                       "<th scope=\"col\">Means</th></tr></thead><tbody>\n";
-    for (const audit::Verdict verdict : audit::all_verdicts) {
-        const std::string name(name_of(verdict));
-        out += "<tr><th scope=\"row\"><a href=\"#verdict=" + name + "\">" + verdict_mark(verdict) +
-               "</a></th><td class=\"number\">" + std::to_string(count_of(result, verdict)) +
-               "</td><td>" + std::string(meaning(verdict)) + "</td></tr>\n";
+    const auto counts = count_verdicts(result);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const audit::Verdict verdict = audit::all_verdicts[i];
+        out += fmt::format("<tr><th scope=\"row\"><a href=\"#verdict={}\">{}</a></th>"
+                           "<td class=\"number\">{}</td><td>{}</td></tr>\n",
+                           name_of(verdict), verdict_mark(verdict), counts[i], meanings[i]);
     }
     return out + "<tr><th scope=\"row\">all</th><td class=\"number\">" +
            std::to_string(result.claims.size()) + "</td><td>checked to " +
@@ -93,19 +78,14 @@ std::string fact(const char* name, const std::string& value) {
 
 std::string facts(const audit::AuditResult& result, const PageHead& head) {
     const audit::PrintedSource& source = head.source;
-    std::string libraries;
-    for (const auto& [name, version] : library_versions()) {
-        libraries += (libraries.empty() ? "" : ", ") + name + ' ' + version;
-    }
     std::string paper = escape_html(result.source);
-    if (!source.doi.empty()) {
-        const std::string doi = escape_html(source.doi);
-        paper += "; <a href=\"https://doi.org/" + doi + "\">doi:" + doi + "</a>";
-    }
-    if (!source.arxiv.empty()) {
-        const std::string arxiv = escape_html(source.arxiv);
-        paper += "; <a href=\"https://arxiv.org/abs/" + arxiv + "\">arXiv:" + arxiv + "</a>";
-    }
+    const auto link = [&](const char* kind, const char* server, const std::string& id) {
+        paper += id.empty() ? ""
+                            : fmt::format("; <a href=\"https://{}/{}\">{}:{}</a>", server,
+                                          escape_html(id), kind, escape_html(id));
+    };
+    link("doi", "doi.org", source.doi);
+    link("arXiv", "arxiv.org/abs", source.arxiv);
     return "<dl class=\"facts\">\n" + fact("Paper", paper) +
            fact("Version read", escape_html(source.version)) +
            fact("Ledger",
@@ -117,7 +97,7 @@ std::string facts(const audit::AuditResult& result, const PageHead& head) {
                                (program_commit.empty()
                                     ? ""
                                     : ", commit <code>" + escape_html(program_commit) + "</code>") +
-                               " (" + escape_html(libraries) + ")") +
+                               " (" + escape_html(libraries_text()) + ")") +
            fact("Made", escape_html(head.date)) +
            fact("Command",
                 head.command.empty() ? "" : "<code>" + escape_html(head.command) + "</code>") +
@@ -156,6 +136,10 @@ std::string doubtful(const audit::AuditResult& result, const PageHead& head) {
            rows + "</tbody></table>\n";
 }
 
+std::string option(const std::string& value, const std::string& text) {
+    return "<option value=\"" + value + "\">" + escape_html(text) + "</option>\n";
+}
+
 std::string figure_html(const DrawnFigure& figure) {
     std::string out = "<figure id=\"" + escape_html(figure.id) + "\">\n<h3>" +
                       escape_html(figure.title) + "</h3>\n<div class=\"panels\">\n";
@@ -174,20 +158,31 @@ std::string figure_html(const DrawnFigure& figure) {
     return out + "</figure>\n";
 }
 
-std::string figures_html(const std::vector<DrawnFigure>& figures, const std::string& missing) {
-    std::string out =
-        missing.empty() ? "" : "<p class=\"missing\">" + escape_html(missing) + "</p>\n";
-    for (const DrawnFigure& figure : figures) {
-        out += figure_html(figure);
-    }
+/// The figures of the paper, or of residuals.
+std::string own_figures_html(const std::vector<DrawnFigure>& figures, bool drawn) {
+    const std::string out = figures_html(figures, drawn);
     return out.empty() ? "<p>No figures are defined for this ledger.</p>\n" : out;
 }
 
-std::string option(const std::string& value, const std::string& text) {
-    return "<option value=\"" + value + "\">" + escape_html(text) + "</option>\n";
+} // namespace
+
+std::string figures_html(const std::vector<DrawnFigure>& figures, bool drawn) {
+    std::string out = drawn
+                          ? ""
+                          : "<p class=\"missing\">gnuplot was not found, so nothing is drawn here; "
+                            "the data of the figures are in the folder figures. With gnuplot "
+                            "installed the next run draws them.</p>\n";
+    for (const DrawnFigure& figure : figures) {
+        out += figure_html(figure);
+    }
+    return out;
 }
 
-} // namespace
+DrawnFigure::Panel drawn_panel(const Plot& plot, const std::string& svg,
+                               const std::filesystem::path& folder) {
+    write_plot_files(plot, svg, folder);
+    return {plot.id.text(), plot.title, svg.empty() ? "" : inline_svg(svg, plot)};
+}
 
 std::string html_page(const audit::AuditResult& result, const PageFigures& figures,
                       const PageHead& head) {
@@ -200,10 +195,10 @@ std::string html_page(const audit::AuditResult& result, const PageFigures& figur
         used.insert(key);
         claims += claim_html(r, head, key);
     }
-    for (const audit::Verdict verdict : audit::all_verdicts) {
-        if (count_of(result, verdict) > 0) {
-            verdict_options += option(std::string(name_of(verdict)), std::string(name_of(verdict)));
-        }
+    const auto counts = count_verdicts(result);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const std::string name(name_of(audit::all_verdicts[i]));
+        verdict_options += counts[i] > 0 ? option(name, name) : "";
     }
     for (std::size_t i = 0; i < head.source.sections.size(); ++i) {
         if (const std::string key = "s" + std::to_string(i + 1); used.contains(key)) {
@@ -223,8 +218,8 @@ std::string html_page(const audit::AuditResult& result, const PageFigures& figur
          {"summary", summary(result)},
          {"errata", errata_list(errata, result, figures, head)},
          {"doubtful", doubtful(result, head)},
-         {"figures", figures_html(figures.paper, figures.missing)},
-         {"residuals", figures_html(figures.residuals, figures.missing)},
+         {"figures", own_figures_html(figures.paper, figures.drawn)},
+         {"residuals", own_figures_html(figures.residuals, figures.drawn)},
          {"claims", claims},
          {"verdict_options", verdict_options},
          {"section_options", section_options},
@@ -252,37 +247,6 @@ void run_job(Job& job, const std::optional<std::filesystem::path>& gnuplot) {
     } catch (const std::exception& e) { // an error in one figure does not affect the others
         job.problem = e.what();
     }
-}
-
-void run_all(std::vector<Job>& jobs, int threads,
-             const std::optional<std::filesystem::path>& gnuplot) {
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-        try {
-            for (std::size_t i = next++; i < jobs.size(); i = next++) {
-                check_interruption();
-                run_job(jobs[i], gnuplot);
-            }
-        } catch (const Interrupted&) { // thrown below, when no thread is running
-            next = jobs.size();
-        }
-    };
-    const unsigned wanted =
-        threads > 0 ? static_cast<unsigned>(threads) : std::thread::hardware_concurrency();
-    {
-        std::vector<std::jthread> pool;
-        for (unsigned i = 1; i < std::max(1U, wanted); ++i) {
-            pool.emplace_back(work);
-        }
-        work();
-    }
-    check_interruption();
-}
-
-DrawnFigure::Panel panel_of(const Job& job, const std::filesystem::path& folder) {
-    const Plot& plot = *job.plot;
-    write_plot_files(plot, job.svg, folder);
-    return {plot.id.text(), plot.title, job.svg.empty() ? "" : inline_svg(job.svg, plot)};
 }
 
 /// Today, or the day of SOURCE_DATE_EPOCH (reproducible-builds.org), in universal time.
@@ -344,13 +308,14 @@ void write_html_report(const audit::AuditResult& result, const audit::Ledger& le
             jobs.push_back({[&r, &ledger] { return erratum_plot(r, ledger); }, {}, {}, {}});
         }
     }
-    run_all(jobs, threads, gnuplot);
+    parallel::work_through(parallel::all_pieces(jobs.size()),
+                           static_cast<unsigned>(std::max(threads, 0)), [&](std::size_t i) {
+                               check_interruption();
+                               run_job(jobs[i], gnuplot);
+                           });
 
     PageFigures page;
-    if (!gnuplot) {
-        page.missing = "gnuplot was not found, so nothing is drawn here; the data of the figures "
-                       "are in the folder figures. With gnuplot installed the next run draws them.";
-    }
+    page.drawn = gnuplot.has_value();
     std::size_t at = 0;
     const auto collect = [&](const std::vector<FigureRecipe>& recipes,
                              std::vector<DrawnFigure>& figures) {
@@ -361,7 +326,8 @@ void write_html_report(const audit::AuditResult& result, const audit::Ledger& le
                     figure.problem = jobs[at].problem;
                 }
                 if (jobs[at].plot) {
-                    figure.panels.push_back(panel_of(jobs[at], figures_folder));
+                    figure.panels.push_back(
+                        drawn_panel(*jobs[at].plot, jobs[at].svg, figures_folder));
                 }
             }
             figures.push_back(std::move(figure));
@@ -371,7 +337,8 @@ void write_html_report(const audit::AuditResult& result, const audit::Ledger& le
     collect(residuals, page.residuals);
     for (std::size_t i = 0; i < refuted.size(); ++i) {
         if (const Job& job = jobs[first_erratum + i]; job.plot) {
-            page.errata.emplace(refuted[i]->claim.id, panel_of(job, figures_folder));
+            page.errata.emplace(refuted[i]->claim.id,
+                                drawn_panel(*job.plot, job.svg, figures_folder));
         }
     }
     io::write_whole(folder / "errata.tex", errata_tex(result, ledger.print));

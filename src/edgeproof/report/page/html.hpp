@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/run.hpp"
+#include "edgeproof/report/figures/figures.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -26,11 +27,18 @@ struct DrawnFigure {
     std::string problem; ///< the error, if there was one
 };
 
+/// Writes the files of a plot to the folder (write_plot_files), and returns its panel.
+[[nodiscard]] DrawnFigure::Panel drawn_panel(const Plot& plot, const std::string& svg,
+                                             const std::filesystem::path& folder);
+/// Returns the figures as HTML, with links to their data in the folder figures. `drawn`: false if
+/// there is no gnuplot, which the text then states.
+[[nodiscard]] std::string figures_html(const std::vector<DrawnFigure>& figures, bool drawn);
+
 struct PageFigures {
     std::vector<DrawnFigure> paper;
     std::vector<DrawnFigure> residuals;
     std::map<std::string, DrawnFigure::Panel, std::less<>> errata; ///< by the claim's id
-    std::string missing; ///< the reason why there are no figures, if there are none
+    bool drawn = true;                                             ///< false without gnuplot
 };
 
 /// The data in the head of the page, in addition to the results.

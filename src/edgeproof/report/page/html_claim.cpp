@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/page/html_claim.hpp"
 
-#include "edgeproof/report/page/correction.hpp"
-#include "edgeproof/report/page/evidence_words.hpp"
+#include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/formula_tex.hpp"
-#include "edgeproof/report/text/html_markup.hpp"
 #include "edgeproof/report/text/tex_math.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace edgeproof::report {
@@ -17,15 +18,14 @@ using audit::PrintedSource;
 
 /// A wide element that scrolls within the page, also by keyboard.
 std::string scroll(const std::string& label, const std::string& content) {
-    return "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"" +
-           escape_html(label) + "\">" + content + "</div>";
+    return fmt::format(
+        "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"{}\">{}</div>",
+        escape_html(label), content);
 }
 
-std::string link_to(const std::string& id, const audit::AuditResult& result,
-                    const PrintedSource& source) {
+const audit::ClaimResult* claim_named(const audit::AuditResult& result, const std::string& id) {
     const auto it = std::ranges::find(result.claims, id, [](const auto& r) { return r.claim.id; });
-    const std::string words = it == result.claims.end() ? id : place_words(it->claim, source);
-    return "<a href=\"#" + escape_html(id) + "\">" + escape_html(words) + "</a>";
+    return it == result.claims.end() ? nullptr : &*it;
 }
 
 std::string with_left(const std::string& left, const std::string& right) {
@@ -39,20 +39,20 @@ std::string sides_html(const Correction& correction, const audit::Claim& claim,
     MathNode printed = math_of_tex(with_left(correction.left, correction.printed), source);
     MathNode corrected = math_of_tex(with_left(correction.left, correction.corrected), source);
     mark_changes(printed, corrected);
-    const std::string id = escape_html(claim.id);
-    std::string out;
-    if (!correction.what.empty()) {
-        out += "<p class=\"what\">In " + sentence_html(correction.what, source) + ":</p>\n";
-    }
-    out += "<div class=\"sides\"><div class=\"side printed\"><h4>Printed</h4>" +
-           scroll("printed", block_math(printed, "printed, " + claim.id)) +
-           "</div><div class=\"side corrected\"><h4>Corrected</h4>" +
-           scroll("corrected", block_math(corrected, "corrected, " + claim.id)) + "</div></div>\n";
-    return out + "<div class=\"copy\"><code>" +
-           escape_html(with_left(correction.left, correction.corrected)) +
-           "</code><button type=\"button\" class=\"copy-button\" hidden>Copy LaTeX<span "
-           "class=\"away\"> of " +
-           id + "</span></button></div>\n";
+    const auto side = [&](const char* kind, const char* title, const MathNode& formula) {
+        return fmt::format("<div class=\"side {}\"><h4>{}</h4>{}</div>", kind, title,
+                           scroll(kind, block_math(formula, kind + (", " + claim.id))));
+    };
+    return (correction.what.empty()
+                ? ""
+                : "<p class=\"what\">In " + sentence_html(correction.what, source) + ":</p>\n") +
+           "<div class=\"sides\">" + side("printed", "Printed", printed) +
+           side("corrected", "Corrected", corrected) +
+           fmt::format("</div>\n<div class=\"copy\"><code>{}</code><button type=\"button\" "
+                       "class=\"copy-button\" hidden>Copy LaTeX<span class=\"away\"> of {}</span>"
+                       "</button></div>\n",
+                       escape_html(with_left(correction.left, correction.corrected)),
+                       escape_html(claim.id));
 }
 
 std::string steps_html(const audit::ClaimResult& result, const PrintedSource& source) {
@@ -70,9 +70,8 @@ std::string later_html(const Erratum& erratum, const audit::AuditResult& result,
     std::string out;
     for (const audit::ClaimResult* part : erratum.parts) {
         for (const LaterWords& later : later_results_of(*part)) {
-            const auto it = std::ranges::find(result.claims, later.claim,
-                                              [](const auto& r) { return r.claim.id; });
-            const bool right = it != result.claims.end() && holds(it->outcome.verdict);
+            const audit::ClaimResult* const claim = claim_named(result, later.claim);
+            const bool right = claim != nullptr && holds(claim->outcome.verdict);
             const char* verdict =
                 later.as_printed && right
                     ? "is as printed there, and that is right: the error has no effect on it"
@@ -91,7 +90,10 @@ std::string later_html(const Erratum& erratum, const audit::AuditResult& result,
                     what.replace(at, row.size(), "Eq. (" + number + ")");
                 }
             }
-            out += "<li>" + link_to(later.claim, result, source) + ", " + what + ": " + verdict;
+            out += fmt::format(
+                "<li><a href=\"#{}\">{}</a>, {}: {}", escape_html(later.claim),
+                escape_html(claim == nullptr ? later.claim : place_words(claim->claim, source)),
+                what, verdict);
             if (later.comes_to.find("printed") == std::string::npos) {
                 out +=
                     " (" + escape_html(later.comes_to.substr(0, later.comes_to.find(", "))) + ")";
@@ -99,27 +101,14 @@ std::string later_html(const Erratum& erratum, const audit::AuditResult& result,
             out += ".</li>\n";
         }
     }
-    if (!out.empty()) {
-        return "<div class=\"rests\"><h4>What rests on it, computed with the line as printed</h4>"
-               "\n<ul>\n" +
-               out + "</ul></div>\n";
-    }
-    return "";
+    return out.empty() ? ""
+                       : "<div class=\"rests\"><h4>What rests on it, computed with the line as "
+                         "printed</h4>\n<ul>\n" +
+                             out + "</ul></div>\n";
 }
 
-std::string weight_words(Weight weight) {
-    switch (weight) {
-    case Weight::conclusion:
-        return "changes a conclusion";
-    case Weight::figure:
-        return "changes a figure quoted";
-    case Weight::carried:
-        return "a wrong conclusion rests on it";
-    case Weight::slip:
-        break;
-    }
-    return "misprint";
-}
+constexpr std::array weight_words{"changes a conclusion", "changes a figure quoted",
+                                  "a wrong conclusion rests on it", "misprint"};
 
 std::string where_html(const audit::Claim& claim, const PageHead& head) {
     std::string out;
@@ -176,16 +165,15 @@ std::string erratum_html(const Erratum& erratum, const audit::AuditResult& resul
             plot = &drawn->second;
         }
     }
-    std::string out = "<article class=\"erratum\" id=\"erratum-" + id +
-                      "\" aria-labelledby=\"erratum-" + id + "-heading\">\n<h3 id=\"erratum-" + id +
-                      "-heading\">" + escape_html(place_words(first.claim, head.source)) + " " +
-                      verdict_mark(first.outcome.verdict) + " <span class=\"weight\">" +
-                      weight_words(erratum.weight) + "</span></h3>\n<p class=\"where\">" +
-                      where_html(first.claim, head) + (first.claim.lines.first == 0 ? "" : " · ") +
-                      "evidence:";
+    std::string out = fmt::format(
+        "<article class=\"erratum\" id=\"erratum-{0}\" aria-labelledby=\"erratum-{0}-heading\">\n"
+        "<h3 id=\"erratum-{0}-heading\">{1} {2} <span class=\"weight\">{3}</span></h3>\n"
+        "<p class=\"where\">{4}{5}evidence:",
+        id, escape_html(place_words(first.claim, head.source)), verdict_mark(first.outcome.verdict),
+        weight_words.at(static_cast<std::size_t>(erratum.weight)), where_html(first.claim, head),
+        first.claim.lines.first == 0 ? "" : " · ");
     for (const audit::ClaimResult* part : erratum.parts) {
-        out += " <a href=\"#" + escape_html(part->claim.id) + "\">" + escape_html(part->claim.id) +
-               "</a>";
+        out += fmt::format(" <a href=\"#{0}\">{0}</a>", escape_html(part->claim.id));
     }
     out += "</p>\n";
     const bool sentence = is_sentence(first.claim.printed);
@@ -220,13 +208,12 @@ std::string claim_html(const audit::ClaimResult& result, const PageHead& head,
     const audit::Claim& claim = result.claim;
     const PrintedSource& source = head.source;
     const std::string id = escape_html(claim.id);
-    std::string out = "<details class=\"claim\" id=\"" + id + "\" data-verdict=\"" +
-                      std::string(name_of(result.outcome.verdict)) + "\" data-section=\"" +
-                      section_key + "\">\n<summary><span class=\"id\">" +
-                      escape_html(place_words(claim, source)) + "</span> " +
-                      verdict_mark(result.outcome.verdict) + " <span class=\"said\">" +
-                      printed_html(claim, source) + "</span></summary>\n<div class=\"body\">\n";
-    out += "<p class=\"where\"><a href=\"#" + id + "\">" + id + "</a>";
+    std::string out = fmt::format(
+        "<details class=\"claim\" id=\"{0}\" data-verdict=\"{1}\" data-section=\"{2}\">\n<summary>"
+        "<span class=\"id\">{3}</span> {4} <span class=\"said\">{5}</span></summary>\n"
+        "<div class=\"body\">\n<p class=\"where\"><a href=\"#{0}\">{0}</a>",
+        id, name_of(result.outcome.verdict), section_key, escape_html(place_words(claim, source)),
+        verdict_mark(result.outcome.verdict), printed_html(claim, source));
     for (const std::string& part :
          {where_html(claim, head), "a check of kind " + escape_html(claim.kind)}) {
         out += part.empty() ? "" : " · " + part;

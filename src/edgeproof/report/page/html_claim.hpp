@@ -5,6 +5,7 @@
 #include "edgeproof/report/page/html.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace edgeproof::report {
 
@@ -23,5 +24,18 @@ namespace edgeproof::report {
 /// Returns a claim with its evidence, folded; its id is the claim's.
 [[nodiscard]] std::string claim_html(const audit::ClaimResult& result, const PageHead& head,
                                      const std::string& section_key);
+
+/// Returns the meaning of a key of evidence: "steps_against" is "steps that go against it".
+[[nodiscard]] std::string key_words(std::string_view key);
+
+/// Returns evidence as small tables: numbers are rounded (verdicts.json has all digits), formulas
+/// typeset. Parts that the page shows elsewhere (TeX, the clearest counterexample, later results)
+/// are left out.
+[[nodiscard]] std::string evidence_html(const audit::Evidence& evidence, const audit::Claim& claim,
+                                        const audit::PrintedSource& source);
+
+/// Returns a text of the program as HTML, with typeset formulas.
+[[nodiscard]] std::string note_html(const std::string& note, const audit::Claim& claim,
+                                    const audit::PrintedSource& source);
 
 } // namespace edgeproof::report

@@ -6,6 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <initializer_list>
+#include <map>
+#include <utility>
 
 namespace edgeproof::report {
 namespace {
@@ -26,45 +29,31 @@ ordered_json errors_json(const comparison::Errors& e) {
             {"digits", e.digits()}};
 }
 
-ordered_json coefficient_json(const comparison::ExactContact& exact, contact::Edge edge,
-                              std::size_t k, const std::optional<comparison::EdgeFit>& fit) {
-    std::optional<double> data;
-    std::optional<double> spread;
-    std::optional<double> of_exact;
-    if (fit && !fit->own_edge) {
-        of_exact = (k == 0 ? fit->c0 : fit->c1).of_exact;
+template <class List, class One> ordered_json list_json(const List& list, const One& one) {
+    ordered_json all = ordered_json::array();
+    for (const auto& item : list) {
+        all.push_back(one(item));
     }
-    if (fit) {
-        data = (k == 0 ? fit->c0 : fit->c1).value;
-        spread = (k == 0 ? fit->c0 : fit->c1).spread;
-    }
-    return {{"data", number_json(data)},
-            {"spread", number_json(spread)},
-            {"of_exact_pressure", number_json(of_exact)},
-            {"exact", exact.c(edge, k).value}};
+    return all;
 }
 
 ordered_json causes_json(const std::optional<comparison::Diagnosis>& diagnosis) {
-    ordered_json list = ordered_json::array();
-    for (const comparison::Cause& cause :
-         diagnosis ? diagnosis->causes : std::vector<comparison::Cause>{}) {
-        list.push_back({{"name", cause.name},
-                        {"what", cause.what},
-                        {"factor", cause.factor},
-                        {"scatter", cause.scatter},
-                        {"equally_likely", cause.equally_likely}});
-    }
-    return list;
+    return list_json(diagnosis ? diagnosis->causes : std::vector<comparison::Cause>{},
+                     [](const comparison::Cause& cause) {
+                         return ordered_json{{"name", cause.name},
+                                             {"what", cause.what},
+                                             {"factor", cause.factor},
+                                             {"scatter", cause.scatter},
+                                             {"equally_likely", cause.equally_likely}};
+                     });
 }
 
 ordered_json file_json(const ComparisonReport& report, const comparison::FileComparison& file) {
     const comparison::ExactContact& exact = *report.exact;
-    const auto held = [](const std::optional<double>& data, const std::optional<double>& of_exact,
-                         double value) {
-        return ordered_json{{"data", number_json(data)},
-                            {"of_exact_pressure", number_json(of_exact)},
-                            {"exact", value}};
-    };
+    std::map<std::string, HeldQuantity> held;
+    for (HeldQuantity& q : held_quantities(report, file)) {
+        held.emplace(q.name, std::move(q));
+    }
     ordered_json j;
     j["file"] = printable(file.table.file);
     j["passes"] = file.passes();
@@ -75,22 +64,24 @@ ordered_json file_json(const ComparisonReport& report, const comparison::FileCom
     j["origin"] = file.data.origin;
     j["origin_found"] = file.data.origin_found;
     j["half"] = file.data.half ? ordered_json(scene::edge_name(*file.data.half)) : ordered_json();
-    j["findings"] = ordered_json::array();
-    for (const std::string& finding : file.findings()) {
-        j["findings"].push_back(printable(finding));
+    j["findings"] = list_json(file.findings(), printable);
+    for (const char* name : {"a", "b", "P"}) {
+        const HeldQuantity& q = held.at(name);
+        j[name] = {{"data", number_json(q.data)},
+                   {"of_exact_pressure", number_json(q.of_exact)},
+                   {"exact", q.exact}};
     }
-    j["a"] = held(file.contact.a, file.of_exact.a, exact.a().value);
-    j["b"] = held(file.contact.b, file.of_exact.b, exact.b().value);
-    j["P"] = held(file.contact.force, file.of_exact.force, exact.force().value);
     j["p_max"] = {
         {"data", file.contact.largest},
         {"exact", exact.scale().mean ? ordered_json() : ordered_json(exact.scale().value)}};
-    for (const std::size_t k : {0U, 1U}) {
-        const std::string name = "c" + std::to_string(k);
-        for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
-            j[name + (edge == contact::Edge::right ? "" : "_left")] =
-                coefficient_json(exact, edge, k, file.fits[index_of(edge)]);
-        }
+    using Names = std::initializer_list<std::pair<const char*, const char*>>;
+    for (const auto& [key, name] :
+         Names{{"c0", "c_0"}, {"c0_left", "c_0 left"}, {"c1", "c_1"}, {"c1_left", "c_1 left"}}) {
+        const HeldQuantity& q = held.at(name);
+        j[key] = {{"data", number_json(q.data)},
+                  {"spread", number_json(q.data ? std::optional(q.spread) : std::nullopt)},
+                  {"of_exact_pressure", number_json(q.of_exact)},
+                  {"exact", q.exact}};
     }
     if (file.Q) {
         j["Q"] = {{"data", number_json(file.Q)},
@@ -107,21 +98,16 @@ ordered_json file_json(const ComparisonReport& report, const comparison::FileCom
                     {"mean", file.contact.mean_element}};
     j["errors"] = errors_json(file.errors);
     j["errors_of_all_nodes"] = errors_json(file.all);
-    j["distances"] = ordered_json::array();
-    for (const comparison::DistanceErrors& d : file.distances) {
+    j["distances"] = list_json(file.distances, [](const comparison::DistanceErrors& d) {
         ordered_json row = errors_json(d.errors);
-        row["edge"] = scene::edge_name(d.edge);
-        row["from"] = d.from;
-        row["to"] = d.to;
-        j["distances"].push_back(std::move(row));
-    }
-    j["knots"] = ordered_json::array();
-    for (const comparison::KnotErrors& k : file.knots) {
+        row.update({{"edge", scene::edge_name(d.edge)}, {"from", d.from}, {"to", d.to}});
+        return row;
+    });
+    j["knots"] = list_json(file.knots, [](const comparison::KnotErrors& k) {
         ordered_json row = errors_json(k.errors);
-        row["x"] = k.knot.x;
-        row["corner"] = k.knot.corner;
-        j["knots"].push_back(std::move(row));
-    }
+        row.update({{"x", k.knot.x}, {"corner", k.knot.corner}});
+        return row;
+    });
     j["causes"] = causes_json(file.diagnosis);
     if (file.diagnosis && file.diagnosis->factor) {
         j["common_factor"] = {{"value", file.diagnosis->factor->value},
@@ -130,10 +116,7 @@ ordered_json file_json(const ComparisonReport& report, const comparison::FileCom
     if (file.shear) {
         j["causes_of_q"] = causes_json(file.shear_diagnosis);
     }
-    j["failures"] = ordered_json::array();
-    for (const std::string& failure : file.failures) {
-        j["failures"].push_back(printable(failure));
-    }
+    j["failures"] = list_json(file.failures, printable);
     return j;
 }
 
@@ -151,10 +134,8 @@ std::string comparison_json(const ComparisonReport& report) {
                    {"P", report.exact->force().route},
                    {"c0", report.exact->c(contact::Edge::right, 0).route},
                    {"p", "batch (estimate)"}};
-    j["files"] = ordered_json::array();
-    for (const comparison::FileComparison& file : c.files) {
-        j["files"].push_back(file_json(report, file));
-    }
+    j["files"] = list_json(
+        c.files, [&](const comparison::FileComparison& file) { return file_json(report, file); });
     j["orders"] = ordered_json::object();
     j["limits"] = ordered_json::object();
     for (const comparison::Convergence& one : c.convergence) {

@@ -11,74 +11,36 @@
 namespace edgeproof::report {
 namespace {
 
+constexpr std::size_t margin_of_tables = 2;
+
 using comparison::Convergence;
 using comparison::Errors;
 using comparison::FileComparison;
 
-std::string percent_text(double x) { return fmt::format("{:.3g} %", 100 * x); }
-
-std::string relative_text(const std::optional<double>& data, double exact) {
-    return data && exact != 0 ? fmt::format("{:+.3g} %", 100 * (*data / exact - 1)) : "";
+/// A table without rows: a column of text, then numbers.
+Table table_of(std::initializer_list<const char*> names) {
+    Table table;
+    for (const char* name : names) {
+        table.columns.push_back(
+            {name, table.columns.empty() ? Column::Kind::text : Column::Kind::number});
+    }
+    return table;
 }
 
-/// Returns aligned columns; the first is aligned to the left, the others to the right.
-std::string aligned_rows(const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::size_t> width;
-    for (const auto& row : rows) {
-        width.resize(std::max(width.size(), row.size()));
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            width[i] = std::max(width[i], row[i].size());
-        }
-    }
-    std::string out;
-    for (const auto& row : rows) {
-        std::string line = "  ";
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            line += i == 0 ? fmt::format("{:<{}}", row[i], width[i])
-                           : fmt::format("  {:>{}}", row[i], width[i]);
-        }
-        line.erase(line.find_last_not_of(' ') + 1);
-        out += line + '\n';
-    }
-    return out;
+std::string number_text(const std::optional<double>& x, int digits) {
+    return x ? fmt::format("{:.{}g}", *x, digits) : "-";
 }
 
-std::string quantities_text(const ComparisonReport& report, const FileComparison& file) {
-    std::vector<std::vector<std::string>> rows{
-        {"", "data", "+-", "exact p", "exact", "off by", ""}};
-    for (const HeldQuantity& q : held_quantities(report, file)) {
-        rows.push_back({q.name + (q.unit.empty() ? "" : " [" + q.unit + "]"),
-                        q.data ? fmt::format("{:.7g}", *q.data) : "-",
-                        q.spread > 0 ? fmt::format("{:.2g}", q.spread) : "",
-                        q.of_exact ? fmt::format("{:.7g}", *q.of_exact) : "",
-                        fmt::format("{:.10g}", q.exact), relative_text(q.data, q.exact), q.note});
+std::string agreement_text(const Convergence& c, bool page) {
+    if (!c.agrees) {
+        return c.why_not;
     }
-    return aligned_rows(rows);
-}
-
-std::vector<std::string> error_cells(const Errors& e) {
-    return {std::to_string(e.nodes), percent_text(e.peak), percent_text(e.local),
-            percent_text(e.median_local), fmt::format("{:.1f}", e.digits())};
-}
-
-std::string errors_text(const ComparisonReport& report, const FileComparison& file) {
-    const bool mean = report.exact->scale().mean;
-    std::vector<std::vector<std::string>> rows{{"nodes by distance from an edge", "nodes",
-                                                mean ? "of the mean" : "of the peak", "of p itself",
-                                                "median", "digits right"}};
-    const auto add = [&](const std::string& name, const Errors& errors) {
-        auto cells = error_cells(errors);
-        cells.insert(cells.begin(), name);
-        rows.push_back(std::move(cells));
-    };
-    for (const comparison::DistanceErrors& d : file.distances) {
-        add(distance_text(d), d.errors);
+    if (page) {
+        return *c.agrees ? "agrees" : "differs";
     }
-    for (const comparison::KnotErrors& k : file.knots) {
-        add(fmt::format("near the {} at x = {:.6g}", k.knot.corner ? "corner" : "knot", k.knot.x),
-            k.errors);
-    }
-    return aligned_rows(rows);
+    return *c.agrees   ? c.trusted ? "agrees" : "agrees; " + c.why_not
+           : c.trusted ? "DIFFERS from the exact value"
+                       : "differs; " + c.why_not;
 }
 
 std::string file_text(const ComparisonReport& report, const FileComparison& file) {
@@ -86,7 +48,8 @@ std::string file_text(const ComparisonReport& report, const FileComparison& file
     for (const std::string& finding : file.findings()) {
         out += "  " + printable(finding) + "\n";
     }
-    out += "\n" + quantities_text(report, file) + "\n" + errors_text(report, file) + "\n";
+    out += "\n" + aligned_lines(quantities_table(report, file, false), margin_of_tables, false) +
+           "\n" + aligned_lines(errors_table(report, file, false), margin_of_tables, false) + "\n";
     const Errors& all = file.errors;
     out +=
         fmt::format("  error of p{}: {} of the {}, {} of p itself, {} in the L2 norm\n",
@@ -113,25 +76,6 @@ std::string file_text(const ComparisonReport& report, const FileComparison& file
         out += "  " + printable(line) + "\n";
     }
     return out + "\n";
-}
-
-std::string convergence_text(const std::vector<Convergence>& list) {
-    std::vector<std::vector<std::string>> rows{
-        {"of several meshes", "order", "own order", "limit", "+-", "exact", ""}};
-    for (const Convergence& c : list) {
-        const auto number = [](const std::optional<double>& x, int digits) {
-            return x ? fmt::format("{:.{}g}", *x, digits) : std::string("-");
-        };
-        rows.push_back({c.quantity, number(c.order, 3), number(c.own_order, 3),
-                        number(c.extrapolated, 7),
-                        c.extrapolated ? fmt::format("{:.2g}", c.extrapolation_error) : "",
-                        c.exact != 0 ? fmt::format("{:.8g}", c.exact) : "",
-                        !c.agrees   ? c.why_not
-                        : *c.agrees ? c.trusted ? "agrees" : "agrees; " + c.why_not
-                        : c.trusted ? "DIFFERS from the exact value"
-                                    : "differs; " + c.why_not});
-    }
-    return aligned_rows(rows);
 }
 
 std::vector<std::string> lines_of(const std::optional<comparison::Diagnosis>& diagnosis,
@@ -241,8 +185,62 @@ std::vector<std::string> diagnosis_lines(const FileComparison& file) {
     return lines;
 }
 
-std::string distance_text(const comparison::DistanceErrors& d) {
-    return fmt::format("{}: {:g} to {:g} of a + b", scene::edge_name(d.edge), d.from, d.to);
+std::string percent_text(double x) { return fmt::format("{:.3g} %", 100 * x); }
+
+Table quantities_table(const ComparisonReport& report, const FileComparison& file, bool page) {
+    Table table = page ? table_of({"Quantity", "By the data", "+-", "Same rule on exact p", "Exact",
+                                   "Off by", "Route of the exact value"})
+                       : table_of({"", "data", "+-", "exact p", "exact", "off by", ""});
+    for (const HeldQuantity& q : held_quantities(report, file)) {
+        table.rows.push_back(
+            {q.name + (q.unit.empty() ? "" : " [" + q.unit + "]"), number_text(q.data, 7),
+             q.spread > 0 ? fmt::format("{:.2g}", q.spread) : "",
+             q.of_exact ? number_text(q.of_exact, 7) : "", number_text(q.exact, 10),
+             q.data && (page || q.exact != 0)
+                 ? fmt::format("{:+.3g} %", 100 * (*q.data / q.exact - 1))
+                 : "",
+             page ? q.route : q.note});
+    }
+    return table;
+}
+
+Table errors_table(const ComparisonReport& report, const FileComparison& file, bool page) {
+    const bool mean = report.exact->scale().mean;
+    Table table = page ? table_of({"Distance from an edge", "Nodes",
+                                   mean ? "Of the mean pressure" : "Of the peak", "Of p itself",
+                                   "Median", "Digits right"})
+                       : table_of({"nodes by distance from an edge", "nodes",
+                                   mean ? "of the mean" : "of the peak", "of p itself", "median",
+                                   "digits right"});
+    const auto add = [&](const std::string& name, const Errors& e) {
+        table.rows.push_back({name, std::to_string(e.nodes), percent_text(e.peak),
+                              percent_text(e.local), percent_text(e.median_local),
+                              fmt::format("{:.1f}", e.digits())});
+    };
+    for (const comparison::DistanceErrors& d : file.distances) {
+        add(fmt::format("{}: {:g} to {:g} of a + b", scene::edge_name(d.edge), d.from, d.to),
+            d.errors);
+    }
+    for (const comparison::KnotErrors& k : file.knots) {
+        add(fmt::format("near the {} at x = {:.6g}", k.knot.corner ? "corner" : "knot", k.knot.x),
+            k.errors);
+    }
+    return table;
+}
+
+Table limits_table(const ComparisonReport& report, bool page) {
+    Table table =
+        page ? table_of({"Quantity", "Order", "Order without the exact value", "Limit", "+-",
+                         "Exact", ""})
+             : table_of({"of several meshes", "order", "own order", "limit", "+-", "exact", ""});
+    for (const Convergence& c : report.comparison.convergence) {
+        table.rows.push_back({c.quantity, number_text(c.order, 3), number_text(c.own_order, 3),
+                              number_text(c.extrapolated, 7),
+                              c.extrapolated ? fmt::format("{:.2g}", c.extrapolation_error) : "",
+                              c.exact != 0 ? number_text(c.exact, 8) : "",
+                              agreement_text(c, page)});
+    }
+    return table;
 }
 
 std::string tolerance_text(const comparison::Tolerances& t) {
@@ -281,7 +279,7 @@ std::string comparison_text(const ComparisonReport& report) {
         out += file_text(report, file);
     }
     if (!report.comparison.convergence.empty()) {
-        out += convergence_text(report.comparison.convergence) + "\n";
+        out += aligned_lines(limits_table(report, false), margin_of_tables, false) + "\n";
     }
     out += "tolerance: " + tolerance_text(report.comparison.tolerances) + "\n";
     const auto failing = std::ranges::count_if(

@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/comparison/comparison.hpp"
 #include "edgeproof/comparison/self_test.hpp"
+#include "edgeproof/report/tables/table.hpp"
 
 #include <string>
 #include <vector>
@@ -31,8 +32,16 @@ struct HeldQuantity {
 [[nodiscard]] std::vector<HeldQuantity> held_quantities(const ComparisonReport& report,
                                                         const comparison::FileComparison& file);
 
-/// For example "from 1e-3 to 1e-2 of a + b".
-[[nodiscard]] std::string distance_text(const comparison::DistanceErrors& d);
+/// The tables of a report: these quantities of a file, its errors by the distance from an edge, and
+/// the limits of several meshes. `page`: with the words of the page, else with those of the text.
+[[nodiscard]] Table quantities_table(const ComparisonReport& report,
+                                     const comparison::FileComparison& file, bool page);
+[[nodiscard]] Table errors_table(const ComparisonReport& report,
+                                 const comparison::FileComparison& file, bool page);
+[[nodiscard]] Table limits_table(const ComparisonReport& report, bool page);
+
+/// For example "3.2 %".
+[[nodiscard]] std::string percent_text(double x);
 /// Returns possible explanations of errors in a file, one sentence each.
 [[nodiscard]] std::vector<std::string> diagnosis_lines(const comparison::FileComparison& file);
 /// Returns the tolerances as text: "p within 3 % of the peak, ...".

@@ -2,6 +2,8 @@
 #include "edgeproof/report/tables/design_table.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace edgeproof::report {
@@ -76,8 +78,6 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
             at += (at.empty() ? "" : ", ") + to_decimal(q, 20, Rounding::nearest);
         }
         table.facts.push_back({"reach shown at", at});
-    }
-    if (proved) {
         table.facts.push_back({"not excluded", contact::text_of(best.not_excluded)});
     }
     if (best.touches_at) {
@@ -123,15 +123,11 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
 Table relations_table(const audit::RelationQuestion& question, const audit::AskedRelations& asked) {
     Table table;
     table.title = "polynomial relations that hold along every profile";
-    std::string names;
-    for (const std::string& text : question.quantities) {
-        names += (names.empty() ? "" : ", ") + text;
-    }
     std::string given;
     for (const auto& [name, formula] : question.given) {
         given += (given.empty() ? "" : ", ") + name + "=" + formula;
     }
-    table.facts = {{"quantities", names},
+    table.facts = {{"quantities", fmt::format("{}", fmt::join(question.quantities, ", "))},
                    {"degree", std::to_string(question.degree)},
                    {"contact", question.symmetric ? "symmetric" : "any"}};
     if (!given.empty()) {

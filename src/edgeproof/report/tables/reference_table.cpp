@@ -7,9 +7,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <charconv>
+#include <algorithm>
 #include <filesystem>
+#include <initializer_list>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -20,31 +21,31 @@ constexpr std::string_view checksum_key = "checksum";
 
 std::string checksum_text(std::uint64_t hash) { return fmt::format("fnv1a-64 {:016x}", hash); }
 
-/// The checksum of the header and the rows as CSV, without notes.
-std::string checksum(const std::vector<std::string>& columns,
-                     const std::vector<const std::vector<std::string>*>& rows) {
-    std::uint64_t hash = io::fnv1a(csv_line(columns));
-    for (const auto* row : rows) {
-        hash = io::fnv1a(csv_line(*row), hash);
-    }
-    return checksum_text(hash);
-}
-
-/// The format %.17g of printf, which identifies x.
-std::string seventeen_digits(double x) {
-    std::array<char, 32> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, 17);
-    return {text.data(), end.ptr};
-}
+/// This format identifies x.
+std::string seventeen_digits(double x) { return fmt::format("{:.17g}", x); }
 
 std::vector<std::string> names_of(const std::vector<Column>& columns) {
     std::vector<std::string> names;
-    names.reserve(columns.size());
-    for (const Column& column : columns) {
-        names.push_back(column.name);
-    }
+    std::ranges::transform(columns, std::back_inserter(names), &Column::name);
     return names;
+}
+
+/// The columns of questions: id, the parameters, `names`; all are exact. `numbers`: the kind of x,
+/// value, bound and binary64.
+std::vector<Column> exact_columns(const std::vector<std::string>& parameters, bool tolerances,
+                                  std::initializer_list<std::string_view> names,
+                                  Column::Kind numbers) {
+    std::vector<Column> columns{{"id", Column::Kind::text}};
+    for (const std::string& name : parameters) {
+        columns.push_back({name, Column::Kind::text, true});
+    }
+    for (const std::string_view name : names) {
+        const bool number = name == "x" || name == "value" || name == "bound" || name == "binary64";
+        if (name != "tolerance" || tolerances) {
+            columns.push_back({std::string(name), number ? numbers : Column::Kind::text, true});
+        }
+    }
+    return columns;
 }
 
 /// Returns x as an exact decimal, if a and u are rational.
@@ -121,19 +122,10 @@ void ReferenceRows::add_line(std::string& text, const conformance::Questions& qu
 }
 
 std::vector<Column> ReferenceRows::columns() const {
-    std::vector<Column> columns{{"id", Column::Kind::text}};
-    for (const std::string& key : keys_) {
-        columns.push_back({key, Column::Kind::text, true});
-    }
-    for (const char* name :
-         {"edge", "tolerance", "u", "x", "quantity", "value", "bound", "binary64", "route"}) {
-        const std::string_view n = name;
-        const bool number = n == "x" || n == "value" || n == "bound" || n == "binary64";
-        if (n != "tolerance" || tolerances_) {
-            columns.push_back({name, number ? Column::Kind::number : Column::Kind::text, true});
-        }
-    }
-    return columns;
+    return exact_columns(
+        keys_, tolerances_,
+        {"edge", "tolerance", "u", "x", "quantity", "value", "bound", "binary64", "route"},
+        Column::Kind::number);
 }
 
 std::uint64_t ReferenceRows::header_checksum() const {
@@ -198,16 +190,9 @@ Table question_table(const conformance::Questions& questions, const std::string&
     table.notes = {"add a column `value` and give the file to `edgeproof check`: what it is held "
                    "against is computed at the numbers in its row, taken exactly",
                    "u: distance inwards from the edge; x: place, for reading"};
-    table.columns = {{"id", Column::Kind::text}};
-    for (const std::string& key : keys) {
-        table.columns.push_back({key, Column::Kind::text, true});
-    }
     const bool tolerances = questions.has_tolerances();
-    for (const char* name : {"quantity", "edge", "tolerance", "u", "x"}) {
-        if (std::string_view(name) != "tolerance" || tolerances) {
-            table.columns.push_back({name, Column::Kind::text, true});
-        }
-    }
+    table.columns = exact_columns(keys, tolerances, {"quantity", "edge", "tolerance", "u", "x"},
+                                  Column::Kind::text);
     for (const conformance::Question& q : questions.list) {
         const conformance::AskedContact& contact = questions.contacts[q.contact];
         std::vector<std::string> row{q.id};
@@ -237,18 +222,15 @@ std::vector<std::string> table_differences(const io::Csv& old, const Table& made
         return said;
     }
     std::map<std::string, const io::Csv::Row*, std::less<>> by_id;
-    std::vector<const std::vector<std::string>*> rows;
+    std::uint64_t hash = io::fnv1a(csv_line(columns));
     for (const io::Csv::Row& row : old.rows) {
-        rows.push_back(&row.cells);
+        hash = io::fnv1a(csv_line(row.cells), hash);
         if (!by_id.emplace(row.cells.front(), &row).second) {
             say(row.line, "row " + row.cells.front() + " occurs twice");
         }
     }
-    bool fits = false;
-    for (const std::string& note : old.notes) {
-        fits = fits || note == fmt::format("{}: {}", checksum_key, checksum(columns, rows));
-    }
-    if (!fits) {
+    if (std::ranges::find(old.notes, fmt::format("{}: {}", checksum_key, checksum_text(hash))) ==
+        old.notes.end()) {
         say(1, "the checksum is not that of the rows");
     }
     std::size_t last = 0;

@@ -5,6 +5,7 @@
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -222,6 +223,59 @@ std::string write_table(const Table& given, TableFormat format, std::size_t widt
         break;
     }
     return csv(table);
+}
+
+std::string aligned_lines(const Table& table, std::size_t margin, bool rule) {
+    std::vector<std::vector<std::string>> lines{{}};
+    for (const Column& column : table.columns) {
+        lines[0].push_back(column.name);
+    }
+    lines.insert(lines.end(), table.rows.begin(), table.rows.end());
+    std::vector<std::size_t> width(table.columns.size());
+    for (const auto& line : lines) {
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            width[i] = std::max(width[i], line[i].size());
+        }
+    }
+    std::string out;
+    for (const auto& line : lines) {
+        std::string text(margin, ' ');
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            const bool left = table.columns[i].kind == Column::Kind::text;
+            text += (i == 0 ? "" : "  ") + (left ? fmt::format("{:<{}}", line[i], width[i])
+                                                 : fmt::format("{:>{}}", line[i], width[i]));
+        }
+        text.erase(text.find_last_not_of(' ') + 1);
+        const bool ruled = rule && out.empty();
+        out += text + '\n' + (ruled ? std::string(text.size(), '-') + '\n' : "");
+    }
+    return out;
+}
+
+std::string html_table(const Table& table, bool grouped) {
+    std::string out = "<div class=\"scroll\" tabindex=\"0\"><table class=\"cost\"><thead><tr>";
+    const auto add = [&](std::size_t i, const char* tag, const char* scope,
+                         const std::string& text) {
+        const Column::Kind kind = table.columns[i].kind;
+        const bool number = kind == Column::Kind::number || kind == Column::Kind::count;
+        out += fmt::format("<{0}{1}{2}>{3}</{0}>", tag, scope, number ? " class=\"number\"" : "",
+                           kind == Column::Kind::markup ? text : escape_html(text));
+    };
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        add(i, "th", " scope=\"col\"", table.columns[i].name);
+    }
+    out += "</tr></thead><tbody>\n";
+    std::string last;
+    for (const auto& row : table.rows) {
+        const bool next = grouped && !row[0].empty() && !last.empty() && row[0] != last;
+        out += next ? "<tr class=\"next\">" : "<tr>";
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            add(i, "td", "", row[i]);
+        }
+        out += "</tr>\n";
+        last = row[0].empty() ? last : row[0];
+    }
+    return out + "</tbody></table></div>\n";
 }
 
 } // namespace edgeproof::report

@@ -18,7 +18,8 @@ struct Column {
     enum class Kind {
         text,
         number, ///< also a string in JSON, so that no digit is lost
-        count   ///< an integer in JSON
+        count,  ///< an integer in JSON
+        markup  ///< HTML, for `html_table` only
     };
     std::string name;
     Kind kind = Kind::number;
@@ -51,5 +52,13 @@ struct Table {
 /// and one other permit; the other columns are placed in further tables below. 0: one table.
 [[nodiscard]] std::string write_table(const Table& table, TableFormat format,
                                       std::size_t width = 0);
+
+/// Returns head and rows in aligned columns, text to the left, numbers to the right, each line
+/// after `margin` blanks. `rule`: with a line below the head.
+[[nodiscard]] std::string aligned_lines(const Table& table, std::size_t margin, bool rule);
+
+/// Returns head and rows as a table of HTML that scrolls within its page. `grouped`: draws a line
+/// above each row with a new text in its first column.
+[[nodiscard]] std::string html_table(const Table& table, bool grouped = false);
 
 } // namespace edgeproof::report

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/text/escape.hpp"
 
+#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
+
+#include <boost/locale/utf.hpp>
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
+#include <utility>
 
 namespace edgeproof::report {
 namespace {
@@ -27,15 +32,22 @@ bool is_plain(char c) {
     return plain[static_cast<unsigned char>(c)];
 }
 
-std::string in_quotes(std::string_view text) {
-    std::string out = "\"";
+using Replacements = std::initializer_list<std::pair<char, std::string_view>>;
+
+/// Returns the text with some of its characters replaced.
+std::string replaced(std::string_view text, Replacements replacements) {
+    std::string out;
+    out.reserve(text.size());
     for (const char c : text) {
-        out += c;
-        if (c == '"') {
+        const auto* const found =
+            std::ranges::find(replacements, c, &Replacements::value_type::first);
+        if (found == replacements.end()) {
             out += c;
+        } else {
+            out += found->second;
         }
     }
-    return out + "\"";
+    return out;
 }
 
 } // namespace
@@ -50,7 +62,7 @@ void add_csv_cell(std::string& line, std::string_view text) {
     }
     const bool quoted = read_otherwise || text.find_first_of(",\"\r\n") != std::string_view::npos;
     const std::string in_a_line = printable(text);
-    line += quoted ? in_quotes(in_a_line) : in_a_line;
+    line += quoted ? '"' + replaced(in_a_line, {{'"', "\"\""}}) + '"' : in_a_line;
 }
 
 std::string csv_cell(std::string_view text) {
@@ -73,82 +85,73 @@ std::string markdown_text(std::string_view text) {
     const bool link = text.find("](") != std::string_view::npos ||
                       text.find("][") != std::string_view::npos ||
                       text.find("]:") != std::string_view::npos;
-    const std::string_view marks = link ? "\\|`[]" : "\\|`";
-    std::string out;
-    for (const char c : printable(text)) {
-        if (c == '<') {
-            out += "&lt;";
-        } else if (c == '&') {
-            out += "&amp;";
-        } else {
-            if (marks.find(c) != std::string_view::npos) {
-                out += '\\';
-            }
-            out += c;
-        }
-    }
-    return out;
+    const std::string out =
+        replaced(printable(text),
+                 {{'<', "&lt;"}, {'&', "&amp;"}, {'\\', "\\\\"}, {'|', "\\|"}, {'`', "\\`"}});
+    return link ? replaced(out, {{'[', "\\["}, {']', "\\]"}}) : out;
 }
 
 std::string markdown_code(std::string_view text) {
-    std::string out = "`";
-    for (const char c : printable(text)) {
-        out += c == '|' ? "\\|" : c == '`' ? "'" : std::string(1, c);
-    }
-    return out + "`";
+    return '`' + replaced(printable(text), {{'|', "\\|"}, {'`', "'"}}) + '`';
 }
 
 std::string latex_text(std::string_view text) {
-    std::string out;
-    for (const char c : printable(text)) {
-        switch (c) {
-        case '\\':
-            out += "\\textbackslash{}";
-            break;
-        case '~':
-            out += "\\textasciitilde{}";
-            break;
-        case '^':
-            out += "\\textasciicircum{}";
-            break;
-        case '_':
-        case '%':
-        case '&':
-        case '#':
-        case '$':
-        case '{':
-        case '}':
-            out += '\\';
-            out += c;
-            break;
-        default:
-            out += c;
-        }
-    }
-    return out;
+    return replaced(printable(text), {{'\\', "\\textbackslash{}"},
+                                      {'~', "\\textasciitilde{}"},
+                                      {'^', "\\textasciicircum{}"},
+                                      {'_', "\\_"},
+                                      {'%', "\\%"},
+                                      {'&', "\\&"},
+                                      {'#', "\\#"},
+                                      {'$', "\\$"},
+                                      {'{', "\\{"},
+                                      {'}', "\\}"}});
 }
 
 std::string xml_text(std::string_view text) {
-    std::string out;
-    for (const char c : printable(text)) {
-        switch (c) {
-        case '&':
-            out += "&amp;";
-            break;
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            out += c;
-        }
+    return replaced(printable(text),
+                    {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
+}
+
+std::string escape_html(std::string_view text) {
+    namespace utf = boost::locale::utf;
+    std::string valid;
+    valid.reserve(text.size());
+    while (!text.empty()) {
+        const auto* next = text.begin();
+        const utf::code_point code = utf::utf_traits<char>::decode(next, text.end());
+        const bool invalid = code == utf::illegal || code == utf::incomplete;
+        const bool control = (code < 0x20 && code != '\n' && code != '\t') || code == 0x7F;
+        const std::size_t n = invalid ? 1 : static_cast<std::size_t>(next - text.begin());
+        valid += invalid ? "\xEF\xBF\xBD" : control ? " " : text.substr(0, n);
+        text.remove_prefix(n);
     }
-    return out;
+    return replaced(
+        valid, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}});
+}
+
+std::string fill_template(std::string_view text,
+                          const std::map<std::string, std::string, std::less<>>& values) {
+    std::string out;
+    while (true) {
+        const std::size_t open = text.find("{{");
+        out += text.substr(0, open);
+        if (open == std::string_view::npos) {
+            return out;
+        }
+        const std::size_t close = text.find("}}", open);
+        if (close == std::string_view::npos) {
+            throw Error("a template of the report has {{ without }}");
+        }
+        const std::string_view name = text.substr(open + 2, close - open - 2);
+        const auto value = values.find(name);
+        if (value == values.end()) {
+            throw Error("a template of the report asks for '" + std::string(name) +
+                        "', which nothing supplies");
+        }
+        out += value->second;
+        text.remove_prefix(close + 2);
+    }
 }
 
 } // namespace edgeproof::report

@@ -2,13 +2,13 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 
 /// Escapes text of other authors (names, ids, notes, formulas, file names) for each output format,
-/// so that it is read there as plain text; one function per format. `escape_html` (html_markup.hpp)
-/// does the same for HTML, and `printable` (precision/message.hpp), which all of them apply first,
-/// for a terminal.
+/// so that it is read there as plain text; one function per format. For a terminal this is
+/// `printable` (precision/message.hpp), which all of them but `escape_html` apply first.
 namespace edgeproof::report {
 
 /// Returns a cell of a CSV row, quoted if necessary.
@@ -28,6 +28,22 @@ void add_csv_cell(std::string& line, std::string_view text);
 
 /// Returns text for a LaTeX paragraph or cell, without commands of its own.
 [[nodiscard]] std::string latex_text(std::string_view text);
+
+/// Escapes text for HTML, between tags or in a quoted attribute. Control characters not allowed in
+/// HTML become spaces; bytes that are not UTF-8 become U+FFFD.
+[[nodiscard]] std::string escape_html(std::string_view text);
+
+/// Replaces `{{name}}` in a template by `values[name]`, once and not in the inserted text. Throws
+/// Error for a name without a value.
+[[nodiscard]] std::string
+fill_template(std::string_view text, const std::map<std::string, std::string, std::less<>>& values);
+
+/// The files of share/edgeproof/report when the program was built.
+namespace report_template {
+extern const std::string_view page_html;
+extern const std::string_view page_css;
+extern const std::string_view page_js;
+} // namespace report_template
 
 /// Returns the number of UTF-8 code points as the number of columns; nearly all texts are ASCII.
 [[nodiscard]] inline std::size_t text_width(const std::string& text) {

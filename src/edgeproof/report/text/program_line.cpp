@@ -8,31 +8,22 @@
 #include <ginac/version.h>
 #include <mpfr.h>
 
+#include <vector>
+
 namespace edgeproof::report {
-namespace {
 
 std::string libraries_text() {
-    std::string text;
-    for (const auto& [name, version] : library_versions()) {
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, version);
-    }
-    return text;
-}
-
-} // namespace
-
-std::vector<std::pair<std::string, std::string>> library_versions() {
-    return {
-        {"MPFR", mpfr_get_version()},
-        {"FLINT", static_cast<const char*>(flint_version)},
+    const std::vector<std::string> libraries{
+        fmt::format("MPFR {}", mpfr_get_version()),
+        fmt::format("FLINT {}", static_cast<const char*>(flint_version)),
 #ifndef EDGEPROOF_ARB_IN_FLINT
-        {"Arb", arb_version},
+        fmt::format("Arb {}", arb_version),
 #endif
-        {"Boost", fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000,
-                              BOOST_VERSION % 100)},
-        {"GiNaC",
-         fmt::format("{}.{}.{}", GiNaC::version_major, GiNaC::version_minor, GiNaC::version_micro)},
-    };
+        fmt::format("Boost {}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000,
+                    BOOST_VERSION % 100),
+        fmt::format("GiNaC {}.{}.{}", GiNaC::version_major, GiNaC::version_minor,
+                    GiNaC::version_micro)};
+    return fmt::format("{}", fmt::join(libraries, ", "));
 }
 
 std::string program_line() {

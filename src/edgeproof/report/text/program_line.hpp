@@ -2,8 +2,6 @@
 #pragma once
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 /// The identification of the program, included in every file that it writes.
 namespace edgeproof::report {
@@ -14,8 +12,8 @@ extern const std::string_view program_version;
 /// git nor a release archive gives it. Both are made by cmake/program_version.cmake.
 extern const std::string_view program_commit;
 
-/// Returns name and version of each linked library that may affect a number.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> library_versions();
+/// Returns name and version of each linked library that may affect a number: "MPFR 4.2.0, ...".
+[[nodiscard]] std::string libraries_text();
 
 /// Returns "edgeproof 0.2.0 (commit 0123456789ab; MPFR 4.2.0, FLINT 2.9.0, ...)".
 [[nodiscard]] std::string program_line();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/text/tex_math.hpp"
 
-#include "edgeproof/report/text/html_markup.hpp"
+#include "edgeproof/report/text/escape.hpp"
 
 #include <algorithm>
 #include <array>
@@ -261,16 +261,13 @@ private:
             return sign ? math_leaf("mi", text, text.size() == 1 ? " mathvariant=\"normal\"" : "")
                         : math_leaf("mtext", " " + text + " ");
         }
-        if (const auto sign = tex_operator(name)) {
-            return math_leaf("mo", std::string(*sign));
-        }
-        if (const auto letter = tex_letter(name)) {
-            return math_leaf("mi", std::string(*letter));
-        }
-        if (const auto width = tex_space(name)) {
-            return width->empty() ? std::nullopt
-                                  : std::optional(math_leaf(
-                                        "mspace", "", " width=\"" + std::string(*width) + "\""));
+        if (const auto symbol = tex_symbol(name)) {
+            const std::string text(symbol->text);
+            if (symbol->tag != std::string_view("mspace")) {
+                return math_leaf(symbol->tag, text);
+            }
+            return text.empty() ? std::nullopt
+                                : std::optional(math_leaf("mspace", "", " width=\"" + text + "\""));
         }
         return math_leaf(name.size() > 1 ? "mi" : "mo", name); // \sin, \log, \%, ...
     }

@@ -46,10 +46,13 @@ void mark_changes(MathNode& printed, MathNode& corrected);
 /// characters (a non-ASCII letter is one token). Runs of white space become one " ".
 [[nodiscard]] std::vector<std::string> tex_tokens(std::string_view tex);
 
-/// The symbol of the command (given without its backslash): an operator, a letter, or a width of
-/// space ("" for zero width); nothing for other commands.
-[[nodiscard]] std::optional<std::string_view> tex_operator(std::string_view command);
-[[nodiscard]] std::optional<std::string_view> tex_letter(std::string_view command);
-[[nodiscard]] std::optional<std::string_view> tex_space(std::string_view command);
+/// The element of MathML for a command: an operator (mo), a letter (mi), or a space (mspace) and
+/// its width, which is empty for a command that shows nothing.
+struct TexSymbol {
+    const char* tag;
+    std::string_view text;
+};
+/// Returns nothing for other commands. The command is given without its backslash.
+[[nodiscard]] std::optional<TexSymbol> tex_symbol(std::string_view command);
 
 } // namespace edgeproof::report

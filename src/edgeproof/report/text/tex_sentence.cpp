@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/report/text/html_markup.hpp"
+#include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/tex_math.hpp"
+
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
 #include <cctype>
+#include <initializer_list>
 #include <map>
+#include <utility>
 
 namespace edgeproof::report {
 namespace {
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
-void put_in_place(std::string& text, std::string_view from, std::string_view to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
-        text.replace(at, from.size(), to);
-    }
-}
+bool is_blank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// Signs that have a TeX command in text.
 std::string_view text_sign(std::string_view command) {
@@ -57,11 +59,11 @@ std::string plain_html(std::string_view tex, const audit::PrintedSource& source)
             out += token == "~" ? " " : escape_html(token);
         }
     }
-    put_in_place(out, "---", "—");
-    put_in_place(out, "--", "–");
-    put_in_place(out, "``", "“");
-    put_in_place(out, "&#39;&#39;", "”");
-    put_in_place(out, "`", "‘");
+    boost::replace_all(out, "---", "—");
+    boost::replace_all(out, "--", "–");
+    boost::replace_all(out, "``", "“");
+    boost::replace_all(out, "&#39;&#39;", "”");
+    boost::replace_all(out, "`", "‘");
     return out;
 }
 
@@ -128,28 +130,14 @@ std::string left_side(std::string_view tex) {
         depth += c == '{' ? 1 : c == '}' ? -1 : 0;
         if (c == '=' && depth == 0) {
             for (const std::string_view spacing : {"\\,", "\\;", "&"}) {
-                put_in_place(left, spacing, "");
+                boost::replace_all(left, spacing, "");
             }
-            const std::size_t first = left.find_first_not_of(" \n");
-            const std::size_t last = left.find_last_not_of(" \n");
-            return first == std::string::npos ? "" : left.substr(first, last - first + 1);
+            return boost::trim_copy_if(left, boost::is_any_of(" \n"));
         }
         left += c;
     }
     return "";
 }
-
-namespace {
-
-using CommandTable = std::map<std::string_view, std::string_view>;
-
-std::optional<std::string_view> command_in(const CommandTable& table, std::string_view key) {
-    const auto it = table.find(key);
-    return it == table.end() ? std::nullopt : std::optional(it->second);
-}
-bool of_kind(int (*test)(int), char c) { return test(static_cast<unsigned char>(c)) != 0; }
-
-} // namespace
 
 std::vector<std::string> tex_tokens(std::string_view tex) {
     std::vector<std::string> tokens;
@@ -162,21 +150,21 @@ std::vector<std::string> tex_tokens(std::string_view tex) {
         std::size_t n = 1;
         if (tex[i] == '\\') {
             ++n;
-            if (i + 1 < tex.size() && of_kind(std::isalpha, tex[i + 1])) {
-                while (i + n < tex.size() && of_kind(std::isalpha, tex[i + n])) {
+            if (i + 1 < tex.size() && is_letter(tex[i + 1])) {
+                while (i + n < tex.size() && is_letter(tex[i + n])) {
                     ++n;
                 }
             }
             take(n);
-        } else if (of_kind(std::isspace, tex[i])) {
-            while (i < tex.size() && of_kind(std::isspace, tex[i])) {
+        } else if (is_blank(tex[i])) {
+            while (i < tex.size() && is_blank(tex[i])) {
                 ++i;
             }
             tokens.emplace_back(" ");
-        } else if (of_kind(std::isdigit, tex[i])) {
-            while (i + n < tex.size() && (of_kind(std::isdigit, tex[i + n]) ||
-                                          (tex[i + n] == '.' && i + n + 1 < tex.size() &&
-                                           of_kind(std::isdigit, tex[i + n + 1])))) {
+        } else if (is_digit(tex[i])) {
+            while (i + n < tex.size() &&
+                   (is_digit(tex[i + n]) ||
+                    (tex[i + n] == '.' && i + n + 1 < tex.size() && is_digit(tex[i + n + 1])))) {
                 ++n;
             }
             take(n);
@@ -191,7 +179,8 @@ std::vector<std::string> tex_tokens(std::string_view tex) {
     return tokens;
 }
 
-std::optional<std::string_view> tex_operator(std::string_view command) {
+std::optional<TexSymbol> tex_symbol(std::string_view command) {
+    using CommandTable = std::map<std::string_view, std::string_view>;
     static const CommandTable operators{
         {"int", "∫"},     {"fint", "⨍"},       {"sum", "∑"},   {"pm", "±"},     {"mp", "∓"},
         {"cdot", "·"},    {"times", "×"},      {"leq", "≤"},   {"le", "≤"},     {"geq", "≥"},
@@ -199,10 +188,6 @@ std::optional<std::string_view> tex_operator(std::string_view command) {
         {"neq", "≠"},     {"rightarrow", "→"}, {"to", "→"},    {"in", "∈"},     {"dots", "…"},
         {"ldots", "…"},   {"cdots", "⋯"},      {"prime", "′"}, {"{", "{"},      {"}", "}"},
         {"partial", "∂"}, {"propto", "∝"},     {"%", "%"}};
-    return command_in(operators, command);
-}
-
-std::optional<std::string_view> tex_letter(std::string_view command) {
     static const CommandTable letters{
         {"alpha", "α"}, {"beta", "β"},   {"gamma", "γ"}, {"delta", "δ"}, {"epsilon", "ϵ"},
         {"zeta", "ζ"},  {"eta", "η"},    {"theta", "θ"}, {"kappa", "κ"}, {"varepsilon", "ε"},
@@ -211,17 +196,20 @@ std::optional<std::string_view> tex_letter(std::string_view command) {
         {"chi", "χ"},   {"psi", "ψ"},    {"omega", "ω"}, {"Gamma", "Γ"}, {"Delta", "Δ"},
         {"Theta", "Θ"}, {"Lambda", "Λ"}, {"Sigma", "Σ"}, {"Phi", "Φ"},   {"Psi", "Ψ"},
         {"Omega", "Ω"}, {"infty", "∞"},  {"ell", "ℓ"}};
-    return command_in(letters, command);
-}
-
-std::optional<std::string_view> tex_space(std::string_view command) {
     static const CommandTable spaces{{",", "0.17em"},   {";", "0.28em"},  {":", "0.22em"},
                                      {" ", "0.28em"},   {"quad", "1em"},  {"qquad", "2em"},
                                      {"!", ""},         {"nonumber", ""}, {"displaystyle", ""},
                                      {"textstyle", ""}, {"bigg", ""},     {"Bigg", ""},
                                      {"big", ""},       {"Big", ""},      {"limits", ""},
                                      {"notag", ""},     {"right", ""}};
-    return command_in(spaces, command);
+    using Tagged = std::initializer_list<std::pair<const char*, const CommandTable*>>;
+    for (const auto& [tag, table] :
+         Tagged{{"mo", &operators}, {"mi", &letters}, {"mspace", &spaces}}) {
+        if (const auto it = table->find(command); it != table->end()) {
+            return TexSymbol{tag, it->second};
+        }
+    }
+    return std::nullopt;
 }
 
 } // namespace edgeproof::report

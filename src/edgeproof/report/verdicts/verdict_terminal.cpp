@@ -5,6 +5,8 @@
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/text/escape.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace edgeproof::report {
@@ -87,6 +89,41 @@ std::string refutations_line(const audit::AuditResult& result) {
     return refuted ? "all refutations rest on disjoint enclosures\n" : "";
 }
 
+/// Returns a row for each verdict that occurs: the number of claims, their bases (audit::Basis),
+/// and the number for which a theorem proves a part (`certificate`), in columns separated by
+/// spaces.
+std::string bases_table(const audit::AuditResult& result) {
+    using audit::ClaimResult;
+    std::string text = fmt::format("{:<14}  {:>6}", "verdict", "claims");
+    for (const audit::Basis basis : audit::all_bases) {
+        text += fmt::format("  {:>10}", name_of(basis));
+    }
+    text += "  also a theorem of part\n";
+    const auto row = [&](std::string_view name, const auto& counted) {
+        const auto count = [&](const auto& holds) {
+            return std::count_if(result.claims.begin(), result.claims.end(),
+                                 [&](const ClaimResult& r) { return counted(r) && holds(r); });
+        };
+        const auto all = count([](const ClaimResult&) { return true; });
+        if (all == 0) {
+            return;
+        }
+        text += fmt::format("{:<14}  {:>6}", name, all);
+        for (const audit::Basis basis : audit::all_bases) {
+            text += fmt::format("  {:>10}",
+                                count([&](const ClaimResult& r) { return basis_of(r) == basis; }));
+        }
+        text += fmt::format("  {:>22}\n", count([](const ClaimResult& r) {
+                                return r.certificate && !r.certificate->whole_verdict;
+                            }));
+    };
+    for (const audit::Verdict verdict : audit::all_verdicts) {
+        row(name_of(verdict), [&](const ClaimResult& r) { return r.outcome.verdict == verdict; });
+    }
+    row("all", [](const ClaimResult&) { return true; });
+    return text;
+}
+
 } // namespace
 
 std::string verdicts_terminal(const audit::AuditResult& result, std::size_t width, bool colour) {
@@ -146,6 +183,50 @@ std::string verdicts_terminal(const audit::AuditResult& result, std::size_t widt
     out += "\n" + std::to_string(result.claims.size()) + " claims at " +
            std::to_string(result.digits) + " digits: " + counts_line(result) + "\n";
     return out + refutations_line(result) + "\nWhat they rest on\n" + bases_table(result);
+}
+
+namespace {
+
+/// The use of the samples, which shows if fewer would suffice.
+std::string samples_text(const audit::ClaimResult& r, double most) {
+    if (!r.outcome.sample_use) {
+        return "-";
+    }
+    const audit::SampleUse& use = *r.outcome.sample_use;
+    const auto digits = [most](double d) {
+        return d < 0 ? std::string("no value") : fmt::format("{:.1f} digits", std::min(d, most));
+    };
+    if (use.refuting > 0) {
+        return fmt::format("refuted at {} of {}, first at {}", use.refuting, use.samples,
+                           use.first_refuting);
+    }
+    return fmt::format("worst at {} of {}: {}; in the first half {}", use.worst, use.samples,
+                       digits(use.digits), digits(use.first_half_digits));
+}
+
+} // namespace
+
+std::string profile_table(const audit::AuditResult& result) {
+    std::vector<const audit::ClaimResult*> claims;
+    std::size_t widest = std::string_view("claim").size();
+    double all = 0;
+    for (const audit::ClaimResult& r : result.claims) {
+        if (r.seconds) {
+            claims.push_back(&r);
+            widest = std::max(widest, r.claim.id.size());
+            all += *r.seconds;
+        }
+    }
+    std::stable_sort(claims.begin(), claims.end(),
+                     [](const auto* x, const auto* y) { return *x->seconds > *y->seconds; });
+    std::string text = fmt::format("{:<{}}  {:<14}  {:<14}  {:>8}  {:>6}  samples\n", "claim",
+                                   widest, "kind", "verdict", "seconds", "share");
+    for (const audit::ClaimResult* r : claims) {
+        text += fmt::format("{:<{}}  {:<14}  {:<14}  {:>8.3f}  {:>5.1f}%  {}\n", r->claim.id,
+                            widest, r->claim.kind, name_of(r->outcome.verdict), *r->seconds,
+                            all > 0 ? 100 * *r->seconds / all : 0, samples_text(*r, result.digits));
+    }
+    return text + fmt::format("{:<{}}  {:<14}  {:<14}  {:>8.3f}\n", "all", widest, "", "", all);
 }
 
 } // namespace edgeproof::report

@@ -5,18 +5,23 @@
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
+#include "edgeproof/report/tables/reference_table.hpp"
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
 
 namespace edgeproof::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Cells = std::vector<std::string>;
 
 Json to_json(const audit::EvidenceItem& item);
 
@@ -48,22 +53,20 @@ Json to_json(const audit::EvidenceItem& item) {
 }
 
 Json or_null(const std::optional<std::string>& text) { return text ? Json(*text) : Json(nullptr); }
+std::string or_empty(const std::optional<std::string>& text) { return text.value_or(""); }
 
 std::optional<std::string> quoted(const audit::Claim& claim) {
-    if (!claim.has("quoted")) {
-        return {};
-    }
-    return claim.text("quoted");
+    return claim.has("quoted") ? std::optional(claim.text("quoted")) : std::nullopt;
 }
-
+std::optional<std::string> certificate_of(const audit::ClaimResult& r) {
+    return r.certificate ? std::optional(r.certificate->path) : std::nullopt;
+}
 /// Returns "5-7"; nothing for a formula without a source.
-std::string lines_text(const audit::Claim& claim) {
-    if (claim.lines.first == 0) {
-        return {};
-    }
-    return claim.lines.first == claim.lines.second
-               ? std::to_string(claim.lines.first)
-               : std::to_string(claim.lines.first) + "-" + std::to_string(claim.lines.second);
+std::optional<std::string> lines_of(const audit::Claim& claim) {
+    const auto& [first, last] = claim.lines;
+    return first == 0      ? std::nullopt
+           : first == last ? std::optional(std::to_string(first))
+                           : std::optional(fmt::format("{}-{}", first, last));
 }
 
 Json profile_json(const audit::ClaimResult& r, double most) {
@@ -113,9 +116,7 @@ std::array<std::size_t, audit::all_verdicts.size()>
 count_verdicts(const audit::AuditResult& result) {
     std::array<std::size_t, audit::all_verdicts.size()> counts{};
     for (const audit::ClaimResult& r : result.claims) {
-        ++counts[static_cast<std::size_t>(
-            std::find(audit::all_verdicts.begin(), audit::all_verdicts.end(), r.outcome.verdict) -
-            audit::all_verdicts.begin())];
+        ++counts.at(static_cast<std::size_t>(r.outcome.verdict.verdict()));
     }
     return counts;
 }
@@ -147,16 +148,16 @@ std::string verdicts_json(const audit::AuditResult& result) {
     for (const audit::ClaimResult& r : result.claims) {
         Json c;
         c["id"] = r.claim.id;
-        c["verdict"] = std::string(name_of(r.outcome.verdict));
+        c["verdict"] = name_of(r.outcome.verdict);
         c["printed"] = r.claim.printed;
         c["correct"] = or_null(r.outcome.correct);
         c["quoted"] = or_null(quoted(r.claim));
         c["computed"] = or_null(r.outcome.computed);
         c["note"] = r.outcome.note;
-        c["rests_on"] = std::string(name_of(basis_of(r)));
-        c["certificate"] = r.certificate ? Json(r.certificate->path) : Json(nullptr);
+        c["rests_on"] = name_of(basis_of(r));
+        c["certificate"] = or_null(certificate_of(r));
         Json evidence = Json::object();
-        evidence["lines"] = r.claim.lines.first > 0 ? Json(lines_text(r.claim)) : Json(nullptr);
+        evidence["lines"] = or_null(lines_of(r.claim));
         evidence["kind"] = r.claim.kind;
         if (r.claim.has("says")) {
             evidence["says"] = r.claim.text("says");
@@ -186,37 +187,35 @@ std::string verdicts_json(const audit::AuditResult& result) {
 
 std::string verdicts_csv(const audit::AuditResult& result) {
     std::string out = "id,lines,verdict,quoted,computed,correct,note,printed,program\n";
-    const std::string program = csv_text_cell(program_line());
     for (const audit::ClaimResult& r : result.claims) {
-        out += csv_text_cell(r.claim.id) + "," + lines_text(r.claim) + "," +
-               std::string(name_of(r.outcome.verdict)) + "," +
-               csv_text_cell(quoted(r.claim).value_or("")) + "," +
-               csv_text_cell(r.outcome.computed.value_or("")) + "," +
-               csv_text_cell(r.outcome.correct.value_or("")) + "," + csv_text_cell(r.outcome.note) +
-               "," + csv_text_cell(r.claim.printed) + "," + program + "\n";
+        out += fmt::format(
+            "{},{},{},{},{},{},{},{},{}\n", csv_text_cell(r.claim.id), or_empty(lines_of(r.claim)),
+            name_of(r.outcome.verdict), csv_text_cell(or_empty(quoted(r.claim))),
+            csv_text_cell(or_empty(r.outcome.computed)), csv_text_cell(or_empty(r.outcome.correct)),
+            csv_text_cell(r.outcome.note), csv_text_cell(r.claim.printed),
+            csv_text_cell(program_line()));
     }
     return out;
 }
 
 std::string verdicts_markdown(const audit::AuditResult& result) {
-    std::string out = "# " + markdown_text(result.ledger) + "\n\n" + markdown_text(result.source) +
-                      "\n\n" + std::to_string(result.claims.size()) + " claims at " +
-                      std::to_string(result.digits) + " digits: " + counts_line(result) +
-                      ".\n\nMade by " + markdown_text(program_line()) + ".\n\n";
+    std::string out = fmt::format("# {}\n\n{}\n\n{} claims at {} digits: {}.\n\nMade by {}.\n\n",
+                                  markdown_text(result.ledger), markdown_text(result.source),
+                                  result.claims.size(), result.digits, counts_line(result),
+                                  markdown_text(program_line()));
     out +=
         "| id | lines | verdict | quoted | computed | correct | note | rests on | certificate |\n"
         "|---|---|---|---|---|---|---|---|---|\n";
+    const auto code = [](const std::optional<std::string>& text) {
+        return text ? markdown_code(*text) : "";
+    };
     for (const audit::ClaimResult& r : result.claims) {
-        const auto code = [](const std::optional<std::string>& text) {
-            return text ? markdown_code(*text) : std::string();
-        };
-        out += "| " + markdown_text(r.claim.id) + " | " + lines_text(r.claim) + " | " +
-               std::string(name_of(r.outcome.verdict)) + " | " +
-               markdown_text(quoted(r.claim).value_or("")) + " | " +
-               markdown_text(r.outcome.computed.value_or("")) + " | " + code(r.outcome.correct) +
-               " | " + markdown_text(r.outcome.note) + " | " + std::string(name_of(basis_of(r))) +
-               " | " + (r.certificate ? markdown_code(r.certificate->path) : std::string()) +
-               " |\n";
+        out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+                           markdown_text(r.claim.id), or_empty(lines_of(r.claim)),
+                           name_of(r.outcome.verdict), markdown_text(or_empty(quoted(r.claim))),
+                           markdown_text(or_empty(r.outcome.computed)), code(r.outcome.correct),
+                           markdown_text(r.outcome.note), name_of(basis_of(r)),
+                           code(certificate_of(r)));
     }
     return out;
 }
@@ -237,26 +236,20 @@ std::string verdicts_latex(const audit::AuditResult& result) {
             note += (note.empty() ? "" : "; ") + std::string("correct: \\texttt{") +
                     breakable_latex(*r.outcome.correct) + "}";
         }
-        out += breakable_latex(r.claim.id) + " & " + lines_text(r.claim) + " & " +
-               std::string(name_of(r.outcome.verdict)) + " & " +
-               breakable_latex(r.outcome.computed.value_or("")) + " & " + note +
-               " \\tabularnewline\n";
+        out += fmt::format("{} & {} & {} & {} & {} \\tabularnewline\n", breakable_latex(r.claim.id),
+                           or_empty(lines_of(r.claim)), name_of(r.outcome.verdict),
+                           breakable_latex(or_empty(r.outcome.computed)), note);
     }
     return out + "\\end{longtable}}\n";
 }
 
 namespace {
 
-using Cells = std::vector<std::string>;
-
 const Cells golden_head{"id", "verdict", "correct"};
 
 std::string row(const Cells& cells) {
-    std::string line;
-    for (const std::string& cell : cells) {
-        line += line.empty() ? "" : ",";
-        add_csv_cell(line, cell);
-    }
+    std::string line = csv_line(cells);
+    line.pop_back();
     return line;
 }
 
@@ -274,9 +267,9 @@ std::filesystem::path golden_file(const std::filesystem::path& ledger) {
 }
 
 std::string golden_text(const audit::AuditResult& result) {
-    std::string out = row(golden_head) + '\n';
+    std::string out = csv_line(golden_head);
     for (const audit::ClaimResult& r : result.claims) {
-        out += row(cells_of(r)) + '\n';
+        out += csv_line(cells_of(r));
     }
     return out;
 }
@@ -304,9 +297,9 @@ std::vector<std::string> golden_differences(const audit::AuditResult& result,
         }
     }
     std::vector<std::string> differences;
-    std::map<std::string, bool> seen;
+    std::set<std::string> seen;
     for (const audit::ClaimResult& r : result.claims) {
-        seen[r.claim.id] = true;
+        seen.insert(r.claim.id);
         const auto at = expected.find(r.claim.id);
         if (at == expected.end()) {
             differences.push_back(r.claim.id + ": not in the golden file; now " + row(cells_of(r)));
@@ -316,7 +309,7 @@ std::vector<std::string> golden_differences(const audit::AuditResult& result,
         }
     }
     for (const std::string& id : order) {
-        if (!seen[id]) {
+        if (!seen.contains(id)) {
             differences.push_back(id + ": in the golden file, but no claim has this id");
         }
     }

@@ -16,11 +16,6 @@ count_verdicts(const audit::AuditResult& result);
 /// Returns "61 proved, 30 confirmed, 12 refuted, ..." without zeros.
 [[nodiscard]] std::string counts_line(const audit::AuditResult& result);
 
-/// Returns a row for each verdict that occurs: the number of claims, their bases (audit::Basis),
-/// and the number for which a theorem proves a part (`certificate`), in columns separated by
-/// spaces.
-[[nodiscard]] std::string bases_table(const audit::AuditResult& result);
-
 /// Returns the processor times: a row for each timed claim, the most expensive first, with its
 /// share of the total and the use of its samples: the number of samples that refute the printed
 /// formula and the first of them, or the sample with the worst agreement and the digits of

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/parts/residual_fit.hpp"
+#include "edgeproof/audit/sample/evaluated_scene.hpp"
+#include "edgeproof/report/figures/figures_paper.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace edgeproof::report {
+namespace {
+
+using Colour = Pen::Colour;
+
+constexpr std::size_t orders = 8;
+/// Colours for distinct curves; yellow is too faint on white for a line.
+constexpr std::array<Colour, orders> order_colours{
+    Colour::black,  Colour::blue,   Colour::vermilion, Colour::green,
+    Colour::purple, Colour::orange, Colour::sky_blue,  Colour::black};
+
+std::string fixed(const Real& x, int places) {
+    return fmt::format("{:.{}f}", x.convert_to<double>(), places);
+}
+
+std::string edge_words(contact::Edge edge) { return scene::edge_name(edge) + "-hand edge"; }
+
+std::string terms_words(std::size_t n) { return fmt::format("{} term{}", n, n == 1 ? "" : "s"); }
+
+struct Coefficient {
+    contact::Edge edge;
+    std::size_t k;
+};
+
+/// Reads "right.c1".
+std::optional<Coefficient> coefficient_named(std::string_view text) {
+    const std::size_t dot = text.find('.');
+    const std::string_view side = text.substr(0, dot);
+    if (dot == std::string_view::npos || (side != "right" && side != "left") ||
+        text.size() < dot + 3 || text[dot + 1] != 'c') {
+        return std::nullopt;
+    }
+    std::size_t k = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data() + dot + 2, end, k);
+    if (error != std::errc() || stop != end || k > 9) {
+        return std::nullopt;
+    }
+    return Coefficient{side == "right" ? contact::Edge::right : contact::Edge::left, k};
+}
+
+/// Returns the slope between the two rows nearest to the edge; "none" if a residual is 0.
+std::string last_slope(const Plot& plot, std::size_t column) {
+    const auto& near = plot.rows.back();
+    const auto& next = plot.rows[plot.rows.size() - 2];
+    if (!near[column] || !next[column]) {
+        return "none";
+    }
+    return fixed(log(*next[column] / *near[column]) / log(*next[0] / *near[0]), 4);
+}
+
+std::optional<Real> size_of(const Real& x) {
+    return x == 0 ? std::nullopt : std::optional<Real>(abs(x));
+}
+
+std::optional<Plot> plot_in(const audit::Sample& sample, const audit::Claim& claim,
+                            const formula::Expr& says, const std::optional<formula::Expr>& correct,
+                            const Coefficient& which) {
+    constexpr unsigned digits = 60;
+    constexpr int places = 33; // u = 0.2 of the radius, then each 10^(-1/4) times the one before
+    const audit::EvaluatedScene scene_values(sample.scene, digits);
+    const PrecisionScope scope(digits + 10);
+    audit::Variables variables;
+    for (const auto& [name, value] : sample.variables) {
+        variables.emplace(name, value.to<Real>());
+    }
+    if (claim.has("where") && !scene_values.holds(claim.condition("where"), nullptr, variables)) {
+        return std::nullopt;
+    }
+    const std::vector<Real> c = scene_values.expansion(which.edge, which.k + 2);
+    const Real printed = scene_values.evaluate(says, nullptr, variables).value;
+    const Real corrected =
+        correct ? scene_values.evaluate(*correct, nullptr, variables).value : c[which.k];
+    const Real size = std::max(Real(abs(printed)), Real(abs(c[which.k])));
+    if (abs(printed - c[which.k]) <= size * pow(Real(10), -20) ||
+        abs(corrected - c[which.k]) > size * pow(Real(10), -40)) {
+        return std::nullopt;
+    }
+    Plot plot;
+    plot.id = "erratum-" + claim.id;
+    plot.columns = {"u_over_length", "printed", "corrected"};
+    const Real start = scene_values.contact().convergence_radius(which.edge) / 5;
+    for (int j = 0; j < places; ++j) {
+        const Real u = start * pow(Real(10), Real(-j) / 4);
+        Real sum = 0;
+        for (std::size_t k = which.k; k-- > 0;) {
+            sum = sum * u + c[k];
+        }
+        const Real rest = scene_values.pressure(which.edge, u) - sqrt(u) * sum;
+        const Real step = sqrt(u) * pow(u, static_cast<int>(which.k));
+        plot.rows.push_back({Real(u / scene_values.length()), size_of(rest - printed * step),
+                             size_of(rest - corrected * step)});
+    }
+    const std::string terms = terms_words(which.k + 1);
+    const std::string edge = edge_words(which.edge);
+    const std::string as_printed = last_slope(plot, 1);
+    const std::string as_corrected = last_slope(plot, 2);
+    plot.title = claim.id + ": remainder after " + terms;
+    plot.x = {"u/(a + b), from the " + edge, true};
+    plot.y = {"|p − p_local|", true};
+    plot.curves = {{"printed", "as printed: slope " + as_printed, {Colour::vermilion, 2, {}, 2}},
+                   {"corrected", "as corrected: slope " + as_corrected, {Colour::blue, 1, {}, 2}}};
+    plot.description =
+        fmt::format("The pressure less its first {} at the {}, log-log against the distance from "
+                    "it, in the scene {}. With the coefficient as printed the slope is {}, as "
+                    "corrected {}.",
+                    terms, edge, sample.scene.text(), as_printed, as_corrected);
+    return plot;
+}
+
+} // namespace
+
+Plot residual_fit_plot(const NamedScene& scene, contact::Edge edge) {
+    const auto fits = audit::fit_residuals(
+        scene.profile, formula::Exact::parse("1"),
+        contact::Load::right_edge(formula::Exact::parse(scene.half_width)), edge,
+        {.orders = orders, .points = 12, .digits = figure_digits + 5, .start = 2});
+    Plot plot;
+    plot.id = "residual-" + scene.id + "-" + scene::edge_name(edge);
+    plot.title = scene.name + ", " + edge_words(edge);
+    plot.x = {"distance u from the edge (same unit as a)", true};
+    plot.y = {"|p − first n terms|/E*", true};
+    plot.columns = {"u"};
+    for (const Real& u : fits.front().u) {
+        plot.rows.push_back({u});
+    }
+    const PrecisionScope scope(figure_digits + 10);
+    for (const audit::OrderFit& fit : fits) {
+        plot.add_curve(fmt::format("r{}", fit.n),
+                       fmt::format("n = {}: slope {}", fit.n, fixed(fit.slope, 6)),
+                       {order_colours[fit.n], fit.n == orders - 1 ? 2U : 1U,
+                        static_cast<unsigned>(fit.n + 4), 1.5});
+        for (std::size_t j = 0; j < plot.rows.size(); ++j) {
+            plot.rows[j].back() = size_of(fit.residual[j]);
+        }
+    }
+    plot.description = fmt::format(
+        "Remainder of the pressure after n = 0 to {} terms at the {}, log-log against the "
+        "distance from it, with the slopes extrapolated to the edge.",
+        orders - 1, edge_words(edge));
+    return plot;
+}
+
+std::vector<FigureRecipe> residual_figures(const std::string& name) {
+    std::vector<FigureRecipe> figures;
+    for (const NamedScene& scene : paper_scenes(name)) {
+        FigureRecipe figure{"residual-" + scene.id,
+                            "Residual fit: " + scene.name,
+                            "Remainder of the exact pressure after n terms of the expansion, "
+                            "against the distance from the edge. The slope of order n is n + 1/2 "
+                            "if all coefficients before it are right (the next one where a "
+                            "coefficient vanishes).",
+                            {}};
+        for (const contact::Edge edge : scene.edges) {
+            figure.plots.emplace_back([scene, edge] { return residual_fit_plot(scene, edge); });
+        }
+        figures.push_back(std::move(figure));
+    }
+    return figures;
+}
+
+std::optional<Plot> erratum_plot(const audit::ClaimResult& result, const audit::Ledger& ledger) {
+    const audit::Claim& claim = result.claim;
+    if (result.outcome.verdict != audit::Verdict::refuted || !claim.has("of") ||
+        !claim.has("says")) {
+        return std::nullopt;
+    }
+    const auto which = coefficient_named(claim.text("of"));
+    if (!which) {
+        return std::nullopt;
+    }
+    std::optional<formula::Expr> correct;
+    if (result.outcome.correct) {
+        try {
+            correct = expand_definitions(parse_formula(*result.outcome.correct, claim.vocabulary),
+                                         claim.vocabulary);
+        } catch (const Error&) { // it is in words: the coefficient of the mechanics is used instead
+        }
+    }
+    const audit::AuditContext context(ledger, 50);
+    for (const audit::Sample& sample : context.samples(claim)) {
+        try {
+            if (auto plot = plot_in(sample, claim, claim.formula("says"), correct, *which)) {
+                return plot;
+            }
+        } catch (const DomainError&) { // not in this scene
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace edgeproof::report

@@ -139,7 +139,7 @@ public:
             scene_.ask.u.push_back({u, 0});
         }
         plan_ = make_plan(scene_);
-        route_ = make_ball_route(scene_, plan_, work_);
+        route_ = make_route(scene_, plan_, work_);
     }
     [[nodiscard]] CostValue at(std::size_t i) override {
         const Ball p =

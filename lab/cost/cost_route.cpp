@@ -118,7 +118,7 @@ ReadyContact as_printed(const CostCase& c, unsigned digits) {
         scene.ask.u.push_back({u, 0});
     }
     ready->plan = make_plan(scene);
-    ready->route = make_ball_route(scene, ready->plan, ready->work);
+    ready->route = make_route(scene, ready->plan, ready->work);
     return [&c, ready](std::size_t i) -> CostValue {
         const Ball p =
             ready->route->value({.quantity = scene::Quantity::p, .edge = c.edge, .u = c.u[i]})

@@ -48,7 +48,7 @@ def _end(child: subprocess.Popen[bytes]) -> None:
 
 
 def _values(text: str, file: str, asked: dict[str, Any]) -> dict[str, Any]:
-    return NativeScene(text, file).run(**asked)
+    return NativeScene(text, file).run(asked)
 
 
 _WORK: dict[str, Callable[..., Any]] = {"values": _values, "relations": relations}

@@ -69,21 +69,8 @@ class NativeScene:
     @property
     def slips(self) -> bool: ...
     @property
-    def knots(self) -> list[str]: ...
-    @property
     def asked(self) -> dict[str, Any]: ...
-    def run(
-        self,
-        *,
-        edges: list[str] | None = None,
-        u: list[str] | None = None,
-        terms: list[int] | None = None,
-        quantities: list[str] | None = None,
-        tolerance: str | None = None,
-        process_zone: str | None = None,
-        part: list[str] | None = None,
-        digits: int | None = None,
-    ) -> dict[str, Any]: ...
+    def run(self, asked: Mapping[str, Any]) -> dict[str, Any]: ...
     def pressures(
         self, edge: str, u: numpy.typing.NDArray[numpy.float64]
     ) -> numpy.typing.NDArray[numpy.float64]: ...

@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping
-from typing import Any
+import itertools
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any, NamedTuple
 
 from ._edgeproof import Value
 
@@ -198,45 +199,115 @@ class Result(_Plain):
     why: str
 
 
-def _approximations(rows: list[tuple[int, Value, Value]]) -> tuple[Approximation, ...]:
-    return tuple(Approximation(*row) for row in rows)
+class Row(NamedTuple):
+    """One asked value with its result, as the compiled module returns it.
+
+    k, j      the order or the number of terms, and the index of a crossing
+    point     the index of the place in the request, and u its distance from the edge if that is a
+              number; None if the quantity has no place
+    reached   of a search for a tolerance: False if the error stays within it
+    """
+
+    quantity: str
+    k: int
+    j: int
+    edge: str
+    point: int | None
+    u: str | None
+    value: Value | None
+    reached: bool
+    state: str | None
+    covers_zone: bool | None
 
 
-def point_of(d: dict[str, Any]) -> Point:
-    data = {**d}
-    data["p_local"] = _approximations(d["p_local"])
-    data["q_local"] = _approximations(d["q_local"])
-    return Point(**data)
+_NAMED_IN_POINT = ("coordinate", "distance", "p", "local-pressure", "relative-error", "q",
+                   "local-shear", "relative-error-of-shear")
 
 
-def coefficients_of(d: dict[str, Any]) -> Coefficients:
-    data = {**d}
-    data["c"] = tuple(d["c"])
-    data["s"] = tuple(d["s"])
-    return Coefficients(**data)
+class _Place:
+    """The rows of one edge or point."""
+
+    def __init__(self, rows: Iterable[Row]) -> None:
+        self.rows = list(rows)
+        self._row: dict[tuple[str, int, int], Row] = {}
+        for row in self.rows:
+            self._row.setdefault(row[:3], row)
+
+    def value(self, quantity: str, k: int = 0, j: int = 0) -> Any:
+        """The value, or None if there is none."""
+        row = self._row.get((quantity, k, j))
+        return None if row is None else row.value
+
+    def of(self, quantity: str) -> Iterator[Row]:
+        return (row for row in self.rows if row.quantity == quantity)
+
+    def values(self, quantity: str) -> tuple[Any, ...]:
+        return tuple(row.value for row in self.of(quantity))
+
+    def crossings(self, k: int) -> tuple[Any, ...]:
+        return tuple(row.value for key, row in self._row.items() if key[:2] == ("crossing", k))
+
+    def sums(self, quantity: str, error: str) -> tuple[Approximation, ...]:
+        return tuple(Approximation(row.k, self.value(quantity, row.k), self.value(error, row.k))
+                     for row in self.of(quantity))
 
 
-def extent_of(d: dict[str, Any]) -> Extent:
-    data = {**d}
-    data["crossings"] = tuple(d["crossings"])
-    return Extent(**data)
+def _point(at: _Place) -> Point:
+    u: Any = at.value("distance")
+    if u is None:
+        u = at.rows[0].u
+    return Point(
+        edge=at.rows[0].edge, u=u, x=at.value("coordinate"), p=at.value("p"),
+        p_local=at.sums("local-pressure", "relative-error"), q=at.value("q"),
+        q_local=at.sums("local-shear", "relative-error-of-shear"),
+        state=next((row.state for row in at.of("q")), None),
+        others={row.quantity: row.value for row in at.rows
+                if row.quantity not in _NAMED_IN_POINT and row.value is not None})
 
 
-def slips_of(d: dict[str, Any]) -> tuple[Slip, ...]:
-    if d["stick"] is None:
-        return ()
-    stick = StickZone(**d["stick"])
-    return tuple(Slip(row["edge"], row["size"], tuple(SlipTerms(*t) for t in row["terms"]), stick)
-                 for row in d["slips"])
+def _extent(at: _Place, row: Row) -> Extent:
+    def value(quantity: str) -> Any:
+        return at.value(quantity, row.k)
+
+    return Extent(row.edge, row.k, row.reached, value("extent"), value("measure"),
+                  value("extent-fraction"), value("measure-fraction"), at.crossings(row.k),
+                  row.covers_zone)
 
 
-def result_of(d: dict[str, Any]) -> Result:
+def _slip(at: _Place, stick: StickZone) -> Slip:
+    terms = tuple(SlipTerms(row.k, at.value("slip-zone-by-terms", row.k),
+                            at.value("relative-error-of-slip-zone", row.k), row.value, row.reached)
+                  for row in at.of("slip-load"))
+    return Slip(at.rows[0].edge, at.value("slip"), terms, stick)
+
+
+def result_of(found: dict[str, Any]) -> Result:
+    """Makes the objects of a result from its rows."""
+    rows = [Row(*row) for row in found["rows"]]
+    whole = _Place(rows)
+
+    def edges(*quantities: str) -> list[_Place]:
+        asked = [row for row in rows if row.quantity in quantities]
+        return [_Place(group) for _, group in itertools.groupby(asked, lambda row: row.edge)]
+
+    points = itertools.groupby((row for row in rows if row.point is not None),
+                               lambda row: (row.edge, row.point))
+    stick = StickZone(
+        whole.value("load-ratio"), whole.value("stick_a"), whole.value("stick_b"),
+        whole.value("least-bulk-tension"), whole.value("most-bulk-tension"),
+        whole.value("cycle_energy"), found["in_proportion"])
     return Result(
-        contact=d["contact"],
-        points=tuple(point_of(row) for row in d["points"]),
-        coefficients=tuple(coefficients_of(row) for row in d["coefficients"]),
-        extents=tuple(extent_of(row) for row in d["extents"]),
-        slips=slips_of(d),
-        proved=d["proved"],
-        why=d["why"],
+        contact={name: whole.value(name) for name in ("a", "b", "P", "M", "alpha")},
+        points=tuple(_point(_Place(group)) for _, group in points),
+        coefficients=tuple(
+            Coefficients(at.rows[0].edge, at.values("c"), at.values("s"), found["s_half_powers"])
+            for at in edges("c", "s")),
+        extents=tuple(
+            _extent(at, row) for at in edges("extent", "measure", "extent-fraction",
+                                             "measure-fraction", "crossing")
+            for row in at.of("extent")),
+        slips=tuple(_slip(at, stick) for at in edges(
+            "slip", "slip-zone-by-terms", "relative-error-of-slip-zone", "slip-load")),
+        proved=found["proved"],
+        why=found["why"],
     )

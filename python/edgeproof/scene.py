@@ -13,19 +13,7 @@ from ._numbers import exact_text, whole, wholes
 from ._shipped import file_or_shipped
 from .errors import InputError
 from .profiles import Number, Profile
-from .results import (
-    Coefficients,
-    Contact,
-    Extent,
-    Point,
-    Result,
-    Slip,
-    coefficients_of,
-    extent_of,
-    point_of,
-    result_of,
-    slips_of,
-)
+from .results import Coefficients, Contact, Extent, Point, Result, Slip, result_of
 
 if TYPE_CHECKING:
     import matplotlib.figure
@@ -169,8 +157,7 @@ class Scene:
     def __reduce__(self) -> tuple[Any, ...]:
         return Scene.from_text, (self.text, self.file or "")
 
-    def _run(self, **asked: Any) -> dict[str, Any]:
-        digits = asked.get("digits")
+    def _run(self, digits: int | None, **asked: Any) -> Result:
         count = self.digits if digits is None else whole(digits, "digits")
         if not 2 <= count <= _MOST_DIGITS:
             raise InputError(f"digits = {count} is out of range",
@@ -179,10 +166,8 @@ class Scene:
         most = _apart.MOST_DIGITS_HERE_INTEGRATED if self._native.integrated else \
             _apart.MOST_DIGITS_HERE
         if count > most and _apart.can_start():
-            values: dict[str, Any] = _apart.run("values", self.text, self.file or "", asked)
-        else:
-            values = self._native.run(**asked)
-        return values
+            return result_of(_apart.run("values", self.text, self.file or "", asked))
+        return result_of(self._native.run(asked))
 
     # The contact.
 
@@ -190,7 +175,7 @@ class Scene:
         """Both edges, force and moment, and the tilt if it is found: a Contact of Values."""
         wanted = self.digits if digits is None else digits
         if wanted not in self._contacts:
-            found = self._run(quantities=["contact"], digits=wanted)["contact"]
+            found: Any = self._run(wanted, quantities=["contact"]).contact
             self._contacts[wanted] = Contact(**found)
         return self._contacts[wanted]
 
@@ -222,13 +207,12 @@ class Scene:
     # At points.
 
     def _points(self, u: Any, edge: str, quantity: str, terms: Sequence[int],
-                digits: int | None) -> list[Point]:
+                digits: int | None) -> tuple[Point, ...]:
         places = _places(u) if _is_many(u) else [exact_text(u, "u")]
         if not places:
-            return []
-        found = self._run(edges=[edge], u=places, quantities=[quantity],
-                                 terms=list(terms), digits=digits)
-        return [point_of(row) for row in found["points"]]
+            return ()
+        return self._run(digits, edges=[edge], u=places, quantities=[quantity],
+                         terms=list(terms)).points
 
     @overload
     def pressure(self, u: Number, edge: str = ...,  # type: ignore[misc]
@@ -315,9 +299,8 @@ class Scene:
     # At edges.
 
     def _expansion(self, terms: int, edge: str, digits: int | None) -> Coefficients:
-        found = self._run(edges=[edge], quantities=["coefficients"], terms=[whole(terms, "terms")],
-                                 digits=digits)
-        return coefficients_of(found["coefficients"][0])
+        return self._run(digits, edges=[edge], quantities=["coefficients"],
+                         terms=[whole(terms, "terms")]).coefficients[0]
 
     def coefficients(self, terms: int = 3, edge: str = "right",
                      digits: int | None = None) -> tuple[Value, ...]:
@@ -343,13 +326,12 @@ class Scene:
         part          the examined part of the contact, as fractions of a + b from the edge
         process_zone  a length from the edge; the result states whether the extent covers it
         """
-        found = self._run(
-            edges=[edge], quantities=["extent"], terms=[whole(terms, "terms")],
+        return self._run(
+            digits, edges=[edge], quantities=["extent"], terms=[whole(terms, "terms")],
             tolerance=exact_text(tolerance, "tolerance"),
             part=[exact_text(p, "part") for p in part],
             process_zone="" if process_zone is None else exact_text(process_zone, "process_zone"),
-            digits=digits)
-        return extent_of(found["extents"][0])
+        ).extents[0]
 
     def _needs_friction(self) -> None:
         if not self.has_friction:
@@ -368,16 +350,15 @@ class Scene:
         slips in the other direction.
         """
         self._needs_friction()
-        found = self._run(
-            edges=[edge], quantities=["slip"], terms=wholes(terms, "terms"), digits=digits,
-            tolerance="" if tolerance is None else exact_text(tolerance, "tolerance"))
-        return slips_of(found)[0]
+        return self._run(
+            digits, edges=[edge], quantities=["slip"], terms=wholes(terms, "terms"),
+            tolerance="" if tolerance is None else exact_text(tolerance, "tolerance")).slips[0]
 
     # As a whole.
 
     def run(self, digits: int | None = None) -> Result:
         """Answers all questions of the scene file ([ask])."""
-        return result_of(self._run(digits=digits))
+        return self._run(digits)
 
     def plot(self, terms: int | Sequence[int] = (1, 2), edge: str = "right",
              file: str | os.PathLike[str] | None = None) -> matplotlib.figure.Figure:

@@ -10,6 +10,7 @@
 #include <pybind11/stl.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,14 +58,14 @@ py::dict verify(const std::string& ledger, long digits, const std::string& only,
                          "give a number from 0 (as many as the machine has) to " +
                              std::to_string(most_threads));
     }
-    Progress progress(std::move(callback));
     audit::AuditOptions options;
     options.digits = static_cast<unsigned>(digits);
     options.threads = static_cast<int>(threads);
     options.only = only;
-    options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
-    const Verified v = without_gil([&] { return verified(ledger, options); }, &progress);
-    progress.rethrow();
+    const Verified v = with_progress(std::move(callback), [&](Progress& progress) {
+        options.progress = std::ref(progress);
+        return verified(ledger, options);
+    });
     py::dict d;
     d["source"] = v.source;
     d["json"] = v.json;

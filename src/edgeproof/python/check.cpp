@@ -9,6 +9,8 @@
 
 #include <pybind11/stl.h>
 
+#include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -53,41 +55,24 @@ conformance::Answers program_answers(const std::string& recipe_file, const std::
     options.command = command;
     options.lines = json ? conformance::Lines::json : conformance::Lines::csv;
     options.seconds = seconds;
-    options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
+    options.progress = std::ref(progress);
     options.write_csv = [&](const conformance::Questions& part) {
         return write_table(report::question_table(part, recipe.title), report::TableFormat::csv);
     };
     return ask_program_in_batches(recipe.questions, options);
 }
 
-const char* state_name(conformance::Answer::State state) {
-    switch (state) {
-    case conformance::Answer::State::number:
-        return "number";
-    case conformance::Answer::State::missing:
-        return "missing";
-    case conformance::Answer::State::nan:
-        return "nan";
-    case conformance::Answer::State::infinite:
-        return "infinite";
-    case conformance::Answer::State::garbage:
-        return "garbage";
-    case conformance::Answer::State::died:
-        break;
-    }
-    return "died";
-}
-
 py::dict case_of(const report::Conformance& c, std::size_t i) {
     const conformance::Question& question = c.answers.questions.list[i];
     const conformance::Answer& answer = c.answers.given[i];
     const conformance::CaseAgreement& held = c.agreements.cases[i];
+    static constexpr std::array states{"number", "missing", "nan", "infinite", "garbage", "died"};
     py::dict d;
     d["id"] = question.id;
     d["quantity"] = scene::symbol_of(question);
     d["regime"] = conformance::regime_name(held.regime);
     d["value"] = answer.text;
-    d["state"] = state_name(answer.state);
+    d["state"] = states.at(static_cast<std::size_t>(answer.state));
     d["reference"] = text_or_none(held.reference);
     d["digits"] = held.digits;
     d["ulps"] = held.ulps;
@@ -131,28 +116,24 @@ py::dict check(const std::optional<std::string>& answers, const std::string& nam
                const std::optional<std::string>& recipe, const std::optional<std::string>& command,
                bool json, double seconds, std::optional<double> digits, std::optional<double> ulps,
                bool conditioned, unsigned threads, py::object callback) {
-    Progress progress(std::move(callback));
-    report::Conformance result;
-    result.target = {digits, ulps, conditioned};
-    conformance::ReferenceOptions options;
-    options.threads = threads;
-    options.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
-    without_gil(
-        [&] {
-            if (command) {
-                result.answers = program_answers(*recipe, *command, json, seconds, progress);
-            } else {
-                const io::Csv csv = io::parse_csv(*answers, name, {.keep_faults = true});
-                result.answers =
-                    recipe ? conformance::answers_to(asked_in_binary64(*recipe).questions, csv)
-                           : conformance::echoed_answers(csv);
-            }
-            result.agreements = compare(result.answers, result.target, options);
-            result.conventions = infer_conventions(result.answers, result.agreements, options);
-        },
-        &progress);
-    progress.rethrow();
-    return result_of(result);
+    return result_of(with_progress(std::move(callback), [&](Progress& progress) {
+        report::Conformance result;
+        result.target = {digits, ulps, conditioned};
+        conformance::ReferenceOptions options;
+        options.threads = threads;
+        options.progress = std::ref(progress);
+        if (command) {
+            result.answers = program_answers(*recipe, *command, json, seconds, progress);
+        } else {
+            const io::Csv csv = io::parse_csv(*answers, name, {.keep_faults = true});
+            result.answers =
+                recipe ? conformance::answers_to(asked_in_binary64(*recipe).questions, csv)
+                       : conformance::echoed_answers(csv);
+        }
+        result.agreements = compare(result.answers, result.target, options);
+        result.conventions = infer_conventions(result.answers, result.agreements, options);
+        return result;
+    }));
 }
 
 } // namespace

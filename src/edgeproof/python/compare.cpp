@@ -41,24 +41,6 @@ std::optional<double> tolerance_of(const OptionalText& text) {
     return text ? std::optional(scene::parse_tolerance(*text).to<double>()) : std::nullopt;
 }
 
-comparison::Tolerances tolerances_of(const OptionalText& pressure, const std::string& of,
-                                     const std::string& edge_zone, const OptionalText& edges,
-                                     const OptionalText& force, const OptionalText& c0,
-                                     bool partial) {
-    comparison::Tolerances t;
-    t.partial = partial;
-    if (const auto p = tolerance_of(pressure)) {
-        t.pressure = *p;
-        t.stated = true;
-    }
-    t.of = norm_named(of);
-    t.zone = comparison::parse_edge_zone(edge_zone);
-    t.edges = tolerance_of(edges);
-    t.force = tolerance_of(force);
-    t.c0 = tolerance_of(c0);
-    return t;
-}
-
 comparison::ResultReading reading_of(const scene::Scene& scene, const std::string& columns,
                                      const std::string& scale) {
     comparison::ResultReading reading;
@@ -77,46 +59,45 @@ py::dict compare(const NativeScene& native, const std::string& name, const Resul
                  const OptionalText& tolerance, const std::string& of, const std::string& edge_zone,
                  const OptionalText& tolerance_a, const OptionalText& tolerance_P,
                  const OptionalText& tolerance_c0, bool partial, py::object callback) {
-    Progress progress(std::move(callback));
-    std::string json;
-    std::string text;
-    without_gil(
-        [&] {
-            const scene::Scene& scene = native.scene();
-            report::ComparisonReport report;
-            report.scene = name;
-            report.title = scene.title;
-            report.units = scene.units;
-            report.comparison.tolerances = tolerances_of(tolerance, of, edge_zone, tolerance_a,
-                                                         tolerance_P, tolerance_c0, partial);
-            const auto at = origin == "auto"
-                                ? std::nullopt // fitted to the data
-                                : std::optional(origin ? parse_decimal(*origin) : Rational(0));
-            const comparison::ResultReading reading = reading_of(scene, columns, scale);
-            std::vector<comparison::ResultTable> tables; // all are read before any work
-            for (const auto& [written, file] : results) {
-                tables.push_back(comparison::parse_result(written, file, reading));
-            }
-            const comparison::ExactContact exact(scene);
-            report.exact = &exact;
-            comparison::SuspectContacts suspects(scene);
-            auto& files = report.comparison.files;
-            for (comparison::ResultTable& table : tables) {
-                progress(files.size(), tables.size());
-                files.push_back(comparison::compare_file(
-                    std::move(table), exact, report.comparison.tolerances, at, &suspects));
-                comparison::require_nodes_inside(files.back(), exact,
-                                                 report.comparison.tolerances.zone);
-            }
+    const auto [json, text] = with_progress(std::move(callback), [&](Progress& progress) {
+        const scene::Scene& scene = native.scene();
+        report::ComparisonReport report;
+        report.scene = name;
+        report.title = scene.title;
+        report.units = scene.units;
+        comparison::Tolerances& t = report.comparison.tolerances;
+        t.partial = partial;
+        const auto of_pressure = tolerance_of(tolerance);
+        t.stated = of_pressure.has_value();
+        t.pressure = of_pressure.value_or(t.pressure);
+        t.of = norm_named(of);
+        t.zone = comparison::parse_edge_zone(edge_zone);
+        t.edges = tolerance_of(tolerance_a);
+        t.force = tolerance_of(tolerance_P);
+        t.c0 = tolerance_of(tolerance_c0);
+        const auto at = origin == "auto"
+                            ? std::nullopt // fitted to the data
+                            : std::optional(origin ? parse_decimal(*origin) : Rational(0));
+        const comparison::ResultReading reading = reading_of(scene, columns, scale);
+        std::vector<comparison::ResultTable> tables; // all are read before any work
+        for (const auto& [written, file] : results) {
+            tables.push_back(comparison::parse_result(written, file, reading));
+        }
+        const comparison::ExactContact exact(scene);
+        report.exact = &exact;
+        comparison::SuspectContacts suspects(scene);
+        auto& files = report.comparison.files;
+        for (comparison::ResultTable& table : tables) {
             progress(files.size(), tables.size());
-            if (files.size() > 1) {
-                report.comparison.convergence = convergence_of(files, exact);
-            }
-            json = comparison_json(report);
-            text = comparison_text(report);
-        },
-        &progress);
-    progress.rethrow();
+            files.push_back(comparison::compare_file(std::move(table), exact, t, at, &suspects));
+            comparison::require_nodes_inside(files.back(), exact, t.zone);
+        }
+        progress(files.size(), tables.size());
+        if (files.size() > 1) {
+            report.comparison.convergence = convergence_of(files, exact);
+        }
+        return std::pair(comparison_json(report), comparison_text(report));
+    });
     py::dict d;
     d["json"] = json;
     d["text"] = text;

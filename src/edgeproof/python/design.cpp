@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/python/bindings.hpp"
-#include "edgeproof/python/value.hpp"
 #include "edgeproof/python/without_gil.hpp"
 #include "edgeproof/report/tables/design_table.hpp"
 
 #include <pybind11/stl.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -30,36 +30,27 @@ contact::DesignOptions search_of(const std::string& gap, long digits) {
     return search;
 }
 
-/// Returns the method that gave the bounds.
-const char* route_of(const scene::DesignResult& result) {
-    return result.proved() ? "branch-and-bound" : "samples";
-}
-
 py::dict design(const std::string& text, const std::string& file, const std::string& gap,
                 long digits, std::optional<std::string> maximise,
                 std::optional<std::string> tolerance, std::optional<std::string> edge,
                 std::optional<long> terms, py::object callback) {
-    Progress progress(std::move(callback));
     scene::DesignRunOptions options;
     options.search = search_of(gap, digits);
-    options.search.progress = [&](std::size_t done, std::size_t total) { progress(done, total); };
     const scene::DesignQuestion asked{std::move(maximise), std::move(tolerance), std::move(edge),
                                       terms};
     scene::DesignScene design;
     scene::DesignResult result;
-    std::string json;
-    without_gil(
-        [&] {
-            design = scene::parse_design(text, file, asked);
-            result = run_design(design, options);
-            json = write_table(report::design_table(design, result, options.search),
-                               report::TableFormat::json);
-        },
-        &progress);
-    progress.rethrow();
-    const auto value = [&](const Ball& x, std::optional<Rational> exactly = {}) {
-        return py::cast(Value({x, result.proved(), route_of(result), std::move(exactly)},
-                              options.search.digits));
+    const std::string json = with_progress(std::move(callback), [&](Progress& progress) {
+        options.search.progress = std::ref(progress);
+        design = scene::parse_design(text, file, asked);
+        result = run_design(design, options);
+        return write_table(report::design_table(design, result, options.search),
+                           report::TableFormat::json);
+    });
+    const auto value = [&](const Ball& x) {
+        return py::cast(
+            Value({x, result.proved(), result.proved() ? "branch-and-bound" : "samples", {}},
+                  options.search.digits));
     };
     const auto optional_value = [&](const std::optional<Ball>& x) {
         return x ? value(*x) : py::object(py::none());

@@ -2,7 +2,6 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/python/bindings.hpp"
-#include "edgeproof/python/value.hpp"
 
 #include <exception>
 

@@ -2,7 +2,7 @@
 #include "edgeproof/python/native_scene.hpp"
 
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/python/value.hpp"
+#include "edgeproof/python/bindings.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -12,6 +12,12 @@ namespace {
 
 constexpr long most_terms = 400;
 
+/// The value of a question; null if it is not asked.
+template <class T> const T* answer(const AskedByName& asked, const char* name) {
+    const auto found = asked.find(name);
+    return found == asked.end() ? nullptr : &std::get<T>(found->second);
+}
+
 formula::Exact exact_named(const std::string& name, const std::string& text) {
     try {
         return formula::Exact::parse(text);
@@ -20,43 +26,24 @@ formula::Exact exact_named(const std::string& name, const std::string& text) {
     }
 }
 
-void ask_places(const std::vector<std::string>& places, scene::Ask& ask) {
-    ask.u.clear();
-    for (const std::string& text : places) {
-        formula::Exact u = exact_named("u", text);
-        if (u.sign() <= 0) {
-            throw InputError("u = " + text + " is not inside the contact",
-                             "give distances from the edge, 0 < u < a + b");
-        }
-        ask.u.push_back({std::move(u), 0});
+formula::Exact positive(const std::string& name, const std::string& text, const char* problem,
+                        const char* instead) {
+    formula::Exact x = exact_named(name, text);
+    if (x.sign() <= 0) {
+        throw InputError(name + " = " + text + problem, instead);
     }
+    return x;
 }
 
-void ask_terms(const std::vector<long>& terms, scene::Ask& ask) {
-    ask.terms.clear();
-    for (const long n : terms) {
-        if (n < 1 || n > most_terms) {
-            throw InputError("terms = " + std::to_string(n) + " is out of range",
-                             "give a number from 1 to " + std::to_string(most_terms));
-        }
-        ask.terms.push_back(static_cast<std::size_t>(n));
+std::size_t number_of_terms(long n) {
+    if (n < 1 || n > most_terms) {
+        throw InputError("terms = " + std::to_string(n) + " is out of range",
+                         "give a number from 1 to " + std::to_string(most_terms));
     }
+    return static_cast<std::size_t>(n);
 }
 
-void ask_quantities(const std::vector<std::string>& names, scene::Ask& ask) {
-    ask.quantities.clear();
-    for (const std::string& name : names) {
-        const auto rows = scene::group_rows();
-        const auto row = std::find_if(rows.begin(), rows.end(),
-                                      [&](const scene::GroupRow& r) { return r.name == name; });
-        if (row == rows.end()) {
-            throw InputError("unknown quantity '" + name + "'", "");
-        }
-        ask.quantities.insert(row->group);
-    }
-}
-
-void ask_part(const std::vector<std::string>& part, scene::Ask& ask) {
+contact::ExtentRange part_named(const Texts& part) {
     if (part.size() != 2) {
         throw InputError("part has " + std::to_string(part.size()) + " numbers",
                          "give two, fractions of a + b from the edge: (0, \"1/2\")");
@@ -70,16 +57,14 @@ void ask_part(const std::vector<std::string>& part, scene::Ask& ask) {
         throw InputError("the part of the contact does not ascend within 0 ... 1",
                          "give (0, \"1/2\"), fractions of a + b from the edge");
     }
-    ask.part = {from, to};
+    return {from, to};
 }
 
 } // namespace
 
 contact::Edge edge_named(const std::string& name) {
-    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
-        if (name == scene::edge_name(edge)) {
-            return edge;
-        }
+    if (const auto edge = scene::edge_named(name)) {
+        return *edge;
     }
     throw InputError("there is no edge '" + name + "'", "write \"right\" or \"left\"");
 }
@@ -92,42 +77,45 @@ NativeScene::NativeScene(std::string text, scene::Scene scene)
 scene::Scene NativeScene::asking(const AskedByName& asked) const {
     scene::Scene scene = scene_;
     scene::Ask& ask = scene.ask;
-    if (asked.edges) {
+    if (const auto* names = answer<Texts>(asked, "edges")) {
         ask.edges.clear();
-        for (const std::string& name : *asked.edges) {
-            ask.edges.push_back(edge_named(name));
+        std::ranges::transform(*names, std::back_inserter(ask.edges), edge_named);
+    }
+    if (const auto* places = answer<Texts>(asked, "u")) {
+        ask.u.clear();
+        for (const std::string& text : *places) {
+            ask.u.push_back({positive("u", text, " is not inside the contact",
+                                      "give distances from the edge, 0 < u < a + b"),
+                             0});
         }
     }
-    if (asked.u) {
-        ask_places(*asked.u, ask);
+    if (const auto* terms = answer<std::vector<long>>(asked, "terms")) {
+        ask.terms.clear();
+        std::ranges::transform(*terms, std::back_inserter(ask.terms), number_of_terms);
     }
-    if (asked.terms) {
-        ask_terms(*asked.terms, ask);
-    }
-    if (asked.quantities) {
-        ask_quantities(*asked.quantities, ask);
-    }
-    if (asked.tolerance) {
-        ask.tolerance.reset();
-        if (!asked.tolerance->empty()) {
-            ask.tolerance = scene::parse_tolerance(*asked.tolerance);
-        }
-    }
-    if (asked.process_zone) {
-        ask.process_zone.reset();
-        if (!asked.process_zone->empty()) {
-            ask.process_zone = exact_named("process_zone", *asked.process_zone);
-            if (ask.process_zone->sign() <= 0) {
-                throw InputError("process_zone = " + *asked.process_zone + " is not positive",
-                                 "give the length of the process zone, or leave it out");
+    if (const auto* names = answer<Texts>(asked, "quantities")) {
+        ask.quantities.clear();
+        for (const scene::GroupRow& row : scene::group_rows()) {
+            if (std::ranges::find(*names, row.name) != names->end()) {
+                ask.quantities.insert(row.group);
             }
         }
     }
-    if (asked.part) {
-        ask_part(*asked.part, ask);
+    if (const auto* text = answer<std::string>(asked, "tolerance")) {
+        ask.tolerance = text->empty() ? std::nullopt : std::optional(scene::parse_tolerance(*text));
     }
-    if (asked.digits) {
-        ask.digits = digits_asked(checked_digits(*asked.digits));
+    if (const auto* text = answer<std::string>(asked, "process_zone")) {
+        ask.process_zone.reset();
+        if (!text->empty()) {
+            ask.process_zone = positive("process_zone", *text, " is not positive",
+                                        "give the length of the process zone, or leave it out");
+        }
+    }
+    if (const auto* part = answer<Texts>(asked, "part")) {
+        ask.part = part_named(*part);
+    }
+    if (const auto* digits = answer<long>(asked, "digits")) {
+        ask.digits = digits_asked(checked_digits(*digits));
     }
     return scene;
 }

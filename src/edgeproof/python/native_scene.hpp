@@ -3,29 +3,22 @@
 #include "edgeproof/scene/binary64_pressures.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
+#include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace edgeproof::python {
 
-/// The questions for a scene, by names and exact texts; a missing one keeps the scene's value.
-struct AskedByName {
-    std::optional<std::vector<std::string>> edges;
-    std::optional<std::vector<std::string>> u;
-    std::optional<std::vector<long>> terms;
-    std::optional<std::vector<std::string>> quantities;
-    std::optional<std::string> tolerance;
-    std::optional<std::string> process_zone;
-    std::optional<std::vector<std::string>> part;
-    std::optional<long> digits;
-};
+using Texts = std::vector<std::string>;
 
-/// Returns the edge "right" or "left". Throws InputError for other names.
-[[nodiscard]] contact::Edge edge_named(const std::string& name);
+/// The questions for a scene by their names in [ask]: exact texts and whole numbers. A missing one
+/// keeps the scene's value; the empty text means none.
+using AskedByName =
+    std::map<std::string, std::variant<long, std::string, std::vector<long>, Texts>>;
 
 /// A scene with the text from which it was read. Several threads may use one.
 class NativeScene {
@@ -35,7 +28,7 @@ public:
     [[nodiscard]] const std::string& text() const noexcept { return text_; }
     [[nodiscard]] const scene::Scene& scene() const noexcept { return scene_; }
     /// Returns the scene with other questions. Throws InputError for questions that make no sense.
-    [[nodiscard]] scene::Scene asking(const AskedByName& ask) const;
+    [[nodiscard]] scene::Scene asking(const AskedByName& asked) const;
     /// Computes Binary64Pressures at each u; `p` and `u` have the same size. Solved contacts are
     /// kept for the next call, one for each thread that calls at the same time.
     void pressures(contact::Edge edge, std::span<const double> u, std::span<double> p);
@@ -50,5 +43,8 @@ private:
     scene::Scene scene_;
     std::shared_ptr<Pool> pool_;
 };
+
+/// Returns the edge "right" or "left". Throws InputError for other names.
+[[nodiscard]] contact::Edge edge_named(const std::string& name);
 
 } // namespace edgeproof::python

@@ -4,7 +4,6 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/python/bindings.hpp"
 #include "edgeproof/python/native_scene.hpp"
-#include "edgeproof/python/results.hpp"
 #include "edgeproof/python/without_gil.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 #include "edgeproof/scene/run_scene.hpp"
@@ -25,15 +24,12 @@ namespace py = pybind11;
 namespace edgeproof::python {
 namespace {
 
-using Texts = std::vector<std::string>;
 using Keys = std::vector<std::pair<std::string, std::variant<bool, std::string, Texts>>>;
 
 scene::SceneEntries::Section entries_of(const Keys& keys) {
     scene::SceneEntries::Section entries;
     for (const auto& [key, value] : keys) {
-        io::TomlEntry entry{key, {}};
-        std::visit([&](const auto& v) { entry.value = v; }, value);
-        entries.push_back(std::move(entry));
+        std::visit([&](const auto& v) { entries.push_back({key, v}); }, value);
     }
     return entries;
 }
@@ -48,20 +44,65 @@ NativeScene from_entries(const std::string& title, const Keys& profile, const Ke
     });
 }
 
-py::dict run(const NativeScene& self, std::optional<Texts> edges, std::optional<Texts> u,
-             std::optional<std::vector<long>> terms, std::optional<Texts> quantities,
-             std::optional<std::string> tolerance, std::optional<std::string> process_zone,
-             std::optional<Texts> part, std::optional<long> digits) {
-    const AskedByName ask{std::move(edges),     std::move(u),
-                          std::move(terms),     std::move(quantities),
-                          std::move(tolerance), std::move(process_zone),
-                          std::move(part),      digits};
+py::object slip_state(const scene::Row& row) {
+    using contact::SlipState;
+    return !row.state ? py::object(py::none())
+                      : py::str(*row.state == SlipState::stick  ? "stick"
+                                : *row.state == SlipState::slip ? "slip"
+                                                                : "undecided");
+}
+
+/// Returns a row as a tuple: the fields of Row in edgeproof/results.py.
+py::tuple row_of(const scene::Scene& scene, const scene::Plan& plan, const scene::Row& row) {
+    const scene::AskedValue& asked = row.asked;
+    const scene::QuantityRow& def = scene::row_of(asked.quantity);
+    const scene::Digits digits = def.short_error ? plan.error_digits() : scene.ask.digits;
+    const bool covers = asked.quantity == scene::Quantity::extent && scene.ask.process_zone;
+    return py::make_tuple(
+        def.symbol.empty() ? def.name : def.symbol, asked.k, asked.j, scene::edge_name(asked.edge),
+        def.at_point() ? py::object(py::int_(row.point)) : py::none(),
+        asked.u ? py::object(py::str(asked.u->text())) : py::none(),
+        row.value ? py::cast(Value(*row.value, digits.count)) : py::none(), row.reached,
+        slip_state(row),
+        covers ? py::object(py::bool_(covers_zone(scene, *row.value))) : py::none());
+}
+
+/// Returns the rows of a result, from which edgeproof/results.py makes its objects.
+py::dict run(const NativeScene& self, const AskedByName& asked) {
     std::optional<scene::Scene> scene;
     const scene::SceneResult result = without_gil([&] {
-        scene = self.asking(ask);
+        scene = self.asking(asked);
         return scene::run_scene(*scene);
     });
-    return results_of(*scene, result);
+    py::list rows;
+    for (const scene::Row& row : result.rows) {
+        rows.append(row_of(*scene, result.plan, row));
+    }
+    py::dict d;
+    d["rows"] = rows;
+    d["s_half_powers"] = scene::shear_half_powers(*scene);
+    d["in_proportion"] = result.in_proportion;
+    d["proved"] = result.plan.proved;
+    d["why"] = result.plan.proved_why;
+    return d;
+}
+
+/// Returns the questions of a scene's file: quantities, edges, terms, u, digits.
+py::dict asked_of(const scene::Scene& scene) {
+    const auto texts = [](const auto& list, const auto& text) {
+        Texts all;
+        std::ranges::transform(list, std::back_inserter(all), text);
+        return all;
+    };
+    const auto& tolerance = scene.ask.tolerance;
+    py::dict d;
+    d["quantities"] = texts(scene.ask.quantities, scene::group_name);
+    d["edges"] = texts(scene.ask.edges, scene::edge_name);
+    d["terms"] = scene.ask.terms;
+    d["u"] = texts(scene.ask.u, &scene::AskedPoint::text);
+    d["tolerance"] = text_or_none(tolerance ? tolerance->text() : "");
+    d["digits"] = scene.ask.digits.count;
+    return d;
 }
 
 /// Returns the name of the element at a place in memory: "u[3]", "u[0, 2]".
@@ -117,21 +158,8 @@ void bind_scene(py::module_& module) {
                                    return profile &&
                                           !contact::BallContact::has_closed_form(*profile);
                                })
-        .def_property_readonly("knots",
-                               [](const NativeScene& s) {
-                                   Texts knots;
-                                   for (const auto& knot : s.scene().profile
-                                                               ? s.scene().profile->knots()
-                                                               : std::vector<formula::Exact>{}) {
-                                       knots.push_back(knot.text());
-                                   }
-                                   return knots;
-                               })
         .def_property_readonly("asked", [](const NativeScene& s) { return asked_of(s.scene()); })
-        .def("run", &run, py::kw_only(), py::arg("edges") = py::none(), py::arg("u") = py::none(),
-             py::arg("terms") = py::none(), py::arg("quantities") = py::none(),
-             py::arg("tolerance") = py::none(), py::arg("process_zone") = py::none(),
-             py::arg("part") = py::none(), py::arg("digits") = py::none())
+        .def("run", &run, py::arg("asked"))
         .def("pressures", &pressures, py::arg("edge"), py::arg("u"));
     module.def(
         "read_text",

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/python/value.hpp"
-
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/python/bindings.hpp"
 

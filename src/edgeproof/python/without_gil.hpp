@@ -63,4 +63,12 @@ template <class F> auto without_gil(const F& f, Progress* progress = nullptr) {
     }
 }
 
+/// Runs f(progress) like without_gil(f). `progress` calls the function, and throws its exception.
+template <class F> auto with_progress(pybind11::object callback, const F& f) {
+    Progress progress(std::move(callback));
+    auto found = without_gil([&] { return f(progress); }, &progress);
+    progress.rethrow();
+    return found;
+}
+
 } // namespace edgeproof::python

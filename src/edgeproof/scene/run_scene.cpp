@@ -15,10 +15,6 @@
 namespace edgeproof::scene {
 namespace {
 
-bool similar(const Scene& scene) {
-    return scene.shear && scene.shear->path == contact::LoadingPath::together;
-}
-
 /// Returns the rows to compute, with empty values, in the order of the results. Searches are
 /// represented by their first row.
 std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
@@ -34,17 +30,15 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
         }
     }
     if (plan.partial_slip) {
-        const bool tensions = plan.slip && scene.shear->bulk_tension.sign() != 0;
-        for (const Quantity quantity :
-             {Quantity::stick_a, Quantity::stick_b, Quantity::load_ratio, Quantity::least_tension,
-              Quantity::most_tension, Quantity::cycle_energy}) {
-            const bool tension =
-                quantity == Quantity::least_tension || quantity == Quantity::most_tension;
-            if (tension                              ? tensions
-                : quantity == Quantity::cycle_energy ? plan.slip && !lack_of(scene, {quantity})
-                                                     : true) {
-                add({quantity});
-            }
+        add({Quantity::stick_a});
+        add({Quantity::stick_b});
+        add({Quantity::load_ratio});
+        if (plan.slip && scene.shear->bulk_tension.sign() != 0) {
+            add({Quantity::least_tension});
+            add({Quantity::most_tension});
+        }
+        if (plan.slip && !lack_of(scene, {Quantity::cycle_energy})) {
+            add({Quantity::cycle_energy});
         }
     }
     for (const contact::Edge edge : plan.edges) {
@@ -110,8 +104,7 @@ class Run {
 public:
     Run(const Scene& scene, const RunOptions& options, SceneResult& result)
         : scene_(scene), options_(options), plan_(result.plan), result_(result),
-          route_(plan_.proved ? make_ball_route(scene, plan_, result.work)
-                              : make_real_route(scene, plan_, result.work)) {}
+          route_(make_route(scene, plan_, result.work)) {}
 
     void all() {
         std::vector<Row> rows = asked_rows(scene_, plan_);
@@ -141,7 +134,7 @@ private:
         const Quantity quantity = row.asked.quantity;
         const QuantityRow& def = row_of(quantity);
         if (plan_.computes(row.asked.edge) || quantity == Quantity::x || quantity == Quantity::u ||
-            def.of_friction() || def.by_its_own_name() || (def.of_shear() && !similar(scene_))) {
+            def.of_friction() || def.by_its_own_name() || (def.of_shear() && !scene_.together())) {
             return false;
         }
         // The mirror image of a place given by x is another place.
@@ -181,10 +174,8 @@ private:
     void search(const AskedValue& asked) {
         const bool slips = row_of(asked.quantity).group == QuantityGroup::slip;
         std::vector<Row> found;
-        if (slips) {
-            found = route_->slip_terms(asked.edge, asked.k);
-        } else if (plan_.computes(asked.edge)) {
-            found = route_->extent(asked.edge, asked.k);
+        if (slips || plan_.computes(asked.edge)) {
+            found = route_->search(asked);
         } else {
             for (const Row& row : result_.rows) {
                 const bool first = row.asked.quantity == Quantity::extent;
@@ -261,7 +252,7 @@ std::vector<RowsAt> SceneResult::at_edges(QuantityGroup group) const {
     });
 }
 
-int shear_half_powers(const Scene& scene) { return similar(scene) ? 1 : -1; }
+int shear_half_powers(const Scene& scene) { return scene.together() ? 1 : -1; }
 
 bool covers_zone(const Scene& scene, const BoundedValue& first_exit) {
     const Ball& exit = first_exit.value;
@@ -313,8 +304,7 @@ Scene asking(const Scene& scene, const std::vector<AskedValue>& values, const Di
 SceneValues::SceneValues(const Scene& scene, const std::vector<AskedValue>& values,
                          const Digits& digits)
     : scene_(asking(scene, values, digits)), plan_(make_plan(scene_)),
-      route_(plan_.proved ? make_ball_route(scene_, plan_, work_)
-                          : make_real_route(scene_, plan_, work_)) {}
+      route_(make_route(scene_, plan_, work_)) {}
 
 BoundedValue SceneValues::value(const AskedValue& asked) {
     if (asked.quantity == Quantity::extent && !searched(asked).reached) {

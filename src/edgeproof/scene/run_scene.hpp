@@ -54,7 +54,7 @@ struct RunOptions {
 /// `proved` is an enclosure. One object belongs to one thread.
 class SceneValues {
 public:
-    /// Throws as make_plan, make_ball_route and make_real_route do.
+    /// Throws as make_plan and make_route do.
     SceneValues(const Scene& scene, const std::vector<AskedValue>& values, const Digits& digits);
     SceneValues(const SceneValues&) = delete; // the route refers to the other members
     SceneValues& operator=(const SceneValues&) = delete;

@@ -3,6 +3,7 @@
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/design/design_file.hpp"
+#include "edgeproof/scene/input/readers.hpp"
 
 #include <set>
 
@@ -58,43 +59,37 @@ private:
     std::set<std::string> names_;
 };
 
-Expr num(long k) { return Expr::number(Rational(k)); }
-
 ParametricSlope flat_and_rounded(const DesignFormulas& of) {
     const Expr t = of.number("profile", "t");
-    const Expr R = of.number("profile", "R");
-    const Expr rate = num(1) / R;
-    ParametricSlope s;
-    s.knots = {-t, num(0), t};
-    s.pieces = {{t / R, rate}, {num(0), num(0)}, {num(0), num(0)}, {-(t / R), rate}};
-    s.corner = {false, false, false};
-    s.origin = 1;
-    s.symmetric = true;
-    return s;
+    const Expr rate = whole(1) / of.number("profile", "R");
+    const Expr rise = t / of.number("profile", "R");
+    const Expr zero = whole(0);
+    return {.knots = {-t, zero, t},
+            .pieces = {{rise, rate}, {zero, zero}, {zero, zero}, {-rise, rate}},
+            .corner = {false, false, false},
+            .origin = 1,
+            .symmetric = true};
 }
 
 ParametricSlope tilted_wedge(const DesignFormulas& of) {
     const Expr phi = of.number("profile", "phi");
     const Expr alpha = of.number("profile", "alpha");
-    ParametricSlope s;
-    s.knots = {num(0)};
-    s.pieces = {{-(phi + alpha), num(0)}, {phi - alpha, num(0)}};
-    s.corner = {true};
-    return s;
+    return {.knots = {whole(0)},
+            .pieces = {{-(phi + alpha), whole(0)}, {phi - alpha, whole(0)}},
+            .corner = {true}};
 }
 
 ParametricSlope tilted_flat_and_rounded(const DesignFormulas& of) {
     const Expr alpha = of.number("profile", "alpha");
     const Expr R = of.number("profile", "R");
-    const Expr two_t = num(2) * of.number("profile", "t");
-    const Expr rate = num(1) / R;
+    const Expr two_t = whole(2) * of.number("profile", "t");
+    const Expr rate = whole(1) / R;
     const Expr end = -(alpha * R);
-    ParametricSlope s;
-    s.knots = {end - two_t, end, num(0)};
-    s.pieces = {{two_t / R, rate}, {-alpha, num(0)}, {num(0), rate}, {num(0), rate}};
-    s.corner = {false, false, false};
-    s.origin = 2;
-    return s;
+    const Expr zero = whole(0);
+    return {.knots = {end - two_t, end, zero},
+            .pieces = {{two_t / R, rate}, {-alpha, zero}, {zero, rate}, {zero, rate}},
+            .corner = {false, false, false},
+            .origin = 2};
 }
 
 /// Upper bounds of the degrees of a quotient of polynomials in each parameter.
@@ -205,7 +200,7 @@ std::optional<ParametricSlope> piecewise(const DesignFormulas& of,
             all.push_back(-knots[i]);
         }
         s.origin = all.size();
-        all.push_back(num(0));
+        all.push_back(whole(0));
         all.insert(all.end(), knots.begin(), knots.end());
         for (std::size_t i = pieces.size(); i-- > 0;) {
             both.push_back({-pieces[i].at_origin, pieces[i].rate});
@@ -222,7 +217,7 @@ std::optional<ParametricSlope> piecewise(const DesignFormulas& of,
         const auto at = static_cast<std::ptrdiff_t>(s.origin);
         if (s.origin == knots.size() || !identically_zero(knots[s.origin], parameters)) {
             pieces.insert(pieces.begin() + at, pieces[s.origin]);
-            knots.insert(knots.begin() + at, num(0));
+            knots.insert(knots.begin() + at, whole(0));
         }
         s.knots = std::move(knots);
         s.pieces = std::move(pieces);
@@ -246,15 +241,10 @@ std::optional<contact::ParametricLoad> load_of(const DesignFormulas& of, std::st
         why_not = "the tilt is solved for from a moment";
         return {};
     }
-    if (modulus) {
-        load.contact_modulus = *modulus;
-        return load;
-    }
-    const auto compliance = [&](const char* E, const char* nu) {
-        const Expr n = of.number("load", nu);
-        return (num(1) - n * n) / of.number("load", E);
-    };
-    load.contact_modulus = num(1) / (compliance("E1", "nu1") + compliance("E2", "nu2"));
+    const auto of_load = [&](const char* key) { return of.number("load", key); };
+    load.contact_modulus =
+        modulus ? *modulus
+                : composite_modulus(of_load("E1"), of_load("nu1"), of_load("E2"), of_load("nu2"));
     return load;
 }
 
@@ -294,7 +284,7 @@ std::vector<std::unique_ptr<contact::ErrorFamily>> DesignScene::errors(std::stri
                                 (kind == "piecewise" && of.flag("symmetric"));
     std::optional<Expr> length;
     if (symmetric_kind && load->a) {
-        length = num(2) * *load->a;
+        length = whole(2) * *load->a;
     }
     std::optional<ParametricSlope> slope;
     if (!shear && kind != "power-law") {
@@ -320,8 +310,8 @@ std::vector<std::unique_ptr<contact::ErrorFamily>> DesignScene::errors(std::stri
                 return {};
             }
             all.push_back(contact::full_stick_errors(
-                of.number_or_none("shear", "Q").value_or(num(0)),
-                of.number_or_none("shear", "bulk_tension").value_or(num(0)), *length, question));
+                of.number_or_none("shear", "Q").value_or(whole(0)),
+                of.number_or_none("shear", "bulk_tension").value_or(whole(0)), *length, question));
         } else if (slip) {
             all.push_back(
                 slope ? contact::linear_slip_errors(*slope, *load, tension, question)

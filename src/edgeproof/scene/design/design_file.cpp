@@ -7,7 +7,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
-#include "edgeproof/scene/input/read_ask.hpp"
+#include "edgeproof/scene/input/readers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -80,24 +80,20 @@ std::vector<contact::Edge> edges_named(const std::string& edge) {
     if (edge == "both") {
         return {contact::Edge::right, contact::Edge::left};
     }
-    if (edge == "right" || edge == "left") {
-        return {edge == "right" ? contact::Edge::right : contact::Edge::left};
+    if (const auto one = edge_named(edge)) {
+        return {*one};
     }
     throw InputError("there is no edge '" + edge + "'", "write right, left or both");
 }
 
 DesignObjective objective_named(const std::string& maximise) {
+    // In the order of DesignObjective.
     static constexpr std::array<std::string_view, 3> names{"first_exit", "measure", "slip_load"};
-    if (maximise == "measure") {
-        return DesignObjective::measure;
-    }
-    if (maximise == "slip_load") {
-        return DesignObjective::slip_load;
-    }
-    if (maximise != "first_exit") {
+    const auto* const name = std::ranges::find(names, maximise);
+    if (name == names.end()) {
         throw InputError("unknown objective '" + maximise + "'", one_of(maximise, names));
     }
-    return DesignObjective::first_exit;
+    return static_cast<DesignObjective>(name - names.begin());
 }
 
 formula::Exact tolerance_below_1(const std::string& text) {

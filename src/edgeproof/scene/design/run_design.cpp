@@ -40,8 +40,7 @@ public:
             scene.ask.digits.count = estimate_digits;
             const Plan plan = make_plan(scene);
             contact::Work work;
-            const auto route = plan.proved ? make_ball_route(scene, plan, work)
-                                           : make_real_route(scene, plan, work);
+            const auto route = make_route(scene, plan, work);
             double least = std::numeric_limits<double>::infinity();
             for (const contact::Edge edge : design_.edges) {
                 const std::vector<Row> rows = extent(*route, scene, edge);
@@ -64,12 +63,13 @@ private:
     /// rest of the contact takes long.
     [[nodiscard]] std::vector<Row> extent(ValueRoute& route, Scene& scene,
                                           contact::Edge edge) const {
+        const AskedValue asked{Quantity::extent, design_.terms, edge};
         const formula::Exact whole = scene.ask.part.to;
         if (design_.objective == DesignObjective::first_exit) {
             for (const long share : {8L, 2L}) {
                 if (Rational(1, share) < design_.part) {
                     scene.ask.part.to = formula::Exact::of(Rational(1, share));
-                    std::vector<Row> rows = route.extent(edge, design_.terms);
+                    std::vector<Row> rows = route.search(asked);
                     scene.ask.part.to = whole;
                     if (rows.front().reached) {
                         return rows;
@@ -77,7 +77,7 @@ private:
                 }
             }
         }
-        return route.extent(edge, design_.terms);
+        return route.search(asked);
     }
     const DesignScene& design_;
 };

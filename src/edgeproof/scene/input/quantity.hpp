@@ -114,15 +114,16 @@ struct QuantityRow {
     /// The name in messages, if the symbol is not clear enough.
     std::string_view label = {};
 
-    // The evaluators. Null: the caller computes the value from others. A level computes the value
-    // at more and more bits until it has its digits; a ball that is not finite means that the bits
-    // do not suffice. Without an exact form, no number of bits may decide the rounding of a value
-    // on a limit; such a value is printed as its enclosure.
+    // The evaluators. Without `ball`, the caller computes the value from others. A level computes
+    // the value at more and more bits until it has its digits; a ball that is not finite means that
+    // the bits do not suffice. Without an exact form, no number of bits may decide the rounding of
+    // a value on a limit; such a value is printed as its enclosure.
     Ball (*ball)(BallLevel&, const AskedValue&) = nullptr;
     formula::ExactNumber (*exact)(ExactValues&, const AskedValue&) = nullptr;
     BoundedValue (*real)(RealLevel&, const AskedValue&) = nullptr;
-    /// The name of the route of a value in balls.
-    const char* (*route)(const Scene&, const Plan&) = nullptr;
+    /// The name of the route of a value in balls; `route_by` if it depends on the scene.
+    const char* route = "";
+    const char* (*route_by)(const Scene&, const Plan&) = nullptr;
     /// The value, if the scene gives it; otherwise null.
     const formula::Exact* (*given)(const Scene&) = nullptr;
     /// The edge whose distance from the origin the quantity is.
@@ -134,6 +135,9 @@ struct QuantityRow {
     bool short_error = false;    ///< computed to Plan::error_digits()
     bool may_be_missing = false; ///< a failure to find the value leaves it out; it is no error
 
+    [[nodiscard]] const char* route_in(const Scene& scene, const Plan& plan) const {
+        return route_by != nullptr ? route_by(scene, plan) : route;
+    }
     [[nodiscard]] bool of_friction() const {
         return needs == Needs::friction || needs == Needs::friction_alone;
     }
@@ -192,6 +196,8 @@ struct GroupRow {
     std::string_view instead = {};
 };
 [[nodiscard]] std::span<const GroupRow> group_rows();
+/// The effect that a scene lacks for a group.
+[[nodiscard]] std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group);
 [[nodiscard]] std::string group_name(QuantityGroup group);
 
 [[nodiscard]] std::string edge_name(contact::Edge edge);

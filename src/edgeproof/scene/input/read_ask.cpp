@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/scene/input/read_ask.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/io/error_place.hpp"
@@ -7,6 +6,7 @@
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/input/points.hpp"
+#include "edgeproof/scene/input/readers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -66,140 +66,6 @@ contact::Route route_of(const io::TomlSection& ask) {
         "automatic", "closed-form", "singular-integral", "barber-mossakovskii"};
     ask.reject("route", "unknown route '" + name + "'", one_of(name, names));
 }
-
-} // namespace
-
-int sign_of(const io::TomlSection& section, std::string_view key, const formula::Exact& value) {
-    return io::at_place(
-        section.file(), section.line(key), [&] { return value.sign(); },
-        "write " + std::string(key) + " as a simpler number, or 0 where it is zero");
-}
-
-void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene& scene) {
-    ask.allow({"edges", "terms", "u", "x", "quantities", "tolerance", "process_zone", "part",
-               "route", "digits"});
-    Ask& result = scene.ask;
-    scene.ask_line = ask.line();
-    if (ask.has("edges")) {
-        read_edges(ask, result);
-    }
-    if (ask.has("terms")) {
-        result.terms = ask.counts("terms", 1, most_terms_allowed);
-    }
-    if (ask.has("digits")) {
-        result.digits.count = static_cast<unsigned>(ask.count("digits", 2, most_digits));
-    }
-    if (ask.has("u") || ask.has("x")) {
-        result.u = read_places(ask, names_of(profile, scene));
-    }
-    if (ask.has("tolerance")) {
-        result.tolerance =
-            at_key(ask, "tolerance", [&] { return parse_tolerance(ask.written("tolerance")); });
-    }
-    if (ask.has("process_zone")) {
-        const formula::Exact zone = ask.exact("process_zone");
-        if (sign_of(ask, "process_zone", zone) <= 0) {
-            ask.reject("process_zone", "process_zone = " + zone.text() + " is not positive",
-                       "give the length of the process zone, or leave it out");
-        }
-        result.process_zone = zone;
-    }
-    if (ask.has("part")) {
-        const auto part = ask.exacts("part");
-        if (part.size() != 2 || sign_of(ask, "part", part[0].value) < 0 ||
-            sign_of(ask, "part", formula::Exact(part[1].value.expr() - part[0].value.expr())) <=
-                0 ||
-            sign_of(ask, "part",
-                    formula::Exact(formula::Expr::number(Rational(1)) - part[1].value.expr())) <
-                0) {
-            ask.reject("part", "the part of the contact does not ascend within 0 ... 1",
-                       "write part = [\"0\", \"1/2\"], fractions of a + b from the edge");
-        }
-        if (result.process_zone && part[0].value.sign() != 0) {
-            ask.reject("part", "a process zone begins at the edge, and this part does not",
-                       "write part = [\"0\", \"...\"], or leave process_zone out");
-        }
-        result.part = {part[0].value, part[1].value};
-    }
-    if (ask.has("route")) {
-        result.route = route_of(ask);
-        if (result.route == contact::Route::closed_form && scene.profile &&
-            !contact::BallContact::has_closed_form(*scene.profile)) {
-            ask.reject("route",
-                       "only a power law or a piecewise linear g' has its pressure in closed form",
-                       "write route = \"automatic\"");
-        }
-    }
-    if (ask.has("quantities")) {
-        for (const std::string& name : ask.texts("quantities")) {
-            const GroupRow& group = group_of(ask, name);
-            if (group.shear && !scene.shear) {
-                ask.reject("quantities", name + " is requested, but there is no [shear]",
-                           "add [shear] with Q or bulk_tension");
-            }
-            if (group.friction && !scene.slips()) {
-                ask.reject("quantities", name + " is requested, but there is no friction",
-                           "add friction = \"0.6\" to [shear]");
-            }
-            result.quantities.insert(group.group);
-        }
-    }
-}
-
-void default_quantities(Ask& ask, bool shear, bool friction) {
-    if (!ask.quantities.empty()) {
-        return;
-    }
-    if (!ask.u.empty()) {
-        ask.quantities.insert(QuantityGroup::pressure);
-        if (shear) {
-            ask.quantities.insert(QuantityGroup::shear);
-        }
-    }
-    if (ask.tolerance) {
-        ask.quantities.insert(QuantityGroup::extent);
-    }
-    if (friction) {
-        ask.quantities.insert(QuantityGroup::slip);
-    }
-    if (ask.quantities.empty()) {
-        ask.quantities.insert(QuantityGroup::coefficients);
-    }
-}
-
-std::size_t Ask::most_terms() const {
-    return terms.empty() ? 0 : *std::max_element(terms.begin(), terms.end());
-}
-
-formula::Exact parse_tolerance(std::string_view text) {
-    const bool percent = !text.empty() && text.back() == '%';
-    const formula::Exact given = [&] {
-        try {
-            return formula::Exact::parse(percent ? text.substr(0, text.size() - 1) : text);
-        } catch (const InputError& error) {
-            throw InputError("tolerance \"" + std::string(text) + "\": " + error.problem(),
-                             "write it as 1%, 0.01 or 1/100");
-        }
-    }();
-    if (given.sign() <= 0) {
-        throw InputError("a tolerance of " + std::string(text) + " is not positive",
-                         "give a tolerance > 0, such as 1%");
-    }
-    const formula::Exact tolerance =
-        percent ? formula::Exact(given.expr() / formula::Expr::number(Rational(100))) : given;
-    const auto less = [](const formula::Expr& x, const formula::Expr& y) {
-        return formula::Exact(x - y).sign() < 0;
-    };
-    static const formula::Expr least = formula::Expr::number(parse_decimal("1e-60"));
-    static const formula::Expr most = formula::Expr::number(parse_decimal("1e6"));
-    if (less(tolerance.expr(), least) || less(most, tolerance.expr())) {
-        throw InputError("a tolerance of " + std::string(text) + " is out of range",
-                         "give one from 1e-60 to 1e6, such as 1%");
-    }
-    return tolerance;
-}
-
-namespace {
 
 /// True if a text contains a name: a percentage, or a word that is neither a function nor a
 /// constant. The e of 1e-3 is part of a number.
@@ -318,8 +184,8 @@ void read_range(const io::TomlSection& ask, std::string_view key, Place::From fr
     });
 }
 
-} // namespace
-
+/// The names that places of a scene may use in addition to a and b: the parameters of its profile,
+/// a and b themselves if they are given, and b as a if the two are equal.
 Place::Names names_of(const io::TomlSection& profile, const Scene& scene) {
     Place::Names names;
     if (scene.profile) {
@@ -342,6 +208,7 @@ Place::Names names_of(const io::TomlSection& profile, const Scene& scene) {
     return names;
 }
 
+/// Reads u and x: lists or ranges.
 std::vector<AskedPoint> read_places(const io::TomlSection& ask, const Place::Names& names) {
     std::vector<AskedPoint> points;
     for (const auto& [key, from] :
@@ -359,6 +226,134 @@ std::vector<AskedPoint> read_places(const io::TomlSection& ask, const Place::Nam
         }
     }
     return points;
+}
+
+} // namespace
+
+int sign_of(const io::TomlSection& section, std::string_view key, const formula::Exact& value) {
+    return io::at_place(
+        section.file(), section.line(key), [&] { return value.sign(); },
+        "write " + std::string(key) + " as a simpler number, or 0 where it is zero");
+}
+
+void require_positive(const io::TomlSection& section, std::string_view key,
+                      const formula::Exact& value, const std::string& instead) {
+    if (sign_of(section, key, value) <= 0) {
+        section.reject(key, std::string(key) + " = " + value.text() + " is not positive", instead);
+    }
+}
+
+void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene& scene) {
+    ask.allow({"edges", "terms", "u", "x", "quantities", "tolerance", "process_zone", "part",
+               "route", "digits"});
+    Ask& result = scene.ask;
+    scene.ask_line = ask.line();
+    if (ask.has("edges")) {
+        read_edges(ask, result);
+    }
+    if (ask.has("terms")) {
+        result.terms = ask.counts("terms", 1, most_terms_allowed);
+    }
+    if (ask.has("digits")) {
+        result.digits.count = static_cast<unsigned>(ask.count("digits", 2, most_digits));
+    }
+    if (ask.has("u") || ask.has("x")) {
+        result.u = read_places(ask, names_of(profile, scene));
+    }
+    if (ask.has("tolerance")) {
+        result.tolerance =
+            at_key(ask, "tolerance", [&] { return parse_tolerance(ask.written("tolerance")); });
+    }
+    if (ask.has("process_zone")) {
+        const formula::Exact zone = ask.exact("process_zone");
+        require_positive(ask, "process_zone", zone,
+                         "give the length of the process zone, or leave it out");
+        result.process_zone = zone;
+    }
+    if (ask.has("part")) {
+        const auto part = ask.exacts("part");
+        const auto sign = [&](const formula::Expr& e) {
+            return sign_of(ask, "part", formula::Exact(e));
+        };
+        if (part.size() != 2 || sign(part[0].value.expr()) < 0 ||
+            sign(part[1].value.expr() - part[0].value.expr()) <= 0 ||
+            sign(whole(1) - part[1].value.expr()) < 0) {
+            ask.reject("part", "the part of the contact does not ascend within 0 ... 1",
+                       "write part = [\"0\", \"1/2\"], fractions of a + b from the edge");
+        }
+        if (result.process_zone && part[0].value.sign() != 0) {
+            ask.reject("part", "a process zone begins at the edge, and this part does not",
+                       "write part = [\"0\", \"...\"], or leave process_zone out");
+        }
+        result.part = {part[0].value, part[1].value};
+    }
+    if (ask.has("route")) {
+        result.route = route_of(ask);
+        if (result.route == contact::Route::closed_form && scene.profile &&
+            !contact::BallContact::has_closed_form(*scene.profile)) {
+            ask.reject("route",
+                       "only a power law or a piecewise linear g' has its pressure in closed form",
+                       "write route = \"automatic\"");
+        }
+    }
+    if (ask.has("quantities")) {
+        for (const std::string& name : ask.texts("quantities")) {
+            const GroupRow& group = group_of(ask, name);
+            if (const auto lack = lack_of(scene, group)) {
+                ask.reject("quantities", lack->problem, lack->instead);
+            }
+            result.quantities.insert(group.group);
+        }
+    }
+}
+
+void default_quantities(Ask& ask, bool shear, bool friction) {
+    if (!ask.quantities.empty()) {
+        return;
+    }
+    if (!ask.u.empty()) {
+        ask.quantities.insert(QuantityGroup::pressure);
+        if (shear) {
+            ask.quantities.insert(QuantityGroup::shear);
+        }
+    }
+    if (ask.tolerance) {
+        ask.quantities.insert(QuantityGroup::extent);
+    }
+    if (friction) {
+        ask.quantities.insert(QuantityGroup::slip);
+    }
+    if (ask.quantities.empty()) {
+        ask.quantities.insert(QuantityGroup::coefficients);
+    }
+}
+
+std::size_t Ask::most_terms() const {
+    return terms.empty() ? 0 : *std::max_element(terms.begin(), terms.end());
+}
+
+formula::Exact parse_tolerance(std::string_view text) {
+    const bool percent = !text.empty() && text.back() == '%';
+    const formula::Exact given = [&] {
+        try {
+            return formula::Exact::parse(percent ? text.substr(0, text.size() - 1) : text);
+        } catch (const InputError& error) {
+            throw InputError("tolerance \"" + std::string(text) + "\": " + error.problem(),
+                             "write it as 1%, 0.01 or 1/100");
+        }
+    }();
+    if (given.sign() <= 0) {
+        throw InputError("a tolerance of " + std::string(text) + " is not positive",
+                         "give a tolerance > 0, such as 1%");
+    }
+    const formula::Exact tolerance = percent ? formula::Exact(given.expr() / whole(100)) : given;
+    static const formula::Expr least = formula::Expr::number(parse_decimal("1e-60"));
+    static const formula::Expr most = formula::Expr::number(parse_decimal("1e6"));
+    if (is_less(tolerance.expr(), least) || is_less(most, tolerance.expr())) {
+        throw InputError("a tolerance of " + std::string(text) + " is out of range",
+                         "give one from 1e-60 to 1e6, such as 1%");
+    }
+    return tolerance;
 }
 
 } // namespace edgeproof::scene

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/scene/input/read_profile.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/scene/input/readers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,18 +15,6 @@
 
 namespace edgeproof::scene {
 namespace {
-
-constexpr auto kinds = std::to_array<std::string_view>({
-    "power-law",
-    "hertz",
-    "cylinder-on-flat",
-    "flat-and-rounded",
-    "tilted-wedge",
-    "tilted-flat-and-rounded",
-    "piecewise",
-});
-
-formula::Expr whole(long k) { return formula::Expr::number(Rational(k)); }
 
 /// Two cylinders, or one on a flat: g' = x/R with 1/R = 1/R1 + 1/R2 (`johnson1985`, section 4.2). A
 /// negative radius is that of a hollow; the sum of the curvatures must be positive.
@@ -43,6 +31,7 @@ contact::Profile read_cylinders(const io::TomlSection& section, bool two,
         return whole(1) / R.expr();
     };
     const bool pair = section.has("R1") || section.has("R2");
+    const char* const first = !pair ? "R" : section.has("R1") ? "R1" : "R2";
     if (section.has("R") && pair) {
         section.reject("R", "the radius is given twice",
                        "give R, or R1 and R2 (one of them alone where the other body is flat)");
@@ -51,16 +40,15 @@ contact::Profile read_cylinders(const io::TomlSection& section, bool two,
         section.reject(section.line(), "there is no radius",
                        two ? "add R = \"...\", or R1 and R2 of the two bodies" : "add R = \"...\"");
     }
-    formula::Expr sum = curvature(!pair ? "R" : section.has("R1") ? "R1" : "R2");
+    formula::Expr sum = curvature(first);
     if (section.has("R1") && section.has("R2")) {
         sum = sum + curvature("R2");
         radii = Radii{contact_constant(section, "R1"), contact_constant(section, "R2")};
     }
     const formula::Exact C(sum);
-    const char* const key = !pair ? "R" : section.has("R1") ? "R1" : "R2";
-    if (io::at_place(section.file(), section.line(key), [&] { return C.sign(); }) <= 0) {
+    if (io::at_place(section.file(), section.line(first), [&] { return C.sign(); }) <= 0) {
         section.reject(
-            key, "the bodies do not separate outside the contact: 1/R1 + 1/R2 is not positive",
+            first, "the bodies do not separate outside the contact: 1/R1 + 1/R2 is not positive",
             "give a positive radius, or a hollow with a larger radius than the body in it");
     }
     return contact::Profile::power_law(C, formula::Exact(whole(1)));
@@ -69,11 +57,8 @@ contact::Profile read_cylinders(const io::TomlSection& section, bool two,
 /// Below this range, the pressure at the apex agrees with that of a wedge to more digits than any
 /// search can resolve; above it, the flanks are practically vertical.
 void check_exponent(const formula::Exact& m) {
-    const auto less = [&](const formula::Expr& x, const formula::Expr& y) {
-        return formula::Exact(x - y).sign() < 0;
-    };
     static const formula::Expr least = formula::Expr::number(parse_decimal("1e-10"));
-    if (m.sign() > 0 && (less(m.expr(), least) || less(whole(1'000'000), m.expr()))) {
+    if (m.sign() > 0 && (is_less(m.expr(), least) || is_less(whole(1'000'000), m.expr()))) {
         throw InputError("the power-law exponent m = " + m.text() + " is out of range",
                          "give 0 (a wedge), or a number from 1e-10 to 1000000");
     }
@@ -131,25 +116,44 @@ contact::Profile read_piecewise(const io::TomlSection& section) {
     });
 }
 
-} // namespace
+using Get = std::function<formula::Exact(std::string_view key)>;
 
-void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scene) {
-    scene.profile_line = section.line();
-    const std::string kind = section.text("kind");
-    const auto get = [&](std::string_view key) {
-        formula::Exact value = contact_constant(section, key);
-        (void)io::at_place( // every parameter is compared with zero
-            section.file(), section.line(key), [&] { return value.sign(); },
-            "write " + std::string(key) + " as a simpler number, or 0 where it is zero");
-        return value;
+/// A kind of profile that is made of a few numbers.
+struct ProfileKind {
+    std::string_view name;
+    std::vector<std::string_view> parameters;
+    contact::Profile (*profile)(const Get&);
+    contact::TiltedPunch (*punch)(const Get&) = nullptr; ///< if the tilt can be solved for
+};
+
+const std::vector<ProfileKind>& profile_kinds() {
+    static const std::vector<ProfileKind> kinds{
+        {"power-law",
+         {"m", "C"},
+         [](const Get& get) {
+             check_exponent(get("m"));
+             return contact::Profile::power_law(get("C"), get("m"));
+         }},
+        {"flat-and-rounded",
+         {"t", "R"},
+         [](const Get& get) { return contact::Profile::flat_and_rounded(get("t"), get("R")); }},
+        {"tilted-wedge",
+         {"phi", "alpha"},
+         [](const Get& get) { return contact::Profile::tilted_wedge(get("phi"), get("alpha")); },
+         [](const Get& get) { return contact::TiltedPunch::wedge(get("phi")); }},
+        {"tilted-flat-and-rounded",
+         {"alpha", "t", "R"},
+         [](const Get& get) {
+             return contact::Profile::tilted_flat_and_rounded(get("alpha"), get("t"), get("R"));
+         },
+         [](const Get& get) { return contact::TiltedPunch::flat_and_rounded(get("t"), get("R")); }},
     };
-    const auto make = [&](const std::vector<std::string_view>& parameters, const auto& maker) {
-        std::vector<std::string_view> keys{"kind"};
-        keys.insert(keys.end(), parameters.begin(), parameters.end());
-        section.allow(keys);
-        return located(section, parameters, maker);
-    };
-    const bool tilted = kind == "tilted-wedge" || kind == "tilted-flat-and-rounded";
+    return kinds;
+}
+
+/// The tilt is given, or it is solved for; other profiles have none.
+void check_tilt(const io::TomlSection& section, const std::string& kind, bool tilted,
+                bool tilt_unknown) {
     if (tilted && tilt_unknown && section.has("alpha")) {
         section.reject("alpha", "both the tilt alpha and the moment M are given",
                        "give alpha with a or P, or P and M without alpha");
@@ -162,51 +166,57 @@ void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scen
         section.reject("kind", "a moment M is given, and a " + kind + " profile has no tilt",
                        "leave M out, or take a tilted-wedge or tilted-flat-and-rounded profile");
     }
-    if (kind == "power-law") {
-        scene.profile = make({"m", "C"}, [&] {
-            check_exponent(get("m"));
-            return contact::Profile::power_law(get("C"), get("m"));
-        });
-    } else if (kind == "hertz" || kind == "cylinder-on-flat") {
+}
+
+} // namespace
+
+void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scene) {
+    scene.profile_line = section.line();
+    const std::string kind = section.text("kind");
+    const auto row = std::ranges::find(profile_kinds(), kind, &ProfileKind::name);
+    const bool numbers = row != profile_kinds().end();
+    check_tilt(section, kind, numbers && row->punch != nullptr, tilt_unknown);
+    if (kind == "hertz" || kind == "cylinder-on-flat") {
         scene.profile = read_cylinders(section, kind == "hertz", scene.radii);
-    } else if (kind == "flat-and-rounded" && section.has("flat_width")) {
-        if (section.has("t")) {
-            section.reject("flat_width", "the flat is given twice",
-                           "give t, its half-length, or flat_width, its length");
-        }
-        scene.profile = make({"flat_width", "R"}, [&] {
-            return contact::Profile::flat_and_rounded(
-                formula::Exact(get("flat_width").expr() / whole(2)), get("R"));
-        });
-    } else if (kind == "flat-and-rounded") {
-        scene.profile = make(
-            {"t", "R"}, [&] { return contact::Profile::flat_and_rounded(get("t"), get("R")); });
-    } else if (kind == "tilted-wedge" && tilt_unknown) {
-        scene.punch = make({"phi", "alpha"}, [&] {
-            const contact::TiltedPunch punch = contact::TiltedPunch::wedge(get("phi"));
-            (void)punch.at(formula::Exact());
-            return punch;
-        });
-    } else if (kind == "tilted-wedge") {
-        scene.profile = make({"phi", "alpha"}, [&] {
-            return contact::Profile::tilted_wedge(get("phi"), get("alpha"));
-        });
-    } else if (kind == "tilted-flat-and-rounded" && tilt_unknown) {
-        scene.punch = make({"alpha", "t", "R"}, [&] {
-            const contact::TiltedPunch punch =
-                contact::TiltedPunch::flat_and_rounded(get("t"), get("R"));
-            (void)punch.at(formula::Exact());
-            return punch;
-        });
-    } else if (kind == "tilted-flat-and-rounded") {
-        scene.profile = make({"alpha", "t", "R"}, [&] {
-            return contact::Profile::tilted_flat_and_rounded(get("alpha"), get("t"), get("R"));
-        });
-    } else if (kind == "piecewise") {
-        scene.profile = read_piecewise(section);
-    } else {
-        section.reject("kind", "unknown kind of profile '" + kind + "'", one_of(kind, kinds));
+        return;
     }
+    if (kind == "piecewise") {
+        scene.profile = read_piecewise(section);
+        return;
+    }
+    if (!numbers) {
+        static constexpr auto names = std::to_array<std::string_view>(
+            {"power-law", "hertz", "cylinder-on-flat", "flat-and-rounded", "tilted-wedge",
+             "tilted-flat-and-rounded", "piecewise"});
+        section.reject("kind", "unknown kind of profile '" + kind + "'", one_of(kind, names));
+    }
+    std::vector<std::string_view> parameters = row->parameters;
+    const bool by_width = kind == "flat-and-rounded" && section.has("flat_width");
+    if (by_width && section.has("t")) {
+        section.reject("flat_width", "the flat is given twice",
+                       "give t, its half-length, or flat_width, its length");
+    }
+    if (by_width) {
+        parameters.front() = "flat_width";
+    }
+    const Get get = [&](std::string_view name) {
+        const bool half = by_width && name == "t";
+        const std::string_view key = half ? "flat_width" : name;
+        formula::Exact value = contact_constant(section, key);
+        (void)sign_of(section, key, value); // every parameter is compared with zero
+        return half ? formula::Exact(value.expr() / whole(2)) : value;
+    };
+    std::vector<std::string_view> keys{"kind"};
+    keys.insert(keys.end(), parameters.begin(), parameters.end());
+    section.allow(keys);
+    located(section, parameters, [&] {
+        if (tilt_unknown) {
+            scene.punch = row->punch(get);
+            (void)scene.punch->at(formula::Exact());
+        } else {
+            scene.profile = row->profile(get);
+        }
+    });
 }
 
 namespace {

@@ -6,36 +6,22 @@
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/input/file_kind.hpp"
-#include "edgeproof/scene/input/read_ask.hpp"
-#include "edgeproof/scene/input/read_profile.hpp"
+#include "edgeproof/scene/input/readers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace edgeproof::scene {
 namespace {
 
-formula::Expr number(long k) { return formula::Expr::number(Rational(k)); }
-
-/// The effect of the materials of the two bodies on the shear.
-struct Materials {
-    bool alike = true;     ///< both bodies have the same material
-    bool uncoupled = true; ///< Dundurs' beta = 0: p and q are uncoupled
-};
-
-/// 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2. beta = 0 if (1 - 2 nu_1)(1 + nu_1)/E_1 is the same
-/// for both bodies (J. Dundurs, J. Appl. Mech. 36, 650, 1969): decided symbolically.
-formula::Exact composite_modulus(const io::TomlSection& load, Materials& materials,
-                                 std::optional<Bodies>& bodies) {
+formula::Exact modulus_of_bodies(const io::TomlSection& load, Scene& scene) {
     const auto body = [&](const char* E_key, const char* nu_key) {
         const formula::Exact E = contact_constant(load, E_key);
         const formula::Exact nu = contact_constant(load, nu_key);
-        if (sign_of(load, E_key, E) <= 0) {
-            load.reject(E_key, std::string(E_key) + " = " + E.text() + " is not positive",
-                        "give Young's modulus > 0");
-        }
-        if (sign_of(load, nu_key, formula::Exact(nu.expr() + number(1))) <= 0 ||
-            sign_of(load, nu_key, formula::Exact(number(1) - number(2) * nu.expr())) < 0) {
+        require_positive(load, E_key, E, "give Young's modulus > 0");
+        if (sign_of(load, nu_key, formula::Exact(nu.expr() + whole(1))) <= 0 ||
+            sign_of(load, nu_key, formula::Exact(whole(1) - whole(2) * nu.expr())) < 0) {
             load.reject(nu_key, std::string(nu_key) + " = " + nu.text() + " is no Poisson's ratio",
                         "give -1 < nu <= 1/2");
         }
@@ -43,22 +29,11 @@ formula::Exact composite_modulus(const io::TomlSection& load, Materials& materia
     };
     const auto [E1, nu1] = body("E1", "nu1");
     const auto [E2, nu2] = body("E2", "nu2");
-    bodies = Bodies{E1, nu1, E2, nu2};
-    materials.alike = contact::certainly_zero(E1.expr() - E2.expr()) &&
-                      contact::certainly_zero(nu1.expr() - nu2.expr());
-    const auto dilation = [](const formula::Exact& E, const formula::Exact& nu) {
-        return (number(1) - number(2) * nu.expr()) * (number(1) + nu.expr()) / E.expr();
-    };
-    materials.uncoupled =
-        materials.alike || contact::certainly_zero(dilation(E1, nu1) - dilation(E2, nu2));
-    const auto compliance = [](const formula::Exact& E, const formula::Exact& nu) {
-        return (number(1) - nu.expr() * nu.expr()) / E.expr();
-    };
-    return formula::Exact(number(1) / (compliance(E1, nu1) + compliance(E2, nu2)));
+    scene.bodies = Bodies{E1, nu1, E2, nu2};
+    return formula::Exact(composite_modulus(E1.expr(), nu1.expr(), E2.expr(), nu2.expr()));
 }
 
-formula::Exact read_modulus(const io::TomlSection& load, Materials& materials,
-                            std::optional<Bodies>& bodies) {
+formula::Exact read_modulus(const io::TomlSection& load, Scene& scene) {
     const bool by_bodies = load.has("E1") || load.has("nu1") || load.has("E2") || load.has("nu2");
     if (load.has("contact_modulus")) {
         if (by_bodies) {
@@ -66,49 +41,42 @@ formula::Exact read_modulus(const io::TomlSection& load, Materials& materials,
                         "give contact_modulus, or E1, nu1, E2 and nu2");
         }
         formula::Exact modulus = contact_constant(load, "contact_modulus");
-        if (sign_of(load, "contact_modulus", modulus) <= 0) {
-            load.reject("contact_modulus",
-                        "contact_modulus = " + modulus.text() + " is not positive", "give E* > 0");
-        }
+        require_positive(load, "contact_modulus", modulus, "give E* > 0");
         return modulus;
     }
     if (!by_bodies) {
         load.reject(load.line(), "there is no contact_modulus",
                     "add contact_modulus = \"...\" (E*), or E1, nu1, E2 and nu2");
     }
-    return composite_modulus(load, materials, bodies);
+    return modulus_of_bodies(load, scene);
 }
 
-void read_load(const io::TomlSection& load, Scene& scene, Materials& materials) {
+void read_load(const io::TomlSection& load, Scene& scene) {
     load.allow({"a", "width", "P", "M", "contact_modulus", "E1", "nu1", "E2", "nu2"});
     scene.load_line = load.line();
-    scene.contact_modulus = read_modulus(load, materials, scene.bodies);
-    const char* key = nullptr;
-    for (const char* const one : {"a", "width", "P"}) {
-        if (load.has(one) && key != nullptr) {
-            load.reject(one, std::string("both ") + key + " and " + one + " are given",
+    scene.contact_modulus = read_modulus(load, scene);
+    std::string given;
+    for (const char* const key : {"a", "width", "P"}) {
+        if (load.has(key) && !given.empty()) {
+            load.reject(key, "both " + given + " and " + key + " are given",
                         "give one of a = \"...\" and P = \"...\"");
         }
-        key = load.has(one) ? one : key;
+        given = load.has(key) ? key : given;
     }
-    if (key == nullptr) {
+    if (given.empty()) {
         load.reject(load.line(), "neither a nor P is given",
                     "give one of a = \"...\" and P = \"...\"");
     }
-    const std::string_view given = key;
-    const formula::Exact value = contact_constant(load, key);
-    if (sign_of(load, key, value) <= 0) {
-        load.reject(key, std::string(key) + " = " + value.text() + " is not positive",
-                    std::string("give ") + key + " > 0");
-    }
+    const formula::Exact value = contact_constant(load, given);
+    require_positive(load, given, value, "give " + given + " > 0");
     scene.load = given == "P" ? contact::Load::force(value)
                  : given == "a"
                      ? contact::Load::right_edge(value)
-                     : contact::Load::right_edge(formula::Exact(value.expr() / number(2)));
-    scene.load_line = load.line(key);
+                     : contact::Load::right_edge(formula::Exact(value.expr() / whole(2)));
+    scene.load_line = load.line(given);
     if (load.has("M")) {
         if (given != "P") {
-            load.reject("M", "a moment M is given with " + std::string(given),
+            load.reject("M", "a moment M is given with " + given,
                         "give P and M, or a and the tilt alpha in [profile]");
         }
         scene.moment = contact_constant(load, "M");
@@ -135,29 +103,12 @@ void check_reach(const io::TomlSection& load, const Scene& scene) {
     }
 }
 
-/// Slip zones of unequal size under steep flanks need integrals that take too much work.
-void check_exponent_under_tension(const io::TomlSection& shear, const contact::ShearSpec& spec,
-                                  const Scene& scene) {
-    const formula::Expr most = formula::Expr::number(Rational(1000));
-    if (scene.profile && scene.profile->kind() == contact::Profile::Kind::power_law &&
-        spec.bulk_tension.sign() != 0 &&
-        formula::Exact(most - scene.profile->parameters().at("m").expr()).sign() < 0) {
-        shear.reject("friction", "slip under a bulk tension is not found for an exponent m > 1000",
-                     "leave friction or the bulk tension out, or give a lower m");
-    }
-}
-
 void read_friction(const io::TomlSection& shear, contact::ShearSpec& spec, Scene& scene) {
-    if (!shear.has("friction")) {
-        return;
-    }
     spec.friction = contact_constant(shear, "friction");
     scene.friction_line = shear.line("friction");
     scene.tension_line = shear.line(shear.has("bulk_tension") ? "bulk_tension" : "friction");
-    if (sign_of(shear, "friction", *spec.friction) <= 0) {
-        shear.reject("friction", "friction = " + spec.friction->text() + " is not positive",
+    require_positive(shear, "friction", *spec.friction,
                      "give a coefficient of friction > 0, or leave it out: nothing slips then");
-    }
     if (spec.path == contact::LoadingPath::together) {
         shear.reject("friction", "P and Q grow together: nothing slips as long as |Q| < f P",
                      "leave friction out, or write path = \"normal-first\"");
@@ -167,18 +118,57 @@ void read_friction(const io::TomlSection& shear, contact::ShearSpec& spec, Scene
                      "without a shear force Q the two edges slip in opposite directions, outwards",
                      "give Q that is not zero, or leave friction out: nothing slips then");
     }
+    // Slip zones of unequal size under steep flanks need integrals that take too much work.
+    if (scene.profile && scene.profile->kind() == contact::Profile::Kind::power_law &&
+        spec.bulk_tension.sign() != 0 &&
+        is_less(whole(1000), scene.profile->parameters().at("m").expr())) {
+        shear.reject("friction", "slip under a bulk tension is not found for an exponent m > 1000",
+                     "leave friction or the bulk tension out, or give a lower m");
+    }
 }
 
-void read_shear(const io::TomlSection& shear, const Materials& materials, Scene& scene) {
+/// Bodies of different materials couple q to p, unless Dundurs' beta is 0: (1 - 2 nu)(1 + nu)/E is
+/// the same for both (J. Dundurs, J. Appl. Mech. 36, 650, 1969), decided symbolically.
+void check_materials(const io::TomlSection& shear, const contact::ShearSpec& spec,
+                     const Scene& scene) {
+    if (!scene.bodies) {
+        return;
+    }
+    const auto& [E1, nu1, E2, nu2] = *scene.bodies;
+    if (contact::certainly_zero(E1.expr() - E2.expr()) &&
+        contact::certainly_zero(nu1.expr() - nu2.expr())) {
+        return;
+    }
+    const auto dilation = [](const formula::Exact& E, const formula::Exact& nu) {
+        return (whole(1) - whole(2) * nu.expr()) * (whole(1) + nu.expr()) / E.expr();
+    };
+    if (!contact::certainly_zero(dilation(E1, nu1) - dilation(E2, nu2))) {
+        shear.reject(shear.line(),
+                     "bodies of different materials couple the shear to the pressure: "
+                     "(1 - 2 nu)(1 + nu)/E is not the same in both",
+                     "give both bodies the same E and nu, or nu = \"1/2\", or leave [shear] out");
+    }
+    if (spec.bulk_tension.sign() != 0) {
+        shear.reject(
+            "bulk_tension",
+            "a bulk tension strains bodies of different stiffness differently, so that the "
+            "difference of their tensions does not determine the mismatch",
+            "give both bodies the same E and nu, or bulk_tension = \"0\"");
+    }
+}
+
+void read_shear(const io::TomlSection& shear, Scene& scene) {
     shear.allow({"Q", "bulk_tension", "path", "friction"});
     if (!shear.has("Q") && !shear.has("bulk_tension")) {
         shear.reject(shear.line(), "the shear section has no load",
                      "add Q = \"...\" or bulk_tension = \"...\", or leave [shear] out");
     }
+    const auto or_zero = [&](const char* key) {
+        return shear.has(key) ? contact_constant(shear, key) : formula::Exact();
+    };
     contact::ShearSpec spec;
-    spec.Q = shear.has("Q") ? contact_constant(shear, "Q") : formula::Exact();
-    spec.bulk_tension =
-        shear.has("bulk_tension") ? contact_constant(shear, "bulk_tension") : formula::Exact();
+    spec.Q = or_zero("Q");
+    spec.bulk_tension = or_zero("bulk_tension");
     if (sign_of(shear, "Q", spec.Q) == 0 &&
         sign_of(shear, "bulk_tension", spec.bulk_tension) == 0) {
         shear.reject(shear.line(), "the shear section has no load: Q and bulk_tension are zero",
@@ -197,42 +187,28 @@ void read_shear(const io::TomlSection& shear, const Materials& materials, Scene&
         shear.reject("bulk_tension", "P and Q grow together under a bulk tension",
                      "give bulk_tension = \"0\": only then is q = (Q/P) p");
     }
-    read_friction(shear, spec, scene);
-    if (spec.friction) {
-        check_exponent_under_tension(shear, spec, scene);
+    if (shear.has("friction")) {
+        read_friction(shear, spec, scene);
     }
-    if (!materials.uncoupled) {
-        shear.reject(shear.line(),
-                     "bodies of different materials couple the shear to the pressure: "
-                     "(1 - 2 nu)(1 + nu)/E is not the same in both",
-                     "give both bodies the same E and nu, or nu = \"1/2\", or leave [shear] out");
-    }
-    if (!materials.alike && spec.bulk_tension.sign() != 0) {
-        shear.reject(
-            "bulk_tension",
-            "a bulk tension strains bodies of different stiffness differently, so that the "
-            "difference of their tensions does not determine the mismatch",
-            "give both bodies the same E and nu, or bulk_tension = \"0\"");
-    }
+    check_materials(shear, spec, scene);
     scene.shear = spec;
 }
 
 void read_sections(const io::TomlSection& top, Scene& scene) {
-    Materials materials;
     if (top.has("units")) {
         scene.units = read_units(top.section("units"));
     }
     const io::TomlSection load = top.section("load");
     const auto reading = [&](const io::TomlSection& section, const auto& read) {
-        io::at_place(section.file(), section.line(), [&] { read(section); });
+        io::at_place(section.file(), section.line(), [&] { read(section, scene); });
     };
-    reading(load, [&](const io::TomlSection& s) { read_load(s, scene, materials); });
-    reading(top.section("profile"),
-            [&](const io::TomlSection& s) { read_profile(s, scene.moment.has_value(), scene); });
-    reading(load, [&](const io::TomlSection& s) { check_reach(s, scene); });
+    reading(load, read_load);
+    reading(top.section("profile"), [](const io::TomlSection& profile, Scene& s) {
+        read_profile(profile, s.moment.has_value(), s);
+    });
+    reading(load, check_reach);
     if (top.has("shear")) {
-        reading(top.section("shear"),
-                [&](const io::TomlSection& s) { read_shear(s, materials, scene); });
+        reading(top.section("shear"), read_shear);
     }
 }
 
@@ -297,9 +273,91 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<io::TomlEn
 
 namespace {
 
+std::string toml_string(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        out += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+    }
+    return out + "\"";
+}
+
+std::vector<std::string> texts_of(const io::TomlEntry& entry) {
+    if (const auto* text = std::get_if<std::string>(&entry.value)) {
+        return {*text};
+    }
+    const auto* list = std::get_if<std::vector<std::string>>(&entry.value);
+    return list != nullptr ? *list : std::vector<std::string>();
+}
+
+/// Refuses control characters, tab and newline included.
+void check_characters(const std::string& key, const std::string& text) {
+    if (std::any_of(text.begin(), text.end(),
+                    [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; })) {
+        throw InputError(key + " holds a control character", "write a number or a word");
+    }
+}
+
+std::string toml_entry(const io::TomlEntry& entry) {
+    if (const auto* yes = std::get_if<bool>(&entry.value)) {
+        return *yes ? "true" : "false";
+    }
+    std::string list;
+    for (const std::string& text : texts_of(entry)) {
+        list += (list.empty() ? "" : ", ") + toml_string(text);
+    }
+    return std::holds_alternative<std::string>(entry.value) ? list : "[" + list + "]";
+}
+
+std::array<std::pair<const char*, const SceneEntries::Section*>, 4>
+sections_of(const SceneEntries& entries) {
+    return {{{"profile", &entries.profile},
+             {"load", &entries.load},
+             {"shear", &entries.shear},
+             {"ask", &entries.ask}}};
+}
+
 constexpr int shown_digits = 8;
 
 } // namespace
+
+std::string scene_text(const SceneEntries& entries) {
+    std::string text;
+    if (!entries.title.empty()) {
+        text += "title = " + toml_string(entries.title) + "\n";
+    }
+    for (const auto& [name, section] : sections_of(entries)) {
+        if (section->empty()) {
+            continue;
+        }
+        text += std::string(text.empty() ? "" : "\n") + "[" + name + "]\n";
+        for (const io::TomlEntry& entry : *section) {
+            text += entry.key + " = " + toml_entry(entry) + "\n";
+        }
+    }
+    return text;
+}
+
+Scene make_scene(const SceneEntries& entries) {
+    check_characters("title", entries.title);
+    std::vector<io::TomlTable> tables;
+    for (const auto& [name, section] : sections_of(entries)) {
+        for (const io::TomlEntry& entry : *section) {
+            for (const std::string& text : texts_of(entry)) {
+                check_characters(entry.key, text);
+            }
+        }
+        if (!section->empty()) {
+            tables.push_back({name, 0, *section});
+        }
+    }
+    try {
+        Scene scene = scene_of(io::TomlSection::made(tables, ""));
+        scene.title = entries.title;
+        return scene;
+    } catch (const InputError& error) {
+        throw InputError(error.problem(), error.instead()); // without the line 0
+    }
+}
 
 void refuse_sliding(const Scene& scene, const Real& force) {
     const contact::ShearSpec& shear = *scene.shear;

@@ -90,6 +90,10 @@ struct Scene {
 
     /// True if there is friction, so that part of the contact slips.
     [[nodiscard]] bool slips() const { return shear && shear->friction; }
+    /// True if P and Q grow in proportion, so that q = (Q/P) p.
+    [[nodiscard]] bool together() const {
+        return shear && shear->path == contact::LoadingPath::together;
+    }
     /// True if b = a without solving.
     [[nodiscard]] bool symmetric() const { return profile && profile->symmetric(); }
 };

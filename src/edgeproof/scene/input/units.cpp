@@ -31,37 +31,23 @@ constexpr std::array prefixes{
     NamedFactor{"T", "1000000000000"},
 };
 
-struct OtherUnit {
-    std::string_view name;
-    const char* factor;
+struct OtherUnit : NamedFactor {
     Unit::Dimension dimension;
 };
 
 constexpr std::array other_units{
-    OtherUnit{"in", "127/5000", Unit::Dimension::length},
-    OtherUnit{"inch", "127/5000", Unit::Dimension::length},
-    OtherUnit{"ft", "381/1250", Unit::Dimension::length},
-    OtherUnit{"lbf", "8896443230521/2000000000000", Unit::Dimension::force},
-    OtherUnit{"kgf", "196133/20000", Unit::Dimension::force},
-    OtherUnit{"bar", "100000", Unit::Dimension::pressure},
+    OtherUnit{{"in", "127/5000"}, Unit::Dimension::length},
+    OtherUnit{{"inch", "127/5000"}, Unit::Dimension::length},
+    OtherUnit{{"ft", "381/1250"}, Unit::Dimension::length},
+    OtherUnit{{"lbf", "8896443230521/2000000000000"}, Unit::Dimension::force},
+    OtherUnit{{"kgf", "196133/20000"}, Unit::Dimension::force},
+    OtherUnit{{"bar", "100000"}, Unit::Dimension::pressure},
 };
 
 constexpr std::array<std::pair<std::string_view, Unit::Dimension>, 3> si_units{
     {{"m", Unit::Dimension::length},
      {"N", Unit::Dimension::force},
      {"Pa", Unit::Dimension::pressure}}};
-
-std::string_view dimension_name(Unit::Dimension dimension) {
-    switch (dimension) {
-    case Unit::Dimension::length:
-        return "length";
-    case Unit::Dimension::force:
-        return "force";
-    case Unit::Dimension::pressure:
-        break;
-    }
-    return "pressure";
-}
 
 std::optional<Unit> plain_unit(std::string_view name) {
     for (const auto& [si, dimension] : si_units) {
@@ -144,24 +130,23 @@ std::string Units::text() const {
 Units read_units(const io::TomlSection& section) {
     section.allow({"length", "force", "pressure"});
     Units units;
-    const auto read = [&](std::string_view key, Unit::Dimension dimension,
-                          std::optional<Unit>& unit, const char* examples) {
-        if (!section.has(key)) {
-            return;
+    const auto read = [&](std::string_view key, Unit::Dimension dimension, const char* examples) {
+        std::optional<Unit> unit;
+        if (section.has(key)) {
+            const std::string name = section.text(key);
+            unit = unit_named(name);
+            if (!unit || unit->dimension != dimension) {
+                section.reject(
+                    key, "'" + name + "' is no unit of " + std::string(key) + " that is known",
+                    examples);
+            }
         }
-        const std::string name = section.text(key);
-        unit = unit_named(name);
-        if (!unit || unit->dimension != dimension) {
-            section.reject(key,
-                           "'" + name + "' is no unit of " +
-                               std::string(dimension_name(dimension)) + " that is known",
-                           examples);
-        }
+        return unit;
     };
-    read("length", Unit::Dimension::length, units.length, "write one such as m, mm, um or in");
-    read("force", Unit::Dimension::force, units.force, "write one such as N, kN or lbf");
-    read("pressure", Unit::Dimension::pressure, units.pressure,
-         "write one such as Pa, MPa, N/mm^2 or psi");
+    units.length = read("length", Unit::Dimension::length, "write one such as m, mm, um or in");
+    units.force = read("force", Unit::Dimension::force, "write one such as N, kN or lbf");
+    units.pressure =
+        read("pressure", Unit::Dimension::pressure, "write one such as Pa, MPa, N/mm^2 or psi");
     if (units.length && units.force && units.pressure &&
         units.pressure->factor * units.length->factor * units.length->factor !=
             units.force->factor) {

@@ -8,8 +8,8 @@
 #include "edgeproof/contact/slip/ball_slip.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
-#include "edgeproof/scene/route/omitted_terms.hpp"
 #include "edgeproof/scene/route/plan.hpp"
+#include "edgeproof/scene/route/terms.hpp"
 
 #include <cstddef>
 #include <map>
@@ -52,21 +52,20 @@ public:
         }
     }
 
-    [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] long bits() const { return bits_; }
     [[nodiscard]] const contact::ProvedContact& contact() const { return *contact_; }
     [[nodiscard]] const Ball& a() const { return contact_->a(); }
     [[nodiscard]] const Ball& b() const { return contact_->b(); }
     /// The tilt of a scene in which it is solved for.
     [[nodiscard]] const contact::EnclosedTilt& tilt() const { return *tilt_; }
+    [[nodiscard]] const Ball& alpha() const { return tilt_->alpha; }
     [[nodiscard]] Ball length() const { return a() + b(); }
     [[nodiscard]] Ball force() const { return contact_->force(); }
     [[nodiscard]] Ball moment() const { return contact_->moment(); }
     /// Keeps the last value if it is used more than once.
-    [[nodiscard]] const Ball& p(contact::Edge edge, const Distance& u) {
+    [[nodiscard]] Ball p(contact::Edge edge, const Distance& u) {
         if (plan_.terms == 0 && !scene_.shear) {
-            used_once_ = pressure(edge, u);
-            return used_once_;
+            return pressure(edge, u);
         }
         if (!last_ || last_->edge != edge || !(last_->u == u)) {
             last_ = Last{edge, u, pressure(edge, u)};
@@ -78,10 +77,12 @@ public:
             const contact::BallSlip* s = slip();
             return s != nullptr ? s->traction(edge, distance(u), p(edge, u)) : not_known();
         }
-        return together() ? shear_ratio() * p(edge, u)
-                          : full_stick_traction(length(), load(), edge, distance(u));
+        return scene_.together() ? shear_ratio() * p(edge, u)
+                                 : full_stick_traction(length(), load(), edge, distance(u));
     }
+    [[nodiscard]] static Distance place(const AskedValue& asked) { return asked.distance(); }
     [[nodiscard]] Ball distance(const Distance& u) const { return u.enclosure(a(), b(), bits_); }
+    [[nodiscard]] Ball u(contact::Edge /*edge*/, const Distance& u) const { return distance(u); }
     /// The coordinate x of a point.
     [[nodiscard]] Ball x(contact::Edge edge, const Distance& u) const {
         if (!u.number()) {
@@ -116,7 +117,7 @@ public:
     }
     [[nodiscard]] const std::vector<Ball>& s(contact::Edge edge) {
         auto& s = s_[edge];
-        if (s.empty() && together()) {
+        if (s.empty() && scene_.together()) {
             for (const Ball& x : c(edge)) {
                 s.push_back(shear_ratio() * x);
             }
@@ -138,43 +139,32 @@ public:
         return slip_ ? &*slip_ : nullptr;
     }
     [[nodiscard]] Ball slip_size(contact::Edge edge) {
-        return slip() != nullptr ? slip()->size(edge) : not_known();
+        return of_slip([&](const contact::BallSlip& slip) { return slip.size(edge); });
     }
     [[nodiscard]] Ball load_ratio() {
-        return slip() != nullptr ? slip()->load_ratio() : not_known();
+        return of_slip([](const contact::BallSlip& slip) { return slip.load_ratio(); });
     }
     /// The bulk tension with which the stick zone reaches an edge of the contact: the edge towards
     /// which Q acts, or the other one.
-    [[nodiscard]] Ball tension_limit(contact::Edge ahead) {
-        const bool forwards = scene_.shear->Q.sign() > 0;
-        try {
-            return slip() == nullptr ? not_known()
-                                     : slip()->tension_limit(forwards ? ahead : opposite(ahead));
-        } catch (const BudgetError&) {
-            return not_known();
-        }
+    template <contact::Edge ahead> [[nodiscard]] Ball tension_limit() {
+        const contact::Edge edge = scene_.shear->Q.sign() > 0 ? ahead : opposite(ahead);
+        return of_slip([&](const contact::BallSlip& slip) { return slip.tension_limit(edge); });
     }
     /// The distance of an edge of the stick zone from the origin.
-    [[nodiscard]] Ball stick_edge(contact::Edge edge) {
-        return slip() != nullptr ? slip()->stick().at(edge) : not_known();
+    template <contact::Edge edge> [[nodiscard]] Ball stick_edge() {
+        return of_slip([](const contact::BallSlip& slip) { return slip.stick().at(edge); });
     }
     /// Only for scenes with encloses_cycle_energy().
     [[nodiscard]] Ball cycle_energy() {
-        if (slip() == nullptr) {
-            return not_known();
-        }
-        if (scene_.profile->kind() == contact::Profile::Kind::tilted_wedge) {
-            return similar_cycle_energy(*slip(), Ball(1, bits_));
-        }
-        if (scene_.profile->kind() == contact::Profile::Kind::power_law) {
-            return similar_cycle_energy(*slip(),
-                                        ball_of(scene_.profile->parameters().at("m"), bits_) + 1);
-        }
-        try {
-            return contact::cycle_energy(*contact_->closed_form(), *slip());
-        } catch (const BudgetError&) {
-            return not_known();
-        }
+        using Kind = contact::Profile::Kind;
+        const Kind kind = scene_.profile->kind();
+        return of_slip([&](const contact::BallSlip& slip) {
+            return kind == Kind::tilted_wedge ? similar_cycle_energy(slip, Ball(1, bits_))
+                   : kind == Kind::power_law
+                       ? similar_cycle_energy(
+                             slip, ball_of(scene_.profile->parameters().at("m"), bits_) + 1)
+                       : contact::cycle_energy(*contact_->closed_form(), slip);
+        });
     }
     /// kappa_1, ..., at an edge; balls that are not finite if there is no slip zone.
     [[nodiscard]] const std::vector<Ball>& slip_series(contact::Edge edge, std::size_t terms) {
@@ -204,21 +194,23 @@ public:
         const Ball at = distance(u);
         const Ball left_out = omitted_terms(shear ? q_series(edge) : p_series(edge), n, at);
         const Ball error =
-            (shear && !together() ? Ball(left_out / sqrt(at)) : Ball(left_out * sqrt(at))) / value;
+            (singular(shear) ? Ball(left_out / sqrt(at)) : Ball(left_out * sqrt(at))) / value;
         return error.is_finite() ? error : difference;
     }
     /// The sum of n terms of p, or of q.
     [[nodiscard]] Ball sum(contact::Edge edge, const Distance& u, std::size_t n, bool shear) {
-        const std::vector<Ball>& terms = shear ? s(edge) : c(edge);
-        const Ball at = distance(u);
-        Ball total = terms[n - 1];
-        for (std::size_t k = n - 1; k-- > 0;) {
-            total = total * at + terms[k];
-        }
-        return shear && !together() ? total / sqrt(at) : total * sqrt(at);
+        return sum_of_terms(shear ? s(edge) : c(edge), n, distance(u), singular(shear));
     }
 
 private:
+    /// A value of the slip; not finite if these bits do not suffice.
+    template <class F> [[nodiscard]] Ball of_slip(const F& f) {
+        try {
+            return slip() != nullptr ? Ball(f(*slip())) : not_known();
+        } catch (const BudgetError&) {
+            return not_known();
+        }
+    }
     /// The series of p/sqrt(u) at an edge.
     [[nodiscard]] BoundedSeries p_series(contact::Edge edge) const {
         const contact::ProvedContact& pressure = contact();
@@ -230,7 +222,7 @@ private:
     /// first case q = (Q/pi +- sigma_0 (L - 2u)/8)/sqrt(u (L - u)), and the coefficients of (1 -
     /// u/L)^(-1/2) lie between 0 and 1.
     [[nodiscard]] BoundedSeries q_series(contact::Edge edge) {
-        if (together()) {
+        if (scene_.together()) {
             BoundedSeries series = p_series(edge);
             const Ball ratio = shear_ratio();
             series.most *= abs(ratio);
@@ -301,9 +293,8 @@ private:
         Distance u;
         Ball p;
     };
-    [[nodiscard]] bool together() const {
-        return scene_.shear->path == contact::LoadingPath::together;
-    }
+    /// True if the first term of the expansion of p, or of q, is infinite at the edge.
+    [[nodiscard]] bool singular(bool shear) const { return shear && !scene_.together(); }
     [[nodiscard]] contact::ShearLoad<Ball> load() const {
         return {ball_of(scene_.shear->Q, bits_), ball_of(scene_.shear->bulk_tension, bits_)};
     }
@@ -324,7 +315,6 @@ private:
     std::optional<contact::BallSlip> slip_;
     std::optional<contact::SlipSeries<Ball>> slip_series_;
     std::optional<Last> last_;
-    Ball used_once_;
     std::optional<Ball> ratio_;
     std::map<contact::Edge, std::vector<Ball>> c_;
     std::map<contact::Edge, std::vector<Ball>> s_;

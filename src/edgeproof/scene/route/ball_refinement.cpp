@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/scene/route/ball_refinement.hpp"
-
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/route/ball_route.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -19,20 +18,19 @@ constexpr long least_last_bits = 1L << 14;
 
 } // namespace
 
-BallRefinement::BallRefinement(const Scene& scene, const Plan& plan, contact::Work& work)
-    : scene_(scene), plan_(plan), work_(work), last_bits_(std::max(least_last_bits, 8 * plan.bits)),
-      last_curved_bits_(8 * plan.bits) {}
+long BallRoute::last_bits() const {
+    const long curved = 8 * plan_.bits; // integrals cost more
+    return closed() ? std::max(least_last_bits, curved) : curved;
+}
 
-std::optional<BallRefinement::Found> BallRefinement::refine(const InBalls& f,
-                                                            const Exactly& exactly,
-                                                            const Digits& digits, long first,
-                                                            long lost) {
+std::optional<BallRoute::Found> BallRoute::refine(const InBalls& f, const Exactly& exactly,
+                                                  const Digits& digits, long first, long lost) {
     std::optional<Found> best;
-    bool looked = false;
+    bool looked = exactly == nullptr;
     const long zero_from =
         plan_.bits + zero_bits + std::min(std::max(lost, lost_bits_), most_lost_bits);
     const long last = closed() ? std::max(last_bits(), 2 * zero_from) : last_bits();
-    for (long bits = first != 0 ? first : plan_.bits; bits <= last; bits = after(bits)) {
+    for (long bits = first; bits <= last; bits = bits < plan_.bits ? plan_.bits : 2 * bits) {
         BallLevel* level = at_level(bits);
         if (level == nullptr) {
             continue;
@@ -57,8 +55,8 @@ std::optional<BallRefinement::Found> BallRefinement::refine(const InBalls& f,
     return best;
 }
 
-std::optional<Rational> BallRefinement::exact_value(const Exactly& exactly, const BallLevel& level,
-                                                    const Ball& near) {
+std::optional<Rational> BallRoute::exact_value(const Exactly& exactly, const BallLevel& level,
+                                               const Ball& near) {
     ExactValues* exact = exact_values(level);
     if (exact == nullptr) {
         return {};
@@ -71,21 +69,17 @@ std::optional<Rational> BallRefinement::exact_value(const Exactly& exactly, cons
     }
 }
 
-ExactValues* BallRefinement::exact_values(const BallLevel& level) {
-    if (!exact_) {
-        if (!scene_.punch) {
-            exact_.emplace(scene_, *scene_.profile, level.a(), level.b(), plan_.terms);
-        } else if (level.tilt().exactly_zero) {
-            exact_.emplace(scene_, level.tilt().near, level.a(), level.b(), plan_.terms);
-        }
+ExactValues* BallRoute::exact_values(const BallLevel& level) {
+    if (!exact_ && (!scene_.punch || level.tilt().exactly_zero)) {
+        exact_.emplace(scene_, scene_.punch ? level.tilt().near : *scene_.profile, level.a(),
+                       level.b(), plan_.terms);
     }
     return exact_ ? &*exact_ : nullptr;
 }
 
-BallLevel* BallRefinement::at_level(long bits) {
-    const auto known = levels_.find(bits);
-    if (known != levels_.end()) {
-        return known->second.get();
+BallLevel* BallRoute::at_level(long bits) {
+    if (const auto made = levels_.find(bits); made != levels_.end()) {
+        return made->second.get();
     }
     work_.raised += bits > plan_.bits ? 1 : 0;
     auto& slot = levels_[bits];

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/enclosure/exact_contact.hpp"
+#include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
+#include "edgeproof/scene/route/plan.hpp"
+#include "edgeproof/scene/route/terms.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <optional>
+#include <utility>
 #include <vector>
 
 namespace edgeproof::scene {
@@ -15,51 +18,86 @@ namespace edgeproof::scene {
 /// unknown. Keeps a reference to the scene.
 class ExactValues {
 public:
+    using Number = formula::ExactNumber;
+
     /// The profile is the scene's, or that with a tilt known to be zero. The balls enclose the
     /// edges. `terms`: the number of coefficients to compute at once.
     ExactValues(const Scene& scene, const contact::Profile& profile, const Ball& a, const Ball& b,
-                std::size_t terms);
+                std::size_t terms)
+        : scene_(scene), contact_(profile, scene.contact_modulus, scene.load, a, b), terms_(terms) {
+    }
 
-    [[nodiscard]] const Scene& scene() const { return scene_; }
-    [[nodiscard]] const formula::ExactNumber& a() const { return contact_.a(); }
-    [[nodiscard]] const formula::ExactNumber& b() const { return contact_.b(); }
-    [[nodiscard]] formula::ExactNumber length() const { return contact_.length(); }
-    [[nodiscard]] formula::ExactNumber force() const { return contact_.force(); }
-    [[nodiscard]] formula::ExactNumber moment() const { return contact_.moment(); }
-    [[nodiscard]] formula::ExactNumber u(const Distance& distance) const {
-        return distance.exactly(a(), b());
+    [[nodiscard]] const Number& a() const { return contact_.a(); }
+    [[nodiscard]] const Number& b() const { return contact_.b(); }
+    [[nodiscard]] Number length() const { return contact_.length(); }
+    [[nodiscard]] Number force() const { return contact_.force(); }
+    [[nodiscard]] Number moment() const { return contact_.moment(); }
+    /// The distance of a place from its edge.
+    [[nodiscard]] Number place(const AskedValue& asked) const {
+        return asked.distance().exactly(a(), b());
     }
+    /// The tilt, where it is solved for: exact values exist only if it is known to be zero.
+    [[nodiscard]] Number alpha() const { return 0; } // NOLINT: called like the other members
+    [[nodiscard]] Number u(contact::Edge /*edge*/, const Number& u) const { return u; } // NOLINT
     /// The greatest pressure, if it is known to be at the origin.
-    [[nodiscard]] formula::ExactNumber peak() const;
-    [[nodiscard]] formula::ExactNumber x(contact::Edge edge, const formula::ExactNumber& u) const;
-    [[nodiscard]] formula::ExactNumber p(contact::Edge edge, const formula::ExactNumber& u) const;
-    [[nodiscard]] formula::ExactNumber q(contact::Edge edge, const formula::ExactNumber& u) const;
-    /// At least `terms` coefficients of p, or of q.
-    [[nodiscard]] const std::vector<formula::ExactNumber>& c(contact::Edge edge, std::size_t terms);
-    [[nodiscard]] const std::vector<formula::ExactNumber>& s(contact::Edge edge, std::size_t terms);
-    [[nodiscard]] formula::ExactNumber c_k(contact::Edge edge, std::size_t k) {
-        return c(edge, std::max(k + 1, terms_)).at(k);
+    [[nodiscard]] Number peak() const {
+        return peaks_in_the_middle(scene_) ? p(contact::Edge::right, a()) : Number::unknown();
     }
-    [[nodiscard]] formula::ExactNumber s_k(contact::Edge edge, std::size_t k) {
-        return s(edge, std::max(k + 1, terms_)).at(k);
+    [[nodiscard]] Number x(contact::Edge edge, const Number& u) const {
+        return edge == contact::Edge::right ? a() - u : u - b();
+    }
+    [[nodiscard]] Number p(contact::Edge edge, const Number& u) const {
+        return contact_.pressure(edge, u);
+    }
+    [[nodiscard]] Number q(contact::Edge edge, const Number& u) const {
+        return scene_.slips()      ? Number::unknown()
+               : scene_.together() ? load().Q / force() * p(edge, u)
+                                   : full_stick_traction(length(), load(), edge, u);
+    }
+    /// c_k of p, or s_k of q.
+    [[nodiscard]] Number coefficient(contact::Edge edge, std::size_t k, bool shear) {
+        return terms(edge, std::max(k + 1, terms_), shear).at(k);
     }
     /// The sum of n terms of p, or of q.
-    [[nodiscard]] formula::ExactNumber sum(contact::Edge edge, const formula::ExactNumber& u,
-                                           std::size_t n, bool shear);
+    [[nodiscard]] Number sum(contact::Edge edge, const Number& u, std::size_t n, bool shear) {
+        return sum_of_terms(terms(edge, n, shear), n, u, shear && !scene_.together());
+    }
     /// 1 - sum/value, with its sign.
-    [[nodiscard]] formula::ExactNumber error(contact::Edge edge, const formula::ExactNumber& u,
-                                             std::size_t n, bool shear);
+    [[nodiscard]] Number relative_error(contact::Edge edge, const Number& u, std::size_t n,
+                                        bool shear) {
+        return Number(1) - sum(edge, u, n, shear) / (shear ? q(edge, u) : p(edge, u));
+    }
 
 private:
-    [[nodiscard]] bool together() const {
-        return scene_.shear->path == contact::LoadingPath::together;
+    /// At least n coefficients of p, or of q.
+    [[nodiscard]] const std::vector<Number>& terms(contact::Edge edge, std::size_t n, bool shear) {
+        std::vector<Number>& known = known_terms_[{edge, shear}];
+        if (known.size() >= n) {
+            return known;
+        }
+        if (!shear) {
+            known = contact_.expansion(edge, n);
+        } else if (scene_.together()) {
+            known = terms(edge, n, false);
+            const Number ratio = load().Q / force();
+            for (Number& x : known) {
+                x = ratio * x;
+            }
+        } else if (length().known()) {
+            known = full_stick_expansion(length(), load(), edge, n);
+        } else {
+            known.assign(n, Number::unknown());
+        }
+        return known;
+    }
+    [[nodiscard]] contact::ShearLoad<Number> load() const {
+        return {Number::of(scene_.shear->Q.expr()), Number::of(scene_.shear->bulk_tension.expr())};
     }
 
     const Scene& scene_;
     contact::ExactContact contact_;
     std::size_t terms_;
-    std::map<contact::Edge, std::vector<formula::ExactNumber>> c_;
-    std::map<contact::Edge, std::vector<formula::ExactNumber>> s_;
+    std::map<std::pair<contact::Edge, bool>, std::vector<Number>> known_terms_;
 };
 
 } // namespace edgeproof::scene

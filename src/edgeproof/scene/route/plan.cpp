@@ -27,34 +27,33 @@ std::string count_of(std::size_t n, const std::string& what) {
 /// Refuses a request for which the scene lacks the data.
 void check(const Scene& scene) {
     const Ask& ask = scene.ask;
-    const auto first = [&](const auto& lacks) {
-        const auto rows = group_rows();
-        const auto found = std::find_if(rows.begin(), rows.end(), [&](const GroupRow& row) {
-            return ask.wants(row.group) && lacks(row);
-        });
-        return found == rows.end() ? nullptr : &*found;
+    const auto for_each = [&](const auto& check_group) {
+        for (const GroupRow& row : group_rows()) {
+            if (ask.wants(row.group)) {
+                check_group(row);
+            }
+        }
     };
-    if (first([&](const GroupRow& row) { return row.points && ask.u.empty(); }) != nullptr) {
-        reject(scene, "the scene asks for no points",
-               "add u = [\"1e-3\", \"0.1\"] (distances from the edge) to [ask]");
-    }
-    if (const auto* row = first([&](const GroupRow& r) { return r.shear && !scene.shear; })) {
-        reject(scene, std::string(row->name) + " is requested, but there is no [shear]",
-               "add [shear] with Q or bulk_tension");
-    }
-    if (const auto* row = first([&](const GroupRow& r) { return r.friction && !scene.slips(); })) {
-        reject(scene, std::string(row->name) + " is requested, but there is no friction",
-               "add friction = \"0.6\" to [shear]");
-    }
+    for_each([&](const GroupRow& row) {
+        if (row.points && ask.u.empty()) {
+            reject(scene, "the scene asks for no points",
+                   "add u = [\"1e-3\", \"0.1\"] (distances from the edge) to [ask]");
+        }
+    });
+    for_each([&](const GroupRow& row) {
+        if (const auto lack = lack_of(scene, row)) {
+            reject(scene, lack->problem, lack->instead);
+        }
+    });
     if (ask.wants(QuantityGroup::slip) && ask.most_terms() > most_slip_terms) {
         reject(scene, "slip zones of " + std::to_string(ask.most_terms()) + " terms are asked for",
                "give " + std::to_string(most_slip_terms) + " terms at most");
     }
-    if (const auto* row = first([&](const GroupRow& r) {
-            return (r.terms && ask.terms.empty()) || (r.tolerance && !ask.tolerance);
-        })) {
-        reject(scene, std::string(row->incomplete), std::string(row->instead));
-    }
+    for_each([&](const GroupRow& row) {
+        if ((row.terms && ask.terms.empty()) || (row.tolerance && !ask.tolerance)) {
+            reject(scene, std::string(row.incomplete), std::string(row.instead));
+        }
+    });
 }
 
 /// Returns at least `bits`, such that with the guard bits of the elementary functions whole words
@@ -81,7 +80,7 @@ public:
         plan_.slip = ask_.wants(QuantityGroup::slip);
         plan_.peak = ask_.wants(QuantityGroup::peak);
         plan_.partial_slip = scene_.slips() && (plan_.shear || plan_.slip);
-        const bool similar = scene_.shear && scene_.shear->path == contact::LoadingPath::together;
+        const bool similar = scene_.together();
         plan_.pressure = plan_.print_pressure || (plan_.shear && similar);
         const bool others = std::ranges::any_of(quantity_rows(), [&](const QuantityRow& row) {
             return row.by_its_own_name() && ask_.wants(row.group);
@@ -96,79 +95,61 @@ public:
             (coefficients || (approximations && plan_.shear && !plan_.partial_slip));
         plan_.expand_pressure = coefficients || (approximations && plan_.print_pressure) ||
                                 (plan_.expand_shear && similar);
-        const bool closed =
-            !scene_.profile || contact::BallContact::has_closed_form(*scene_.profile);
-        plan_.route = ask_.route != contact::Route::automatic ? ask_.route
-                      : closed                                ? contact::Route::closed_form
-                                                              : contact::Route::singular_integral;
-        plan_.bits = formula::bits_for(ask_.digits.count) + 96;
-        plan_.narrow_bits = closed
-                                ? std::min(whole_words(formula::bits_for(ask_.digits.count) + 40),
-                                           plan_.bits)
-                                : plan_.bits; // an integral costs more than fewer bits save
-        proof();
+        precision();
         contact();
-        pressure();
-        expansions(coefficients);
-        shear(similar);
-        slips();
-        extents();
-        add("peak pressure", plan_.peak, plan_.peak ? "the greatest one" : "not asked for");
-        resultants(similar);
+        tractions();
+        loads();
         return std::move(plan_);
     }
 
 private:
-    void add(const char* name, bool on, std::string why,
-             std::size_t contact::Counts::*counter = nullptr, std::size_t count = 0) {
+    using Counts = contact::Counts;
+
+    void add(const char* name, bool on, std::string why, std::size_t Counts::*counter = nullptr,
+             std::size_t count = 0) {
         if (on && counter != nullptr) {
             plan_.counts.*counter += count;
         }
         plan_.effects.push_back({name, on, std::move(why), counter});
     }
-    /// The number of edges at which p is computed, or q.
-    [[nodiscard]] std::size_t edges_of_p() const { return plan_.mirrored ? 1 : ask_.edges.size(); }
-    [[nodiscard]] std::size_t edges_of_q(bool similar) const {
-        return similar ? edges_of_p() : ask_.edges.size();
-    }
-
-    /// The number of points at which p is computed: a place x has no mirror image.
-    [[nodiscard]] std::size_t points_of_p() const {
-        const auto by_x = std::count_if(ask_.u.begin(), ask_.u.end(), [](const AskedPoint& point) {
-            return point.place && point.place->from() == Place::From::origin;
-        });
-        return ask_.u.size() * edges_of_p() + (plan_.mirrored ? static_cast<std::size_t>(by_x) : 0);
-    }
-
-    void proof() {
-        const bool closed = plan_.route == contact::Route::closed_form;
-        const bool integrated = scene_.profile && ask_.route == contact::Route::automatic &&
-                                !closed && contact::IntegratedContact::handles(*scene_.profile);
-        plan_.proved = closed || integrated;
+    /// The route, the bits, and whether the values are proved.
+    void precision() {
+        const bool has_form =
+            !scene_.profile || contact::BallContact::has_closed_form(*scene_.profile);
+        const bool automatic = ask_.route == contact::Route::automatic;
+        plan_.route = !automatic ? ask_.route
+                      : has_form ? contact::Route::closed_form
+                                 : contact::Route::singular_integral;
+        const long bits = formula::bits_for(ask_.digits.count);
+        plan_.bits = bits + 96;
+        plan_.narrow_bits = has_form ? std::min(whole_words(bits + 40), plan_.bits)
+                                     : plan_.bits; // an integral costs more than fewer bits save
+        closed_ = plan_.route == contact::Route::closed_form;
+        const bool integrated = scene_.profile && automatic && !closed_ &&
+                                contact::IntegratedContact::handles(*scene_.profile);
+        plan_.proved = closed_ || integrated;
         plan_.proved_why =
-            closed ? "closed forms in ball arithmetic: every value is enclosed"
+            closed_ ? "closed forms in ball arithmetic: every value is enclosed"
             : integrated
                 ? "rigorous integration in ball arithmetic: every value is enclosed, where "
                   "g' is proved not to decrease in the contact"
-            : ask_.route != contact::Route::automatic
-                ? "the route " + route_name(plan_.route) + " is asked for"
-                : "a function in g' is beyond the rigorous integration";
+            : !automatic ? "the route " + route_name(plan_.route) + " is asked for"
+                         : "a function in g' is beyond the rigorous integration";
     }
     void contact() {
         const bool tilt = scene_.punch.has_value();
         add("tilt", tilt,
             tilt ? "P and M are given, the tilt is not" : "the tilt is given, or none",
-            &contact::Counts::tilts, 1);
+            &Counts::tilts, 1);
         const bool force = scene_.load.kind == contact::Load::Kind::force;
-        add("size from force", force, force ? "P is given" : "a is given",
-            &contact::Counts::load_inversions, 1);
+        add("size from force", force, force ? "P is given" : "a is given", &Counts::load_inversions,
+            1);
         const bool consistency = !scene_.symmetric();
         add("consistency", consistency,
             consistency ? "b is not a: the profile is not symmetric" : "b = a: symmetric",
-            &contact::Counts::consistency, 1);
+            &Counts::consistency, 1);
         for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
-            const bool asked =
-                std::find(ask_.edges.begin(), ask_.edges.end(), edge) != ask_.edges.end();
+            const bool asked = std::ranges::find(ask_.edges, edge) != ask_.edges.end();
             add(edge == contact::Edge::right ? "right edge" : "left edge", asked,
                 !asked                       ? "not asked"
                 : !plan_.mirrored            ? "asked"
@@ -176,77 +157,79 @@ private:
                                              : "asked; the mirror image of the other one");
         }
     }
-    void pressure() {
-        const bool closed = plan_.route == contact::Route::closed_form;
-        const std::size_t n = points_of_p();
+    void tractions() {
+        const bool similar = scene_.together();
+        const std::size_t edges = ask_.edges.size();
+        edges_of_p_ = plan_.mirrored ? 1 : edges;
+        // A place x has no mirror image.
+        const auto by_x = std::ranges::count_if(ask_.u, [](const AskedPoint& point) {
+            return point.place && point.place->from() == Place::From::origin;
+        });
+        const std::size_t points_of_p =
+            ask_.u.size() * edges_of_p_ + (plan_.mirrored ? static_cast<std::size_t>(by_x) : 0);
         const std::string points =
-            count_of(ask_.u.size(), "point") + " at " + count_of(edges_of_p(), "edge");
+            count_of(ask_.u.size(), "point") + " at " + count_of(edges_of_p_, "edge");
         const std::string why = !plan_.pressure        ? "no pressure is asked for"
                                 : plan_.print_pressure ? points
                                                        : points + ": q = (Q/P) p";
         const bool power_law = scene_.profile && !scene_.profile->piecewise_linear();
-        const char* const form = power_law ? "; Gauss's 2F1" : "; logarithms";
-        add("pressure, closed form", plan_.pressure && closed,
-            plan_.pressure && !closed ? "the route is " + route_name(plan_.route)
-            : plan_.pressure          ? why + form
-                                      : why,
-            &contact::Counts::closed_forms, n);
-        add("pressure, quadrature", plan_.pressure && !closed,
-            plan_.pressure && closed ? "there is a closed form"
-            : plan_.pressure         ? why + ", " + route_name(plan_.route)
-                                     : why,
-            &contact::Counts::quadratures, n);
-    }
-    void expansions(bool coefficients) {
+        const std::string route = route_name(plan_.route);
+        add("pressure, closed form", plan_.pressure && closed_,
+            !plan_.pressure ? why
+            : closed_       ? why + (power_law ? "; Gauss's 2F1" : "; logarithms")
+                            : "the route is " + route,
+            &Counts::closed_forms, points_of_p);
+        add("pressure, quadrature", plan_.pressure && !closed_,
+            !plan_.pressure ? why
+            : closed_       ? "there is a closed form"
+                            : why + ", " + route,
+            &Counts::quadratures, points_of_p);
         const std::string terms = count_of(plan_.terms, "term");
+        const bool coefficients = ask_.wants(QuantityGroup::coefficients);
         add("expansion of p", plan_.expand_pressure,
-            plan_.expand_pressure ? (coefficients ? terms : terms + " for the approximations")
+            plan_.expand_pressure ? terms + (coefficients ? "" : " for the approximations")
             : plan_.terms == 0    ? "no terms are asked for"
                                   : "only shear is asked for",
-            &contact::Counts::expansions, edges_of_p());
-    }
-    void shear(bool similar) {
+            &Counts::expansions, edges_of_p_);
         const std::string none = scene_.shear ? "not asked for" : "there is no [shear]";
-        const std::string how = similar              ? "similar to p: P and Q grow together"
-                                : plan_.partial_slip ? "partial slip, P held"
-                                                     : "full stick, P held";
-        add("shear", plan_.shear, plan_.shear ? how : none, &contact::Counts::shear_points,
-            similar ? points_of_p() : ask_.u.size() * ask_.edges.size());
-        add("expansion of q", plan_.expand_shear,
-            plan_.expand_shear ? count_of(plan_.terms, "term") : none,
-            &contact::Counts::shear_expansions, edges_of_q(similar));
+        add("shear", plan_.shear,
+            !plan_.shear         ? none
+            : similar            ? "similar to p: P and Q grow together"
+            : plan_.partial_slip ? "partial slip, P held"
+                                 : "full stick, P held",
+            &Counts::shear_points, similar ? points_of_p : ask_.u.size() * edges);
+        add("expansion of q", plan_.expand_shear, plan_.expand_shear ? terms : none,
+            &Counts::shear_expansions, similar ? edges_of_p_ : edges);
     }
-    void resultants(bool similar) {
-        // The tilt solver, and a load given as P, need P internally; that is not counted here.
-        const bool for_shear = similar && (plan_.shear || plan_.expand_shear);
-        const bool on = plan_.resultants || for_shear;
-        add("force and moment", on,
-            plan_.resultants ? "P and M"
-            : for_shear      ? "P, since q = (Q/P) p"
-                             : "not asked for",
-            &contact::Counts::resultants, (plan_.resultants ? 2U : 0U) + (for_shear ? 1U : 0U));
-    }
-    void slips() {
+    void loads() {
         const std::string none =
             !scene_.slips() ? "there is no friction" : "neither q nor a slip zone is asked for";
         add("partial slip", plan_.partial_slip,
             plan_.partial_slip ? "f = " + scene_.shear->friction->text() + ", P held" : none,
-            &contact::Counts::stick_zones, 1);
+            &Counts::stick_zones, 1);
         add("slip zones", plan_.slip,
             !plan_.slip          ? (scene_.slips() ? "not asked for" : none)
             : ask_.terms.empty() ? "their sizes"
                                  : "their sizes, and of " + count_of(ask_.most_terms(), "term"),
-            &contact::Counts::slip_sizes, ask_.edges.size());
-    }
-    void extents() {
+            &Counts::slip_sizes, ask_.edges.size());
         add("extent", plan_.extents,
             plan_.extents ? "within " + ask_.tolerance->text() + " of p" : "not asked for",
-            &contact::Counts::extents, ask_.terms.size() * edges_of_p());
+            &Counts::extents, ask_.terms.size() * edges_of_p_);
+        add("peak pressure", plan_.peak, plan_.peak ? "the greatest one" : "not asked for");
+        // The tilt solver, and a load given as P, need P internally; that is not counted here.
+        const bool for_shear = scene_.together() && (plan_.shear || plan_.expand_shear);
+        add("force and moment", plan_.resultants || for_shear,
+            plan_.resultants ? "P and M"
+            : for_shear      ? "P, since q = (Q/P) p"
+                             : "not asked for",
+            &Counts::resultants, (plan_.resultants ? 2U : 0U) + (for_shear ? 1U : 0U));
     }
 
     const Scene& scene_;
     const Ask& ask_;
     Plan plan_;
+    bool closed_ = false;        ///< by the closed form
+    std::size_t edges_of_p_ = 0; ///< at which p is computed
 };
 
 } // namespace

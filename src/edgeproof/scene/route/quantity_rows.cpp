@@ -8,336 +8,288 @@
 #include "edgeproof/scene/route/real_level.hpp"
 
 #include <array>
+#include <optional>
+#include <type_traits>
 
 namespace edgeproof::scene {
 namespace {
 
 using Def = QuantityRow;
+using Needs = QuantityRow::Needs;
+using Group = QuantityGroup;
 using formula::ExactNumber;
 
-bool is_together(const Scene& s) {
-    return s.shear && s.shear->path == contact::LoadingPath::together;
-}
 bool is_force_given(const Scene& s) { return s.load.kind == contact::Load::Kind::force; }
-const char* traction_route(const Scene& s, const Plan& /*plan*/) {
-    return s.slips() ? "superposition" : is_together(s) ? "similar" : "full-stick";
-}
-const char* given(const Scene& /*scene*/, const Plan& /*plan*/) { return "given"; }
-const char* series(const Scene& /*scene*/, const Plan& /*plan*/) { return "series"; }
-const char* stick_zone(const Scene& /*scene*/, const Plan& /*plan*/) { return "stick zone"; }
-ExactNumber no_exact_form_of(ExactValues& /*values*/, const AskedValue& /*asked*/) {
-    return ExactNumber::unknown();
-}
-const char* full_stick_or_similar(const Scene& s, const Plan& /*plan*/) {
-    return is_together(s) ? "similar" : "full-stick";
-}
 const char* by_load(const Scene& s, const Plan& /*plan*/) {
     return is_force_given(s) ? "from P" : "given";
 }
+const char* full_stick_or_similar(const Scene& s, const Plan& /*plan*/) {
+    return s.together() ? "similar" : "full-stick";
+}
 
+/// Force per length to the first power, times length to the second.
+struct Unit {
+    int force_power;
+    double length_power;
+};
+namespace units {
+constexpr Unit number{0, 0};
+constexpr Unit length{0, 1};
+constexpr Unit force{1, 0};
+constexpr Unit moment{1, 1};
+constexpr Unit stress{1, -1};
+} // namespace units
+
+/// A row, and what is set in it after the fields that all rows have.
+struct Made : Def {
+    [[nodiscard]] constexpr Made with_index(Index k) const { return with(&Def::index, k); }
+    [[nodiscard]] constexpr Made needing(Needs what) const { return with(&Def::needs, what); }
+    [[nodiscard]] constexpr Made explained(std::string_view text) const {
+        return with(&Def::meaning, text);
+    }
+    [[nodiscard]] constexpr Made labelled(std::string_view text) const {
+        return with(&Def::label, text);
+    }
+    [[nodiscard]] constexpr Made by(const char* way) const { return with(&Def::route, way); }
+    [[nodiscard]] constexpr Made by(const char* (*way)(const Scene&, const Plan&)) const {
+        return with(&Def::route_by, way);
+    }
+    template <class Field> [[nodiscard]] constexpr Made with(Field Def::*field, Field value) const {
+        Made made = *this;
+        made.*field = value;
+        return made;
+    }
+};
+
+constexpr Made row(Quantity quantity, std::string_view symbol, std::string_view name, Group group,
+                   Def::Place place, Unit unit) {
+    return {{.quantity = quantity,
+             .symbol = symbol,
+             .name = name,
+             .group = group,
+             .place = place,
+             .force_power = unit.force_power,
+             .length_power = unit.length_power}};
+}
+
+/// Returns the value of a member function of a level; null if the level has none. A coefficient is
+/// an element of a list at the edge.
+template <Def::Place place, auto member, bool listed> consteval auto evaluator() {
+    if constexpr (std::is_null_pointer_v<decltype(member)>) {
+        return nullptr;
+    } else {
+        return [](auto& level, [[maybe_unused]] const AskedValue& v) {
+            if constexpr (listed) {
+                return (level.*member)(v.edge).at(v.k);
+            } else if constexpr (place == Def::Place::contact) {
+                return (level.*member)();
+            } else if constexpr (place == Def::Place::edge) {
+                return (level.*member)(v.edge);
+            } else {
+                return (level.*member)(v.edge, level.place(v));
+            }
+        };
+    }
+}
+template <Def::Place place, auto ball, auto exact, auto real, bool listed = false>
+constexpr Made value(Quantity quantity, std::string_view symbol, std::string_view name, Group group,
+                     Unit unit) {
+    Made made = row(quantity, symbol, name, group, place, unit);
+    made.ball = evaluator<place, ball, listed>();
+    made.exact = evaluator<place, exact, listed>();
+    made.real = evaluator<place, real, listed>();
+    return made;
+}
+template <auto ball, auto exact, auto real, class... Fields>
+constexpr Made of_contact(Fields... fields) {
+    return value<Def::Place::contact, ball, exact, real>(fields...);
+}
+template <auto ball, auto exact, auto real, class... Fields>
+constexpr Made at_point(Fields... fields) {
+    return value<Def::Place::point, ball, exact, real>(fields...);
+}
+
+/// c_k or s_k.
+template <auto ball, auto real, bool shear>
+constexpr Made coefficient(Quantity quantity, std::string_view symbol, std::string_view name,
+                           Unit unit) {
+    return value<Def::Place::edge, ball, nullptr, real, true>(quantity, symbol, name,
+                                                              Group::coefficients, unit)
+        .with_index(Def::Index::order)
+        .with(
+            &Def::exact, +[](ExactValues& level, const AskedValue& v) {
+                return level.coefficient(v.edge, v.k, shear);
+            });
+}
+
+auto size_of(const auto& x) { return abs(x); }
+BoundedValue size_of(BoundedValue x) {
+    x.value = abs(x.value);
+    return x;
+}
 // The sum of the first k terms at a point, and |1 - sum/value|: of p, or of q (`shear`).
-template <bool shear> Ball ball_sum(BallLevel& l, const AskedValue& v) {
-    return l.sum(v.edge, v.distance(), v.k, shear);
+template <bool shear>
+constexpr auto sum_at_point =
+    [](auto& level, const AskedValue& v) { return level.sum(v.edge, level.place(v), v.k, shear); };
+template <bool shear>
+constexpr auto error_at_point = [](auto& level, const AskedValue& v) {
+    return size_of(level.relative_error(v.edge, level.place(v), v.k, shear));
+};
+template <bool shear>
+constexpr Made of_terms(Quantity quantity, std::string_view name, Unit unit,
+                        const auto& evaluator) {
+    Made made =
+        row(quantity, "", name, shear ? Group::shear : Group::pressure, Def::Place::point, unit)
+            .with_index(Def::Index::terms)
+            .needing(shear ? Needs::shear : Needs::nothing)
+            .by("series");
+    made.ball = evaluator;
+    made.exact = evaluator;
+    made.real = evaluator;
+    return made;
 }
-template <bool shear> ExactNumber exact_sum(ExactValues& e, const AskedValue& v) {
-    return e.sum(v.edge, e.u(v.distance()), v.k, shear);
+template <bool shear> constexpr Made sum_row(Quantity quantity, std::string_view name) {
+    return of_terms<shear>(quantity, name, units::stress, sum_at_point<shear>);
 }
-template <bool shear> BoundedValue real_sum(RealLevel& l, const AskedValue& v) {
-    return {l.sum(v.edge, *v.u, v.k, shear), false, l.series_name()};
-}
-template <bool shear> Ball ball_error(BallLevel& l, const AskedValue& v) {
-    return abs(l.relative_error(v.edge, v.distance(), v.k, shear));
-}
-template <bool shear> ExactNumber exact_error(ExactValues& e, const AskedValue& v) {
-    return abs(e.error(v.edge, e.u(v.distance()), v.k, shear));
-}
-template <bool shear> BoundedValue real_error(RealLevel& l, const AskedValue& v) {
-    const Ball value = (shear ? l.q(v.edge, *v.u) : l.p(v.edge, *v.u)).value;
-    return {abs(Ball(1 - l.sum(v.edge, *v.u, v.k, shear) / value)), false, l.series_name()};
+template <bool shear> constexpr Made error_row(Quantity quantity, std::string_view name) {
+    return of_terms<shear>(quantity, name, units::number, error_at_point<shear>)
+        .with(&Def::short_error, true);
 }
 
 /// A quantity of k terms at an edge that is found by a search for a tolerance.
-constexpr Def searched(Quantity quantity, std::string_view symbol, std::string_view name,
-                       QuantityGroup group, double length_power) {
-    const bool slips = group == QuantityGroup::slip;
-    return {.quantity = quantity,
-            .symbol = symbol,
-            .name = name,
-            .group = group,
-            .place = Def::Place::edge,
-            .index = Def::Index::terms,
-            .needs = slips ? Def::Needs::friction : Def::Needs::nothing,
-            .tolerance = !slips || quantity == Quantity::slip_load,
-            .length_power = length_power,
-            .searched = true,
-            .short_error = quantity == Quantity::slip_rel};
+constexpr Made searched(Quantity quantity, std::string_view symbol, std::string_view name,
+                        Group group, Unit unit) {
+    const bool slips = group == Group::slip;
+    return row(quantity, symbol, name, group, Def::Place::edge, unit)
+        .with_index(Def::Index::terms)
+        .needing(slips ? Needs::friction : Needs::nothing)
+        .with(&Def::tolerance, !slips || quantity == Quantity::slip_load)
+        .with(&Def::searched, true)
+        .with(&Def::short_error, quantity == Quantity::slip_rel);
 }
-template <bool shear> constexpr Def sum_of_terms(Quantity quantity, std::string_view name) {
-    return {.quantity = quantity,
-            .symbol = "",
-            .name = name,
-            .group = shear ? QuantityGroup::shear : QuantityGroup::pressure,
-            .place = Def::Place::point,
-            .index = Def::Index::terms,
-            .needs = shear ? Def::Needs::shear : Def::Needs::nothing,
-            .force_power = 1,
-            .length_power = -1,
-            .ball = ball_sum<shear>,
-            .exact = exact_sum<shear>,
-            .real = real_sum<shear>,
-            .route = series};
-}
-template <bool shear> constexpr Def error_of_terms(Quantity quantity, std::string_view name) {
-    Def def = sum_of_terms<shear>(quantity, name);
-    def.force_power = 0;
-    def.length_power = 0;
-    def.ball = ball_error<shear>;
-    def.exact = exact_error<shear>;
-    def.real = real_error<shear>;
-    def.short_error = true;
-    return def;
-}
-template <contact::Edge edge>
-constexpr Def edge_of_stick(Quantity quantity, std::string_view symbol, std::string_view name,
-                            std::string_view meaning) {
-    return {.quantity = quantity,
-            .symbol = symbol,
-            .name = name,
-            .group = QuantityGroup::slip,
-            .needs = Def::Needs::friction,
-            .length_power = 1,
-            .meaning = meaning,
-            .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.stick_edge(edge); },
-            .exact = no_exact_form_of,
-            .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.stick_edge(edge); },
-            .route = stick_zone};
-}
-template <contact::Edge ahead>
-constexpr Def tension_limit(Quantity quantity, std::string_view name) {
-    return {
-        .quantity = quantity,
-        .symbol = "",
-        .name = name,
-        .group = QuantityGroup::slip,
-        .needs = Def::Needs::friction,
-        .force_power = 1,
-        .length_power = -1,
-        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.tension_limit(ahead); },
-        .exact = no_exact_form_of,
-        .route = stick_zone,
-        .may_be_missing = true};
+
+/// A quantity of the stick zone.
+template <auto ball, auto real>
+constexpr Made of_stick(Quantity quantity, std::string_view symbol, std::string_view name,
+                        Unit unit) {
+    return of_contact<ball, nullptr, real>(quantity, symbol, name, Group::slip, unit)
+        .needing(Needs::friction)
+        .by("stick zone");
 }
 
 /// The rows are in the order of Quantity.
-constexpr std::array quantity_table{
-    Def{.quantity = Quantity::p,
-        .symbol = "p",
-        .name = "pressure",
-        .group = QuantityGroup::pressure,
-        .place = Def::Place::point,
-        .force_power = 1,
-        .length_power = -1,
-        .ball = [](BallLevel& l, const AskedValue& v) { return l.p(v.edge, v.distance()); },
-        .exact = [](ExactValues& e, const AskedValue& v) { return e.p(v.edge, e.u(v.distance())); },
-        .real = [](RealLevel& l, const AskedValue& v) { return l.p(v.edge, *v.u); },
-        .route =
-            [](const Scene& /*scene*/, const Plan& plan) {
-                return plan.route == contact::Route::closed_form ? "closed-form"
-                                                                 : "singular-integral";
-            },
-        .cancels_little = true},
-    Def{.quantity = Quantity::q,
-        .symbol = "q",
-        .name = "shear",
-        .group = QuantityGroup::shear,
-        .place = Def::Place::point,
-        .needs = Def::Needs::shear,
-        .force_power = 1,
-        .length_power = -1,
-        .ball = [](BallLevel& l, const AskedValue& v) { return l.q(v.edge, v.distance()); },
-        .exact = [](ExactValues& e, const AskedValue& v) { return e.q(v.edge, e.u(v.distance())); },
-        .real = [](RealLevel& l, const AskedValue& v) { return l.q(v.edge, *v.u); },
-        .route = traction_route},
-    Def{.quantity = Quantity::c,
-        .symbol = "c",
-        .name = "coefficient",
-        .group = QuantityGroup::coefficients,
-        .place = Def::Place::edge,
-        .index = Def::Index::order,
-        .force_power = 1,
-        .length_power = -1.5,
-        .ball = [](BallLevel& l, const AskedValue& v) { return l.c(v.edge).at(v.k); },
-        .exact = [](ExactValues& e, const AskedValue& v) { return e.c_k(v.edge, v.k); },
-        .real = [](RealLevel& l, const AskedValue& v) { return l.c(v.edge).at(v.k); },
-        .route = series},
-    Def{.quantity = Quantity::s,
-        .symbol = "s",
-        .name = "shear-coefficient",
-        .group = QuantityGroup::coefficients,
-        .place = Def::Place::edge,
-        .index = Def::Index::order,
-        .needs = Def::Needs::shear,
-        .force_power = 1,
-        .length_power = -0.5,
-        .ball = [](BallLevel& l, const AskedValue& v) { return l.s(v.edge).at(v.k); },
-        .exact = [](ExactValues& e, const AskedValue& v) { return e.s_k(v.edge, v.k); },
-        .real = [](RealLevel& l, const AskedValue& v) { return l.s(v.edge).at(v.k); },
-        .route = full_stick_or_similar},
-    Def{.quantity = Quantity::a,
-        .symbol = "a",
-        .name = "right-edge",
-        .length_power = 1,
-        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.a(); },
-        .exact = [](ExactValues& e, const AskedValue& /*asked*/) { return e.a(); },
-        .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.a(); },
-        .route = by_load,
-        .distance_of = contact::Edge::right,
-        .cancels_little = true},
-    Def{.quantity = Quantity::b,
-        .symbol = "b",
-        .name = "left-edge",
-        .length_power = 1,
-        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.b(); },
-        .exact = [](ExactValues& e, const AskedValue& /*asked*/) { return e.b(); },
-        .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.b(); },
-        .route = [](const Scene& s,
-                    const Plan& plan) { return s.symmetric() ? by_load(s, plan) : "consistency"; },
-        .distance_of = contact::Edge::left,
-        .cancels_little = true},
-    Def{.quantity = Quantity::P,
-        .symbol = "P",
-        .name = "load",
-        .force_power = 1,
-        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.force(); },
-        .exact = [](ExactValues& e, const AskedValue& /*asked*/) { return e.force(); },
-        .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.force(); },
-        .route = [](const Scene& s,
-                    const Plan& /*plan*/) { return is_force_given(s) ? "given" : "contact-law"; },
-        .given = [](const Scene& s) { return is_force_given(s) ? &s.load.value : nullptr; }},
-    Def{.quantity = Quantity::M,
-        .symbol = "M",
-        .name = "moment",
-        .force_power = 1,
-        .length_power = 1,
-        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.moment(); },
-        .exact = [](ExactValues& e, const AskedValue& /*asked*/) { return e.moment(); },
-        .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.moment(); },
-        .route = [](const Scene& s,
-                    const Plan& /*plan*/) { return s.moment ? "given" : "contact-law"; },
-        .given = [](const Scene& s) { return s.moment ? &*s.moment : nullptr; }},
-    Def{.quantity = Quantity::alpha,
-        .symbol = "alpha",
-        .name = "tilt",
-        .needs = Def::Needs::unknown_tilt,
-        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.tilt().alpha; },
-        // Under a tilt that is solved for, exact values exist only if the tilt is known to be zero.
-        .exact = [](ExactValues& /*values*/,
-                    const AskedValue& /*asked*/) { return ExactNumber(0); },
-        .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.alpha(); },
-        .route = [](const Scene& /*scene*/, const Plan& /*plan*/) { return "tilt"; }},
-    searched(Quantity::extent, "extent", "extent", QuantityGroup::extent, 1),
-    searched(Quantity::measure, "measure", "measure", QuantityGroup::extent, 1),
-    Def{.quantity = Quantity::slip,
-        .symbol = "slip",
-        .name = "slip-zone",
-        .group = QuantityGroup::slip,
-        .place = Def::Place::edge,
-        .needs = Def::Needs::friction,
-        .length_power = 1,
-        .meaning = "size of the slip zone",
-        .ball = [](BallLevel& l, const AskedValue& v) { return l.slip_size(v.edge); },
-        .exact = no_exact_form_of,
-        .real = [](RealLevel& l, const AskedValue& v) { return l.slip_size(v.edge); },
-        .route = stick_zone},
-    edge_of_stick<contact::Edge::right>(Quantity::stick_a, "stick_a", "stick-right-edge",
-                                        "right edge of the stick zone"),
-    edge_of_stick<contact::Edge::left>(Quantity::stick_b, "stick_b", "stick-left-edge",
-                                       "left edge of the stick zone"),
-    Def{.quantity = Quantity::residual,
-        .symbol = "",
-        .name = "residual",
-        .group = QuantityGroup::pressure,
-        .place = Def::Place::point,
-        .index = Def::Index::terms},
-    Def{.quantity = Quantity::tilt_difference,
-        .symbol = "",
-        .name = "tilt-difference",
-        .group = QuantityGroup::pressure,
-        .place = Def::Place::point,
-        .force_power = 1,
-        .length_power = -1,
-        .label = "p minus p without tilt"},
-    Def{.quantity = Quantity::p_max,
-        .symbol = "p_max",
-        .name = "peak-pressure",
-        .group = QuantityGroup::peak,
-        .force_power = 1,
-        .length_power = -1,
-        .meaning = "the greatest pressure",
-        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.peak(); },
-        .exact = [](ExactValues& e, const AskedValue& /*asked*/) { return e.peak(); },
-        .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.peak(); },
-        .route =
-            [](const Scene& s, const Plan& /*plan*/) {
-                return peaks_in_the_middle(s) ? "at the origin" : "branch and bound";
-            }},
-    Def{.quantity = Quantity::cycle_energy,
-        .symbol = "cycle_energy",
-        .name = "cycle-energy",
-        .group = QuantityGroup::slip,
-        .needs = Def::Needs::friction_alone,
-        .force_power = 1,
-        .length_power = 1,
-        .meaning = "the energy dissipated by friction in a cycle of Q",
-        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.cycle_energy(); },
-        .exact = no_exact_form_of,
-        .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.cycle_energy(); },
-        .route = [](const Scene& /*scene*/, const Plan& /*plan*/) { return "Mindlin's loop"; },
-        .may_be_missing = true},
-    Def{.quantity = Quantity::x,
-        .symbol = "",
-        .name = "coordinate",
-        .group = QuantityGroup::pressure,
-        .place = Def::Place::point,
-        .length_power = 1,
-        .label = "x",
-        .ball = [](BallLevel& l, const AskedValue& v) { return l.x(v.edge, v.distance()); },
-        .exact = [](ExactValues& e, const AskedValue& v) { return e.x(v.edge, e.u(v.distance())); },
-        .route = given,
-        .cancels_little = true},
-    Def{.quantity = Quantity::u,
-        .symbol = "",
-        .name = "distance",
-        .group = QuantityGroup::pressure,
-        .place = Def::Place::point,
-        .length_power = 1,
-        .label = "u",
-        .ball = [](BallLevel& l, const AskedValue& v) { return l.distance(v.distance()); },
-        .exact = [](ExactValues& e, const AskedValue& v) { return e.u(v.distance()); },
-        .route = given,
-        .cancels_little = true},
-    sum_of_terms<false>(Quantity::local, "local-pressure"),
-    error_of_terms<false>(Quantity::rel, "relative-error"),
-    sum_of_terms<true>(Quantity::q_local, "local-shear"),
-    error_of_terms<true>(Quantity::q_rel, "relative-error-of-shear"),
-    searched(Quantity::extent_fraction, "", "extent-fraction", QuantityGroup::extent, 0),
-    searched(Quantity::measure_fraction, "", "measure-fraction", QuantityGroup::extent, 0),
-    searched(Quantity::crossing, "", "crossing", QuantityGroup::extent, 1),
-    Def{.quantity = Quantity::load_ratio,
-        .symbol = "",
-        .name = "load-ratio",
-        .group = QuantityGroup::slip,
-        .needs = Def::Needs::friction,
-        .ball = [](BallLevel& l, const AskedValue& /*asked*/) { return l.load_ratio(); },
-        .exact = no_exact_form_of,
-        .real = [](RealLevel& l, const AskedValue& /*asked*/) { return l.load_ratio(); },
-        .route = stick_zone},
-    tension_limit<contact::Edge::right>(Quantity::least_tension, "least-bulk-tension"),
-    tension_limit<contact::Edge::left>(Quantity::most_tension, "most-bulk-tension"),
-    searched(Quantity::slip_terms, "", "slip-zone-by-terms", QuantityGroup::slip, 1),
-    searched(Quantity::slip_rel, "", "relative-error-of-slip-zone", QuantityGroup::slip, 0),
-    searched(Quantity::slip_load, "", "slip-load", QuantityGroup::slip, 0),
-};
+constexpr auto quantity_table = std::to_array<Def>({
+    at_point<&BallLevel::p, &ExactValues::p, &RealLevel::p>(Quantity::p, "p", "pressure",
+                                                            Group::pressure, units::stress)
+        .by([](const Scene& /*scene*/, const Plan& plan) {
+            return plan.route == contact::Route::closed_form ? "closed-form" : "singular-integral";
+        })
+        .with(&Def::cancels_little, true),
+    at_point<&BallLevel::q, &ExactValues::q, &RealLevel::q>(Quantity::q, "q", "shear", Group::shear,
+                                                            units::stress)
+        .needing(Needs::shear)
+        .by([](const Scene& s, const Plan& plan) {
+            return s.slips() ? "superposition" : full_stick_or_similar(s, plan);
+        }),
+    coefficient<&BallLevel::c, &RealLevel::c, false>(Quantity::c, "c", "coefficient", {1, -1.5})
+        .by("series"),
+    coefficient<&BallLevel::s, &RealLevel::s, true>(Quantity::s, "s", "shear-coefficient",
+                                                    {1, -0.5})
+        .needing(Needs::shear)
+        .by(full_stick_or_similar),
+    of_contact<&BallLevel::a, &ExactValues::a, &RealLevel::a>(Quantity::a, "a", "right-edge",
+                                                              Group::contact, units::length)
+        .by(by_load)
+        .with(&Def::distance_of, std::optional(contact::Edge::right))
+        .with(&Def::cancels_little, true),
+    of_contact<&BallLevel::b, &ExactValues::b, &RealLevel::b>(Quantity::b, "b", "left-edge",
+                                                              Group::contact, units::length)
+        .by([](const Scene& s, const Plan& plan) {
+            return s.symmetric() ? by_load(s, plan) : "consistency";
+        })
+        .with(&Def::distance_of, std::optional(contact::Edge::left))
+        .with(&Def::cancels_little, true),
+    of_contact<&BallLevel::force, &ExactValues::force, &RealLevel::force>(
+        Quantity::P, "P", "load", Group::contact, units::force)
+        .by([](const Scene& s, const Plan& /*plan*/) {
+            return is_force_given(s) ? "given" : "contact-law";
+        })
+        .with(
+            &Def::given,
+            +[](const Scene& s)
+                -> const formula::Exact* { return is_force_given(s) ? &s.load.value : nullptr; }),
+    of_contact<&BallLevel::moment, &ExactValues::moment, &RealLevel::moment>(
+        Quantity::M, "M", "moment", Group::contact, units::moment)
+        .by([](const Scene& s, const Plan& /*plan*/) { return s.moment ? "given" : "contact-law"; })
+        .with(
+            &Def::given,
+            +[](const Scene& s)
+                -> const formula::Exact* { return s.moment ? &*s.moment : nullptr; }),
+    of_contact<&BallLevel::alpha, &ExactValues::alpha, &RealLevel::alpha>(
+        Quantity::alpha, "alpha", "tilt", Group::contact, units::number)
+        .needing(Needs::unknown_tilt)
+        .by("tilt"),
+    searched(Quantity::extent, "extent", "extent", Group::extent, units::length),
+    searched(Quantity::measure, "measure", "measure", Group::extent, units::length),
+    value<Def::Place::edge, &BallLevel::slip_size, nullptr, &RealLevel::slip_size>(
+        Quantity::slip, "slip", "slip-zone", Group::slip, units::length)
+        .needing(Needs::friction)
+        .explained("size of the slip zone")
+        .by("stick zone"),
+    of_stick<&BallLevel::stick_edge<contact::Edge::right>,
+             &RealLevel::stick_edge<contact::Edge::right>>(Quantity::stick_a, "stick_a",
+                                                           "stick-right-edge", units::length)
+        .explained("right edge of the stick zone"),
+    of_stick<&BallLevel::stick_edge<contact::Edge::left>,
+             &RealLevel::stick_edge<contact::Edge::left>>(Quantity::stick_b, "stick_b",
+                                                          "stick-left-edge", units::length)
+        .explained("left edge of the stick zone"),
+    row(Quantity::residual, "", "residual", Group::pressure, Def::Place::point, units::number)
+        .with_index(Def::Index::terms),
+    row(Quantity::tilt_difference, "", "tilt-difference", Group::pressure, Def::Place::point,
+        units::stress)
+        .labelled("p minus p without tilt"),
+    of_contact<&BallLevel::peak, &ExactValues::peak, &RealLevel::peak>(
+        Quantity::p_max, "p_max", "peak-pressure", Group::peak, units::stress)
+        .explained("the greatest pressure")
+        .by([](const Scene& s, const Plan& /*plan*/) {
+            return peaks_in_the_middle(s) ? "at the origin" : "branch and bound";
+        }),
+    of_stick<&BallLevel::cycle_energy, &RealLevel::cycle_energy>(
+        Quantity::cycle_energy, "cycle_energy", "cycle-energy", units::moment)
+        .needing(Needs::friction_alone)
+        .explained("the energy dissipated by friction in a cycle of Q")
+        .by("Mindlin's loop")
+        .with(&Def::may_be_missing, true),
+    at_point<&BallLevel::x, &ExactValues::x, nullptr>(Quantity::x, "", "coordinate",
+                                                      Group::pressure, units::length)
+        .labelled("x")
+        .by("given")
+        .with(&Def::cancels_little, true),
+    at_point<&BallLevel::u, &ExactValues::u, nullptr>(Quantity::u, "", "distance", Group::pressure,
+                                                      units::length)
+        .labelled("u")
+        .by("given")
+        .with(&Def::cancels_little, true),
+    sum_row<false>(Quantity::local, "local-pressure"),
+    error_row<false>(Quantity::rel, "relative-error"),
+    sum_row<true>(Quantity::q_local, "local-shear"),
+    error_row<true>(Quantity::q_rel, "relative-error-of-shear"),
+    searched(Quantity::extent_fraction, "", "extent-fraction", Group::extent, units::number),
+    searched(Quantity::measure_fraction, "", "measure-fraction", Group::extent, units::number),
+    searched(Quantity::crossing, "", "crossing", Group::extent, units::length),
+    of_stick<&BallLevel::load_ratio, &RealLevel::load_ratio>(Quantity::load_ratio, "", "load-ratio",
+                                                             units::number),
+    of_stick<&BallLevel::tension_limit<contact::Edge::right>, nullptr>(
+        Quantity::least_tension, "", "least-bulk-tension", units::stress)
+        .with(&Def::may_be_missing, true),
+    of_stick<&BallLevel::tension_limit<contact::Edge::left>, nullptr>(
+        Quantity::most_tension, "", "most-bulk-tension", units::stress)
+        .with(&Def::may_be_missing, true),
+    searched(Quantity::slip_terms, "", "slip-zone-by-terms", Group::slip, units::length),
+    searched(Quantity::slip_rel, "", "relative-error-of-slip-zone", Group::slip, units::number),
+    searched(Quantity::slip_load, "", "slip-load", Group::slip, units::number),
+});
 
 /// The rows are in the order of QuantityGroup.
 constexpr std::array group_table{

@@ -6,6 +6,7 @@
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/roots/extremum.hpp"
 #include "edgeproof/scene/route/plan.hpp"
+#include "edgeproof/scene/route/terms.hpp"
 
 #include <algorithm>
 
@@ -106,10 +107,11 @@ BoundedValue RealLevel::q(contact::Edge edge, const formula::Exact& u) {
         return estimated(q, Real(abs(q) * slip().estimate()), slip_route);
     }
     Last& last = at(edge, u);
+    const bool similar = scene_.together();
     if (!last.q) {
-        last.q = together() ? shear_->similar_to(pressure(edge, u)) : shear_->traction(edge, u);
+        last.q = similar ? shear_->similar_to(pressure(edge, u)) : shear_->traction(edge, u);
     }
-    return estimated(last.q->value, last.q->error, together() ? "similar" : "full-stick");
+    return estimated(last.q->value, last.q->error, similar ? "similar" : "full-stick");
 }
 
 BoundedValue RealLevel::peak() {
@@ -212,26 +214,30 @@ const std::vector<BoundedValue>& RealLevel::c(contact::Edge edge) {
 
 const std::vector<BoundedValue>& RealLevel::s(contact::Edge edge) {
     auto& s = s_[edge];
+    const bool similar = scene_.together();
     if (s.empty()) {
-        if (together()) {
+        if (similar) {
             (void)c(edge);
         }
         for (const auto& x :
-             together() ? shear_->similar_to(raw_c_[edge]) : shear_->expansion(edge, plan_.terms)) {
-            s.push_back(estimated(x.value, x.error, together() ? "similar" : "series"));
+             similar ? shear_->similar_to(raw_c_[edge]) : shear_->expansion(edge, plan_.terms)) {
+            s.push_back(estimated(x.value, x.error, similar ? "similar" : "series"));
         }
     }
     return s;
 }
 
-Ball RealLevel::sum(contact::Edge edge, const formula::Exact& u, std::size_t n, bool shear) {
-    const std::vector<BoundedValue>& terms = shear ? s(edge) : c(edge);
-    const Ball at = ball_of(u, bits());
-    Ball total = terms[n - 1].value;
-    for (std::size_t k = n - 1; k-- > 0;) {
-        total = total * at + terms[k].value;
-    }
-    return shear && shear_half_powers() < 0 ? Ball(total / sqrt(at)) : Ball(total * sqrt(at));
+BoundedValue RealLevel::sum(contact::Edge edge, const formula::Exact& u, std::size_t n,
+                            bool shear) {
+    return {sum_of_terms(shear ? s(edge) : c(edge), n, ball_of(u, bits()),
+                         shear && !scene_.together(), &BoundedValue::value),
+            false, series_name()};
+}
+
+BoundedValue RealLevel::relative_error(contact::Edge edge, const formula::Exact& u, std::size_t n,
+                                       bool shear) {
+    const Ball value = (shear ? q(edge, u) : p(edge, u)).value;
+    return {1 - sum(edge, u, n, shear).value / value, false, series_name()};
 }
 
 std::string RealLevel::series_name() const {

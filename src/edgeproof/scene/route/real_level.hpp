@@ -27,7 +27,6 @@ public:
     RealLevel(const RealLevel&) = delete; // shear_ refers to contact_
     RealLevel& operator=(const RealLevel&) = delete;
 
-    [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] const contact::NormalContact& contact() const { return contact_; }
     [[nodiscard]] long bits() const { return formula::bits_for(contact_.a().precision()); }
 
@@ -50,16 +49,19 @@ public:
     /// |Q|/(f P).
     [[nodiscard]] BoundedValue load_ratio();
     [[nodiscard]] BoundedValue slip_size(contact::Edge edge);
-    [[nodiscard]] BoundedValue stick_edge(contact::Edge edge);
+    template <contact::Edge edge> [[nodiscard]] BoundedValue stick_edge() {
+        return stick_edge(edge);
+    }
     [[nodiscard]] BoundedValue cycle_energy();
     [[nodiscard]] const std::vector<BoundedValue>& c(contact::Edge edge);
     [[nodiscard]] const std::vector<BoundedValue>& s(contact::Edge edge);
+    [[nodiscard]] static const formula::Exact& place(const AskedValue& asked) { return *asked.u; }
     /// The sum of n terms of p, or of q.
-    [[nodiscard]] Ball sum(contact::Edge edge, const formula::Exact& u, std::size_t n, bool shear);
-    [[nodiscard]] int shear_half_powers() const {
-        return shear_ ? shear_->leading_half_powers() : -1;
-    }
-    [[nodiscard]] std::string series_name() const;
+    [[nodiscard]] BoundedValue sum(contact::Edge edge, const formula::Exact& u, std::size_t n,
+                                   bool shear);
+    /// 1 - sum/value, with its sign.
+    [[nodiscard]] BoundedValue relative_error(contact::Edge edge, const formula::Exact& u,
+                                              std::size_t n, bool shear);
 
 private:
     /// The values at the last two points, kept for other quantities and approximations there: a
@@ -72,13 +74,12 @@ private:
     };
     [[nodiscard]] Last& at(contact::Edge edge, const formula::Exact& u);
     [[nodiscard]] const contact::Estimated& pressure(contact::Edge edge, const formula::Exact& u);
+    [[nodiscard]] BoundedValue stick_edge(contact::Edge edge);
     /// A value that the scene gives.
     [[nodiscard]] BoundedValue given(const formula::Exact& x) const;
     [[nodiscard]] contact::Route route() const;
     [[nodiscard]] Real unit() const;
-    [[nodiscard]] bool together() const {
-        return scene_.shear->path == contact::LoadingPath::together;
-    }
+    [[nodiscard]] std::string series_name() const;
 
     const Scene& scene_;
     const Plan& plan_;

@@ -71,30 +71,30 @@ public:
                                      scene_.shear->bulk_tension.to<Real>()});
     }
 
-    std::vector<Row> slip_terms(contact::Edge edge, std::size_t n) override {
+    std::vector<Row> search(const AskedValue& asked) override {
+        const AskedValue of{asked.quantity, asked.k, asked.edge, {}, scene_.ask.tolerance};
+        return row_of(asked.quantity).group == QuantityGroup::slip ? slip_terms(of) : extent(of);
+    }
+
+private:
+    [[nodiscard]] std::vector<Row> slip_terms(const AskedValue& asked) {
         RealLevel& level = *levels_[0];
         const contact::PartialSlip& s = level.slip();
         const PrecisionScope scope(level.contact().a().precision());
         if (!slip_series_) {
             slip_series_ = s.series(scene_.ask.most_terms());
         }
-        const Real size = contact::slip_sum(edge == contact::Edge::right ? slip_series_->right
-                                                                         : slip_series_->left,
-                                            n, s.load_ratio());
-        const AskedValue asked{Quantity::slip_terms, n, edge};
-        std::vector<Row> rows{{asked, level.sound(size, "series")},
-                              {asked, estimated(Real(abs(Real(1 - size / s.size(edge)))),
-                                                Real(2 * s.estimate()), "series")},
-                              {asked}};
-        rows[1].asked.quantity = Quantity::slip_rel;
-        rows[2].asked.quantity = Quantity::slip_load;
-        return rows;
+        const bool right = asked.edge == contact::Edge::right;
+        const Real size = contact::slip_sum(right ? slip_series_->right : slip_series_->left,
+                                            asked.k, s.load_ratio());
+        return slip_rows(asked, level.sound(size, "series"),
+                         estimated(Real(abs(Real(1 - size / s.size(asked.edge)))),
+                                   Real(2 * s.estimate()), "series"));
     }
-
-    std::vector<Row> extent(contact::Edge edge, std::size_t n) override {
+    [[nodiscard]] std::vector<Row> extent(const AskedValue& asked) {
         ++work_.counts.extents;
-        const contact::Extents e = within_tolerance(levels_[0]->contact(), edge, n,
-                                                    *scene_.ask.tolerance, scene_.ask.part);
+        const contact::Extents e = within_tolerance(levels_[0]->contact(), asked.edge, asked.k,
+                                                    *asked.tolerance, scene_.ask.part);
         const PrecisionScope scope(e.length.precision());
         // Each crossing has the error of the worst one; the measure adds the errors.
         const Real error =
@@ -106,16 +106,14 @@ public:
         for (const Real& u : e.crossings) {
             crossings.push_back(near(u, Real(u * (e.estimate + error / e.length))));
         }
-        return extent_rows({Quantity::extent, n, edge, {}, scene_.ask.tolerance},
-                           near(e.first_exit, Real(e.first_exit * (e.estimate + error / e.length))),
-                           near(Real(e.first_exit / e.length),
-                                Real(e.first_exit / e.length * (e.estimate + error / e.length))),
-                           near(e.measure, all),
-                           near(Real(e.measure / e.length), Real(all / e.length)),
-                           std::move(crossings), e.leaves);
+        return extent_rows(
+            asked,
+            {near(e.first_exit, Real(e.first_exit * (e.estimate + error / e.length))),
+             near(Real(e.first_exit / e.length),
+                  Real(e.first_exit / e.length * (e.estimate + error / e.length))),
+             near(e.measure, all), near(Real(e.measure / e.length), Real(all / e.length))},
+            crossings, e.leaves);
     }
-
-private:
     /// A distance that depends on the edges: a number near it, and the end of its error interval.
     struct ByEdges {
         formula::Exact near;
@@ -232,10 +230,7 @@ std::unique_ptr<ValueRoute> make_real_route(const Scene& scene, const Plan& plan
     try {
         return std::make_unique<RealRoute>(scene, plan, work);
     } catch (const InputError& error) {
-        if (error.file().empty()) {
-            throw error.at(scene.file, scene.load_line);
-        }
-        throw;
+        throw error.file().empty() ? error.at(scene.file, scene.load_line) : error;
     } catch (const DomainError& error) {
         throw InputError(error.what(), "give a load that a contact of this profile can carry")
             .at(scene.file, scene.load_line);

@@ -1,16 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/law/work.hpp"
+#include "edgeproof/contact/slip/ball_slip.hpp"
+#include "edgeproof/scene/input/bounded_value.hpp"
+#include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/route/plan.hpp"
-#include "edgeproof/scene/route/row.hpp"
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
+#include <span>
 #include <tuple>
 #include <vector>
 
 namespace edgeproof::scene {
+
+/// One asked value with its result.
+struct Row {
+    AskedValue asked;
+    /// The value; empty if it exists but no route found it.
+    std::optional<BoundedValue> value = {};
+    std::size_t point = 0; ///< for a value at a point: its index in Ask::u
+    /// For the first exit of an extent and for a slip load: false if the error stays within the
+    /// tolerance; the value is then the end of the part considered.
+    bool reached = true;
+    std::optional<contact::SlipState> state = {}; ///< for q, if there is friction
+};
+
+/// The rows of one place: of the contact, of an edge, or of a point. It refers to the rows of a
+/// SceneResult, which must exist longer.
+class RowsAt {
+public:
+    RowsAt() = default;
+    explicit RowsAt(std::span<const Row> rows) : rows_(rows) {}
+
+    [[nodiscard]] auto begin() const { return rows_.begin(); }
+    [[nodiscard]] auto end() const { return rows_.end(); }
+    [[nodiscard]] contact::Edge edge() const { return rows_.front().asked.edge; }
+    [[nodiscard]] std::size_t point() const { return rows_.front().point; }
+    /// Null if there is no such row.
+    [[nodiscard]] const Row* find(Quantity quantity, std::size_t k = 0, std::size_t j = 0) const;
+    /// Throws Error if there is no such row.
+    [[nodiscard]] const Row& row(Quantity quantity, std::size_t k = 0) const;
+    /// Throws Error if there is no such row, or if its value was not found.
+    [[nodiscard]] const BoundedValue& at(Quantity quantity, std::size_t k = 0) const;
+
+private:
+    std::span<const Row> rows_;
+};
+
+/// The rows of an extent. `asked`: the edge, the number of terms and the tolerance; `values`: the
+/// first exit and the measure, each followed by the same as a fraction of a + b; `leaves`:
+/// Row::reached of the first exit.
+[[nodiscard]] std::vector<Row> extent_rows(const AskedValue& asked,
+                                           const std::array<BoundedValue, 4>& values,
+                                           const std::vector<BoundedValue>& crossings, bool leaves);
+/// The rows of a slip zone by the first terms: its size, its error, and a slip load without a
+/// value.
+[[nodiscard]] std::vector<Row> slip_rows(const AskedValue& asked, BoundedValue size,
+                                         BoundedValue error);
 
 /// Computes the values of a scene, each with its error and the name of the route, and counts the
 /// work. One object belongs to one thread.
@@ -25,12 +75,11 @@ public:
     [[nodiscard]] virtual BoundedValue value(const AskedValue& asked) = 0;
     /// For a scene with friction.
     [[nodiscard]] virtual contact::SlipState state(contact::Edge edge, const Distance& u) = 0;
-    /// The rows of the extent of n terms: the first exit, the measure, both as fractions of a + b,
-    /// and all crossings.
-    [[nodiscard]] virtual std::vector<Row> extent(contact::Edge edge, std::size_t n) = 0;
-    /// The rows of the slip zone by n terms: its size, the error, and with a tolerance the load
-    /// ratio up to which the error stays within it.
-    [[nodiscard]] virtual std::vector<Row> slip_terms(contact::Edge edge, std::size_t n) = 0;
+    /// The rows of a search for a quantity with `searched`, with the edge and the number of terms
+    /// of `asked`. Extents: the first exit, the measure, both as fractions of a + b, and all
+    /// crossings, for the tolerance of the scene. Slip zones: the size by these terms, the error,
+    /// and with a tolerance the load ratio up to which the error stays within it.
+    [[nodiscard]] virtual std::vector<Row> search(const AskedValue& asked) = 0;
     /// True if |sigma_0 (a + b)/Q| < 8/pi: both edges slip in the direction of Q from the beginning
     /// of loading if Q and sigma_0 grow in proportion.
     [[nodiscard]] virtual bool in_proportion() = 0;
@@ -47,12 +96,13 @@ private:
 [[nodiscard]] std::unique_ptr<ValueRoute> make_real_route(const Scene& scene, const Plan& plan,
                                                           contact::Work& work);
 
-/// Makes a route in balls, with proved values (BallContact, shear.hpp), for a plan with `proved`:
-/// more and more bits until each value rounds correctly. A value that the bits do not enclose (an
-/// edge that may lie on a knot, an error that touches the tolerance) is an estimate by the route in
-/// Real; so are all values if a curved g' is not proved to rise in the contact. Throws InputError,
-/// with the line of the profile, if g' is proved to fall.
-[[nodiscard]] std::unique_ptr<ValueRoute> make_ball_route(const Scene& scene, const Plan& plan,
-                                                          contact::Work& work);
+/// Makes the route of a plan: that in Real, or for a plan with `proved` one in balls with proved
+/// values (BallContact, shear.hpp): more and more bits until each value rounds correctly. A value
+/// that the bits do not enclose (an edge that may lie on a knot, an error that touches the
+/// tolerance) is an estimate by the route in Real; so are all values if a curved g' is not proved
+/// to rise in the contact. Throws InputError, with the line of the profile, if g' is proved to
+/// fall.
+[[nodiscard]] std::unique_ptr<ValueRoute> make_route(const Scene& scene, const Plan& plan,
+                                                     contact::Work& work);
 
 } // namespace edgeproof::scene

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/precision/message.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
 
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
+
 #include <charconv>
+#include <cmath>
 #include <vector>
 
 namespace edgeproof::scene {
@@ -92,6 +95,56 @@ std::string quantity_advice(std::string_view name) {
         list += (i == 0 ? "" : i + 1 == ways.size() ? " or " : ", ") + ways[i];
     }
     return (meant.empty() ? "" : "did you mean " + meant + "? ") + "write " + list;
+}
+
+double scale_of(const AskedValue& asked, double force, double length) {
+    const QuantityRow& row = row_of(asked.quantity);
+    const double power =
+        row.length_power - (row.index == Index::order ? static_cast<double>(asked.k) : 0.0);
+    const double unit = row.force_power == 0 ? 1 : force;
+    return power < 0 ? unit / std::pow(length, -power) : unit * std::pow(length, power);
+}
+
+std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
+    using Needs = QuantityRow::Needs;
+    const std::string symbol = symbol_of(asked);
+    const auto lack = [&](const char* problem, const std::string& instead) {
+        return Lack{symbol + " is requested, but " + problem,
+                    instead + (instead.empty() ? "" : ", or ") + "leave " + symbol + " out"};
+    };
+    const Needs needs = row_of(asked.quantity).needs;
+    if (needs == Needs::shear && !scene.shear) {
+        return lack("there is no shear", "add Q or bulk_tension");
+    }
+    if (needs == Needs::unknown_tilt && !scene.punch) {
+        Lack none = lack("is not an unknown of the scene", "give P and M and no " + symbol);
+        none.instead += " of the quantities";
+        return none;
+    }
+    if (!row_of(asked.quantity).of_friction()) {
+        return {};
+    }
+    if (!scene.slips()) {
+        return lack("there is no friction", "add friction");
+    }
+    if (needs == Needs::friction_alone && scene.shear->bulk_tension.sign() != 0) {
+        return lack("there is a bulk tension", "leave bulk_tension out");
+    }
+    if (needs == Needs::friction_alone && scene.profile && !scene.profile->has_closed_form()) {
+        return lack("is not computed for curved slopes", "");
+    }
+    return {};
+}
+
+std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
+    const std::string problem = std::string(group.name) + " is requested, but there is no ";
+    if (group.shear && !scene.shear) {
+        return Lack{problem + "[shear]", "add [shear] with Q or bulk_tension"};
+    }
+    if (group.friction && !scene.slips()) {
+        return Lack{problem + "friction", "add friction = \"0.6\" to [shear]"};
+    }
+    return {};
 }
 
 std::string group_name(QuantityGroup group) {

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/enclosure/ball_extent.hpp"
+#include "edgeproof/scene/route/ball_level.hpp"
+#include "edgeproof/scene/route/exact_values.hpp"
+#include "edgeproof/scene/route/value_route.hpp"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace edgeproof::scene {
+
+/// Computes a scene's values in balls of more and more bits until they can be printed. Its parts:
+///   ball_refinement.cpp  the levels of bits, and the exact forms
+///   ball_route.cpp       single values, the places of edges and points, the work
+///   ball_extents.cpp     extents
+///   ball_slips.cpp       partial slip
+class BallRoute : public ValueRoute {
+public:
+    /// Keeps references to all three arguments.
+    BallRoute(const Scene& scene, const Plan& plan, contact::Work& work);
+
+    /// True if g' is proved not to decrease in the contact; all proofs for a curved profile depend
+    /// on this. Throws InputError if g' is proved to decrease.
+    [[nodiscard]] bool slope_rises();
+
+    BoundedValue value(const AskedValue& asked) override;
+    contact::SlipState state(contact::Edge edge, const Distance& u) override;
+    std::vector<Row> search(const AskedValue& asked) override;
+    bool in_proportion() override;
+
+private:
+    using InBalls = std::function<Ball(BallLevel&)>;
+    using Exactly = std::function<formula::ExactNumber(ExactValues&)>;
+
+    /// A value, and its exact value if that is a rational number and was searched for.
+    struct Found {
+        Ball value;
+        std::optional<Rational> exactly = {};
+    };
+    /// Evaluates f at more and more bits (starting from `first`) until the value has its digits, or
+    /// is zero to 1e-400 and `lost` more bits (at least lost_bits_), or the bits are used up.
+    /// Returns nothing if the value is not finite. If the ball is narrow enough but does not round
+    /// to one number, more bits cannot help when the value lies exactly on the limit, so the exact
+    /// form (if there is one) is tried first.
+    [[nodiscard]] std::optional<Found> refine(const InBalls& f, const Exactly& exactly,
+                                              const Digits& digits, long first, long lost = 0);
+    /// The rational number given by the exact form of the value, if it is known to be rational.
+    [[nodiscard]] std::optional<Rational> exact_value(const Exactly& exactly,
+                                                      const BallLevel& level, const Ball& near);
+    /// Made on first use. Null under a tilt that was solved for and is not zero.
+    [[nodiscard]] ExactValues* exact_values(const BallLevel& level);
+    /// Null if these bits do not isolate the edges.
+    [[nodiscard]] BallLevel* at_level(long bits);
+    [[nodiscard]] long last_bits() const;
+    [[nodiscard]] bool closed() const { return plan_.route == contact::Route::closed_form; }
+
+    /// The distance of an edge from the origin, if it is known to be a rational number.
+    [[nodiscard]] std::optional<Rational> known(contact::Edge edge) const;
+    /// Stores that distance.
+    void know(contact::Edge edge);
+    /// Throws DomainError for a point outside the contact, and for a place given by the edges that
+    /// many bits do not separate from a corner.
+    void refuse_outside(contact::Edge edge, const Distance& u);
+    void refuse_outside_by_edges(contact::Edge edge, const Distance& u);
+    /// If x is a number, exact algebra decides.
+    void refuse_corner_at(const Distance& u) const;
+    /// The coordinate x of the point u, which is inside the contact, if it is known to be a
+    /// rational number.
+    [[nodiscard]] std::optional<Rational> known_x(contact::Edge edge, const Distance& u) const;
+
+    /// Counts the work of a value.
+    void count(const AskedValue& asked);
+    void count_pressure() { ++(closed() ? work_.counts.closed_forms : work_.counts.quadratures); }
+    /// The routes in Real. Their work is not counted: the work of this route is counted instead.
+    [[nodiscard]] ValueRoute& others();
+
+    /// The rows of an extent, proved by the signs of the error between the crossings; none if the
+    /// budget does not decide.
+    [[nodiscard]] std::vector<Row> extent(const AskedValue& asked);
+    /// The exact values of those results of an extent that are rational numbers.
+    struct ExactExtents {
+        std::optional<Rational> length;
+        std::optional<Rational> first_exit;
+        std::optional<Rational> measure;
+        std::vector<std::optional<Rational>> crossings;
+    };
+    [[nodiscard]] ExactExtents exact_extents(const AskedValue& asked,
+                                             const contact::EnclosedExtents& found,
+                                             const BallLevel& level);
+    /// Returns the crossing in a ball that contains one, if the error there is exactly the
+    /// tolerance.
+    [[nodiscard]] std::optional<Rational> exact_crossing(const AskedValue& asked, const Ball& u,
+                                                         const BallLevel& level);
+
+    /// Throws InputError, with the line of its cause, if the contact slides or the stick zone would
+    /// extend beyond it.
+    void check_slip();
+    /// Refuses |Q| = f P, decided by the exact form of P.
+    void refuse_exactly_sliding(const BallLevel& level);
+    /// The rows of a slip zone by the first terms; none if no number of bits encloses the slip.
+    [[nodiscard]] std::vector<Row> slip_terms(const AskedValue& asked);
+    /// The bits lost by cancellation when n + 1 powers of the load ratio are compared with 1.
+    [[nodiscard]] long lost_by(std::size_t n) const;
+    /// Sets the value of the row of a slip load, if it is found.
+    void find_reach(Row& row);
+
+    const Scene& scene_;
+    const Plan& plan_;
+    contact::Work& work_;
+    std::map<long, std::unique_ptr<BallLevel>> levels_;
+    std::optional<contact::ExactEdges> edges_; ///< if a level proved them
+    std::optional<ExactValues> exact_;
+    long lost_bits_ = 0; ///< by the cancellation in values of the slip
+
+    std::optional<Ball> length_; ///< a + b; empty if no number of bits isolates the edges
+    std::optional<Rational> known_length_;
+    std::map<contact::Edge, Rational> known_;
+
+    bool slip_checked_ = false;
+    BallLevel* slip_level_ = nullptr; ///< a level that encloses the slip
+
+    std::set<std::pair<contact::Edge, bool>> expanded_;
+    bool ratio_counted_ = false;
+    /// The place of the last pressure, for q.
+    std::optional<std::pair<contact::Edge, Distance>> pressed_;
+    contact::Work work_of_others_;
+    std::unique_ptr<ValueRoute> others_;
+};
+
+} // namespace edgeproof::scene

@@ -77,7 +77,7 @@ TEST_CASE("sizes: extents in binary128 are those of the multiprecision scan") {
                 CAPTURE(terms);
                 const ExtentOf of{edge, terms, Float128(1) / 100};
                 const auto fine = at.fractions(of);
-                const auto rough = at.rough_fractions(of);
+                const auto rough = at.fractions(of, false);
                 const Extents all = within_tolerance(contact, edge, terms, Exact::parse("1/100"));
                 const PrecisionScope scope(40);
                 CHECK(abs(Real(fine[2]) / (all.first_exit / all.length) - 1) < Real("1e-20"));

@@ -119,14 +119,12 @@ TEST_CASE("confirmed states how many digits are proved, refuted shows two disjoi
 }
 
 TEST_CASE("a pair of enclosures in the evidence, or the reason that there is none") {
-    Evidence evidence;
     const Ball third(Rational(1, 3), 100);
-    add_pair({"printed", {third, ""}, "exact", {third, ""}, "anywhere"}, 20, evidence);
-    const auto pair = [&] { return std::get<Evidence>(evidence.find("enclosures")->value()); };
-    CHECK_FALSE(std::get<bool>(pair().find("disjoint")->value()));
-    add_pair({"printed", {third, ""}, "exact", {std::nullopt, "no closed form"}, "anywhere"}, 20,
-             evidence);
-    CHECK(pair().find("none")->text() == "no closed form");
+    const Evidence pair = pair_evidence("anywhere", "printed", third, "exact", third, 20);
+    CHECK_FALSE(std::get<bool>(pair.find("disjoint")->value()));
+    const Evidence none = pair_evidence("anywhere", "printed", Enclosed{third, ""}, "exact",
+                                        Enclosed{std::nullopt, "no closed form"}, 20);
+    CHECK(none.find("none")->text() == "no closed form");
 }
 
 TEST_CASE("a difference that only the enclosures show refutes") {

@@ -21,119 +21,114 @@ constexpr std::size_t others_of_integrals = 4;
 constexpr unsigned spare_digits = 2; // added to the aim of integrals
 constexpr double every_digit = 1e6;  // for numbers that are exactly equal
 
-struct Sampled {
-    const EvaluatedSamples& samples;
-    std::size_t index;
-};
-
 /// Both formulas in balls at one sample, and the scale of their difference.
 struct Pair {
     std::optional<Ball> printed;
     std::optional<Ball> exact;
     std::optional<Ball> scale;
     std::string problem;
+
+    [[nodiscard]] bool apart() const { return printed && disjoint(*printed, *exact); }
+    /// Returns the digits to which any two numbers in the balls agree, relative to the scale.
+    [[nodiscard]] double proved_digits() const {
+        const Real most = abs(*printed - *exact).upper();
+        if (most == 0) {
+            return every_digit;
+        }
+        return certainly_positive(*scale)
+                   ? Real(-log10(Real(most / scale->lower()))).convert_to<double>()
+                   : -every_digit;
+    }
+    [[nodiscard]] Evidence evidence(const std::string& at, unsigned digits) const {
+        return pair_evidence(at, "printed", *printed, "exact", *exact, digits);
+    }
 };
 
-/// Returns the digits to which any two numbers in the balls agree, relative to the scale.
-double proved_digits(const Pair& pair) {
-    const Real most = abs(*pair.printed - *pair.exact).upper();
-    if (most == 0) {
-        return every_digit;
-    }
-    if (!certainly_positive(*pair.scale)) {
-        return -every_digit;
-    }
-    return Real(-log10(Real(most / pair.scale->lower()))).convert_to<double>();
-}
+/// A printed formula and the exact one, at any sample.
+class PairAtSamples {
+public:
+    PairAtSamples(const formula::Expr& printed, const SampledComparison& with)
+        : printed_(printed), with_(with), integrals_(has_binder(printed) || has_binder(with.exact)),
+          digits_(with.digits), needed_(formula::bits_for(digits_)) {}
 
-Ball scale_at(const EnclosedSample& sample, const ComparedFormulas& formulas, const Ball& exact) {
-    if (formulas.scale) {
-        return abs(sample.evaluate(*formulas.scale));
+    [[nodiscard]] bool have_integrals() const { return integrals_; }
+    [[nodiscard]] Pair at(std::size_t sample) const {
+        return integrals_ ? integrals_at(sample) : values_at(sample);
     }
-    if (!contains_zero(exact)) {
-        return abs(exact);
-    }
-    try {
-        return scale_of_terms(formulas.printed, sample) + scale_of_terms(formulas.exact, sample);
-    } catch (const Error&) {
-        return abs(exact); // no scale is known: only numbers that are exactly zero agree
-    }
-}
 
-/// Returns false if more bits are not useful.
-bool enclose(const Sampled& at, const ComparedFormulas& formulas, long bits, unsigned aim,
-             Pair& pair) {
-    try {
-        const EnclosedSample& sample = at.samples.enclosed(at.index, bits, aim);
-        Ball x = sample.evaluate(formulas.printed);
-        Ball y = sample.evaluate(formulas.exact);
-        Ball size = scale_at(sample, formulas, y);
-        if (!x.is_finite() || !y.is_finite() || !size.is_finite()) {
-            pair.problem = "the balls do not exclude a point where it is undefined";
-            return true;
+private:
+    /// Increases the bits until the balls are disjoint or prove all digits.
+    [[nodiscard]] Pair values_at(std::size_t sample) const {
+        Pair pair;
+        for (long bits = 2 * needed_; bits <= 8 * needed_; bits *= 2) {
+            if (!enclose(sample, bits, digits_, pair) ||
+                (pair.printed && (pair.apart() || pair.proved_digits() >= digits_))) {
+                break;
+            }
         }
-        pair.printed = std::move(x);
-        pair.exact = std::move(y);
-        pair.scale = std::move(size);
-        return true;
-    } catch (const BudgetError& error) {
-        pair.problem = error.what();
-        return true;
-    } catch (const Error& error) {
-        pair.problem = error.what();
-        return false;
-    }
-}
-
-/// Increases the bits until the balls are disjoint or prove `digits` digits.
-Pair pair_at(const Sampled& at, const ComparedFormulas& formulas, unsigned digits) {
-    Pair pair;
-    const long needed = formula::bits_for(digits);
-    for (long bits = 2 * needed; bits <= 8 * needed; bits *= 2) {
-        if (!enclose(at, formulas, bits, digits, pair) ||
-            (pair.printed &&
-             (disjoint(*pair.printed, *pair.exact) || proved_digits(pair) >= digits))) {
-            break;
-        }
-    }
-    return pair;
-}
-
-/// The width of an integral's ball depends on the digits it aims at. The bits are doubled if there
-/// is no enclosure, and the digits are increased once if too many cancel.
-Pair pair_of_integrals(const Sampled& at, const ComparedFormulas& formulas, unsigned digits) {
-    Pair pair;
-    const long needed = formula::bits_for(digits);
-    const unsigned aim = digits + spare_digits;
-    for (long bits = 2 * needed; bits <= 4 * needed && !pair.printed; bits *= 2) {
-        if (!enclose(at, formulas, bits, aim, pair)) {
-            return pair;
-        }
-    }
-    if (!pair.printed || disjoint(*pair.printed, *pair.exact)) {
         return pair;
     }
-    const double proved = proved_digits(pair);
-    if (proved < AuditContext::digits_needed(digits)) {
-        const auto missing = static_cast<unsigned>(std::clamp(aim - proved, 0., 1. * digits));
-        enclose(at, formulas, 4 * needed, aim + missing, pair);
+    /// The width of an integral's ball depends on the digits it aims at. The bits are doubled if
+    /// there is no enclosure, and the digits are increased once if too many cancel.
+    [[nodiscard]] Pair integrals_at(std::size_t sample) const {
+        Pair pair;
+        const unsigned aim = digits_ + spare_digits;
+        for (long bits = 2 * needed_; bits <= 4 * needed_ && !pair.printed; bits *= 2) {
+            if (!enclose(sample, bits, aim, pair)) {
+                return pair;
+            }
+        }
+        if (!pair.printed || pair.apart()) {
+            return pair;
+        }
+        const double proved = pair.proved_digits();
+        if (proved < AuditContext::digits_needed(digits_)) {
+            const auto missing = static_cast<unsigned>(std::clamp(aim - proved, 0., 1. * digits_));
+            enclose(sample, 4 * needed_, aim + missing, pair);
+        }
+        return pair;
     }
-    return pair;
-}
+    /// Returns false if more bits are not useful.
+    bool enclose(std::size_t index, long bits, unsigned aim, Pair& pair) const {
+        try {
+            const EnclosedSample& sample = with_.samples_at.enclosed(index, bits, aim);
+            Ball x = sample.evaluate(printed_);
+            Ball y = sample.evaluate(with_.exact);
+            Ball size = scale_at(sample, y);
+            if (!x.is_finite() || !y.is_finite() || !size.is_finite()) {
+                pair.problem = "the balls do not exclude a point where it is undefined";
+                return true;
+            }
+            pair = {std::move(x), std::move(y), std::move(size), std::move(pair.problem)};
+            return true;
+        } catch (const BudgetError& error) {
+            pair.problem = error.what();
+            return true;
+        } catch (const Error& error) {
+            pair.problem = error.what();
+            return false;
+        }
+    }
+    [[nodiscard]] Ball scale_at(const EnclosedSample& sample, const Ball& exact) const {
+        if (with_.scale) {
+            return abs(sample.evaluate(*with_.scale));
+        }
+        if (!contains_zero(exact)) {
+            return abs(exact);
+        }
+        try {
+            return scale_of_terms(printed_, sample) + scale_of_terms(with_.exact, sample);
+        } catch (const Error&) {
+            return abs(exact); // no scale is known: only numbers that are exactly zero agree
+        }
+    }
 
-Pair pair_for(const Sampled& at, const ComparedFormulas& formulas, unsigned digits) {
-    return formulas.have_integrals() ? pair_of_integrals(at, formulas, digits)
-                                     : pair_at(at, formulas, digits);
-}
-
-Evidence both(const Pair& pair, const std::string& at, unsigned digits) {
-    Evidence e;
-    e.add("at", at)
-        .add("printed", ball_text(*pair.printed, digits))
-        .add("exact", ball_text(*pair.exact, digits))
-        .add("disjoint", disjoint(*pair.printed, *pair.exact));
-    return e;
-}
+    const formula::Expr& printed_;
+    const SampledComparison& with_;
+    bool integrals_;
+    unsigned digits_;
+    long needed_; ///< bits
+};
 
 /// Returns the indices, beginning with the sample of least agreement.
 std::vector<std::size_t> by_digits(const Agreement& agreement) {
@@ -146,26 +141,24 @@ std::vector<std::size_t> by_digits(const Agreement& agreement) {
 }
 
 /// Searches for a refutation at the samples where the values in Real differ most.
-std::optional<Refutation> find_refutation(const Agreement& agreement,
-                                          const EvaluatedSamples& samples_at,
-                                          const ComparedFormulas& formulas, unsigned digits,
+std::optional<Refutation> find_refutation(const PairAtSamples& pairs, const SampledComparison& with,
                                           Evidence& evidence) {
     std::size_t tried = 0;
-    for (const std::size_t i : by_digits(agreement)) {
-        const SampleAgreement& there = agreement.samples_at[i];
+    for (const std::size_t i : by_digits(with.agreement)) {
+        const SampleAgreement& there = with.agreement.samples_at[i];
         if (there.no_value() != nullptr) {
             continue;
         }
-        if (there.digits() >= AuditContext::digits_needed(digits) ||
-            tried++ == (formulas.have_integrals() ? tries_of_integrals : tries)) {
+        if (there.digits() >= AuditContext::digits_needed(with.digits) ||
+            tried++ == (pairs.have_integrals() ? tries_of_integrals : tries)) {
             break;
         }
-        const Pair pair = pair_for({samples_at, i}, formulas, digits);
+        const Pair pair = pairs.at(i);
         if (!pair.printed) {
             continue;
         }
         if (const auto found = Refutation::disjoint(*pair.printed, *pair.exact)) {
-            evidence.add("enclosures", both(pair, samples_at.all()[i].text, digits));
+            evidence.add("enclosures", pair.evidence(with.samples_at.all()[i].text, with.digits));
             return found;
         }
     }
@@ -174,26 +167,21 @@ std::optional<Refutation> find_refutation(const Agreement& agreement,
 
 /// Returns the samples at which a confirmation is enclosed: all; for integrals, those that agree
 /// least (including all that do not agree in Real) and some of the others.
-std::vector<std::size_t> chosen(const Agreement& agreement, const ComparedFormulas& formulas,
-                                unsigned digits) {
-    std::vector<std::size_t> order = by_digits(agreement);
-    const auto doubtful =
-        static_cast<std::size_t>(std::count_if(order.begin(), order.end(), [&](std::size_t i) {
-            return agreement.samples_at[i].digits() < AuditContext::digits_needed(digits);
-        }));
+std::vector<std::size_t> chosen(const SampledComparison& with, bool have_integrals) {
+    std::vector<std::size_t> order = by_digits(with.agreement);
+    const auto doubtful = static_cast<std::size_t>(std::ranges::count_if(order, [&](std::size_t i) {
+        return with.agreement.samples_at[i].digits() < AuditContext::digits_needed(with.digits);
+    }));
     const std::size_t first = std::max(worst_of_integrals, doubtful);
-    if (!formulas.have_integrals() || order.size() <= first + others_of_integrals) {
-        std::sort(order.begin(), order.end());
-        return order;
-    }
-    std::vector<std::size_t> some(order.begin(),
-                                  order.begin() + static_cast<std::ptrdiff_t>(first));
-    for (std::size_t k = 1; k <= others_of_integrals; ++k) {
+    if (have_integrals && order.size() > first + others_of_integrals) {
         const std::size_t rest = order.size() - first;
-        some.push_back(order[first + k * rest / others_of_integrals - 1]);
+        for (std::size_t k = 1; k <= others_of_integrals; ++k) {
+            order[first + k - 1] = order[first + k * rest / others_of_integrals - 1];
+        }
+        order.resize(first + others_of_integrals);
     }
-    std::sort(some.begin(), some.end());
-    return some;
+    std::ranges::sort(order);
+    return order;
 }
 
 } // namespace
@@ -219,78 +207,79 @@ Basis basis_of(const ClaimResult& result) {
     return verdict == Verdict::undecided ? Basis::none : Basis::enclosures;
 }
 
-Decision compare_by_enclosures(const Agreement& agreement, const EvaluatedSamples& samples_at,
-                               const ComparedFormulas& formulas, unsigned digits,
+Decision compare_by_enclosures(const formula::Expr& printed, const SampledComparison& with,
                                Outcome& outcome) {
-    const double needed = AuditContext::digits_needed(digits);
+    const PairAtSamples pairs(printed, with);
+    const double needed = AuditContext::digits_needed(with.digits);
     std::optional<Confirmation> all;
     std::size_t count = 0;
     double least = every_digit;
     std::optional<Evidence> worst;
-    for (const std::size_t i : chosen(agreement, formulas, digits)) {
+    for (const std::size_t i : chosen(with, pairs.have_integrals())) {
         check_interruption();
-        const Pair pair = pair_for({samples_at, i}, formulas, digits);
-        const std::string& at = samples_at.all()[i].text;
+        const Pair pair = pairs.at(i);
+        const std::string& at = with.samples_at.all()[i].text;
         if (!pair.printed) {
             outcome.note = "no enclosure: " + pair.problem;
             outcome.evidence.add("enclosures", Evidence().add("none", pair.problem));
             return {};
         }
         if (const auto apart = Refutation::disjoint(*pair.printed, *pair.exact)) {
-            outcome.evidence.add("enclosures", both(pair, at, digits));
+            outcome.evidence.add("enclosures", pair.evidence(at, with.digits));
             return *apart;
         }
         const auto holds = Confirmation::agreement(*pair.printed, *pair.exact, *pair.scale, needed);
+        const double proved = pair.proved_digits();
         if (!holds) {
-            outcome.note = "the enclosures prove " + digits_text(proved_digits(pair)) + " of " +
+            outcome.note = "the enclosures prove " + digits_text(proved) + " of " +
                            digits_text(needed) + " digits at " + at;
-            outcome.evidence.add("enclosures", both(pair, at, digits));
+            outcome.evidence.add("enclosures", pair.evidence(at, with.digits));
             return {};
         }
         all = holds;
         ++count;
-        const double proved = proved_digits(pair);
         if (!worst || proved < least) {
             least = proved;
-            worst = both(pair, at, digits);
+            worst = pair.evidence(at, with.digits);
         }
     }
     if (worst) {
         // The digits are rounded down to a tenth.
-        const double tenths = std::floor(std::min(least, 1.0 * digits) * 10) / 10;
+        const double tenths = std::floor(std::min(least, 1.0 * with.digits) * 10) / 10;
         worst->add("digits_proved", digits_text(tenths)).add("samples", count);
         outcome.evidence.add("enclosures", std::move(*worst));
     }
     return decision(std::nullopt, all);
 }
 
-Judgement judge_by_enclosures(const Agreement& agreement, const EvaluatedSamples& samples_at,
-                              const ExactFormula& printed, const formula::Expr& exact,
-                              const std::optional<formula::Expr>& scale, unsigned digits,
+Judgement judge_by_enclosures(const ExactFormula& printed, const SampledComparison& with,
                               Outcome& outcome) {
-    const ComparedFormulas formulas{printed.expr(), exact, scale};
-    if (const auto fails =
-            find_refutation(agreement, samples_at, formulas, digits, outcome.evidence)) {
+    const PairAtSamples pairs(printed.expr(), with);
+    if (const auto fails = find_refutation(pairs, with, outcome.evidence)) {
         return Judgement(*fails);
     }
-    if (agreement.without_value() > 0) {
-        outcome.note = agreement.obstacle(AuditContext::digits_needed(digits));
+    if (with.agreement.without_value() > 0) {
+        outcome.note = with.agreement.obstacle(AuditContext::digits_needed(with.digits));
         return Undecided::underspecified;
     }
-    return Judgement(compare_by_enclosures(agreement, samples_at, formulas, digits, outcome));
+    return Judgement(compare_by_enclosures(printed.expr(), with, outcome));
 }
 
-void add_pair(const ComparedNumbers& numbers, unsigned digits, Evidence& evidence) {
-    Evidence e;
-    if (!numbers.first.ball || !numbers.second.ball) {
-        e.add("none", numbers.first.ball ? numbers.second.problem : numbers.first.problem);
-    } else {
-        e.add("at", numbers.at)
-            .add(numbers.first_name, ball_text(*numbers.first.ball, digits))
-            .add(numbers.second_name, ball_text(*numbers.second.ball, digits))
-            .add("disjoint", disjoint(*numbers.first.ball, *numbers.second.ball));
+Evidence pair_evidence(const std::string& at, std::string_view first_name, const Ball& first,
+                       std::string_view second_name, const Ball& second, unsigned digits) {
+    return Evidence()
+        .add("at", at)
+        .add(first_name, ball_text(first, digits))
+        .add(second_name, ball_text(second, digits))
+        .add("disjoint", disjoint(first, second));
+}
+
+Evidence pair_evidence(const std::string& at, std::string_view first_name, const Enclosed& first,
+                       std::string_view second_name, const Enclosed& second, unsigned digits) {
+    if (!first.ball || !second.ball) {
+        return Evidence().add("none", first.ball ? second.problem : first.problem);
     }
-    evidence.add("enclosures", std::move(e));
+    return pair_evidence(at, first_name, *first.ball, second_name, *second.ball, digits);
 }
 
 } // namespace edgeproof::audit

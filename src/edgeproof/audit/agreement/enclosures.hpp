@@ -10,46 +10,40 @@
 
 namespace edgeproof::audit {
 
-/// Two formulas that are equal according to a claim. Their difference is compared with `scale`; if
-/// there is none, with the exact value; if that is zero, with the sum of the sizes of the terms.
-struct ComparedFormulas {
-    formula::Expr printed;
+/// What a printed formula is compared with at the samples of a claim. Differences are compared with
+/// `scale`; if there is none, with the exact value; if that is zero, with the sum of the sizes of
+/// the terms.
+struct SampledComparison {
+    const EvaluatedSamples& samples_at;
+    const Agreement& agreement; ///< in Real; only determines the order of the samples
     formula::Expr exact;
     std::optional<formula::Expr> scale;
-    [[nodiscard]] bool have_integrals() const { return has_binder(printed) || has_binder(exact); }
+    unsigned digits = 0;
 };
 
-/// Judges a printed formula by enclosures at the samples of a claim. `agreement` (in Real) only
-/// determines the order of the samples. Adds the evidence `enclosures`.
+/// Judges a printed formula by enclosures at the samples. Adds the evidence `enclosures`.
 /// Refuted: the two balls are disjoint at one sample.
 /// Confirmed: see compare_by_enclosures.
 /// Underspecified: the printed formula has no value at some sample, and differs at none.
-[[nodiscard]] Judgement judge_by_enclosures(const Agreement& agreement,
-                                            const EvaluatedSamples& samples_at,
-                                            const ExactFormula& printed, const formula::Expr& exact,
-                                            const std::optional<formula::Expr>& scale,
-                                            unsigned digits, Outcome& outcome);
+[[nodiscard]] Judgement judge_by_enclosures(const ExactFormula& printed,
+                                            const SampledComparison& with, Outcome& outcome);
 
 /// Compares two formulas at the samples by enclosures. They agree if the balls prove D - 5 digits
 /// at every sample; for formulas with integrals, at the samples that agree least and at some others
 /// (the evidence states their number). Returns nothing, and adds a note, if the balls do not
 /// decide.
-[[nodiscard]] Decision compare_by_enclosures(const Agreement& agreement,
-                                             const EvaluatedSamples& samples_at,
-                                             const ComparedFormulas& formulas, unsigned digits,
-                                             Outcome& outcome);
+[[nodiscard]] Decision compare_by_enclosures(const formula::Expr& printed,
+                                             const SampledComparison& with, Outcome& outcome);
 
-/// Two numbers that are equal according to a claim.
-struct ComparedNumbers {
-    std::string first_name;
-    Enclosed first;
-    std::string second_name;
-    Enclosed second;
-    std::string at; ///< the sample
-};
-
-/// Adds two enclosures to the evidence.
-void add_pair(const ComparedNumbers& numbers, unsigned digits, Evidence& evidence);
+/// Returns the evidence on two numbers that are equal according to a claim: their enclosures at a
+/// sample, and whether these are disjoint.
+[[nodiscard]] Evidence pair_evidence(const std::string& at, std::string_view first_name,
+                                     const Ball& first, std::string_view second_name,
+                                     const Ball& second, unsigned digits);
+/// The same; or the reason why there is no enclosure.
+[[nodiscard]] Evidence pair_evidence(const std::string& at, std::string_view first_name,
+                                     const Enclosed& first, std::string_view second_name,
+                                     const Enclosed& second, unsigned digits);
 
 /// The evidence of a verdict.
 enum class Basis {

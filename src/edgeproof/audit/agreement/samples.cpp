@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/agreement/samples.hpp"
 
-#include "edgeproof/audit/agreement/undefined.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/audit/sample/naive_integral.hpp"
 #include "edgeproof/formula/magnitude.hpp"
@@ -171,7 +170,7 @@ EvaluatedSamples::EvaluatedSamples(const Claim& claim, const AuditContext& conte
         if (most != 0 && samples_at_.size() >= most) {
             break;
         }
-        const std::string scene = sample.scene.family + ": " + sample.scene.text();
+        const std::string scene = full_text(sample.scene);
         const EvaluatedScene*& known = of_scene[scene];
         if (known == nullptr) {
             known =
@@ -180,8 +179,7 @@ EvaluatedSamples::EvaluatedSamples(const Claim& claim, const AuditContext& conte
                     .get();
         }
         const EvaluatedScene& scene_values = *known;
-        EvaluatedSample sample_at{
-            &scene_values, std::nullopt, {}, sample.scene.family + ": " + sample.text(), sample};
+        EvaluatedSample sample_at{&scene_values, std::nullopt, {}, full_text(sample), sample};
         if (sample.fraction) {
             sample_at.place = scene_values.place(sample.edge, *sample.fraction);
         }

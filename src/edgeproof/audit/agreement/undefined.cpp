@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/agreement/undefined.hpp"
+#include "edgeproof/audit/agreement/samples.hpp"
 
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/enclosure/integrand_parts.hpp"
@@ -54,44 +54,42 @@ private:
                 return by_symbols("zero to a negative power", e);
             }
             return k != nullptr && denominator(*k) != 1
-                       ? beyond(e.arg(0), "a negative number to a power that is not an integer", e)
+                       ? beyond({e.arg(0)}, "a negative number to a power that is not an integer",
+                                e)
                        : std::nullopt;
         }
         if (e.kind() != Kind::call) {
             return std::nullopt;
         }
-        if (e.name() == "p" || e.name() == "q") {
-            return either(formula::Expr::symbol("a") - e.arg(0),
-                          e.arg(0) + formula::Expr::symbol("b"),
-                          std::string(e.name() == "p" ? "pressure" : "traction") +
+        const formula::Expr& x = e.arg(0);
+        const std::string& name = e.name();
+        if (name == "p" || name == "q") {
+            return beyond({formula::Expr::symbol("a") - x, x + formula::Expr::symbol("b")},
+                          std::string(name == "p" ? "pressure" : "traction") +
                               " at a place beyond the contact",
                           e);
         }
-        if (e.name() == "bof" || e.name() == "binv" || e.name() == "Pof" || e.name() == "P1of") {
-            return beyond(e.arg(0), std::string(e.name()) + " of a number that is not positive", e);
+        if (name == "bof" || name == "binv" || name == "Pof" || name == "P1of") {
+            return beyond({x}, name + " of a number that is not positive", e);
         }
         const formula::Expr one = formula::Expr::number(1);
         const std::string of = std::string(name_of(e.builtin())) + " of a number that is ";
         switch (e.builtin()) {
         case formula::Builtin::log:
-            if (zero(e.arg(0))) {
-                return by_symbols("log of zero", e);
-            }
-            return beyond(e.arg(0), of + "negative", e);
+            return zero(x) ? by_symbols("log of zero", e) : beyond({x}, of + "negative", e);
         case formula::Builtin::sqrt:
-            return beyond(e.arg(0), of + "negative", e);
+            return beyond({x}, of + "negative", e);
         case formula::Builtin::asin:
         case formula::Builtin::acos:
         case formula::Builtin::atanh:
-            return either(one - e.arg(0), one + e.arg(0), of + "not between -1 and 1", e);
+            return beyond({one - x, one + x}, of + "not between -1 and 1", e);
         case formula::Builtin::acosh:
-            return beyond(e.arg(0) - one, of + "less than 1", e);
-        case formula::Builtin::gamma:
-            if (const Rational* k = e.arg(0).rational();
-                k != nullptr && denominator(*k) == 1 && *k <= 0) {
-                return by_symbols(of + "a pole", e);
-            }
-            return std::nullopt;
+            return beyond({x - one}, of + "less than 1", e);
+        case formula::Builtin::gamma: {
+            const Rational* k = x.rational();
+            return k != nullptr && denominator(*k) == 1 && *k <= 0 ? by_symbols(of + "a pole", e)
+                                                                   : std::nullopt;
+        }
         default:
             return std::nullopt;
         }
@@ -146,27 +144,24 @@ private:
             ->evaluate(e, sample_at_.place ? &*sample_at_.place : nullptr, variables_)
             .value;
     }
-    /// Returns `what` if `margin` is negative by more than roundoff.
-    [[nodiscard]] Found beyond(const formula::Expr& margin, const std::string& what,
+    /// Returns `what` if one of the margins is negative by more than roundoff.
+    [[nodiscard]] Found beyond(const std::vector<formula::Expr>& margins, const std::string& what,
                                const formula::Expr& e) const {
-        try {
-            const Real x = value(margin);
-            const Real terms =
-                magnitude(margin, [this](const formula::Expr& part) { return value(part); });
-            if (!isfinite(terms) || !(-x > terms * pow(Real(10), -20))) {
-                return std::nullopt;
+        for (const formula::Expr& margin : margins) {
+            try {
+                const Real x = value(margin);
+                const Real terms =
+                    magnitude(margin, [this](const formula::Expr& part) { return value(part); });
+                if (isfinite(terms) && -x > terms * pow(Real(10), -20)) {
+                    return NoValue{inside(what, e), certainly_beyond(margin)};
+                }
+            } catch (const DomainError&) {
+                continue; // it has an undefined part, which is checked separately
+            } catch (const BudgetError&) {
+                continue;
             }
-        } catch (const DomainError&) {
-            return std::nullopt; // it has an undefined part, which is checked separately
-        } catch (const BudgetError&) {
-            return std::nullopt;
         }
-        return NoValue{inside(what, e), certainly_beyond(margin)};
-    }
-    [[nodiscard]] Found either(const formula::Expr& first, const formula::Expr& second,
-                               const std::string& what, const formula::Expr& e) const {
-        auto found = beyond(first, what, e);
-        return found ? found : beyond(second, what, e);
+        return std::nullopt;
     }
     [[nodiscard]] bool certainly_beyond(const formula::Expr& margin) const {
         const long bits = formula::bits_for(working_digits());

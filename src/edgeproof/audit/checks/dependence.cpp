@@ -58,11 +58,9 @@ struct FreeFormulas {
 FreeFormulas free_formulas(const Claim& claim, const SymbolicCase& under) {
     FreeFormulas all{
         derive(claim.formula("of"), under), {}, {{claim.text("of"), claim.formula("of")}}};
-    const std::vector<std::string>& texts = claim.list("from");
-    const auto& formulas = claim.formulas("from");
-    for (std::size_t i = 0; i < formulas.size(); ++i) {
-        all.quantities.push_back({texts[i], formulas[i]});
-        all.from.push_back(derive(formulas[i], under));
+    for (const auto& [text, formula] : named_formulas(claim, "from")) {
+        all.quantities.push_back({text, formula});
+        all.from.push_back(derive(formula, under));
     }
     return all;
 }
@@ -95,52 +93,36 @@ AlgebraicDependence look_for_relations(const Claim& claim, const FreeFormulas& f
     return by_relations(formulas.quantities, static_cast<unsigned>(degree), under, evidence);
 }
 
-void add_finding(const Claim& claim, const std::string& is, const ComparedNumbers& numbers,
-                 unsigned digits, Outcome& outcome) {
-    outcome.note = claim.text("of") + " is " + is + " of the others near the point drawn";
-    add_pair(numbers, digits, outcome.evidence);
-}
-
 /// Judges from a proof, at a drawn point, that the quantity is not a function of the others.
-void judge_independent(const Claim& claim, const GradientRank& rank, bool says_independent,
-                       unsigned digits, Outcome& outcome) {
+void judge_independent(const GradientRank& rank, bool says_independent, unsigned digits,
+                       Outcome& outcome) {
     const Ball& left = *rank.outside();
     const Ball none(0, left.bits());
-    if (const auto fails = Refutation::less(none, left); fails && !says_independent) {
-        outcome.verdict = Judgement(*fails);
-    } else if (const auto holds = Confirmation::less(none, left); holds && says_independent) {
-        outcome.verdict = Judgement(*holds);
-    }
-    add_finding(claim, "not a function",
-                {"gradient outside of the span of the others",
-                 {left, ""},
-                 "of a function of them",
-                 {none, ""},
-                 rank.at()},
-                digits, outcome);
+    outcome.verdict =
+        Judgement(says_independent ? decision(std::nullopt, Confirmation::less(none, left))
+                                   : decision(Refutation::less(none, left), std::nullopt));
+    outcome.evidence.add("enclosures",
+                         pair_evidence(rank.at(), "gradient outside of the span of the others",
+                                       left, "of a function of them", none, digits));
 }
 
 /// Judges from a proof that near a drawn point the quantity's gradient lies in the span of the
 /// others, so that the rank is the same with it and without it.
-void judge_function(const Claim& claim, const GradientRank& rank, bool says_independent,
-                    unsigned digits, Outcome& outcome) {
+void judge_function(const GradientRank& rank, bool says_independent, unsigned digits,
+                    Outcome& outcome) {
     constexpr long bits = 64;
     const Ball found(static_cast<long>(*rank.rank()), bits);
     const Ball of_independent = found + 1;
-    if (const auto fails = Refutation::disjoint(of_independent, found); fails && says_independent) {
-        outcome.verdict = Judgement(*fails);
-    } else if (const auto holds = Confirmation::agreement(found, found, Ball(1, bits), 1);
-               holds && !says_independent) {
-        outcome.verdict = Judgement(*holds);
-    }
-    add_finding(claim, "a function",
-                {"rank of all gradients if it were none",
-                 {of_independent, ""},
-                 "rank proved",
-                 {found, ""},
-                 rank.at()},
-                digits, outcome);
+    outcome.verdict = Judgement(
+        says_independent
+            ? decision(Refutation::disjoint(of_independent, found), std::nullopt)
+            : decision(std::nullopt, Confirmation::agreement(found, found, Ball(1, bits), 1)));
+    outcome.evidence.add("enclosures",
+                         pair_evidence(rank.at(), "rank of all gradients if it were none",
+                                       of_independent, "rank proved", found, digits));
 }
+
+} // namespace
 
 /// Checks if a quantity is a function of others, where P', P'', b', b'', ... are free: it is one
 /// near a point if its gradient is a linear combination of theirs.
@@ -158,7 +140,8 @@ Outcome check_dependence(const Claim& claim, const AuditContext& context) {
     const AlgebraicDependence algebraic =
         look_for_relations(claim, formulas, under, outcome.evidence);
     if (rank.outside()) {
-        judge_independent(claim, rank, says_independent, context.digits(), outcome);
+        judge_independent(rank, says_independent, context.digits(), outcome);
+        outcome.note = claim.text("of") + " is not a function of the others near the point drawn";
         const std::string alone = names_alone(formulas);
         outcome.note += alone.empty() ? "" : ": it depends on " + alone + ", but they do not";
         if (algebraic.none) {
@@ -167,7 +150,8 @@ Outcome check_dependence(const Claim& claim, const AuditContext& context) {
                             " contains it, proved by rank";
         }
     } else if (rank.rank()) {
-        judge_function(claim, rank, says_independent, context.digits(), outcome);
+        judge_function(rank, says_independent, context.digits(), outcome);
+        outcome.note = claim.text("of") + " is a function of the others near the point drawn";
         if (algebraic.relation) {
             outcome.note += ", proved by symbols: " + *algebraic.relation;
             outcome.computed = algebraic.solved ? algebraic.solved : algebraic.relation;
@@ -176,22 +160,6 @@ Outcome check_dependence(const Claim& claim, const AuditContext& context) {
         outcome.note = rank.problem();
     }
     return outcome;
-}
-
-} // namespace
-
-CheckKind dependence_kind() {
-    using Type = KeySpec::Type;
-    return {"dependence",
-            {{.name = "says",
-              .type = Type::choice,
-              .required = true,
-              .choices = {"independent", "function"}},
-             required_formula("of"),
-             {.name = "from", .type = Type::formulas, .required = true},
-             {.name = "degree", .type = Type::integer},
-             {.name = "given", .type = Type::formula_table}},
-            check_dependence};
 }
 
 } // namespace edgeproof::audit

@@ -37,10 +37,9 @@ std::vector<EvidenceItem> terms_evidence(const ExpansionComparison& comparison,
         Evidence e;
         e.add("power", power_text(variable, term.exponent)).add("equal", term.equal);
         if (!term.equal) {
-            e.add("printed", to_text(term.printed)).add("derived", to_text(term.derived));
-        } else {
-            e.add("both", to_text(term.derived));
+            e.add("printed", to_text(term.printed));
         }
+        e.add(term.equal ? "both" : "derived", to_text(term.derived));
         list.emplace_back(std::move(e));
     }
     return list;
@@ -108,6 +107,7 @@ struct ComparedTerms {
 ComparedTerms compare_terms(const ExpansionComparison& comparison,
                             const std::vector<Sample>& samples, unsigned digits,
                             Evidence& evidence) {
+    const double needed = AuditContext::digits_needed(digits);
     ComparedTerms found;
     for (const auto& term : comparison.terms) {
         for (const Sample& sample : samples) {
@@ -121,25 +121,21 @@ ComparedTerms compare_terms(const ExpansionComparison& comparison,
                 const Ball y = at.evaluate(term.derived);
                 const auto apart = Refutation::disjoint(x, y);
                 if (apart) {
-                    add_pair({"printed_coefficient",
-                              {x, ""},
-                              "derived_coefficient",
-                              {y, ""},
-                              sample.scene.family + ": " + sample.text()},
-                             digits, evidence);
+                    const std::string place = full_text(sample);
+                    evidence.add("enclosures", pair_evidence(place, "printed_coefficient", x,
+                                                             "derived_coefficient", y, digits));
                 }
                 const Ball scale =
                     scale_of_terms(term.printed, at) + scale_of_terms(term.derived, at);
-                one = decision(apart, Confirmation::agreement(x, y, scale,
-                                                              AuditContext::digits_needed(digits)));
-                return !std::holds_alternative<std::monostate>(one);
+                one = decision(apart, Confirmation::agreement(x, y, scale, needed));
+                return !is_open(one);
             }));
             found.decisions.push_back(one);
             if (refutes(one)) {
                 found.wrong = &term;
                 return found;
             }
-            if (!confirms(one) && found.problem.empty()) {
+            if (is_open(one) && found.problem.empty()) {
                 found.problem = in_balls.problem();
             }
         }
@@ -149,48 +145,34 @@ ComparedTerms compare_terms(const ExpansionComparison& comparison,
 
 /// Tests candidates of the diagnosis in numbers: the variable is 1e-30, so that a correct formula
 /// leaves the next power of it, and a wrong one the power where it differs.
-class QuickExpansion {
-public:
-    QuickExpansion(const Claim& claim, const ExpansionIn& in, const ExpansionComparison& comparison,
-                   const std::set<std::string>& names, const SymbolicCase& under)
-        : claim_(claim) {
-        const Rational span = in.through - comparison.terms.front().exponent;
-        const auto power = static_cast<unsigned>(ceil(span.convert_to<double>()));
-        digits_ = decades * (power + 1) + 40;
-        const PrecisionScope scope(digits_);
-        const Real small = pow(Real(10), -static_cast<int>(decades));
-        tolerance_ = pow(small, from_rational<Real>(Rational(span + Rational(1, 4))));
-        for (std::size_t k = 0; k < formal_draws; ++k) {
-            FormalValues values(names, under, k, digits_);
-            values.set(in.variable, small);
-            Real exact(0);
-            try {
-                for (const auto& term : comparison.terms) {
-                    exact += values.evaluate(term.derived) *
-                             pow(small, from_rational<Real>(term.exponent));
-                }
-            } catch (const DomainError&) {
-                continue; // a drawn point outside the domain of a root
+Screening formal_expansion_screening(const Claim& claim, const ExpansionIn& in,
+                                     const ExpansionComparison& comparison,
+                                     const std::set<std::string>& names,
+                                     const SymbolicCase& under) {
+    constexpr unsigned decades = 30;
+    const Rational span = in.through - comparison.terms.front().exponent;
+    const auto power = static_cast<unsigned>(ceil(span.convert_to<double>()));
+    const unsigned digits = decades * (power + 1) + 40;
+    const PrecisionScope scope(digits);
+    const Real small = pow(Real(10), -static_cast<int>(decades));
+    Screening screening(claim, digits,
+                        pow(small, from_rational<Real>(Rational(span + Rational(1, 4)))));
+    for (std::size_t k = 0; k < formal_draws; ++k) {
+        FormalValues values(names, under, k, digits);
+        values.set(in.variable, small);
+        Real exact(0);
+        try {
+            for (const auto& term : comparison.terms) {
+                exact +=
+                    values.evaluate(term.derived) * pow(small, from_rational<Real>(term.exponent));
             }
-            draws_.emplace_back(std::move(values), std::move(exact));
+        } catch (const DomainError&) {
+            continue; // a drawn point outside the domain of a root
         }
+        screening.add_point([values](const formula::Expr& e) { return values.evaluate(e); }, exact);
     }
-    [[nodiscard]] bool passes_screening(const formula::Expr& written) const {
-        const formula::Expr e = expand_definitions(written, claim_.vocabulary);
-        const PrecisionScope scope(digits_);
-        return !draws_.empty() && std::all_of(draws_.begin(), draws_.end(), [&](const auto& draw) {
-            const auto& [values, exact] = draw;
-            return abs(values.evaluate(e) - exact) <= tolerance_ * abs(exact);
-        });
-    }
-
-private:
-    static constexpr unsigned decades = 30;
-    const Claim& claim_;
-    unsigned digits_ = 0;
-    Real tolerance_;
-    std::vector<std::pair<FormalValues, Real>> draws_;
-};
+    return screening;
+}
 
 /// Judges a printed expansion with decimals: one equation for every coefficient at every sample.
 Judgement judge_with_decimals(const DecimalFormula& printed, const formula::Expr& exact,
@@ -204,24 +186,15 @@ Judgement judge_with_decimals(const DecimalFormula& printed, const formula::Expr
         for (const Sample& sample : samples) {
             const auto at = std::make_shared<EnclosedSample>(sample, bits);
             const Ball target = at->evaluate(term.derived);
-            equations.push_back(
-                {[at, e = term.printed](const Decimals& numbers) {
-                     for (std::size_t k = 0; k < numbers.size(); ++k) {
-                         at->set(DecimalFormula::name_of_decimal(k), numbers[k]);
-                     }
-                     return at->evaluate(e);
-                 },
-                 target, contains_zero(target) ? scale_of_terms(term.derived, *at) : abs(target)});
+            equations.push_back(equation_at(
+                at, term.printed, target,
+                contains_zero(target) ? scale_of_terms(term.derived, *at) : abs(target)));
         }
     }
-    const std::size_t comparisons = equations.size();
-    return judge_decimals(
-        printed.decimals(),
-        DecimalFit(printed.decimals(), std::move(equations), AuditContext::digits_needed(fitted),
-                   bits),
-        [&](const std::vector<Real>& numbers) { return printed.text_with(numbers); }, comparisons,
-        fitted, outcome);
+    return judge_decimals(printed, equations, fitted, bits, outcome);
 }
+
+} // namespace
 
 Outcome check_expansion(const Claim& claim, const AuditContext& context) {
     const formula::Expr printed = claim.formula("says");
@@ -265,23 +238,19 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
         return outcome;
     }
     const auto* wrong = compared.wrong;
-    const std::set<std::string> names = names_of(printed, exact);
     const std::string first = "departs at " + power_text(variable, wrong->exponent);
     outcome.evidence.add("first_departure", power_text(variable, wrong->exponent));
     if (!remainder.at.empty()) {
         outcome.evidence.add("worst_at", remainder.at);
     }
-    if (claim.has("as_if")) {
-        Evidence hypotheses;
-        for (std::size_t i = 0; i < claim.table("as_if").size(); ++i) {
-            const std::string& text = claim.table("as_if")[i].first;
-            const formula::Expr& other = claim.formulas("as_if")[i];
-            hypotheses.add(text, compare_expansions(printed, other, in, under).equal()
-                                     ? "gives the printed line"
-                                     : "does not give the printed line");
-        }
-        outcome.evidence.add("as_if", std::move(hypotheses));
-    }
+    add_hypotheses(
+        claim,
+        [&](const formula::Expr& other) {
+            return compare_expansions(printed, other, in, under).equal()
+                       ? "gives the printed line"
+                       : "does not give the printed line";
+        },
+        outcome.evidence);
     RefutedFormula refuted;
     refuted.printed = claim.written("says");
     refuted.exact = claim.written("of");
@@ -292,8 +261,8 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
         derived.push_back({term.exponent, term.derived});
     }
     refuted.derived = sum_of(derived, variable);
-    const QuickExpansion quick(claim, in, comparison, names, under);
-    refuted.passes_screening = [&](const formula::Expr& e) { return quick.passes_screening(e); };
+    refuted.passes_screening =
+        formal_expansion_screening(claim, in, comparison, names_of(printed, exact), under);
     refuted.verdict_of = [&](const formula::Expr& e) -> std::optional<Verdict> {
         return compare_expansions(expand_definitions(e, claim.vocabulary), exact, in, under).equal()
                    ? Verdict::proved
@@ -302,20 +271,6 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
     diagnose(refuted, outcome);
     outcome.note = first + "; " + outcome.note;
     return outcome;
-}
-
-} // namespace
-
-CheckKind expansion_kind() {
-    using Type = KeySpec::Type;
-    return {"expansion",
-            {required_formula("says"),
-             required_formula("of"),
-             {.name = "variable", .required = true},
-             {.name = "through", .type = Type::number, .required = true},
-             {.name = "as_if", .type = Type::formula_table},
-             {.name = "given", .type = Type::formula_table}},
-            check_expansion};
 }
 
 } // namespace edgeproof::audit

@@ -30,6 +30,17 @@ formula::Exact exact_in(const Claim& claim, std::string_view key, const SceneSpe
     }
 }
 
+ReachQuestion question_in(const SceneSpec& scene, const Claim& claim) {
+    ReachQuestion question{claim.edge(),
+                           static_cast<std::size_t>(claim.integer("terms")),
+                           formula::Exact::parse(claim.text("tolerance")),
+                           {}};
+    if (claim.has("upto")) {
+        question.range.to = exact_in(claim, "upto", scene);
+    }
+    return question;
+}
+
 /// The figure in one scene, and evidence on other possible meanings of it.
 struct ReachInScene {
     Real value;
@@ -37,27 +48,20 @@ struct ReachInScene {
     bool none = false; ///< no first exit: the value is the end of the searched part
 };
 
-ReachInScene reach_in(const SceneSpec& scene, const Claim& claim, const AuditContext& context,
-                      const QuotedFigure& figure) {
-    const contact::Edge edge = claim.edge();
-    const auto terms = static_cast<std::size_t>(claim.integer("terms"));
-    const formula::Exact tolerance = formula::Exact::parse(claim.text("tolerance"));
-    contact::ExtentRange range;
-    if (claim.has("upto")) {
-        range.to = exact_in(claim, "upto", scene);
-    }
-    const EvaluatedScene scene_values(scene, context.digits());
-    const contact::Extents extents =
-        within_tolerance(scene_values.contact(), edge, terms, tolerance, range);
-    const PrecisionScope scope(context.digits() + 20);
+ReachInScene reach_in(const SceneSpec& scene, const ReachQuestion& question, const Claim& claim,
+                      unsigned digits, const QuotedFigure& figure) {
+    const EvaluatedScene scene_values(scene, digits);
+    const contact::Extents extents = within_tolerance(
+        scene_values.contact(), question.edge, question.terms, question.tolerance, question.range);
+    const PrecisionScope scope(digits + 20);
     const Real base = scene_values.evaluate(claim.formula("base")).value;
     const bool first = claim.text("reach") == "first-exit";
     ReachInScene reach;
     reach.value = (first ? extents.first_exit : extents.measure) / base;
     reach.none = first && !extents.leaves;
     Evidence& e = reach.evidence;
-    e.add("at", scene.family + ": " + scene.text())
-        .add("value", value_text(reach.value, context.digits()))
+    e.add("at", full_text(scene))
+        .add("value", value_text(reach.value, digits))
         .add("rounds_to", figure.rounded(reach.value))
         .add("units_off", figure.units_off(reach.value))
         .add("crossings", extents.crossings.size())
@@ -71,28 +75,24 @@ ReachInScene reach_in(const SceneSpec& scene, const Claim& claim, const AuditCon
     // Find the tolerance for which the quoted figure would be the distance.
     const Real u = Real(figure.value()) * base;
     if (u > 0 && u < extents.length) {
-        const Real error = scene_values.local(edge, terms, u) / scene_values.pressure(edge, u) - 1;
+        const Real error = scene_values.local(question.edge, question.terms, u) /
+                               scene_values.pressure(question.edge, u) -
+                           1;
         e.add("error_at_the_quoted_distance", to_decimal(Real(error * 100), 4) + " %");
     }
     return reach;
 }
 
 /// Computes the figure in balls; it is proved that all crossings are found.
-Enclosed enclosed_figure(const SceneSpec& scene, const Claim& claim, const AuditContext& context) {
-    ReachQuestion question{claim.edge(),
-                           static_cast<std::size_t>(claim.integer("terms")),
-                           formula::Exact::parse(claim.text("tolerance")),
-                           {}};
-    if (claim.has("upto")) {
-        question.range.to = exact_in(claim, "upto", scene);
-    }
-    const EnclosedReach found = enclosed_reach(scene, question, context.digits());
+Enclosed enclosed_figure(const SceneSpec& scene, const ReachQuestion& question, const Claim& claim,
+                         unsigned digits) {
+    const EnclosedReach found = enclosed_reach(scene, question, digits);
     Enclosed reach{std::nullopt, found.problem};
     if (found.extents) {
-        const Sample sample{scene, std::nullopt, claim.edge(), {}};
+        const EnclosedSample at({scene, std::nullopt, claim.edge(), {}}, found.bits);
         reach.ball = (claim.text("reach") == "first-exit" ? found.extents->first_exit
                                                           : found.extents->measure) /
-                     EnclosedSample(sample, found.bits).evaluate(claim.formula("base"));
+                     at.evaluate(claim.formula("base"));
     }
     return reach;
 }
@@ -112,6 +112,8 @@ Evidence enclosed_evidence(const Ball& ball, const QuotedFigure& figure, Verdict
     return e;
 }
 
+} // namespace
+
 Outcome check_extent(const Claim& claim, const AuditContext& context) {
     const QuotedFigure figure = QuotedFigure::of(claim);
     if (claim.integer("terms") < 1 || claim.integer("terms") > 9) {
@@ -128,9 +130,10 @@ Outcome check_extent(const Claim& claim, const AuditContext& context) {
     std::string problem;
     for (const SceneSpec& scene : context.scenes(claim)) {
         try {
-            ReachInScene reach = reach_in(scene, claim, context, figure);
-            const std::string at = scene.family + ": " + scene.text();
-            const Enclosed enclosed = enclosed_figure(scene, claim, context);
+            const ReachQuestion question = question_in(scene, claim);
+            ReachInScene reach = reach_in(scene, question, claim, context.digits(), figure);
+            const std::string at = full_text(scene);
+            const Enclosed enclosed = enclosed_figure(scene, question, claim, context.digits());
             Judgement verdict = enclosed.ball ? figure.verdict(*enclosed.ball) : Judgement();
             if (reach.none &&
                 (Real(figure.value()) >= reach.value || verdict != Verdict::refuted)) {
@@ -170,22 +173,6 @@ Outcome check_extent(const Claim& claim, const AuditContext& context) {
     }
     outcome.evidence.add("scenes", std::move(scenes));
     return outcome;
-}
-
-} // namespace
-
-CheckKind extent_kind() {
-    using Type = KeySpec::Type;
-    return {"extent",
-            {{.name = "terms", .type = Type::integer, .required = true},
-             {.name = "tolerance", .type = Type::number, .required = true},
-             required_formula("base"),
-             {.name = "reach",
-              .type = Type::choice,
-              .required = true,
-              .choices = {"first-exit", "measure"}},
-             optional_formula("upto")},
-            check_extent};
 }
 
 } // namespace edgeproof::audit

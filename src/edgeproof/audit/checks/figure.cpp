@@ -55,6 +55,8 @@ FigureAt figure_at(const Sample& sample, const formula::Expr& of, const QuotedFi
     return found;
 }
 
+} // namespace
+
 Outcome check_figure(const Claim& claim, const AuditContext& context) {
     const QuotedFigure figure = QuotedFigure::of(claim);
     const formula::Expr of = claim.formula("of");
@@ -100,13 +102,6 @@ Outcome check_figure(const Claim& claim, const AuditContext& context) {
                        ? "the enclosure does not decide how it is rounded"
                        : figure.note(*at_worst);
     return outcome;
-}
-
-} // namespace
-
-CheckKind figure_kind() {
-    return {
-        "figure", {{.name = "of", .type = KeySpec::Type::formula, .required = true}}, check_figure};
 }
 
 } // namespace edgeproof::audit

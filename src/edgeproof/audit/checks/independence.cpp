@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/agreement/samples.hpp"
+#include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -29,6 +29,8 @@ EnclosedHere enclose_here(const formula::Expr& e, const Sample& sample, unsigned
     }
     return here;
 }
+
+} // namespace
 
 /// Checks that a formula has the same value in all scenes, at each of several places: then it does
 /// not depend on the differences between the scenes.
@@ -72,13 +74,10 @@ Outcome check_independence(const Claim& claim, const AuditContext& context) {
                     std::min(digits, Real(-log10(Real(off / scale.upper()))).convert_to<double>());
             }
             if (differs && apart.empty()) {
-                apart = scene.family + ": " + scene.text() + ", u = " + fractions[k].text() + " L";
-                outcome.evidence.add("enclosures",
-                                     Evidence()
-                                         .add("at", apart)
-                                         .add("there", ball_text(x, context.digits()))
-                                         .add("in_the_first_scene", ball_text(y, context.digits()))
-                                         .add("disjoint", true));
+                apart = full_text(scene) + ", u = " + fractions[k].text() + " L";
+                outcome.evidence.add(
+                    "enclosures",
+                    pair_evidence(apart, "there", x, "in_the_first_scene", y, context.digits()));
             }
         }
     }
@@ -98,15 +97,6 @@ Outcome check_independence(const Claim& claim, const AuditContext& context) {
                              std::to_string(profiles.size()) + " profiles"
                        : "the enclosures do not decide";
     return outcome;
-}
-
-} // namespace
-
-CheckKind independence_kind() {
-    using Type = KeySpec::Type;
-    return {"independence",
-            {required_formula("of"), {.name = "at", .type = Type::list, .required = true}},
-            check_independence};
 }
 
 } // namespace edgeproof::audit

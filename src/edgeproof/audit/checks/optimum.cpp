@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace edgeproof::audit {
@@ -27,11 +28,13 @@ class Reach {
 public:
     Reach(const Claim& claim, const AuditContext& context, std::size_t scene,
           formula::Exact tolerance)
-        : claim_(claim), context_(context), scene_(scene), tolerance_(std::move(tolerance)),
-          parameter_(claim.text("along")), edge_(claim.edge()),
-          terms_(static_cast<std::size_t>(claim.integer("terms"))) {
+        : claim_(claim), context_(context),
+          scene_(scene), asked_{claim.edge(),
+                                static_cast<std::size_t>(claim.integer("terms")),
+                                std::move(tolerance),
+                                {}} {
         if (claim.has("upto")) {
-            range_.to = formula::Exact::parse(claim.text("upto"));
+            asked_.range.to = formula::Exact::parse(claim.text("upto"));
         }
     }
     [[nodiscard]] Real operator()(const Rational& value) {
@@ -40,15 +43,13 @@ public:
             return known->second;
         }
         const EvaluatedScene scene_values(scene_with(value), search_digits);
-        ++calls_;
-        const contact::Extents e =
-            within_tolerance(scene_values.contact(), edge_, terms_, tolerance_, range_);
+        const contact::Extents e = within_tolerance(scene_values.contact(), asked_.edge,
+                                                    asked_.terms, asked_.tolerance, asked_.range);
         return tried_[value] = e.first_exit / e.length;
     }
     /// Returns the proved value.
     [[nodiscard]] std::optional<Ball> enclosed(const Rational& value) const {
-        const EnclosedReach found =
-            enclosed_reach(scene_with(value), {edge_, terms_, tolerance_, range_}, search_digits);
+        const EnclosedReach found = enclosed_reach(scene_with(value), asked_, search_digits);
         return found.extents ? std::optional(found.extents->first_exit / found.extents->length)
                              : std::nullopt;
     }
@@ -59,23 +60,18 @@ public:
         return {at == tried_.begin() ? value : std::prev(at)->first,
                 next == tried_.end() ? value : next->first};
     }
-    [[nodiscard]] std::size_t calls() const { return calls_; }
+    [[nodiscard]] std::size_t calls() const { return tried_.size(); }
 
 private:
     [[nodiscard]] SceneSpec scene_with(const Rational& value) const {
-        const Ledger fixed = with_parameter(context_.ledger(), claim_.text("over"), parameter_,
-                                            formula::Expr::number(value));
+        const Ledger fixed = with_parameter(context_.ledger(), claim_.text("over"),
+                                            claim_.text("along"), formula::Expr::number(value));
         return AuditContext(fixed, context_.digits()).scenes(claim_).at(scene_);
     }
     const Claim& claim_;
     const AuditContext& context_;
     std::size_t scene_;
-    formula::Exact tolerance_;
-    std::string parameter_;
-    contact::Edge edge_;
-    std::size_t terms_;
-    contact::ExtentRange range_;
-    std::size_t calls_ = 0;
+    ReachQuestion asked_;
     std::map<Rational, Real> tried_;
 };
 
@@ -101,18 +97,9 @@ Best search(Reach& reach, const Rational& claimed, const Rational& lo, const Rat
             }
         }
     }
-    std::sort(values.begin(), values.end());
+    std::ranges::sort(values);
     values.erase(std::unique(values.begin(), values.end()), values.end());
-    std::vector<Real> at;
-    at.reserve(values.size());
-    for (const Rational& v : values) {
-        at.push_back(reach(v));
-    }
-    const auto i = static_cast<std::size_t>(std::max_element(at.begin(), at.end()) - at.begin());
-    Best best{values[i], at[i]};
-    Rational a = values[i == 0 ? 0 : i - 1];
-    Rational b = values[std::min(i + 1, values.size() - 1)];
-    const Rational golden(610, 987);
+    Best best{claimed, Real(-1)};
     const auto probe = [&](const Rational& v) {
         const Real r = reach(v);
         if (r > best.reach) {
@@ -120,6 +107,11 @@ Best search(Reach& reach, const Rational& claimed, const Rational& lo, const Rat
         }
         return r;
     };
+    std::ranges::for_each(values, probe);
+    Rational a;
+    Rational b;
+    std::tie(a, b) = reach.neighbours(best.at);
+    const Rational golden(610, 987);
     // Round to few digits, so that the quotients stay short.
     const auto short_of = [](const Rational& v) {
         const Rational scale(1000000000000L);
@@ -147,13 +139,43 @@ Best search(Reach& reach, const Rational& claimed, const Rational& lo, const Rat
     return best;
 }
 
-/// The best value found for one tolerance.
+/// The best value found for one tolerance in one scene.
 struct OptimumFound {
     Decision is_best; ///< for the claimed value: no other reaches farther by more than a millionth
-    Ball off;         ///< the distance from the claimed value to the best value
+    std::optional<Ball> off; ///< the distance from the claimed value to the best, if it is proved
     std::string text;
     Evidence evidence;
 };
+
+/// Finds the best of the values that are tried. They can only prove that another value reaches
+/// farther.
+OptimumFound tried_search(const Claim& claim, const AuditContext& context, std::size_t scene,
+                          const std::string& tolerance, const contact::ParameterRange& range,
+                          const Rational& claimed, std::size_t& calls) {
+    Reach reach(claim, context, scene, formula::Exact::parse(tolerance));
+    const Real here = reach(claimed);
+    const Best best = search(reach, claimed, range.from, range.to);
+    calls += reach.calls();
+    const auto enclosed_here = reach.enclosed(claimed);
+    const auto enclosed_best = reach.enclosed(best.at);
+    OptimumFound found;
+    if (enclosed_here && enclosed_best) {
+        found.is_best = decision(Refutation::less(*enclosed_here, *enclosed_best), std::nullopt);
+    }
+    // The reach jumps with the parameter where an inner extremum of the error touches the
+    // tolerance: the values tried show only an interval that contains the best value.
+    const auto [below, above] = reach.neighbours(best.at);
+    const std::string from = to_decimal(below, place_digits, Rounding::down);
+    const std::string to = to_decimal(above, place_digits, Rounding::up);
+    found.evidence.add("tolerance", tolerance)
+        .add("best_value_tried", exact_text(best.at))
+        .add("reach_there", to_decimal(best.reach, reach_digits))
+        .add("between_the_values_tried", std::vector<std::string>{from, to})
+        .add("reach_at_the_value_claimed", to_decimal(here, reach_digits));
+    found.text = claim.text("along") + " between " + from + " and " + to + " for the tolerance " +
+                 tolerance + ", of the values tried (the reach may jump between them)";
+    return found;
+}
 
 /// Finds the best value by branch and bound, for families whose error is enclosed over a range:
 /// power laws as functions of m.
@@ -194,6 +216,8 @@ std::optional<OptimumFound> proved_search(const Claim& claim, const AuditContext
     return result;
 }
 
+} // namespace
+
 Outcome check_optimum(const Claim& claim, const AuditContext& context) {
     const Rational claimed = formula::Exact::parse(claim.text("at")).rational();
     const auto& between = claim.list("between");
@@ -217,51 +241,28 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
     for (std::size_t k = 0; k < scenes; ++k) {
         std::optional<Ball> last_off;
         for (const std::string& text : claim.list("tolerances")) {
-            if (auto found = proved_search(claim, context, k, formula::Exact::parse(text), {lo, hi},
-                                           claimed)) {
-                best_at.push_back(found->is_best);
-                const Ball away = confirms(found->is_best) ? Ball(0, optimum_bits) : found->off;
+            const formula::Exact tolerance = formula::Exact::parse(text);
+            auto found = proved_search(claim, context, k, tolerance, {lo, hi}, claimed);
+            if (!found) {
+                found = tried_search(claim, context, k, text, {lo, hi}, claimed, calls);
+            }
+            const bool is_best = confirms(found->is_best);
+            best_at.push_back(found->is_best);
+            if (!found->off) {
+                approaching.emplace_back();
+            } else {
+                const Ball away = is_best ? Ball(0, optimum_bits) : *found->off;
                 if (last_off) {
-                    approaching.push_back(confirms(found->is_best)
+                    approaching.push_back(is_best
                                               ? found->is_best
                                               : decision(Refutation::less(*last_off, away),
                                                          Confirmation::less(away * 2, *last_off)));
                 }
                 last_off = away;
-                list.emplace_back(std::move(found->evidence));
-                if (!outcome.computed) {
-                    outcome.computed = std::move(found->text);
-                }
-                continue;
             }
-            Reach reach(claim, context, k, formula::Exact::parse(text));
-            const Real here = reach(claimed);
-            const Best best = search(reach, claimed, lo, hi);
-            calls += reach.calls();
-            // Values that were tried can only prove that another value reaches farther.
-            const auto enclosed_here = reach.enclosed(claimed);
-            const auto enclosed_best = reach.enclosed(best.at);
-            best_at.push_back(
-                enclosed_here && enclosed_best
-                    ? decision(Refutation::less(*enclosed_here, *enclosed_best), std::nullopt)
-                    : Decision());
-            approaching.emplace_back();
-            Evidence one;
-            // The reach jumps with the parameter where an inner extremum of the error touches the
-            // tolerance: the values tried show only an interval that contains the best value.
-            const auto [below, above] = reach.neighbours(best.at);
-            const std::string from = to_decimal(below, place_digits, Rounding::down);
-            const std::string to = to_decimal(above, place_digits, Rounding::up);
-            one.add("tolerance", text)
-                .add("best_value_tried", exact_text(best.at))
-                .add("reach_there", to_decimal(best.reach, reach_digits))
-                .add("between_the_values_tried", std::vector<std::string>{from, to})
-                .add("reach_at_the_value_claimed", to_decimal(here, reach_digits));
-            list.emplace_back(std::move(one));
+            list.emplace_back(std::move(found->evidence));
             if (!outcome.computed) {
-                outcome.computed = claim.text("along") + " between " + from + " and " + to +
-                                   " for the tolerance " + text +
-                                   ", of the values tried (the reach may jump between them)";
+                outcome.computed = std::move(found->text);
             }
         }
     }
@@ -279,21 +280,6 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
                        ? "reaches farthest with " + *outcome.computed
                        : "none of the values tried reaches farther, which proves nothing";
     return outcome;
-}
-
-} // namespace
-
-CheckKind optimum_kind() {
-    using Type = KeySpec::Type;
-    return {"optimum",
-            {{.name = "along", .required = true},
-             {.name = "at", .type = Type::number, .required = true},
-             {.name = "between", .type = Type::list, .required = true},
-             {.name = "terms", .type = Type::integer, .required = true},
-             {.name = "tolerances", .type = Type::list, .required = true},
-             {.name = "sense", .type = Type::choice, .choices = {"each", "limit"}},
-             {.name = "upto", .type = Type::number}},
-            check_optimum};
 }
 
 } // namespace edgeproof::audit

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/checks/parts/comparison.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -82,7 +83,7 @@ Scenes measure_all(const Claim& claim, const AuditContext& context, const formul
             found = says_zero ? std::nullopt : measure_at(at, sample.edge, of, says);
             return says_zero || found.has_value();
         }));
-        const std::string text = sample.scene.family + ": " + sample.scene.text();
+        const std::string text = full_text(sample.scene);
         if (says_zero) {
             ++scenes.left_out; // no quantity has the order of zero
         } else if (!found) {
@@ -125,10 +126,8 @@ Judgement judge(const Scenes& scenes, bool universal, std::string& note) {
         note = "of a higher order than claimed";
         return Judgement::imprecise(*higher);
     }
-    const auto [least, most] = std::minmax_element(
-        scenes.all.begin(), scenes.all.end(), [](const OrderInScene& x, const OrderInScene& y) {
-            return x.ratio.midpoint() < y.ratio.midpoint();
-        });
+    const auto [least, most] = std::ranges::minmax_element(
+        scenes.all, {}, [](const OrderInScene& s) { return s.ratio.midpoint(); });
     if (universal) {
         if (const auto apart = Refutation::less(least->ratio * most_spread, most->ratio)) {
             note = "the factor is not a pure number: from " + short_text(least->ratio) + " to " +
@@ -156,10 +155,8 @@ void report(const Scenes& scenes, Evidence& evidence) {
         return;
     }
     const auto range = [&](Ball OrderInScene::*value) {
-        const auto [least, most] = std::minmax_element(
-            scenes.all.begin(), scenes.all.end(), [&](const auto& x, const auto& y) {
-                return (x.*value).midpoint() < (y.*value).midpoint();
-            });
+        const auto [least, most] = std::ranges::minmax_element(
+            scenes.all, {}, [&](const OrderInScene& s) { return (s.*value).midpoint(); });
         return std::vector<std::string>{short_text(*least.*value, 10),
                                         short_text(*most.*value, 10)};
     };
@@ -167,6 +164,8 @@ void report(const Scenes& scenes, Evidence& evidence) {
         .add("order_said", range(&OrderInScene::order_said))
         .add("factor", range(&OrderInScene::ratio));
 }
+
+} // namespace
 
 Outcome check_order(const Claim& claim, const AuditContext& context) {
     const bool universal = claim.text_or("factor", "of-the-scene") == "pure-number";
@@ -176,33 +175,20 @@ Outcome check_order(const Claim& claim, const AuditContext& context) {
     const Scenes scenes = measure_all(claim, context, claim.formula("says"));
     outcome.verdict = judge(scenes, universal, outcome.note);
     report(scenes, outcome.evidence);
-    if (!holds(outcome.verdict) && claim.has("candidates")) {
-        for (std::size_t i = 0; i < claim.list("candidates").size(); ++i) {
-            const std::string& text = claim.list("candidates")[i];
-            const Scenes anew = measure_all(claim, context, claim.formulas("candidates")[i]);
-            std::string note;
-            if (judge(anew, universal, note) == Verdict::confirmed) {
-                outcome.correct = text;
-                Evidence corrected;
-                report(anew, corrected);
-                outcome.evidence.add("with_the_correction", corrected);
-                break;
-            }
+    for (const auto& [text, candidate] : named_formulas(claim, "candidates")) {
+        if (holds(outcome.verdict) || outcome.correct) {
+            break;
+        }
+        const Scenes anew = measure_all(claim, context, candidate);
+        std::string note;
+        if (judge(anew, universal, note) == Verdict::confirmed) {
+            outcome.correct = text;
+            Evidence corrected;
+            report(anew, corrected);
+            outcome.evidence.add("with_the_correction", corrected);
         }
     }
     return outcome;
-}
-
-} // namespace
-
-CheckKind order_kind() {
-    using Type = KeySpec::Type;
-    return {"order",
-            {required_formula("says"),
-             required_formula("of"),
-             {.name = "factor", .type = Type::choice, .choices = {"of-the-scene", "pure-number"}},
-             {.name = "candidates", .type = Type::formulas}},
-            check_order};
 }
 
 } // namespace edgeproof::audit

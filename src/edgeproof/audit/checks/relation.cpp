@@ -5,26 +5,25 @@
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
+#include <array>
+#include <set>
 
 namespace edgeproof::audit {
 namespace {
 
 struct RelationInScene {
+    std::string scene;
     Decision decision;
     std::size_t places = 0;
-    std::optional<MarginAt> decisive; ///< the narrowest margin, or the place that decides
-    std::vector<std::string> where;   ///< intervals where it fails ("somewhere": where it holds)
+    std::optional<Margin> decisive; ///< the narrowest margin, or the place that decides
+    std::vector<std::string> where; ///< intervals where it fails ("somewhere": where it holds)
 };
 
 bool names_a_place(const Condition& condition) {
-    return std::any_of(condition.begin(), condition.end(), [](const Relation& r) {
-        for (const formula::Expr& side : {r.lhs, r.rhs}) {
-            const auto names = free_symbols(side);
-            if (names.contains("x") || names.contains("u")) {
-                return true;
-            }
-        }
-        return false;
+    return std::ranges::any_of(condition, [](const Relation& r) {
+        std::set<std::string> names = free_symbols(r.lhs);
+        names.merge(free_symbols(r.rhs));
+        return names.contains("x") || names.contains("u");
     });
 }
 
@@ -40,31 +39,25 @@ std::vector<std::string> interval_texts(const MarginScan& scan, bool holding) {
 
 RelationInScene without_place(const ConditionInScene& condition) {
     RelationInScene result;
-    if (const auto margin = condition.anywhere()) {
+    result.decisive = condition.margin(nullptr);
+    if (result.decisive) {
         result.places = 1;
         result.decision = condition.decide_at(nullptr).value_or(Decision());
-        result.decisive = MarginAt{Real(0), *margin};
     }
     return result;
 }
 
 /// Combines the decisions at all places: one place that fails decides. The places with the
 /// narrowest margins are checked first.
-Decision all_of(const ConditionInScene& condition, const std::vector<MarginAt>& places) {
-    std::vector<const MarginAt*> order;
-    for (const MarginAt& place : places) {
-        order.push_back(&place);
-    }
-    std::stable_sort(order.begin(), order.end(), [](const MarginAt* x, const MarginAt* y) {
-        return x->margin.value < y->margin.value;
-    });
+Decision all_of(const ConditionInScene& condition, std::vector<Margin> places) {
+    std::ranges::stable_sort(places, {}, &Margin::value);
     Decision all;
     bool open = false;
-    for (const MarginAt* place : order) {
-        if (open && place->margin.value > 0) {
+    for (const Margin& place : places) {
+        if (open && place.value > 0) {
             break; // according to the values in Real, no later place fails
         }
-        const auto one = condition.decide_at(&place->fraction);
+        const auto one = condition.decide_at(&place.fraction);
         if (!one) {
             continue;
         }
@@ -81,12 +74,10 @@ RelationInScene everywhere(const ConditionInScene& condition, const Real& neares
     RelationInScene result;
     const MarginScan scan(condition, nearest);
     result.places = scan.places().size();
-    if (const MarginAt* least = scan.least()) {
+    if (const Margin* least = scan.least()) {
         result.decisive = *least;
-        const bool fails =
-            std::any_of(scan.places().begin(), scan.places().end(),
-                        [](const MarginAt& p) { return p.margin.clear && !(p.margin.value > 0); });
-        if (fails) {
+        if (std::ranges::any_of(scan.places(),
+                                [](const Margin& p) { return p.clear && !(p.value > 0); })) {
             result.where = interval_texts(scan, false);
         }
         result.decision = all_of(condition, scan.places());
@@ -99,9 +90,9 @@ RelationInScene everywhere(const ConditionInScene& condition, const Real& neares
 
 /// Decides that the condition fails if it fails at every place. The scan has also tried places
 /// between these where the sides come close to each other; its completeness is sampled, not proved.
-Decision fails_at_all(const ConditionInScene& condition, const std::vector<MarginAt>& places) {
+Decision fails_at_all(const ConditionInScene& condition, const std::vector<Margin>& places) {
     Decision last;
-    for (const MarginAt& place : places) {
+    for (const Margin& place : places) {
         const auto one = condition.decide_at(&place.fraction);
         if (one && !refutes(*one)) {
             return {};
@@ -115,9 +106,9 @@ RelationInScene somewhere(const ConditionInScene& condition, const Real& nearest
     RelationInScene result;
     const MarginScan scan(condition, nearest);
     result.places = scan.places().size();
-    if (const MarginAt* most = scan.most()) {
+    if (const Margin* most = scan.most()) {
         result.decisive = *most;
-        const bool holds = most->margin.clear && most->margin.value > 0;
+        const bool holds = most->clear && most->value > 0;
         if (holds) {
             result.where = interval_texts(scan, true);
             result.decision = condition.decide_at(&most->fraction).value_or(Decision());
@@ -131,26 +122,23 @@ RelationInScene somewhere(const ConditionInScene& condition, const Real& nearest
     return result;
 }
 
-bool is_equality(const Relation& r) { return r.op == Relation::Op::equal; }
-
 /// The decision at all of these distances, if it is the same at each.
 Decision same_at_all(const ConditionInScene& condition, const std::vector<Real>& fractions,
                      RelationInScene& result) {
     std::vector<Decision> decisions;
     for (const Real& fraction : fractions) {
-        const auto margin = condition.at(fraction);
+        const auto margin = condition.margin(&fraction);
         if (!margin) {
             continue;
         }
         ++result.places;
         decisions.push_back(condition.decide_at(&fraction).value_or(Decision()));
-        if (margin->clear && (!result.decisive || margin->value < result.decisive->margin.value)) {
-            result.decisive = MarginAt{fraction, *margin};
+        if (margin->clear && (!result.decisive || margin->value < result.decisive->value)) {
+            result.decisive = margin;
         }
     }
-    const bool same =
-        !decisions.empty() && (std::all_of(decisions.begin(), decisions.end(), confirms) ||
-                               std::all_of(decisions.begin(), decisions.end(), refutes));
+    const bool same = !decisions.empty() && (std::ranges::all_of(decisions, confirms) ||
+                                             std::ranges::all_of(decisions, refutes));
     return same ? decisions.back() : Decision();
 }
 
@@ -185,45 +173,40 @@ Condition opposite(const Claim& claim, const Condition& condition) {
         claim.reject("says", "`holds = \"nowhere\"` needs a single inequality",
                      "write a separate claim for each inequality");
     }
+    constexpr std::array negated{Op::greater_equal, Op::greater, Op::less_equal, Op::less};
     Relation r = condition.front();
-    switch (r.op) {
-    case Op::less:
-        r.op = Op::greater_equal;
-        break;
-    case Op::less_equal:
-        r.op = Op::greater;
-        break;
-    case Op::greater:
-        r.op = Op::less_equal;
-        break;
-    default:
-        r.op = Op::less;
-        break;
-    }
+    r.op = negated.at(static_cast<std::size_t>(r.op));
     return {r};
 }
 
-Outcome summed_up(const std::vector<std::pair<std::string, RelationInScene>>& found,
-                  const std::string& holds) {
-    Outcome outcome;
+Outcome summed_up(const std::vector<RelationInScene>& found, const std::string& holds) {
     std::size_t places = 0;
-    std::vector<const std::pair<std::string, RelationInScene>*> failing;
-    std::size_t unclear = 0;
+    std::vector<const RelationInScene*> failing;
     std::vector<Decision> decisions;
-    const std::pair<std::string, RelationInScene>* narrowest = nullptr;
-    for (const auto& f : found) {
-        places += f.second.places;
-        decisions.push_back(f.second.decision);
-        if (refutes(f.second.decision)) {
-            failing.push_back(&f);
-        }
-        unclear += std::holds_alternative<std::monostate>(f.second.decision) ? 1 : 0;
-        if (f.second.decisive &&
-            (narrowest == nullptr ||
-             f.second.decisive->margin.value < narrowest->second.decisive->margin.value)) {
+    const RelationInScene* narrowest = nullptr;
+    std::vector<EvidenceItem> list;
+    for (const RelationInScene& f : found) {
+        places += f.places;
+        decisions.push_back(f.decision);
+        if (f.decisive &&
+            (narrowest == nullptr || f.decisive->value < narrowest->decisive->value)) {
             narrowest = &f;
         }
+        const bool fails = refutes(f.decision);
+        if (fails) {
+            failing.push_back(&f);
+        }
+        if (fails || !f.where.empty()) {
+            Evidence one;
+            one.add("scene", f.scene).add("holds", confirms(f.decision));
+            if (!f.where.empty()) {
+                one.add(fails ? "fails_in" : "holds_in", f.where);
+            }
+            list.emplace_back(std::move(one));
+        }
     }
+    const auto unclear = std::ranges::count_if(decisions, is_open);
+    Outcome outcome;
     outcome.evidence.add("holds", holds)
         .add("scenes", found.size())
         .add("places", places)
@@ -232,23 +215,11 @@ Outcome summed_up(const std::vector<std::pair<std::string, RelationInScene>>& fo
         outcome.evidence.add("scenes_unclear", unclear);
     }
     if (narrowest != nullptr) {
-        outcome.evidence
-            .add("narrowest_margin", value_text(narrowest->second.decisive->margin.value, 12))
-            .add("narrowest_at", narrowest->first);
-        if (narrowest->second.decisive->fraction > 0) {
-            outcome.evidence.add("narrowest_at_u_over_L",
-                                 fraction_text(narrowest->second.decisive->fraction));
-        }
-    }
-    std::vector<EvidenceItem> list;
-    for (const auto& [text, in_scene] : found) {
-        if (refutes(in_scene.decision) || !in_scene.where.empty()) {
-            Evidence one;
-            one.add("scene", text).add("holds", confirms(in_scene.decision));
-            if (!in_scene.where.empty()) {
-                one.add(refutes(in_scene.decision) ? "fails_in" : "holds_in", in_scene.where);
-            }
-            list.emplace_back(std::move(one));
+        const Margin& margin = *narrowest->decisive;
+        outcome.evidence.add("narrowest_margin", value_text(margin.value, 12))
+            .add("narrowest_at", narrowest->scene);
+        if (margin.fraction > 0) {
+            outcome.evidence.add("narrowest_at_u_over_L", fraction_text(margin.fraction));
         }
     }
     if (!list.empty()) {
@@ -258,22 +229,22 @@ Outcome summed_up(const std::vector<std::pair<std::string, RelationInScene>>& fo
     outcome.verdict = Judgement::of_all(decisions);
     if (!failing.empty()) {
         outcome.note = "fails in " + std::to_string(failing.size()) + " of " + of_scenes +
-                       ", as in " + failing.front()->first;
-        if (!failing.front()->second.where.empty()) {
-            outcome.note += " at " + failing.front()->second.where.front();
+                       ", as in " + failing.front()->scene;
+        if (!failing.front()->where.empty()) {
+            outcome.note += " at " + failing.front()->where.front();
         }
     } else if (found.empty() || unclear > 0 || places == 0) {
         outcome.note =
             "the enclosures do not decide in " + std::to_string(unclear) + " of " + of_scenes;
     } else {
-        outcome.note = "holds at " + std::to_string(places) + " places of " + of_scenes +
-                       (holds == "somewhere" ? ", each having some" : "");
-        if (holds == "somewhere") {
-            outcome.note = "each of " + of_scenes + " has such places";
-        }
+        outcome.note = holds == "somewhere"
+                           ? "each of " + of_scenes + " has such places"
+                           : "holds at " + std::to_string(places) + " places of " + of_scenes;
     }
     return outcome;
 }
+
+} // namespace
 
 Outcome check_relation(const Claim& claim, const AuditContext& context) {
     const std::string holds = claim.text_or("holds", "everywhere");
@@ -288,14 +259,14 @@ Outcome check_relation(const Claim& claim, const AuditContext& context) {
     }
     const bool placed = names_a_place(condition.as_printed) || (where && names_a_place(*where));
     const bool has_equality =
-        std::any_of(condition.as_printed.begin(), condition.as_printed.end(), is_equality);
+        std::ranges::count(condition.as_printed, Relation::Op::equal, &Relation::op) > 0;
     // Near the edge, sides that differ by the next term of a series agree to many digits.
     const unsigned digits = context.digits() + (holds == "near-edge" && has_equality ? 50 : 0);
     const PrecisionScope scope(digits + 20);
     const Real nearest = claim.has("nearest")
                              ? formula::Exact::parse(claim.text("nearest")).to<Real>()
                              : pow(Real(10), holds == "near-edge" ? -40 : -10);
-    std::vector<std::pair<std::string, RelationInScene>> found;
+    std::vector<RelationInScene> found;
     std::size_t left_out = 0;
     for (const Sample& sample : context.samples(claim)) {
         const ConditionInScene in_scene(sample, condition, where, digits);
@@ -306,7 +277,8 @@ Outcome check_relation(const Claim& claim, const AuditContext& context) {
         if (result.places == 0) { // `where` admits no place in this scene
             ++left_out;
         } else {
-            found.emplace_back(in_scene.text(), std::move(result));
+            result.scene = in_scene.text();
+            found.push_back(std::move(result));
         }
     }
     Outcome outcome = summed_up(found, holds);
@@ -314,19 +286,6 @@ Outcome check_relation(const Claim& claim, const AuditContext& context) {
         outcome.evidence.add("scenes_left_out", left_out);
     }
     return outcome;
-}
-
-} // namespace
-
-CheckKind relation_kind() {
-    using Type = KeySpec::Type;
-    return {"relation",
-            {{.name = "says", .type = Type::condition, .required = true},
-             {.name = "holds",
-              .type = Type::choice,
-              .choices = {"everywhere", "somewhere", "nowhere", "near-edge"}},
-             {.name = "nearest", .type = Type::number}},
-            check_relation};
 }
 
 } // namespace edgeproof::audit

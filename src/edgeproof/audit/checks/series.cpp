@@ -24,6 +24,20 @@ std::vector<Rational> numbers(const Claim& claim, std::string_view key) {
     return values;
 }
 
+formula::Expr coefficient(contact::Edge edge, std::size_t n) {
+    return formula::Expr::symbol((edge == contact::Edge::right ? "right_c" : "left_c") +
+                                 std::to_string(n));
+}
+
+Rational order_after(std::size_t n) { return Rational(static_cast<long>(n)) + Rational(1, 2); }
+
+/// Returns the scale of the errors of c_n.
+Ball scale_of(const Ball& exact, std::size_t n, const EnclosedSample& at, contact::Edge edge) {
+    return contains_zero(exact)
+               ? abs(at.evaluate(coefficient(edge, 0))) / pow_int(at.length(), static_cast<long>(n))
+               : abs(exact);
+}
+
 /// The result in one scene: the coefficients and orders by enclosures, and fitted residuals as an
 /// illustration.
 struct SeriesInScene {
@@ -36,18 +50,18 @@ struct SeriesInScene {
 
 /// The exact expansion is the sum of c_k u^(k + 1/2) (docs/expansions.md). After n correct terms
 /// the remainder therefore has the order n + 1/2, or a higher one if c_n vanishes.
-void decide_orders(const std::vector<Ball>& exact, const std::vector<Ball>& printed,
-                   const std::vector<Rational>& orders, const Ball& length, double needed,
-                   SeriesInScene& found) {
+void decide_orders(const EnclosedSample& at, contact::Edge edge,
+                   const std::vector<formula::Expr>& terms, const std::vector<Rational>& orders,
+                   double needed, SeriesInScene& found) {
+    Ball leading;
     for (std::size_t n = 0; n < orders.size(); ++n) {
-        const bool term = n < printed.size();
-        const Ball scale = !contains_zero(exact[n])
-                               ? abs(exact[n])
-                               : abs(exact[0]) / pow_int(length, static_cast<long>(n));
-        if (term) {
-            const Decision same =
-                decision(Refutation::disjoint(printed[n], exact[n]),
-                         Confirmation::agreement(printed[n], exact[n], scale, needed));
+        const Ball exact = at.evaluate(coefficient(edge, n));
+        leading = n == 0 ? exact : leading;
+        if (n < terms.size()) {
+            const Ball printed = at.evaluate(terms[n]);
+            const Decision same = decision(
+                Refutation::disjoint(printed, exact),
+                Confirmation::agreement(printed, exact, scale_of(exact, n, at, edge), needed));
             found.decisions.push_back(same);
             if (!confirms(same) && found.problem.empty()) {
                 found.problem =
@@ -55,24 +69,23 @@ void decide_orders(const std::vector<Ball>& exact, const std::vector<Ball>& prin
                                   : "the enclosures do not decide coefficient " + std::to_string(n);
             }
         }
-        found.vanishing += contains_zero(exact[n]) ? 1 : 0;
-        const Rational order = Rational(static_cast<long>(n)) + Rational(1, 2);
-        if (orders[n] == order) {
+        found.vanishing += contains_zero(exact) ? 1 : 0;
+        if (orders[n] == order_after(n)) {
             continue;
         }
         // c_n is proved to differ from zero, so that the remainder has the order n + 1/2.
-        const Ball zero(0, exact[n].bits());
-        found.decisions.push_back(decision(Refutation::disjoint(zero, exact[n]), std::nullopt));
+        found.decisions.push_back(
+            decision(Refutation::disjoint(Ball(0, exact.bits()), exact), std::nullopt));
         if (found.problem.empty()) {
             found.problem = "after " + std::to_string(n) + " terms the remainder is of order u^" +
-                            to_decimal(from_rational<Real>(order), 6) + ", not u^" +
+                            to_decimal(from_rational<Real>(order_after(n)), 6) + ", not u^" +
                             to_decimal(from_rational<Real>(orders[n]), 6);
         }
     }
-    if (printed.empty() && found.decisions.empty()) {
+    if (terms.empty() && found.decisions.empty()) {
         // The leading coefficient is positive, so that the first order is as claimed.
         found.decisions.push_back(
-            decision(std::nullopt, Confirmation::less(Ball(0, exact[0].bits()), abs(exact[0]))));
+            decision(std::nullopt, Confirmation::less(Ball(0, leading.bits()), abs(leading))));
     }
 }
 
@@ -126,18 +139,9 @@ std::vector<DecimalTerm> terms_with_decimals(const Claim& claim) {
 
 void add_equation(const SceneSpec& scene, contact::Edge edge, long bits, DecimalTerm& term) {
     const auto at = std::make_shared<EnclosedSample>(Sample{scene, std::nullopt, edge, {}}, bits);
-    const std::string side = edge == contact::Edge::right ? "right_c" : "left_c";
-    const Ball exact = at->evaluate(formula::Expr::symbol(side + std::to_string(term.n)));
-    const Ball scale = contains_zero(exact) ? abs(at->evaluate(formula::Expr::symbol(side + "0"))) /
-                                                  pow_int(at->length(), static_cast<long>(term.n))
-                                            : abs(exact);
-    term.equations.push_back({[at, e = term.printed.expr()](const Decimals& numbers) {
-                                  for (std::size_t k = 0; k < numbers.size(); ++k) {
-                                      at->set(DecimalFormula::name_of_decimal(k), numbers[k]);
-                                  }
-                                  return at->evaluate(e);
-                              },
-                              exact, scale});
+    const Ball exact = at->evaluate(coefficient(edge, term.n));
+    term.equations.push_back(
+        equation_at(at, term.printed.expr(), exact, scale_of(exact, term.n, *at, edge)));
 }
 
 SeriesInScene series_in(const SceneSpec& scene, contact::Edge edge,
@@ -145,24 +149,13 @@ SeriesInScene series_in(const SceneSpec& scene, contact::Edge edge,
                         const std::vector<Rational>& orders, unsigned digits) {
     SeriesInScene found;
     fit_slopes(scene, edge, terms, orders.size(), digits, found);
-    const std::string side = edge == contact::Edge::right ? "right_c" : "left_c";
     SampleInBalls in_balls({scene, std::nullopt, edge, {}}, digits);
     const SeriesInScene fitted = found;
     static_cast<void>(in_balls.until([&](const EnclosedSample& at) {
-        std::vector<Ball> exact;
-        for (std::size_t n = 0; n < orders.size(); ++n) {
-            exact.push_back(at.evaluate(formula::Expr::symbol(side + std::to_string(n))));
-        }
-        std::vector<Ball> printed;
-        for (const formula::Expr& term : terms) {
-            printed.push_back(at.evaluate(term));
-        }
-        found = fitted;
-        decide_orders(exact, printed, orders, at.length(), AuditContext::digits_needed(digits),
-                      found);
-        return std::none_of(found.decisions.begin(), found.decisions.end(), [](const Decision& d) {
-            return std::holds_alternative<std::monostate>(d);
-        });
+        SeriesInScene here = fitted;
+        decide_orders(at, edge, terms, orders, AuditContext::digits_needed(digits), here);
+        found = std::move(here);
+        return std::ranges::none_of(found.decisions, is_open);
     }));
     if (found.decisions.empty()) {
         found.problem = in_balls.problem();
@@ -172,31 +165,25 @@ SeriesInScene series_in(const SceneSpec& scene, contact::Edge edge,
 
 /// Finds numbers that round to the printed decimals and fit, separately for each coefficient. A
 /// claim with wrong orders, or with further coefficients without decimals, is not decided here.
-Judgement judge_decimal_terms(std::vector<DecimalTerm>& with_decimals,
+Judgement judge_decimal_terms(const std::vector<DecimalTerm>& with_decimals,
                               const std::vector<Rational>& orders, std::size_t terms,
                               unsigned digits, Outcome& outcome) {
     std::vector<Judgement> each;
-    for (DecimalTerm& term : with_decimals) {
-        const std::size_t scenes = term.equations.size();
-        const DecimalFit fit(term.printed.decimals(), std::move(term.equations),
-                             AuditContext::digits_needed(digits),
-                             formula::bits_for(2 * digits + 30));
-        each.push_back(judge_decimals(
-            term.printed.decimals(), fit,
-            [&](const std::vector<Real>& numbers) { return term.printed.text_with(numbers); },
-            scenes, digits, outcome));
+    for (const DecimalTerm& term : with_decimals) {
+        each.push_back(judge_decimals(term.printed, term.equations, digits,
+                                      formula::bits_for(2 * digits + 30), outcome));
         if (each.back() != Verdict::confirmed) {
             return each.back();
         }
     }
-    bool orders_as_expanded = true;
+    bool as_expanded = with_decimals.size() == terms;
     for (std::size_t n = 0; n < orders.size(); ++n) {
-        orders_as_expanded =
-            orders_as_expanded && orders[n] == Rational(static_cast<long>(n)) + Rational(1, 2);
+        as_expanded = as_expanded && orders[n] == order_after(n);
     }
-    return orders_as_expanded && with_decimals.size() == terms ? Judgement::of_readings(each)
-                                                               : Judgement();
+    return as_expanded ? Judgement::of_readings(each) : Judgement();
 }
+
+} // namespace
 
 Outcome check_series(const Claim& claim, const AuditContext& context) {
     const PrecisionScope scope(context.digits() + 20);
@@ -245,8 +232,8 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
             decisions.emplace_back();
         }
         if (here != Verdict::confirmed && ++failing == 1) {
-            outcome.note = found.problem + ", in " + scene.family + ": " + scene.text();
-            outcome.evidence.add("fails_in", scene.family + ": " + scene.text());
+            outcome.note = found.problem + ", in " + full_text(scene);
+            outcome.evidence.add("fails_in", full_text(scene));
             slopes = found.slopes;
         }
         if (slopes.empty()) {
@@ -280,16 +267,6 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
         }
     }
     return outcome;
-}
-
-} // namespace
-
-CheckKind series_kind() {
-    using Type = KeySpec::Type;
-    return {"series",
-            {{.name = "terms", .type = Type::formulas},
-             {.name = "orders", .type = Type::list, .required = true}},
-            check_series};
 }
 
 } // namespace edgeproof::audit

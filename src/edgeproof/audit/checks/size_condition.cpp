@@ -75,6 +75,8 @@ Judgement at_sizes(const SceneSpec& scene, const Condition& condition,
     return holding > 0 && failing > 0 ? Judgement(Undecided::underspecified) : Judgement();
 }
 
+} // namespace
+
 Outcome check_size_condition(const Claim& claim, const AuditContext& context) {
     const std::vector<SceneSpec> scenes = context.scenes(claim);
     const auto& range = claim.list("sizes");
@@ -98,14 +100,8 @@ Outcome check_size_condition(const Claim& claim, const AuditContext& context) {
     };
     const SizeSet set = where(condition);
     Outcome outcome;
-    outcome.evidence.add("size", "the right edge a; all else is given")
-        .add("searched", range[0] + " ... " + range[1])
-        .add("sizes_looked_at", scan.sizes().size());
-    std::vector<std::string> breaks;
-    for (const Float128& a : scan.breaks()) {
-        breaks.push_back(to_text(a));
-    }
-    outcome.evidence.add("edge_on_a_knot_at", breaks).add("holds_for_a", to_text(set));
+    scan.describe(range, outcome.evidence);
+    outcome.evidence.add("holds_for_a", to_text(set));
     outcome.verdict = at_sizes(scenes.front(), condition, scan.sizes(), claim, context);
     const std::string looked_at = " (at " + std::to_string(scan.sizes().size()) + " sizes)";
     if (outcome.verdict == Verdict::confirmed) {
@@ -122,16 +118,6 @@ Outcome check_size_condition(const Claim& claim, const AuditContext& context) {
         outcome.evidence.add("each_holds_for_a", each);
     }
     return outcome;
-}
-
-} // namespace
-
-CheckKind size_condition_kind() {
-    using Type = KeySpec::Type;
-    return {"size-condition",
-            {{.name = "says", .type = Type::condition, .required = true},
-             {.name = "sizes", .type = Type::list, .required = true}},
-            check_size_condition};
 }
 
 } // namespace edgeproof::audit

@@ -1,83 +1,147 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/enclosed_reach.hpp"
-#include "edgeproof/audit/checks/parts/quoted_extent.hpp"
+#include "edgeproof/audit/checks/parts/quoted_figure.hpp"
+#include "edgeproof/audit/checks/parts/size_extents.hpp"
 #include "edgeproof/audit/checks/parts/size_scan.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <functional>
 #include <map>
 
 namespace edgeproof::audit {
 namespace {
 
 constexpr std::size_t reading_count = extent_readings.size();
+constexpr unsigned enclosed_digits = 15;
 
-/// The values of a figure at all sizes, and the sizes for which it holds, under each reading.
-struct Found {
-    std::array<SizeSet, reading_count> holds;
-    std::array<Float128, reading_count> least;
-    std::array<Float128, reading_count> most;
-    std::vector<Float128> breaks;
-    std::vector<Float128> sizes;              ///< the sizes tried
-    std::array<bool, reading_count> steady{}; ///< see at_all_sizes
+/// A quoted extent: the figure, and the quantity that it gives.
+struct QuotedExtent {
+    std::string id;
+    std::string key; ///< everything except the scene on which the figure and its meaning depend
+    ExtentOf of;
+    std::optional<ExtentOf> over; ///< the divisor, if any
+    Rational lower;               ///< the numbers that round to the figure: lower end ...
+    Rational upper;               ///< ... and upper end (excluded)
+    formula::Exact tolerance;
+
+    /// Returns the extent, or the quotient of two extents, of a contact under each reading.
+    [[nodiscard]] ContactsBySize::Fractions in(ContactsBySize::At contact, bool refined) const {
+        ContactsBySize::Fractions x = contact.fractions(of, refined);
+        if (over) {
+            const ContactsBySize::Fractions y = contact.fractions(*over, refined);
+            std::ranges::transform(x, y, x.begin(), std::divides<>());
+        }
+        return x;
+    }
 };
+
+/// Reads the keys of a claim. Throws InputError for values that are not possible.
+QuotedExtent read_quoted_extent(const Claim& claim) {
+    const auto terms = [&](std::string_view key) {
+        const long n = claim.integer(key);
+        if (n < 1 || n > static_cast<long>(ContactsBySize::most_terms)) {
+            claim.reject(key, "an approximation of " + std::to_string(n) + " terms",
+                         "write 1 to 4");
+        }
+        return static_cast<std::size_t>(n);
+    };
+    QuotedExtent q;
+    q.id = claim.id;
+    for (const char* name : {"edge", "terms", "over_terms", "tolerance", "figure", "unit"}) {
+        q.key += "/" + claim.text_or(name, "");
+    }
+    q.tolerance = formula::Exact::parse(claim.text("tolerance"));
+    q.of = {claim.edge(), terms("terms"), q.tolerance.to<Float128>()};
+    if (claim.has("over_terms")) {
+        q.over = ExtentOf{q.of.edge, terms("over_terms"), q.of.tolerance};
+    }
+    const Rational figure = formula::Exact::parse(claim.text("figure")).rational();
+    const Rational half = formula::Exact::parse(claim.text("unit")).rational() / 2;
+    q.lower = figure - half;
+    q.upper = figure + half;
+    if (!(half > 0) || !(q.of.tolerance > 0)) {
+        claim.reject("unit", "a unit or a tolerance that is not positive",
+                     "give both as positive numbers, such as 1/100");
+    }
+    return q;
+}
+
+/// Reads the other claims of this kind that the key `together` names.
+std::vector<QuotedExtent> companion_extents(const Claim& claim, const AuditContext& context) {
+    std::vector<QuotedExtent> all;
+    const auto& claims = context.ledger().claims;
+    for (const std::string& id : claim.has("together") ? claim.list("together") : Field::List()) {
+        const auto it = std::ranges::find_if(claims, [&](const Claim& c) {
+            return c.id == id && c.kind == claim.kind && c.text("over") == claim.text("over");
+        });
+        if (it == claims.end()) {
+            claim.reject("together",
+                         "there is no claim " + id + " of this kind over the same scene",
+                         "name claims of kind size-extent over " + claim.text("over"));
+        }
+        all.push_back(read_quoted_extent(*it));
+    }
+    return all;
+}
+
+/// The values of a figure at all sizes, and the sizes for which it holds, under one reading.
+struct InReading {
+    SizeSet holds;
+    Float128 least;
+    Float128 most;
+    bool steady = false; ///< see is_steady
+};
+using Found = std::array<InReading, reading_count>;
 
 /// True if between neighbours the figure varies by less than its distance from the interval of
 /// numbers that round to the quoted one.
-bool is_steady(const std::vector<Float128>& values, const QuotedExtent& q) {
-    for (std::size_t i = 0; i + 1 < values.size(); ++i) {
-        const Float128 away = std::min(
-            std::max(Float128(q.lower - values[i]), Float128(values[i] - q.upper)),
-            std::max(Float128(q.lower - values[i + 1]), Float128(values[i + 1] - q.upper)));
-        if (!(abs(Float128(values[i + 1] - values[i])) < away)) {
-            return false;
-        }
-    }
-    return true;
+bool is_steady(const std::vector<Float128>& values, const Float128& lower, const Float128& upper) {
+    const auto away = [&](const Float128& x) {
+        return std::max(Float128(lower - x), Float128(x - upper));
+    };
+    return std::ranges::adjacent_find(values, [&](const Float128& x, const Float128& y) {
+               return !(abs(Float128(y - x)) < std::min(away(x), away(y)));
+           }) == values.end();
 }
 
-Found find_sizes(const QuotedExtent& q, const contact::Profile& profile, const formula::Exact& from,
-                 const formula::Exact& to) {
-    const SizeScan scan(profile, from, to);
-    const ContactsBySize contacts(profile);
+Found find_sizes(const QuotedExtent& q, const SizeScan& scan, const ContactsBySize& contacts) {
+    const auto lower = from_rational<Float128>(q.lower);
+    const auto upper = from_rational<Float128>(q.upper);
     std::array<std::vector<Float128>, reading_count> table;
     for (const Float128& a : scan.sizes()) {
-        ContactsBySize::At contact = contacts.at(a);
-        const ContactsBySize::Fractions values = rough_extents_of(q, contact);
+        const ContactsBySize::Fractions values = q.in({contacts, a}, false);
         for (std::size_t r = 0; r < reading_count; ++r) {
             table[r].push_back(values[r]);
         }
     }
     Found found;
     for (std::size_t r = 0; r < reading_count; ++r) {
-        const auto f = [&](const Float128& a) {
-            ContactsBySize::At contact = contacts.at(a);
-            return extents_of(q, contact)[r];
-        };
-        found.holds[r] = scan.between(f, table[r], q.lower, q.upper);
-        found.least[r] = *std::min_element(table[r].begin(), table[r].end());
-        found.most[r] = *std::max_element(table[r].begin(), table[r].end());
-        found.steady[r] = is_steady(table[r], q);
+        const auto f = [&](const Float128& a) { return q.in({contacts, a}, true)[r]; };
+        const auto [least, most] = std::ranges::minmax(table[r]);
+        found[r] = {scan.between(f, table[r], lower, upper), least, most,
+                    is_steady(table[r], lower, upper)};
     }
-    found.breaks = scan.breaks();
-    found.sizes = scan.sizes();
     return found;
 }
 
-constexpr unsigned enclosed_digits = 15;
+using Reaches = std::vector<EnclosedReach>;
 
 /// Computes the proved extents of an approximation at each size, once in a run.
-std::shared_ptr<const std::vector<EnclosedReach>>
-reaches(const ExtentOf& of, const formula::Exact& tolerance, const SceneSpec& scene,
-        const std::vector<Float128>& sizes, const AuditContext& context) {
-    const std::string key = "size-extent/enclosed/" + scene.family + "/" +
-                            (of.edge == contact::Edge::right ? "right/" : "left/") +
-                            std::to_string(of.terms) + "/" + tolerance.text() + "/" +
-                            to_text(sizes.front()) + "/" + to_text(sizes.back());
-    return context.once<std::vector<EnclosedReach>>(key, [&] {
-        std::vector<EnclosedReach> found;
+std::shared_ptr<const Reaches> reaches(const ExtentOf& of, const formula::Exact& tolerance,
+                                       const SceneSpec& scene, const std::vector<Float128>& sizes,
+                                       const AuditContext& context) {
+    const std::string key =
+        fmt::format("size-extent/enclosed/{}/{}/{}/{}/{}/{}", scene.family,
+                    of.edge == contact::Edge::right ? "right" : "left", of.terms, tolerance.text(),
+                    to_text(sizes.front()), to_text(sizes.back()));
+    return context.once<Reaches>(key, [&] {
+        Reaches found;
         for (const Float128& a : sizes) {
             check_interruption();
             found.push_back(enclosed_reach(with_size(scene, a), {of.edge, of.terms, tolerance, {}},
@@ -87,54 +151,38 @@ reaches(const ExtentOf& of, const formula::Exact& tolerance, const SceneSpec& sc
     });
 }
 
-/// The proved extents at every size tried.
-struct QuotedReaches {
-    std::shared_ptr<const std::vector<EnclosedReach>> of;
-    std::shared_ptr<const std::vector<EnclosedReach>> over; ///< null if there is no divisor
-};
-
-/// Decides by enclosures if the figure holds at one size under a reading.
-Decision holds_at(const QuotedExtent& q, const QuotedReaches& reached, std::size_t i,
-                  const SceneSpec& scene, ExtentReading reading) {
-    const auto fraction = [&](const ExtentOf& of, const EnclosedReach& found) {
-        if (!found.extents) {
-            return std::optional<Ball>();
-        }
-        const bool exit = reading == ExtentReading::first_exit_of_side ||
-                          reading == ExtentReading::first_exit_of_all;
-        const EnclosedSample sample({scene, std::nullopt, of.edge, {}}, found.bits);
-        const char* side = of.edge == contact::Edge::right ? "a" : "b";
-        return std::optional(
-            (exit ? found.extents->first_exit : found.extents->measure) /
-            sample.evaluate(formula::Expr::symbol(is_of_side(reading) ? side : "L")));
-    };
-    auto value = fraction(q.of, reached.of->at(i));
-    if (value && q.over) {
-        const auto divisor = fraction(*q.over, reached.over->at(i));
-        value = divisor ? std::optional(*value / *divisor) : std::nullopt;
+/// Returns the proved fraction of a contact under a reading; nothing if there is none.
+std::optional<Ball> fraction(const ExtentOf& of, const EnclosedReach& found, const SceneSpec& scene,
+                             const ExtentReading& reading) {
+    if (!found.extents) {
+        return std::nullopt;
     }
-    if (!value) {
-        return {};
-    }
-    const Rational lower = q.figure - q.unit / 2;
-    const Rational upper = q.figure + q.unit / 2;
-    const auto below = Refutation::less(*value, Ball(lower, value->bits()));
-    return decision(below ? below : Refutation::less(Ball(upper, value->bits()), *value),
-                    Confirmation::within(*value, lower, upper));
+    const EnclosedSample sample({scene, std::nullopt, of.edge, {}}, found.bits);
+    const char* side = of.edge == contact::Edge::right ? "a" : "b";
+    return (reading.first_exit ? found.extents->first_exit : found.extents->measure) /
+           sample.evaluate(formula::Expr::symbol(reading.of_side ? side : "L"));
 }
 
 /// Decides if a figure holds at every size tried, or fails at every one. A finite list of sizes
 /// does not prove more, as the note states. `steady`: see is_steady.
 Judgement at_all_sizes(const QuotedExtent& q, const SceneSpec& scene,
-                       const std::vector<Float128>& sizes, ExtentReading reading, bool steady,
-                       const AuditContext& context) {
-    const QuotedReaches reached{reaches(q.of, q.tolerance, scene, sizes, context),
-                                q.over ? reaches(*q.over, q.tolerance, scene, sizes, context)
-                                       : nullptr};
+                       const std::vector<Float128>& sizes, const ExtentReading& reading,
+                       bool steady, const AuditContext& context) {
+    const auto of = reaches(q.of, q.tolerance, scene, sizes, context);
+    const auto over = q.over ? reaches(*q.over, q.tolerance, scene, sizes, context) : nullptr;
     std::vector<Decision> decisions;
     for (std::size_t i = 0; i < sizes.size(); ++i) {
-        decisions.push_back(holds_at(q, reached, i, with_size(scene, sizes[i]), reading));
-        if (decisions.back().index() == 0 || decisions.back().index() != decisions[0].index() ||
+        const SceneSpec sized = with_size(scene, sizes[i]);
+        auto value = fraction(q.of, of->at(i), sized, reading);
+        const auto divisor = over ? fraction(*q.over, over->at(i), sized, reading) : std::nullopt;
+        if (!value || (over && !divisor)) {
+            return {};
+        }
+        if (divisor) {
+            *value /= *divisor;
+        }
+        decisions.push_back(decide_within(*value, {q.lower, q.upper}));
+        if (is_open(decisions.back()) || decisions.back().index() != decisions[0].index() ||
             (refutes(decisions.back()) && !steady)) {
             return {};
         }
@@ -142,14 +190,10 @@ Judgement at_all_sizes(const QuotedExtent& q, const SceneSpec& scene,
     return Judgement::of_all(decisions);
 }
 
-/// Sizes for which a group of figures holds and no larger group does: "a = 1 ... 2: S39, S40".
-struct Group {
-    std::vector<std::string> ids;
-    SizeSet sizes;
-};
-
-std::vector<Group> largest_groups(const std::vector<QuotedExtent>& figures,
-                                  const std::vector<SizeSet>& holds) {
+/// Returns the sizes for which a group of figures holds and no larger group does, as texts such as
+/// "a = 1 ... 2: S39, S40".
+std::vector<std::string> largest_groups(const std::vector<QuotedExtent>& figures,
+                                        const std::vector<SizeSet>& holds) {
     std::vector<Float128> ends;
     for (const SizeSet& set : holds) {
         for (const SizeInterval& i : set) {
@@ -157,47 +201,39 @@ std::vector<Group> largest_groups(const std::vector<QuotedExtent>& figures,
             ends.push_back(i.to);
         }
     }
-    std::sort(ends.begin(), ends.end());
+    std::ranges::sort(ends);
     std::map<std::vector<std::size_t>, SizeSet> at;
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-        const SizeSet cell{{ends[k], ends[k + 1], false, false}};
+        const SizeInterval cell{ends[k], ends[k + 1], false, false};
         std::vector<std::size_t> group;
         for (std::size_t i = 0; i < holds.size(); ++i) {
-            if (!intersection(cell, holds[i]).empty()) {
+            if (!intersection({cell}, holds[i]).empty()) {
                 group.push_back(i);
             }
         }
         if (group.size() > 1) {
-            SizeSet& sizes = at[group];
-            sizes.push_back(cell.front());
+            at[group].push_back(cell);
         }
     }
-    std::vector<Group> largest;
+    std::vector<std::string> largest;
     for (const auto& found : at) {
         const std::vector<std::size_t>& group = found.first; // a lambda cannot capture a binding
-        const bool within_another = std::any_of(at.begin(), at.end(), [&](const auto& other) {
-            return other.first.size() > group.size() &&
-                   std::includes(other.first.begin(), other.first.end(), group.begin(),
-                                 group.end());
+        const bool within_another = std::ranges::any_of(at, [&](const auto& other) {
+            return other.first.size() > group.size() && std::ranges::includes(other.first, group);
         });
         if (!within_another) {
-            Group g{{}, found.second};
+            std::vector<std::string> ids;
             for (const std::size_t i : group) {
-                g.ids.push_back(figures[i].id);
+                ids.push_back(figures[i].id);
             }
-            largest.push_back(std::move(g));
+            largest.push_back(
+                fmt::format("a = {}: {}", to_text(found.second, 8), fmt::join(ids, ", ")));
         }
     }
     return largest;
 }
 
-std::string joined(const std::vector<std::string>& parts) {
-    std::string text;
-    for (const std::string& part : parts) {
-        text += (text.empty() ? "" : ", ") + part;
-    }
-    return text;
-}
+} // namespace
 
 Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
     const std::vector<SceneSpec> scenes = context.scenes(claim);
@@ -217,32 +253,27 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
             claim.reject("sizes", error.problem(), error.instead());
         }
     };
-    const contact::Profile profile = scenes.front().make_profile();
+    const SceneSpec& scene = scenes.front();
+    const contact::Profile profile = scene.make_profile();
     const formula::Exact from = size(range[0]);
     const formula::Exact to = size(range[1]);
-    const auto sizes_of = [&](const QuotedExtent& q) {
-        return context.once<Found>("size-extent/" + scenes.front().family + "/" + range[0] + "/" +
-                                       range[1] + q.key,
-                                   [&] { return find_sizes(q, profile, from, to); });
-    };
     const QuotedExtent quoted = read_quoted_extent(claim);
+    const SizeScan scan(profile, from, to);
+    const ContactsBySize contacts(profile);
+    const auto sizes_of = [&](const QuotedExtent& q) {
+        return context.once<Found>("size-extent/" + scene.family + "/" + range[0] + "/" + range[1] +
+                                       q.key,
+                                   [&] { return find_sizes(q, scan, contacts); });
+    };
     const auto found = sizes_of(quoted);
     const std::vector<QuotedExtent> figures = companion_extents(claim, context);
     std::vector<std::shared_ptr<const Found>> of_figures;
-    of_figures.reserve(figures.size());
     for (const QuotedExtent& q : figures) {
         of_figures.push_back(sizes_of(q));
     }
 
     Outcome outcome;
-    outcome.evidence.add("size", "the right edge a; all else is given")
-        .add("searched", range[0] + " ... " + range[1])
-        .add("sizes_looked_at", found->sizes.size());
-    std::vector<std::string> breaks;
-    for (const Float128& a : found->breaks) {
-        breaks.push_back(to_text(a, 12));
-    }
-    outcome.evidence.add("edge_on_a_knot_at", breaks);
+    scan.describe(range, outcome.evidence);
     const bool of_side = claim.text("base") == "side";
     std::size_t looked = 0;
     std::size_t some = 0;
@@ -251,55 +282,47 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
     bool jointly = false;
     std::string fitting;
     for (std::size_t r = 0; r < reading_count; ++r) {
-        const SizeSet& holds = found->holds[r];
+        const ExtentReading& reading = extent_readings[r];
+        const auto& [holds, least, most, steady] = (*found)[r];
         Evidence one;
-        one.add("least", to_text(found->least[r], 6)).add("most", to_text(found->most[r], 6));
-        one.add("holds_for_a", to_text(holds));
+        one.add("least", to_text(least, 6))
+            .add("most", to_text(most, 6))
+            .add("holds_for_a", to_text(holds));
         SizeSet all;
         std::vector<SizeSet> sets;
-        for (std::size_t i = 0; i < figures.size(); ++i) {
-            sets.push_back(of_figures[i]->holds[r]);
-            all = i == 0 ? sets.back() : intersection(all, sets.back());
+        for (const auto& figure : of_figures) {
+            sets.push_back((*figure)[r].holds);
+            all = sets.size() == 1 ? sets.back() : intersection(all, sets.back());
         }
         if (!figures.empty()) {
-            one.add("all_hold_for_a", to_text(all));
-            std::vector<std::string> groups;
-            for (const Group& group : largest_groups(figures, sets)) {
-                groups.push_back("a = " + to_text(group.sizes, 8) + ": " + joined(group.ids));
-            }
-            one.add("together", groups);
+            one.add("all_hold_for_a", to_text(all)).add("together", largest_groups(figures, sets));
         }
-        outcome.evidence.add(text_of(extent_readings[r]), one);
-        if (is_of_side(extent_readings[r]) != of_side) {
+        outcome.evidence.add(reading.text, one);
+        if (reading.of_side != of_side) {
             continue;
         }
         ++looked;
         some += holds.empty() ? 0 : 1;
         if (is_everything(holds) || holds.empty()) {
             (holds.empty() ? nowhere : everywhere)
-                .push_back(at_all_sizes(quoted, scenes.front(), found->sizes, extent_readings[r],
-                                        found->steady[r], context));
+                .push_back(at_all_sizes(quoted, scene, scan.sizes(), reading, steady, context));
         }
         jointly = jointly || !all.empty();
         if (fitting.empty() && !holds.empty()) {
             fitting = "a = " + to_text(holds, 4);
         }
     }
+    const std::string at_sizes = " (at " + std::to_string(scan.sizes().size()) + " sizes)";
     if (some == 0) {
         outcome.verdict = Judgement::of_readings(nowhere);
-        outcome.note = "it rounds to this at no size of the contact (at " +
-                       std::to_string(found->sizes.size()) + " sizes)";
+        outcome.note = "it rounds to this at no size of the contact" + at_sizes;
     } else if (everywhere.size() == looked) {
         outcome.verdict = Judgement::of_readings(everywhere);
-        outcome.note = "the size is not given, and it rounds to this at every size (at " +
-                       std::to_string(found->sizes.size()) + " sizes)";
-    } else if (!everywhere.empty()) {
-        // It holds under some readings; under the others it holds for some sizes only.
+        outcome.note = "the size is not given, and it rounds to this at every size" + at_sizes;
+    } else {
+        // Under the other readings it holds for some sizes only.
         everywhere.emplace_back(Undecided::underspecified);
         outcome.verdict = Judgement::of_readings(everywhere);
-        outcome.note = "the size is not given; it would hold for " + fitting;
-    } else {
-        outcome.verdict = Undecided::underspecified;
         outcome.note = "the size is not given; it would hold for " + fitting;
     }
     if (!figures.empty()) {
@@ -307,22 +330,6 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
                                 : "; there is no size at which all figures hold together";
     }
     return outcome;
-}
-
-} // namespace
-
-CheckKind size_extent_kind() {
-    using Type = KeySpec::Type;
-    return {std::string_view(size_extent_kind_name),
-            {{.name = "figure", .type = Type::number, .required = true},
-             {.name = "unit", .type = Type::number, .required = true},
-             {.name = "tolerance", .type = Type::number, .required = true},
-             {.name = "terms", .type = Type::integer, .required = true},
-             {.name = "over_terms", .type = Type::integer},
-             {.name = "base", .type = Type::choice, .required = true, .choices = {"side", "whole"}},
-             {.name = "sizes", .type = Type::list, .required = true},
-             {.name = "together", .type = Type::list}},
-            check_size_extent};
 }
 
 } // namespace edgeproof::audit

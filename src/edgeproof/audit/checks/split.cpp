@@ -107,11 +107,12 @@ private:
     std::vector<Ball> second_;            ///< the integrals from the cut to 1
 };
 
+} // namespace
+
 /// Checks that the terms with the cut cancel between the two parts of an integral.
 Outcome check_split(const Claim& claim, const AuditContext& context) {
     const SymbolicCase under = symbolic_case(claim, context);
-    const contact::Edge edge = claim.edge();
-    const ExpansionIn in{claim.text("small"), edge,
+    const ExpansionIn in{claim.text("small"), claim.edge(),
                          formula::Exact::parse(claim.text("through")).rational()};
     const std::string variable = claim.text("variable");
     const Splitting splitting(claim, context);
@@ -124,27 +125,19 @@ Outcome check_split(const Claim& claim, const AuditContext& context) {
         .add("samples", splitting.samples())
         .add("order_of_what_is_left", order_text(left.least(), 3))
         .add("worst_at", splitting.text(left.worst));
-    if (claim.has("as_if")) {
-        Evidence hypotheses;
-        for (std::size_t i = 0; i < claim.table("as_if").size(); ++i) {
-            const std::string& text = claim.table("as_if")[i].first;
-            const formula::Expr& other = claim.formulas("as_if")[i];
-            std::string found;
-            try {
-                const Left with = splitting.left(cut_terms(other, variable, in, under));
-                const Ball& order = with.least();
-                found =
-                    "the remainder is of order " + order_text(order, 3) + ": " +
-                    (certainly_less(Ball(cancelled, order.bits()), order) ? "the terms cancel"
-                                                                          : "they do not cancel");
-            } catch (const DomainError&) {
-                found = "its terms are not integrable up to 1: those of the cut grow without "
-                        "bound, and the second part is bounded and cannot cancel them";
-            }
-            hypotheses.add(text, found);
+    const auto hypothesis = [&](const formula::Expr& other) -> std::string {
+        try {
+            const Left with = splitting.left(cut_terms(other, variable, in, under));
+            const Ball& order = with.least();
+            return "the remainder is of order " + order_text(order, 3) + ": " +
+                   (certainly_less(Ball(cancelled, order.bits()), order) ? "the terms cancel"
+                                                                         : "they do not cancel");
+        } catch (const DomainError&) {
+            return "its terms are not integrable up to 1: those of the cut grow without bound, "
+                   "and the second part is bounded and cannot cancel them";
         }
-        outcome.evidence.add("as_if", std::move(hypotheses));
-    }
+    };
+    add_hypotheses(claim, hypothesis, outcome.evidence);
     std::vector<Decision> decisions;
     for (const Ball& order : left.orders) {
         const auto ball = [&](const Rational& q) { return Ball(q, order.bits()); };
@@ -160,20 +153,6 @@ Outcome check_split(const Claim& claim, const AuditContext& context) {
                        ? "terms of order " + order + " are left"
                        : "the remainder is of order " + order + ", which does not decide";
     return outcome;
-}
-
-} // namespace
-
-CheckKind split_kind() {
-    using Type = KeySpec::Type;
-    return {"split",
-            {required_formula("of"),
-             {.name = "variable", .required = true},
-             {.name = "small", .required = true},
-             {.name = "through", .type = Type::number, .required = true},
-             {.name = "as_if", .type = Type::formula_table},
-             {.name = "given", .type = Type::formula_table}},
-            check_split};
 }
 
 } // namespace edgeproof::audit

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/diagnosis/diagnosis.hpp"
-#include "edgeproof/formula/expr.hpp"
+#include "edgeproof/audit/diagnosis/least_squares.hpp"
+#include "edgeproof/contact/enclosure/exact_contact.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -162,36 +164,14 @@ EditAlphabet alphabet_for(const Claim& claim, const formula::Expr& printed,
 
 namespace {
 
-/// Returns the simplest fraction of moderate size within a relative distance 10^-digits of x > 0.
+/// Returns the fraction of moderate size within a relative distance 10^-digits of x > 0. Two such
+/// fractions differ by more.
 std::optional<Rational> simple_fraction(const Real& x, unsigned digits) {
-    const Real tolerance = pow(Real(10), -static_cast<int>(digits));
-    Integer p0(0);
-    Integer q0(1);
-    Integer p1(1);
-    Integer q1(0);
-    Real rest = x;
-    for (int k = 0; k < 30; ++k) {
-        const Real whole = floor(rest);
-        const Integer n = whole.convert_to<Integer>();
-        const Integer p2 = n * p1 + p0;
-        const Integer q2 = n * q1 + q0;
-        if (p2 > 1000000 || q2 > 1000000) {
-            return std::nullopt;
-        }
-        p0 = p1;
-        q0 = q1;
-        p1 = p2;
-        q1 = q2;
-        const Rational fraction(p1, q1);
-        if (fraction > 0 && abs(from_rational<Real>(fraction) / x - 1) < tolerance) {
-            return fraction;
-        }
-        if (rest == whole) {
-            return std::nullopt;
-        }
-        rest = 1 / (rest - whole);
-    }
-    return std::nullopt;
+    constexpr long most = 1'000'000;
+    const Real tolerance = x * pow(Real(10), -static_cast<int>(digits));
+    const auto q =
+        contact::simplest_rational(Ball::around(x, tolerance, formula::bits_for(digits + 10)));
+    return q && numerator(*q) <= most && denominator(*q) <= most ? q : std::nullopt;
 }
 
 formula::Expr power_of(const formula::Expr& base, const Rational& k) {
@@ -222,51 +202,6 @@ std::optional<formula::Expr> simple_constant(const Real& x, unsigned digits) {
         }
     }
     return std::nullopt;
-}
-
-/// Solves the least-squares problem by Gaussian elimination of the normal equations with full
-/// pivoting. Columns that the samples cannot distinguish get 0.
-std::vector<double> solve_exponents(const std::vector<std::vector<double>>& rows,
-                                    const std::vector<double>& right) {
-    const std::size_t n = rows.front().size();
-    std::vector<std::vector<double>> m(n, std::vector<double>(n + 1, 0.0));
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-        for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t j = 0; j < n; ++j) {
-                m[i][j] += rows[r][i] * rows[r][j];
-            }
-            m[i][n] += rows[r][i] * right[r];
-        }
-    }
-    std::vector<std::size_t> pivots;
-    std::vector<bool> used(n, false);
-    for (std::size_t step = 0; step < n; ++step) {
-        std::size_t best = n;
-        for (std::size_t i = 0; i < n; ++i) {
-            if (!used[i] && (best == n || m[i][i] > m[best][best])) {
-                best = i;
-            }
-        }
-        if (m[best][best] < 1e-7) {
-            break;
-        }
-        used[best] = true;
-        pivots.push_back(best);
-        for (std::size_t i = 0; i < n; ++i) {
-            if (i == best) {
-                continue;
-            }
-            const double f = m[i][best] / m[best][best];
-            for (std::size_t j = 0; j <= n; ++j) {
-                m[i][j] -= f * m[best][j];
-            }
-        }
-    }
-    std::vector<double> k(n, 0.0);
-    for (const std::size_t i : pivots) {
-        k[i] = m[i][n] / m[i][i];
-    }
-    return k;
 }
 
 } // namespace
@@ -301,11 +236,12 @@ std::optional<formula::Expr> recognise_ratio(const std::vector<RatioSample>& sam
         rows.push_back(std::move(row));
         right.push_back(log(Real(s.ratio * sign)).convert_to<double>());
     }
-    const std::vector<double> exponents = solve_exponents(rows, right);
+    const auto exponents = least_squares(rows, right, 0.0, 1e-7);
     std::vector<Rational> k;
     for (std::size_t i = 1; i < exponents.size(); ++i) {
-        const double quarters = std::round(exponents[i] * 4);
-        if (std::abs(quarters) > 80 || std::abs(exponents[i] * 4 - quarters) > 1e-2) {
+        const double exponent = exponents[i].value_or(0.0);
+        const double quarters = std::round(exponent * 4);
+        if (std::abs(quarters) > 80 || std::abs(exponent * 4 - quarters) > 1e-2) {
             return std::nullopt;
         }
         k.emplace_back(static_cast<long>(quarters), 4L);

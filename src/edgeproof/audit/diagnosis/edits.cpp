@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/diagnosis/edits.hpp"
+#include "edgeproof/audit/diagnosis/diagnosis.hpp"
 
 #include <algorithm>
 #include <array>
@@ -80,16 +80,8 @@ private:
             put(node_.arg(0), "sign", 1);
             break;
         case Kind::add:
-            put(node_.arg(0) - node_.arg(1), "sign", 1);
-            put(node_.arg(0), "term too many", 3);
-            put(node_.arg(1), "term too many", 3);
-            bracket();
-            break;
         case Kind::sub:
-            put(node_.arg(0) + node_.arg(1), "sign", 1);
-            put(node_.arg(0), "term too many", 3);
-            put(-node_.arg(1), "term too many", 3);
-            bracket();
+            sum(node_.arg(0), node_.arg(1), node_.kind() == Kind::add);
             break;
         case Kind::mul:
             put(node_.arg(0), "factor too many", 1);
@@ -173,11 +165,12 @@ private:
         }
     }
 
-    void bracket() {
+    void sum(const formula::Expr& x, const formula::Expr& y, bool plus) {
+        put(plus ? x - y : x + y, "sign", 1);
+        put(x, "term too many", 3);
+        put(plus ? y : -y, "term too many", 3);
         // -(x + y) for -x + y: the sign applies to the first term only, or to both.
-        const formula::Expr& x = node_.arg(0);
-        const formula::Expr& y = node_.arg(1);
-        put(node_.kind() == Kind::add ? -x + y : -x - y, "sign", 1);
+        put(plus ? -x + y : -x - y, "sign", 1);
     }
 
     void call() {

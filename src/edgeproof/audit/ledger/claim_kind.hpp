@@ -30,14 +30,6 @@ struct KeySpec {
     std::vector<std::string_view> choices = {};
 };
 
-[[nodiscard]] inline KeySpec required_formula(std::string_view name) {
-    return {.name = name, .type = KeySpec::Type::formula, .required = true};
-}
-
-[[nodiscard]] inline KeySpec optional_formula(std::string_view name) {
-    return {.name = name, .type = KeySpec::Type::formula};
-}
-
 /// A kind of claim, defined in one file of checks/.
 struct CheckKind {
     std::string_view name;

@@ -77,6 +77,10 @@ using Decision = std::variant<std::monostate, Confirmation, Refutation>;
 [[nodiscard]] inline bool refutes(const Decision& d) {
     return std::holds_alternative<Refutation>(d);
 }
+/// True if the enclosures decide nothing.
+[[nodiscard]] inline bool is_open(const Decision& d) {
+    return std::holds_alternative<std::monostate>(d);
+}
 /// Returns the refutation if there is one, else the confirmation if there is one, else nothing.
 [[nodiscard]] Decision decision(const std::optional<Refutation>& fails,
                                 const std::optional<Confirmation>& holds);

@@ -11,208 +11,73 @@
 namespace edgeproof::audit {
 namespace {
 
+constexpr unsigned most_fitted_digits = 100; ///< for numbers in place of decimals
+constexpr std::size_t most_with_integrals = 8;
+constexpr unsigned screening_digits = 10;
+constexpr std::size_t most_screening_samples = 4;
+
 bool symmetric_family(const Ledger& ledger, const Family& family) {
     if (!family.union_of.empty()) {
-        return std::all_of(
-            family.union_of.begin(), family.union_of.end(),
-            [&](const std::string& f) { return symmetric_family(ledger, ledger.family(f)); });
+        return std::ranges::all_of(family.union_of, [&](const std::string& member) {
+            return symmetric_family(ledger, ledger.family(member));
+        });
     }
     return family.profile == "power-law" || family.profile == "flat-and-rounded" ||
            family.profile == "piecewise-symmetric";
 }
 
-/// Recognises printed/exact from all samples, and adds its range to the evidence.
-std::optional<formula::Expr> ratio_by_samples(const Agreement& agreement,
-                                              const EvaluatedSamples& samples_at,
-                                              Evidence& evidence) {
-    std::vector<RatioSample> samples;
-    const PrecisionScope scope(30);
-    for (std::size_t i = 0; i < agreement.samples_at.size(); ++i) {
-        const ValuePair* s = agreement.samples_at[i].values();
-        if (s == nullptr || s->exact == 0) {
-            continue;
-        }
-        const EvaluatedSample& sample_at = samples_at.all()[i];
-        Variables parameters = sample_at.variables;
-        for (const auto& [name, value] : sample_at.scene_values->spec().parameters) {
-            parameters.emplace(name, sample_at.scene_values->parameter(name));
-        }
-        if (sample_at.scene_values->b() != sample_at.scene_values->a()) {
-            parameters.emplace("b", sample_at.scene_values->b());
-            parameters.emplace("L", sample_at.scene_values->length());
-        }
-        samples.push_back({std::move(parameters), at_working_precision(s->printed / s->exact)});
+} // namespace
+
+std::vector<std::pair<std::string, formula::Expr>> named_formulas(const Claim& claim,
+                                                                  std::string_view key) {
+    std::vector<std::pair<std::string, formula::Expr>> named;
+    const Field* field = claim.find(key);
+    for (std::size_t i = 0; field != nullptr && i < claim.formulas(key).size(); ++i) {
+        const auto* list = std::get_if<Field::List>(&field->value);
+        named.emplace_back(list != nullptr ? list->at(i) : claim.table(key)[i].first,
+                           claim.formulas(key)[i]);
     }
-    if (samples.empty()) {
-        return std::nullopt;
-    }
-    const auto [least, most] = std::minmax_element(
-        samples.begin(), samples.end(),
-        [](const RatioSample& x, const RatioSample& y) { return x.ratio < y.ratio; });
-    evidence.add("ratio_range", std::vector<std::string>{value_text(least->ratio, 12),
-                                                         value_text(most->ratio, 12)});
-    auto ratio = recognise_ratio(samples, 20);
-    if (ratio) {
-        ratio = substitute(*ratio, "L", formula::Expr::symbol("a") + formula::Expr::symbol("b"));
-        evidence.add("ratio", to_text(*ratio));
-        evidence.add("ratio_tex", to_tex(*ratio));
-    }
-    return ratio;
+    return named;
 }
 
-} // namespace
+void add_hypotheses(const Claim& claim,
+                    const std::function<std::string(const formula::Expr&)>& finding,
+                    Evidence& evidence) {
+    Evidence hypotheses;
+    for (const auto& [text, other] : named_formulas(claim, "as_if")) {
+        hypotheses.add(text, finding(other));
+    }
+    if (claim.has("as_if")) {
+        evidence.add("as_if", std::move(hypotheses));
+    }
+}
 
 SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context) {
     SymbolicCase under;
     under.symmetric =
         claim.has("over") &&
         symmetric_family(context.ledger(), context.ledger().family(claim.text("over")));
-    if (claim.has("given")) {
-        for (std::size_t i = 0; i < claim.table("given").size(); ++i) {
-            const std::string& name = claim.table("given")[i].first;
-            if (name != "P" && name != "b") {
-                claim.reject("given", "given contains " + name + ", from which nothing is derived",
-                             "write given = { P = \"...\", b = \"...\" }, formulas in a");
-            }
-            (name == "P" ? under.P : under.b) = claim.formulas("given")[i];
+    for (const auto& [name, formula] : named_formulas(claim, "given")) {
+        if (name != "P" && name != "b") {
+            claim.reject("given", "given contains " + name + ", from which nothing is derived",
+                         "write given = { P = \"...\", b = \"...\" }, formulas in a");
         }
+        (name == "P" ? under.P : under.b) = formula;
     }
     return under;
 }
 
-void report_agreement(const Agreement& agreement, const EvaluatedSamples& samples_at,
-                      unsigned digits, Evidence& evidence) {
-    evidence.add("samples", samples_at.all().size()).add("scenes", samples_at.scenes());
-    if (samples_at.left_out() > 0) {
-        evidence.add("samples_left_out", samples_at.left_out());
-    }
-    if (agreement.samples_at.empty()) {
-        return;
-    }
-    const SampleAgreement& worst = agreement.samples_at[agreement.worst];
-    evidence.add("digits", digits_text(std::min(worst.digits(), static_cast<double>(digits))));
-    evidence.add("worst_at", samples_at.all()[agreement.worst].text);
-    const ValuePair* values = worst.values();
-    if (values == nullptr) {
-        evidence.add(worst.no_value() != nullptr ? "no_value" : "limit", worst.problem());
-        return;
-    }
-    const unsigned shown = worst.digits() > 12 ? digits : 20;
-    // If only roundoff is left of a zero, no digit is right.
-    const auto text = [&](const Real& value) {
-        return value != 0 && abs(value) <= values->error
-                   ? "0 +- " + bound_text(values->error) + " (estimate)"
-                   : value_text(value, shown);
-    };
-    evidence.add("printed_there", text(values->printed));
-    evidence.add("exact_there", text(values->exact));
-}
-
-namespace {
-
-constexpr unsigned most_fitted_digits = 100; ///< for numbers in place of decimals
-constexpr std::size_t most_with_integrals = 8;
-
-/// Returns one equation for each sample; none if a sample has no enclosure.
-std::vector<DecimalEquation> equations_at(const DecimalFormula& printed,
-                                          const EvaluatedSamples& samples_at,
-                                          const formula::Expr& exact,
-                                          const std::optional<formula::Expr>& scale, long bits,
-                                          unsigned digits) {
-    std::size_t most = samples_at.all().size();
-    if (has_binder(printed.expr()) || has_binder(exact)) {
-        most = std::min(most, most_with_integrals);
-    }
-    std::vector<DecimalEquation> equations;
-    std::vector<std::size_t> order = spread_first(samples_at.all().size(), most);
-    order.resize(most);
-    for (const std::size_t i : order) {
-        const auto sample =
-            std::make_shared<EnclosedSample>(samples_at.all()[i].sample, bits, digits + 15);
-        const Ball target = sample->evaluate(exact);
-        const Ball size = scale                   ? abs(sample->evaluate(*scale))
-                          : contains_zero(target) ? scale_of_terms(printed.as_printed(), *sample)
-                                                  : abs(target);
-        equations.push_back({[sample, e = printed.expr()](const Decimals& numbers) {
-                                 for (std::size_t k = 0; k < numbers.size(); ++k) {
-                                     sample->set(DecimalFormula::name_of_decimal(k), numbers[k]);
-                                 }
-                                 return sample->evaluate(e);
-                             },
-                             target, size});
-    }
-    return equations;
-}
-
-Judgement judge_fit(const DecimalFormula& printed, const EvaluatedSamples& samples_at,
-                    const formula::Expr& exact, const std::optional<formula::Expr>& scale,
-                    unsigned digits, Outcome& outcome) {
-    const unsigned fitted = std::min(digits, most_fitted_digits);
-    const long bits = formula::bits_for(2 * fitted + 30);
-    try {
-        const auto equations = equations_at(printed, samples_at, exact, scale, bits, fitted);
-        const std::size_t comparisons = equations.size();
-        const DecimalFit fit(printed.decimals(), equations, AuditContext::digits_needed(fitted),
-                             bits);
-        return judge_decimals(
-            printed.decimals(), fit,
-            [&](const std::vector<Real>& numbers) { return printed.text_with(numbers); },
-            comparisons, fitted, outcome);
-    } catch (const Error& error) {
-        outcome.note = std::string("no enclosure: ") + error.what();
-        return {};
-    }
-}
-
-} // namespace
-
-Judgement judge_formula(const Claim& claim, EvaluatedSamples& samples_at,
-                        const Agreement& agreement, const formula::Expr& exact,
-                        const std::optional<formula::Expr>& scale, unsigned digits,
-                        Outcome& outcome) {
-    const PrintedFormula printed = printed_formula(claim);
-    if (const auto* with_decimals = std::get_if<DecimalFormula>(&printed)) {
-        Outcome as_printed;
-        const Decision found = compare_by_enclosures(
-            agreement, samples_at, {with_decimals->as_printed(), exact, scale}, digits, as_printed);
-        if (const auto* holds = std::get_if<Confirmation>(&found)) {
-            outcome.evidence.add("enclosures", *as_printed.evidence.find("enclosures"));
-            return Judgement(*holds);
-        }
-        return judge_fit(*with_decimals, samples_at, exact, scale, digits, outcome);
-    }
-    return judge_by_enclosures(agreement, samples_at, std::get<ExactFormula>(printed), exact, scale,
-                               digits, outcome);
-}
-
-bool confirmed_at_samples(EvaluatedSamples& samples_at, const formula::Expr& made,
-                          const formula::Expr& exact, const std::optional<formula::Expr>& scale,
-                          unsigned digits) {
-    Outcome ignored;
-    const Agreement agreement = samples_at.compare(made, exact, scale);
-    return agreement.to(AuditContext::digits_needed(digits)) &&
-           confirms(
-               compare_by_enclosures(agreement, samples_at, {made, exact, scale}, digits, ignored));
-}
-
-RefutedFormula refuted_by_samples(const Claim& claim, const Agreement& agreement,
-                                  const EvaluatedSamples& samples_at, Evidence& evidence) {
-    RefutedFormula refuted;
-    refuted.printed = claim.written("says");
-    refuted.exact = claim.written("of");
-    refuted.alphabet = alphabet_for(claim, refuted.printed, claim.written("of"),
-                                    &samples_at.all().front().sample.scene);
-    refuted.ratio = ratio_by_samples(agreement, samples_at, evidence);
-    return refuted;
-}
-
-QuickSamples::QuickSamples(const Claim& claim, const AuditContext& context,
-                           const formula::Expr& exact)
-    : claim_(claim),
-      samples_at_(EvaluatedSamples::of(claim, context, digits, most_samples, Effort::screening)) {
-    for (std::size_t i = 0; i < samples_at_->all().size(); ++i) {
+Screening::Screening(const Claim& claim, const AuditContext& context, const formula::Expr& exact)
+    : claim_(claim), digits_(screening_digits + 10) {
+    const PrecisionScope scope(digits_);
+    tolerance_ = pow(Real(10), -static_cast<int>(screening_digits - 2));
+    const auto samples_at = EvaluatedSamples::of(claim, context, screening_digits,
+                                                 most_screening_samples, Effort::screening);
+    for (std::size_t i = 0; i < samples_at->all().size(); ++i) {
         try {
-            targets_.emplace_back(i, samples_at_->known(exact, i).value);
+            add_point(
+                [samples_at, i](const formula::Expr& e) { return samples_at->value(e, i).value; },
+                samples_at->known(exact, i).value);
         } catch (const DomainError&) {
             continue;
         } catch (const BudgetError&) {
@@ -221,18 +86,163 @@ QuickSamples::QuickSamples(const Claim& claim, const AuditContext& context,
     }
 }
 
-bool QuickSamples::passes_screening(const formula::Expr& written) {
-    if (targets_.empty()) {
-        return false;
-    }
+bool Screening::operator()(const formula::Expr& written) const {
     const formula::Expr e = expand_definitions(written, claim_.vocabulary);
-    const PrecisionScope scope(digits + 10);
-    const Real tolerance = pow(Real(10), -static_cast<int>(digits - 2));
-    return std::all_of(targets_.begin(), targets_.end(), [&](const auto& target) {
-        const auto& [i, exact] = target;
-        const Real value = samples_at_->value(e, i).value;
-        return abs(value - exact) <= tolerance * abs(exact);
+    const PrecisionScope scope(digits_);
+    return !points_.empty() && std::ranges::all_of(points_, [&](const auto& point) {
+        const auto& [evaluation, exact] = point;
+        return abs(evaluation(e) - exact) <= tolerance_ * abs(exact);
     });
+}
+
+FormulaComparison::FormulaComparison(const Claim& claim, const AuditContext& context,
+                                     unsigned digits, std::size_t most)
+    : claim_(claim), printed_(printed_formula(claim)), exact_(claim.formula("of")), digits_(digits),
+      samples_at_(EvaluatedSamples::of(claim, context, digits, most)) {
+    if (claim.has("scale")) {
+        scale_ = claim.formula("scale");
+    }
+    agreement_ = samples_at_->compare(claim.formula("says"), exact_, scale_);
+}
+
+void FormulaComparison::report(Evidence& evidence) const {
+    const std::vector<EvaluatedSample>& all = samples_at_->all();
+    evidence.add("samples", all.size()).add("scenes", samples_at_->scenes());
+    if (samples_at_->left_out() > 0) {
+        evidence.add("samples_left_out", samples_at_->left_out());
+    }
+    if (all.empty()) {
+        return;
+    }
+    const SampleAgreement& worst = agreement_.samples_at[agreement_.worst];
+    evidence.add("digits", digits_text(std::min(worst.digits(), static_cast<double>(digits_))))
+        .add("worst_at", all[agreement_.worst].text);
+    const ValuePair* values = worst.values();
+    if (values == nullptr) {
+        evidence.add(worst.no_value() != nullptr ? "no_value" : "limit", worst.problem());
+        return;
+    }
+    const unsigned shown = worst.digits() > 12 ? digits_ : 20;
+    // If only roundoff is left of a zero, no digit is right.
+    const auto text = [&](const Real& value) {
+        return value != 0 && abs(value) <= values->error
+                   ? "0 +- " + bound_text(values->error) + " (estimate)"
+                   : value_text(value, shown);
+    };
+    evidence.add("printed_there", text(values->printed)).add("exact_there", text(values->exact));
+}
+
+/// One equation for each sample. Undecided if a sample has no enclosure.
+Judgement FormulaComparison::by_decimals(const DecimalFormula& printed, Outcome& outcome) const {
+    const unsigned digits = std::min(digits_, most_fitted_digits);
+    const long bits = formula::bits_for(2 * digits + 30);
+    const bool integrals = has_binder(printed.expr()) || has_binder(exact_);
+    const std::size_t most = std::min(samples(), integrals ? most_with_integrals : samples());
+    std::vector<std::size_t> order = spread_first(samples(), most);
+    order.resize(most);
+    try {
+        std::vector<DecimalEquation> equations;
+        for (const std::size_t i : order) {
+            const auto sample =
+                std::make_shared<EnclosedSample>(samples_at_->all()[i].sample, bits, digits + 15);
+            const Ball exact = sample->evaluate(exact_);
+            equations.push_back(equation_at(sample, printed.expr(), exact,
+                                            scale_ ? abs(sample->evaluate(*scale_))
+                                            : contains_zero(exact)
+                                                ? scale_of_terms(printed.as_printed(), *sample)
+                                                : abs(exact)));
+        }
+        return judge_decimals(printed, equations, digits, bits, outcome);
+    } catch (const Error& error) {
+        outcome.note = std::string("no enclosure: ") + error.what();
+        return {};
+    }
+}
+
+Judgement FormulaComparison::by_enclosures(Outcome& outcome) const {
+    if (const auto* exactly = std::get_if<ExactFormula>(&printed_)) {
+        return judge_by_enclosures(*exactly, with(agreement_), outcome);
+    }
+    const auto& with_decimals = std::get<DecimalFormula>(printed_);
+    Outcome as_printed;
+    const Decision found =
+        compare_by_enclosures(with_decimals.as_printed(), with(agreement_), as_printed);
+    if (const auto* holds = std::get_if<Confirmation>(&found)) {
+        outcome.evidence.add("enclosures", *as_printed.evidence.find("enclosures"));
+        return Judgement(*holds);
+    }
+    return by_decimals(with_decimals, outcome);
+}
+
+void FormulaComparison::judge(const std::string& agrees, Outcome& outcome) const {
+    outcome.sample_use = agreement_.use(AuditContext::digits_needed(digits_));
+    report(outcome.evidence);
+    outcome.verdict = samples() == 0 ? Judgement() : by_enclosures(outcome);
+    if (outcome.evidence.find("rounded") != nullptr) {
+        return;
+    }
+    if (outcome.verdict == Verdict::confirmed) {
+        outcome.note = agrees;
+    } else if (outcome.note.empty() ||
+               (outcome.verdict == Verdict::undecided && agreement_.limited())) {
+        outcome.note = agreement_.obstacle(AuditContext::digits_needed(digits_));
+    }
+}
+
+bool FormulaComparison::needs_correction(const Outcome& outcome) const {
+    return outcome.verdict == Verdict::refuted && std::holds_alternative<ExactFormula>(printed_);
+}
+
+bool FormulaComparison::confirms(const formula::Expr& made) const {
+    Outcome ignored;
+    const Agreement agreement = samples_at_->compare(made, exact_, scale_);
+    return agreement.to(AuditContext::digits_needed(digits_)) &&
+           audit::confirms(compare_by_enclosures(made, with(agreement), ignored));
+}
+
+/// Recognises printed/exact from all samples, and adds its range to the evidence.
+std::optional<formula::Expr> FormulaComparison::ratio(Evidence& evidence) const {
+    std::vector<RatioSample> samples;
+    const PrecisionScope scope(30);
+    for (std::size_t i = 0; i < agreement_.samples_at.size(); ++i) {
+        const ValuePair* s = agreement_.samples_at[i].values();
+        if (s == nullptr || s->exact == 0) {
+            continue;
+        }
+        const EvaluatedSample& sample_at = samples_at_->all()[i];
+        const EvaluatedScene& scene = *sample_at.scene_values;
+        Variables parameters = sample_at.variables;
+        for (const auto& [name, value] : scene.spec().parameters) {
+            parameters.emplace(name, scene.parameter(name));
+        }
+        if (scene.b() != scene.a()) {
+            parameters.emplace("b", scene.b());
+            parameters.emplace("L", scene.length());
+        }
+        samples.push_back({std::move(parameters), at_working_precision(s->printed / s->exact)});
+    }
+    if (samples.empty()) {
+        return std::nullopt;
+    }
+    const auto [least, most] = std::ranges::minmax_element(samples, {}, &RatioSample::ratio);
+    evidence.add("ratio_range", std::vector<std::string>{value_text(least->ratio, 12),
+                                                         value_text(most->ratio, 12)});
+    auto ratio = recognise_ratio(samples, 20);
+    if (ratio) {
+        ratio = substitute(*ratio, "L", formula::Expr::symbol("a") + formula::Expr::symbol("b"));
+        evidence.add("ratio", to_text(*ratio)).add("ratio_tex", to_tex(*ratio));
+    }
+    return ratio;
+}
+
+RefutedFormula FormulaComparison::refuted(Evidence& evidence) const {
+    RefutedFormula refuted;
+    refuted.printed = claim_.written("says");
+    refuted.exact = claim_.written("of");
+    refuted.alphabet = alphabet_for(claim_, refuted.printed, refuted.exact,
+                                    &samples_at_->all().front().sample.scene);
+    refuted.ratio = ratio(evidence);
+    return refuted;
 }
 
 } // namespace edgeproof::audit

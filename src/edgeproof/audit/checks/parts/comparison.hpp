@@ -5,51 +5,93 @@
 #include "edgeproof/audit/diagnosis/diagnosis.hpp"
 #include "edgeproof/audit/symbolic/symbolic.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
-/// Functions that the kinds value, identity and expansion share.
+/// The common parts of the kinds that compare formulas.
 namespace edgeproof::audit {
+
+/// Returns the formulas of a list or table of a claim, each with its text in the list or its name
+/// in the table; none if the claim has no such field.
+[[nodiscard]] std::vector<std::pair<std::string, formula::Expr>>
+named_formulas(const Claim& claim, std::string_view key);
+
+/// Adds what is found for each other formula in the table `as_if`, if the claim has one.
+void add_hypotheses(const Claim& claim,
+                    const std::function<std::string(const formula::Expr&)>& finding,
+                    Evidence& evidence);
 
 /// b = a for a family of symmetric contacts; P(a), b(a) if `given` names them.
 [[nodiscard]] SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context);
 
-/// Adds the digits, the samples and the worst sample to the evidence.
-void report_agreement(const Agreement& agreement, const EvaluatedSamples& samples_at,
-                      unsigned digits, Evidence& evidence);
-
-/// Judges two formulas at the samples of a claim, and adds `note` and the evidence. A printed
-/// formula with decimals is confirmed as it stands or with other numbers that round to them (then
-/// the evidence has `rounded`), and refuted if no such numbers fit.
-[[nodiscard]] Judgement judge_formula(const Claim& claim, EvaluatedSamples& samples_at,
-                                      const Agreement& agreement, const formula::Expr& exact,
-                                      const std::optional<formula::Expr>& scale, unsigned digits,
-                                      Outcome& outcome);
-
-/// True if a formula that the program made is confirmed at the samples, by enclosures.
-[[nodiscard]] bool confirmed_at_samples(EvaluatedSamples& samples_at, const formula::Expr& made,
-                                        const formula::Expr& exact,
-                                        const std::optional<formula::Expr>& scale, unsigned digits);
-
-/// Returns the data for the diagnosis: the formulas `says` and `of`, the names of the claim and of
-/// the first sample's scene, and printed/exact at all samples, if it is recognised. Also adds the
-/// range of this ratio to the evidence.
-[[nodiscard]] RefutedFormula refuted_by_samples(const Claim& claim, const Agreement& agreement,
-                                                const EvaluatedSamples& samples_at,
-                                                Evidence& evidence);
-
-/// Tests candidates at a few samples, to a few digits; expressions are as written in the claim.
-class QuickSamples {
+/// Tests candidates for a correction in numbers, to a few digits: true for a formula (as written
+/// in the claim) that has the exact value at all points.
+class Screening {
 public:
-    QuickSamples(const Claim& claim, const AuditContext& context, const formula::Expr& exact);
-    [[nodiscard]] bool passes_screening(const formula::Expr& written);
+    /// `digits`: the working digits; differences are compared with `tolerance` times the value.
+    Screening(const Claim& claim, unsigned digits, Real tolerance)
+        : claim_(claim), digits_(digits), tolerance_(std::move(tolerance)) {}
+    /// A few samples of the claim, and the exact formula there.
+    Screening(const Claim& claim, const AuditContext& context, const formula::Expr& exact);
+
+    using Evaluation = std::function<Real(const formula::Expr&)>;
+    void add_point(Evaluation evaluation, Real exact) {
+        points_.emplace_back(std::move(evaluation), std::move(exact));
+    }
+    [[nodiscard]] std::size_t points() const { return points_.size(); }
+    [[nodiscard]] bool operator()(const formula::Expr& written) const;
 
 private:
-    static constexpr unsigned digits = 10;
-    static constexpr std::size_t most_samples = 4;
     const Claim& claim_;
+    unsigned digits_;
+    Real tolerance_;
+    std::vector<std::pair<Evaluation, Real>> points_;
+};
+
+/// The formulas `says` and `of` of a claim, compared at its samples; `scale`, if the claim has it,
+/// is the reference for their difference.
+class FormulaComparison {
+public:
+    /// `most`: the number of samples; 0 for all.
+    FormulaComparison(const Claim& claim, const AuditContext& context, unsigned digits,
+                      std::size_t most = 0);
+
+    [[nodiscard]] std::size_t samples() const { return samples_at_->all().size(); }
+    /// Judges the printed formula by enclosures, and adds the note (`agrees` if it is confirmed)
+    /// and the evidence: the digits, the samples, the worst sample and its enclosures. A printed
+    /// formula with decimals is confirmed as it stands or with other numbers that round to them
+    /// (then the evidence has `rounded`), and refuted if no such numbers fit.
+    void judge(const std::string& agrees, Outcome& outcome) const;
+    /// True if the judged formula is refuted, so that a correction is sought: not for a formula
+    /// with decimals, for which `judge` has found numbers that fit.
+    [[nodiscard]] bool needs_correction(const Outcome& outcome) const;
+    /// True if a formula that the program made is confirmed at the samples, by enclosures.
+    [[nodiscard]] bool confirms(const formula::Expr& made) const;
+    /// Returns the data for the diagnosis: the formulas, the names of the claim and of the first
+    /// sample's scene, and printed/exact at all samples, if it is recognised. Also adds the range
+    /// of this ratio to the evidence.
+    [[nodiscard]] RefutedFormula refuted(Evidence& evidence) const;
+
+private:
+    [[nodiscard]] SampledComparison with(const Agreement& agreement) const {
+        return {*samples_at_, agreement, exact_, scale_, digits_};
+    }
+    void report(Evidence& evidence) const;
+    [[nodiscard]] Judgement by_enclosures(Outcome& outcome) const;
+    [[nodiscard]] Judgement by_decimals(const DecimalFormula& printed, Outcome& outcome) const;
+    [[nodiscard]] std::optional<formula::Expr> ratio(Evidence& evidence) const;
+
+    const Claim& claim_;
+    PrintedFormula printed_;
+    formula::Expr exact_;
+    std::optional<formula::Expr> scale_;
+    unsigned digits_;
     std::shared_ptr<EvaluatedSamples> samples_at_;
-    std::vector<std::pair<std::size_t, Real>> targets_;
+    Agreement agreement_;
 };
 
 } // namespace edgeproof::audit

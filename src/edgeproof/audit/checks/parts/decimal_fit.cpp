@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/parts/decimal_fit.hpp"
 
+#include "edgeproof/audit/diagnosis/least_squares.hpp"
+#include "edgeproof/audit/sample/audit_context.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
@@ -25,96 +27,77 @@ Real norm_squared(const Row& r) {
     return sum;
 }
 
-/// Returns the solution of (J^T J + mu I) d = -J^T r by Gaussian elimination; mu is |r|^2 times the
-/// mean of the diagonal of J^T J, and the matrix is positive definite.
-std::optional<Row> damped_step(const std::vector<Row>& J, const Row& r) {
-    const std::size_t n = J.front().size();
-    Real mu(0);
-    for (const Row& row : J) {
-        mu += norm_squared(row);
+/// Decimals for which the printed formula agrees with the exact values.
+struct FittedDecimals {
+    std::vector<Real> numbers;
+    Confirmation agrees;
+};
+
+/// Finds numbers that can replace the decimals of a printed formula.
+class DecimalFit {
+public:
+    /// `digits`: the digits to which the formula must agree with the exact values.
+    DecimalFit(const std::vector<PrintedDecimal>& decimals,
+               const std::vector<DecimalEquation>& equations, unsigned digits, long bits)
+        : decimals_(decimals), equations_(equations), digits_(digits), bits_(bits) {}
+
+    /// Finds numbers, at most `units` units of the last place from the printed ones (without a
+    /// limit: any numbers), for which all equations are proved to hold. They are searched by the
+    /// Levenberg-Marquardt iteration in Real; only the enclosures at its result decide. Returns
+    /// nothing if no such numbers are found.
+    [[nodiscard]] std::optional<FittedDecimals> find(const std::optional<Rational>& units) const;
+    /// Proves that no numbers at most half a unit away satisfy all equations: the enclosure of one
+    /// equation over all of them excludes its exact value, or each part of a subdivision is
+    /// excluded by an equation.
+    [[nodiscard]] std::optional<Refutation> exclude() const;
+
+private:
+    [[nodiscard]] std::optional<Row> search(const std::optional<Rational>& units,
+                                            const std::vector<std::optional<Real>>& fixed) const;
+    [[nodiscard]] Decimals balls(const Row& numbers) const {
+        Decimals at;
+        for (const Real& x : numbers) {
+            at.emplace_back(x, bits_);
+        }
+        return at;
     }
-    mu *= norm_squared(r) / static_cast<unsigned>(n);
-    std::vector<Row> A(n, Row(n + 1, Real(0)));
-    for (std::size_t k = 0; k < n; ++k) {
-        for (std::size_t i = 0; i < J.size(); ++i) {
-            for (std::size_t j = 0; j < n; ++j) {
-                A[k][j] += J[i][k] * J[i][j];
+    [[nodiscard]] std::optional<Row> residuals(const Row& numbers) const {
+        const Decimals at = balls(numbers);
+        Row r;
+        for (const DecimalEquation& e : equations_) {
+            const Ball off = (e.printed(at) - e.exact) / e.scale;
+            if (!off.is_finite()) {
+                return std::nullopt;
             }
-            A[k][n] -= J[i][k] * r[i];
+            r.push_back(off.midpoint());
         }
-        A[k][k] += mu;
+        return r;
     }
-    for (std::size_t k = 0; k < n; ++k) {
-        if (!isfinite(A[k][k]) || A[k][k] == 0) {
-            return std::nullopt;
-        }
-        for (std::size_t i = k + 1; i < n; ++i) {
-            const Real factor = A[i][k] / A[k][k];
-            for (std::size_t j = k; j <= n; ++j) {
-                A[i][j] -= factor * A[k][j];
+    [[nodiscard]] std::optional<Confirmation> agrees(const Row& numbers) const {
+        const Decimals at = balls(numbers);
+        std::optional<Confirmation> last;
+        for (const DecimalEquation& e : equations_) {
+            last = Confirmation::agreement(e.printed(at), e.exact, e.scale, digits_);
+            if (!last) {
+                break;
             }
         }
+        return last;
     }
-    Row d(n, Real(0));
-    for (std::size_t k = n; k-- > 0;) {
-        Real sum = A[k][n];
-        for (std::size_t j = k + 1; j < n; ++j) {
-            sum -= A[k][j] * d[j];
-        }
-        d[k] = sum / A[k][k];
-        if (!isfinite(d[k])) {
-            return std::nullopt;
-        }
-    }
-    return d;
-}
+    /// A proof that one equation excludes all numbers in the box.
+    [[nodiscard]] std::optional<Refutation> excluded(const Decimals& box, std::size_t& first) const;
 
-} // namespace
-
-DecimalFit::DecimalFit(std::vector<PrintedDecimal> decimals, std::vector<DecimalEquation> equations,
-                       unsigned digits, long bits)
-    : decimals_(std::move(decimals)), equations_(std::move(equations)), digits_(digits),
-      bits_(bits) {}
-
-std::optional<std::vector<Real>> DecimalFit::residuals(const std::vector<Real>& numbers) const {
-    Decimals at;
-    for (const Real& x : numbers) {
-        at.emplace_back(x, bits_);
-    }
-    Row r;
-    for (const DecimalEquation& e : equations_) {
-        const Ball off = (e.printed(at) - e.exact) / e.scale;
-        if (!off.is_finite()) {
-            return std::nullopt;
-        }
-        r.push_back(off.midpoint());
-    }
-    return r;
-}
-
-std::optional<Confirmation> DecimalFit::agrees(const std::vector<Real>& numbers) const {
-    Decimals at;
-    for (const Real& x : numbers) {
-        at.emplace_back(x, bits_);
-    }
-    std::vector<Decision> all;
-    for (const DecimalEquation& e : equations_) {
-        const auto holds = Confirmation::agreement(e.printed(at), e.exact, e.scale, digits_);
-        if (!holds) {
-            return std::nullopt;
-        }
-        all.emplace_back(*holds);
-    }
-    return all.empty() ? std::nullopt
-                       : std::optional<Confirmation>(std::get<Confirmation>(all.front()));
-}
+    const std::vector<PrintedDecimal>& decimals_;
+    const std::vector<DecimalEquation>& equations_;
+    unsigned digits_;
+    long bits_;
+};
 
 /// The unknowns are the differences from the printed decimals, in units of the last place; `fixed`
 /// are decimals that stay. Difference quotients approximate the derivatives. This is safe, because
 /// results are proved afterwards.
-std::optional<std::vector<Real>>
-DecimalFit::search(const std::optional<Rational>& units,
-                   const std::vector<std::optional<Real>>& fixed) const {
+std::optional<Row> DecimalFit::search(const std::optional<Rational>& units,
+                                      const std::vector<std::optional<Real>>& fixed) const {
     const std::size_t n = decimals_.size();
     Row y(n, Real(0));
     std::vector<std::size_t> free;
@@ -157,12 +140,18 @@ DecimalFit::search(const std::optional<Rational>& units,
                 J[j][f] = ((*there)[j] - (*r)[j]) / step;
             }
         }
-        const auto d = damped_step(J, *r);
-        if (!d) {
-            return std::nullopt;
+        // The damping is |r|^2 times the mean of the diagonal of J^T J.
+        Real diagonal(0);
+        for (const Row& row : J) {
+            diagonal += norm_squared(row);
         }
+        const Real damping = diagonal * norm_squared(*r) / static_cast<unsigned>(free.size());
+        const auto d = least_squares(J, *r, damping, Real(0));
         for (std::size_t f = 0; f < free.size(); ++f) {
-            y[free[f]] += (*d)[f];
+            if (!d[f] || !isfinite(*d[f])) {
+                return std::nullopt;
+            }
+            y[free[f]] -= *d[f];
         }
         r = residuals(numbers(y));
         if (!r) {
@@ -272,8 +261,6 @@ std::optional<Refutation> DecimalFit::exclude() const {
     return last;
 }
 
-namespace {
-
 struct Described {
     std::string right; ///< the decimals to which the fitted numbers round
     std::string off;   ///< the other decimals
@@ -322,9 +309,27 @@ Described describe(const std::vector<PrintedDecimal>& decimals, const std::vecto
 
 } // namespace
 
-Judgement judge_decimals(const std::vector<PrintedDecimal>& decimals, const DecimalFit& fit,
-                         const std::function<std::string(const std::vector<Real>&)>& text_with,
-                         std::size_t comparisons, unsigned digits, Outcome& outcome) {
+void set_decimals(EnclosedSample& sample, const Decimals& numbers) {
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        sample.set(DecimalFormula::name_of_decimal(k), numbers[k]);
+    }
+}
+
+DecimalEquation equation_at(const std::shared_ptr<EnclosedSample>& sample,
+                            const formula::Expr& printed, Ball exact, Ball scale) {
+    return {[sample, printed](const Decimals& numbers) {
+                set_decimals(*sample, numbers);
+                return sample->evaluate(printed);
+            },
+            std::move(exact), std::move(scale)};
+}
+
+Judgement judge_decimals(const DecimalFormula& printed,
+                         const std::vector<DecimalEquation>& equations, unsigned digits, long bits,
+                         Outcome& outcome) {
+    const std::vector<PrintedDecimal>& decimals = printed.decimals();
+    const std::size_t comparisons = equations.size();
+    const DecimalFit fit(decimals, equations, AuditContext::digits_needed(digits), bits);
     if (const auto found = fit.find(rounding_units())) {
         const Described d = describe(decimals, found->numbers, comparisons, digits, outcome);
         outcome.note = "right to the " + d.right + ", at " + std::to_string(comparisons) +
@@ -347,7 +352,7 @@ Judgement judge_decimals(const std::vector<PrintedDecimal>& decimals, const Deci
         return Judgement(*excluded);
     }
     const Described d = describe(decimals, found->numbers, comparisons, digits, outcome);
-    outcome.correct = text_with(found->numbers);
+    outcome.correct = printed.text_with(found->numbers);
     outcome.note = d.off + (d.right.empty() ? "" : "; right to the " + d.right);
     return near ? Judgement::imprecise(found->agrees) : Judgement(*excluded);
 }

@@ -3,36 +3,61 @@
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 
 #include <string>
+#include <vector>
 
 namespace edgeproof::audit {
+
+/// Returns the names of the two loads of a claim. Throws InputError if they are not two.
+[[nodiscard]] inline const std::vector<std::string>& two_loads(const Claim& claim) {
+    if (claim.list("loads").size() != 2) {
+        claim.reject("loads", "loads are not two", "write loads = [\"Q\", \"sig0\"]");
+    }
+    return claim.list("loads");
+}
 
 /// A scene in balls under two loads (parameters such as Q and sig0) in which a quantity is linear:
 /// with only one of them, and with the second load for which another quantity vanishes.
 class EnclosedLoads {
 public:
-    /// A second load that is zero in the scene is replaced by 1.
-    EnclosedLoads(const SceneSpec& scene, std::string first, std::string second, long bits);
+    /// `names`: of the two loads. A second load that is zero in the scene is replaced by 1.
+    EnclosedLoads(const SceneSpec& scene, const std::vector<std::string>& names, long bits)
+        : sample_({scene, std::nullopt, contact::Edge::right, {}}, bits), names_(names) {
+        const formula::Exact& second = scene.parameter(names_[1]);
+        loads_ = {ball_of(scene.parameter(names_[0]), bits),
+                  second.sign() == 0 ? Ball(1, bits) : ball_of(second, bits)};
+    }
 
-    /// A formula under the first load alone, and under the second alone.
-    [[nodiscard]] Ball of_first(const formula::Expr& e);
-    [[nodiscard]] Ball of_second(const formula::Expr& e);
+    /// The loads of the scene, or the contributions of each to a quantity.
+    struct Parts {
+        Ball first;
+        Ball second;
+    };
+    [[nodiscard]] const Parts& loads() const { return loads_; }
+    [[nodiscard]] Parts parts(const formula::Expr& e) {
+        const Ball zero(0, sample_.bits());
+        return {with(loads_.first, zero, e), with(zero, loads_.second, e)};
+    }
     /// Returns the second load for which e vanishes, with the first load of the scene; not finite
     /// if the second load is not proved to have an effect on e.
-    [[nodiscard]] Ball second_for_zero(const formula::Expr& e);
+    [[nodiscard]] Ball second_for_zero(const formula::Expr& e) {
+        const Parts p = parts(e);
+        return -(loads_.second * p.first / p.second);
+    }
     /// Returns a formula under the first load and another second load.
-    [[nodiscard]] Ball with_second(const formula::Expr& e, const Ball& second);
-    /// The loads of the scene.
-    [[nodiscard]] const Ball& first() const { return first_value_; }
-    [[nodiscard]] const Ball& second() const { return second_value_; }
+    [[nodiscard]] Ball with_second(const formula::Expr& e, const Ball& second) {
+        return with(loads_.first, second, e);
+    }
     [[nodiscard]] EnclosedSample& sample() { return sample_; }
 
 private:
-    [[nodiscard]] Ball with(const Ball& first, const Ball& second, const formula::Expr& e);
+    [[nodiscard]] Ball with(const Ball& first, const Ball& second, const formula::Expr& e) {
+        sample_.set(names_[0], first);
+        sample_.set(names_[1], second);
+        return sample_.evaluate(e);
+    }
     EnclosedSample sample_;
-    std::string first_;
-    std::string second_;
-    Ball first_value_;
-    Ball second_value_;
+    std::vector<std::string> names_;
+    Parts loads_;
 };
 
 } // namespace edgeproof::audit

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/parts/margin.hpp"
+#include "edgeproof/audit/agreement/samples.hpp"
+#include "edgeproof/audit/checks/parts/decimal_fit.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/roots/extremum.hpp"
 
@@ -22,8 +24,7 @@ ConditionInScene::ConditionInScene(const Sample& sample, PrintedCondition condit
 
 std::optional<Decision> ConditionInScene::decide_at(const Real* fraction) const {
     auto found = decide_at(fraction, SidesThatAgree::undecided);
-    if (found && std::holds_alternative<std::monostate>(*found) &&
-        std::any_of(condition_.begin(), condition_.end(), allows_equality)) {
+    if (found && is_open(*found) && std::ranges::any_of(condition_, allows_equality)) {
         found = decide_at(fraction, SidesThatAgree::equal);
     }
     return found;
@@ -47,17 +48,18 @@ std::optional<Decision> ConditionInScene::decide_at(const Real* fraction,
         }
         found = decide(printed_.as_printed, at, needed, agreeing);
         if (refutes(found) && !printed_.decimals.empty()) {
-            for (std::size_t k = 0; k < printed_.decimals.size(); ++k) {
-                at.set(DecimalFormula::name_of_decimal(k),
-                       printed_.decimals[k].interval(Rational(1, 2), at.bits()));
+            Decimals intervals;
+            for (const PrintedDecimal& decimal : printed_.decimals) {
+                intervals.push_back(decimal.interval(rounding_units(), at.bits()));
             }
+            set_decimals(at, intervals);
             found = decide(printed_.named, at, needed, agreeing);
             if (!refutes(found)) {
                 found = {};
                 return true; // more bits do not make the intervals narrower
             }
         }
-        return !std::holds_alternative<std::monostate>(found);
+        return !is_open(found);
     }));
     return admitted ? std::optional(found) : std::nullopt;
 }
@@ -76,7 +78,7 @@ const EvaluatedScene& ConditionInScene::at_level(std::size_t level) const {
 
 std::vector<Real> ConditionInScene::knots() const {
     const PrecisionScope scope(digits_ + 20);
-    const EvaluatedScene& s = scene_values();
+    const EvaluatedScene& s = at_level(0);
     std::vector<Real> fractions;
     for (const formula::Exact& knot : s.contact().profile().knots()) {
         const Real x = knot.to<Real>();
@@ -103,7 +105,7 @@ Margin ConditionInScene::margin_at(std::size_t level, const Place* place) const 
         const Real scale = std::max(Real(abs(lhs)), Real(abs(rhs)));
         const Real difference =
             r.op == Op::greater || r.op == Op::greater_equal ? Real(lhs - rhs) : Real(rhs - lhs);
-        Margin m{scale == 0 ? Real(0) : Real(difference / scale), difference, true};
+        Margin m{Real(0), scale == 0 ? Real(0) : Real(difference / scale), difference, true};
         if (!isfinite(lhs) || !isfinite(rhs)) {
             throw BudgetError("a number beyond the range of the arithmetic");
         }
@@ -148,21 +150,22 @@ std::optional<Margin> ConditionInScene::margin(const Real* fraction) const {
             }
             m = margin_at(level, at);
         }
+        if (m && fraction != nullptr) {
+            m->fraction = *fraction;
+        }
         return m;
     } catch (const DomainError&) {
         return std::nullopt; // at a corner, or beyond the far edge because of roundoff
     }
 }
 
-std::optional<Margin> ConditionInScene::at(const Real& fraction) const { return margin(&fraction); }
-std::optional<Margin> ConditionInScene::anywhere() const { return margin(nullptr); }
 Real ConditionInScene::counts_as_equal() const {
-    return std::all_of(condition_.begin(), condition_.end(), allows_equality)
+    return std::ranges::all_of(condition_, allows_equality)
                ? pow(Real(10), -static_cast<int>(AuditContext::digits_needed(digits_)))
                : Real(0);
 }
 
-std::string ConditionInScene::text() const { return sample_.scene.family + ": " + sample_.text(); }
+std::string ConditionInScene::text() const { return full_text(sample_); }
 
 namespace {
 
@@ -171,17 +174,13 @@ constexpr int even_places = 24;
 constexpr int search_steps = 80;     // each shrinks the interval by 0.618
 constexpr unsigned scan_digits = 40; // of the fractions themselves
 
-bool smaller(const MarginAt& x, const MarginAt& y) { return x.margin.value < y.margin.value; }
-
 } // namespace
 
 MarginScan::MarginScan(const ConditionInScene& condition, const Real& nearest)
     : condition_(condition) {
     const PrecisionScope scope(scan_digits);
-    std::vector<Real> marks{Real(0)};
-    for (const Real& knot : condition.knots()) {
-        marks.push_back(knot);
-    }
+    std::vector<Real> marks = condition.knots();
+    marks.insert(marks.begin(), Real(0));
     marks.emplace_back(1);
     std::vector<Real> fractions;
     const Real step = pow(Real(10), Real(-1) / places_per_decade);
@@ -207,14 +206,9 @@ MarginScan::MarginScan(const ConditionInScene& condition, const Real& nearest)
 }
 
 void MarginScan::look(const Real& fraction) {
-    if (const auto margin = condition_.at(fraction)) {
-        places_.push_back({fraction, *margin});
+    if (const auto margin = condition_.margin(&fraction)) {
+        places_.push_back(*margin);
     }
-}
-
-void MarginScan::in_order() {
-    std::sort(places_.begin(), places_.end(),
-              [](const MarginAt& x, const MarginAt& y) { return x.fraction < y.fraction; });
 }
 
 void MarginScan::seek_extrema() {
@@ -222,9 +216,9 @@ void MarginScan::seek_extrema() {
     const auto reaches_zero = [](const Real& height) { return height <= 0; };
     std::vector<Real> found;
     for (std::size_t i = 1; i + 1 < places_.size(); ++i) {
-        const Real& l = places_[i - 1].margin.difference;
-        const Real& m = places_[i].margin.difference;
-        const Real& r = places_[i + 1].margin.difference;
+        const Real& l = places_[i - 1].difference;
+        const Real& m = places_[i].difference;
+        const Real& r = places_[i + 1].difference;
         const bool dip = m > 0 && m <= l && m <= r;
         const bool bump = m < 0 && m >= l && m >= r;
         const Real reach = 4 * std::max(Real(abs(m - l)), Real(abs(m - r)));
@@ -232,7 +226,7 @@ void MarginScan::seek_extrema() {
             continue; // no extremum, or one too flat to reach zero
         }
         const auto height = [&](const Real& x) {
-            const auto margin = condition_.at(x);
+            const auto margin = condition_.margin(&x);
             return !margin ? Real(2 * abs(m))
                    : dip   ? margin->difference
                            : Real(-margin->difference);
@@ -243,22 +237,15 @@ void MarginScan::seek_extrema() {
     for (const Real& fraction : found) {
         look(fraction);
     }
-    in_order();
+    std::ranges::sort(places_, {}, &Margin::fraction);
 }
 
-const MarginAt* MarginScan::least() const {
-    const auto it = std::min_element(places_.begin(), places_.end(), smaller);
-    return it == places_.end() ? nullptr : &*it;
+const Margin* MarginScan::least() const {
+    return places_.empty() ? nullptr : &*std::ranges::min_element(places_, {}, &Margin::value);
 }
 
-const MarginAt* MarginScan::most() const {
-    const auto it = std::max_element(places_.begin(), places_.end(), smaller);
-    return it == places_.end() ? nullptr : &*it;
-}
-
-std::size_t MarginScan::unclear() const {
-    return static_cast<std::size_t>(std::count_if(
-        places_.begin(), places_.end(), [](const MarginAt& p) { return !p.margin.clear; }));
+const Margin* MarginScan::most() const {
+    return places_.empty() ? nullptr : &*std::ranges::max_element(places_, {}, &Margin::value);
 }
 
 bool MarginScan::nearly_changes(bool holding) const {
@@ -266,9 +253,9 @@ bool MarginScan::nearly_changes(bool holding) const {
     const Real equal = holding ? condition_.counts_as_equal() : Real(0);
     const int sign = holding ? 1 : -1; // so that the condition changes where a value reaches zero
     for (std::size_t i = 1; i + 1 < places_.size(); ++i) {
-        const Real l = sign * places_[i - 1].margin.difference;
-        const Real m = sign * places_[i].margin.difference;
-        const Real r = sign * places_[i + 1].margin.difference;
+        const Real l = sign * places_[i - 1].difference;
+        const Real m = sign * places_[i].difference;
+        const Real r = sign * places_[i + 1].difference;
         const Real nearby = std::max(Real(abs(l)), Real(abs(r)));
         const bool counts_as_equal = equal > 0 && abs(m) <= equal * nearby;
         if (m <= l && m <= r && abs(m) <= negligible * nearby && !counts_as_equal) {
@@ -281,7 +268,7 @@ bool MarginScan::nearly_changes(bool holding) const {
 Real MarginScan::change_between(Real lo, Real hi, bool holds_at_lo) const {
     for (int k = 0; k < 45; ++k) {
         const Real middle = (lo + hi) / 2;
-        const auto margin = condition_.at(middle);
+        const auto margin = condition_.margin(&middle);
         if (!margin) {
             break;
         }
@@ -295,7 +282,7 @@ std::vector<std::pair<Real, Real>> MarginScan::intervals(bool holding) const {
     std::vector<std::pair<Real, Real>> found;
     bool inside = false;
     for (std::size_t i = 0; i < places_.size(); ++i) {
-        const bool here = (places_[i].margin.value > 0) == holding;
+        const bool here = (places_[i].value > 0) == holding;
         if (here && !inside) {
             const Real from =
                 i == 0 ? places_[i].fraction

@@ -15,6 +15,7 @@ namespace edgeproof::audit {
 /// The margin by which a condition holds at a place: the least of (rhs - lhs)/max(|lhs|, |rhs|)
 /// over its relations, with the sign chosen so that positive means that the relation holds.
 struct Margin {
+    Real fraction; ///< the place: its distance from the edge, as a fraction of the contact's length
     Real value;
     /// The least of rhs - lhs itself. It has the same sign, but does not become constant where one
     /// side dominates, and therefore shows where the sides come close.
@@ -36,16 +37,14 @@ public:
     ConditionInScene(const Sample& sample, PrintedCondition condition,
                      std::optional<Condition> where, unsigned digits);
 
-    [[nodiscard]] const EvaluatedScene& scene_values() const { return at_level(0); }
     /// Distances from the edge to the knots inside the contact, as fractions of its length.
     [[nodiscard]] std::vector<Real> knots() const;
-    /// Returns nullopt if `where` excludes the place, or if something has no value there.
-    [[nodiscard]] std::optional<Margin> at(const Real& fraction) const;
-    /// For conditions without a place.
-    [[nodiscard]] std::optional<Margin> anywhere() const;
-    /// Decides by enclosures, at a place or (for conditions without one) without a place; returns
-    /// nullopt if `where` does not certainly hold. Decimals represent their intervals: the
-    /// condition fails if it fails for all numbers in them, and holds if it holds as printed.
+    /// Returns the margin at a place or (nullptr, for conditions without one) without a place;
+    /// nullopt if `where` excludes the place, or if something has no value there.
+    [[nodiscard]] std::optional<Margin> margin(const Real* fraction) const;
+    /// Decides by enclosures, at a place or without a place; returns nullopt if `where` does not
+    /// certainly hold. Decimals represent their intervals: the condition fails if it fails for all
+    /// numbers in them, and holds if it holds as printed.
     [[nodiscard]] std::optional<Decision> decide_at(const Real* fraction) const;
     [[nodiscard]] std::string text() const;
     /// Sides whose difference is smaller than this, relative to its size nearby, satisfy the
@@ -58,7 +57,6 @@ private:
     static constexpr std::size_t levels = 3;
     [[nodiscard]] const EvaluatedScene& at_level(std::size_t level) const;
     [[nodiscard]] unsigned digits_of(std::size_t level) const;
-    [[nodiscard]] std::optional<Margin> margin(const Real* fraction) const;
     [[nodiscard]] Margin margin_at(std::size_t level, const Place* place) const;
 
     Sample sample_;
@@ -70,12 +68,6 @@ private:
     mutable SampleInBalls in_balls_;
 };
 
-/// A margin at a distance from the edge, as a fraction of the contact's length.
-struct MarginAt {
-    Real fraction;
-    Margin margin;
-};
-
 /// Evaluates a condition all over a contact: at places spaced geometrically towards both edges and
 /// both sides of every knot, evenly between them, and at extrema of the margin between these places
 /// where its sign might change. The completeness of this search is *sampled*, not proved.
@@ -85,11 +77,10 @@ public:
     MarginScan(const ConditionInScene& condition, const Real& nearest);
 
     /// The places in the order of their distance from the edge.
-    [[nodiscard]] const std::vector<MarginAt>& places() const noexcept { return places_; }
+    [[nodiscard]] const std::vector<Margin>& places() const noexcept { return places_; }
     /// Returns nullptr if no place is admitted.
-    [[nodiscard]] const MarginAt* least() const;
-    [[nodiscard]] const MarginAt* most() const;
-    [[nodiscard]] std::size_t unclear() const;
+    [[nodiscard]] const Margin* least() const;
+    [[nodiscard]] const Margin* most() const;
     /// For a condition that holds (or fails) at all places of the scan: whether the difference of
     /// its sides is so small at one place, compared with its neighbours, that the condition may
     /// fail (or hold) at a point between them.
@@ -100,12 +91,11 @@ public:
 
 private:
     void look(const Real& fraction);
-    void in_order();
     void seek_extrema();
     [[nodiscard]] Real change_between(Real lo, Real hi, bool holds_at_lo) const;
 
     const ConditionInScene& condition_;
-    std::vector<MarginAt> places_;
+    std::vector<Margin> places_;
 };
 
 } // namespace edgeproof::audit

@@ -6,15 +6,6 @@
 #include <algorithm>
 
 namespace edgeproof::audit {
-namespace {
-
-const std::vector<formula::Expr>* listed(const Family& family, const std::string& parameter) {
-    const auto it = std::find_if(family.parameters.begin(), family.parameters.end(),
-                                 [&](const auto& p) { return p.first == parameter; });
-    return it == family.parameters.end() ? nullptr : &it->second;
-}
-
-} // namespace
 
 Ledger with_parameter(const Ledger& ledger, const std::string& family, const std::string& parameter,
                       const formula::Expr& value) {
@@ -23,11 +14,8 @@ Ledger with_parameter(const Ledger& ledger, const std::string& family, const std
     fixed.file = ledger.file;
     fixed.families = ledger.families;
     for (Family& f : fixed.families) {
-        if (f.name != family) {
-            continue;
-        }
         for (auto& [name, values] : f.parameters) {
-            if (name == parameter) {
+            if (f.name == family && name == parameter) {
                 values = {value};
             }
         }
@@ -41,38 +29,18 @@ ParameterSweep::ParameterSweep(const Claim& claim, const AuditContext& context)
         claim.reject("where", "a claim along " + name_ + " leaves samples out",
                      "list admissible values only, and leave out `where`");
     }
-    const auto add_step = [&](const std::vector<Sample>& samples) {
-        std::vector<SweptSample>& step = steps_.emplace_back();
-        for (const Sample& sample : samples) {
-            if (sample.scene.slips()) {
-                require_partial_slip(sample.scene);
-            }
-            step.push_back({sample, sample.scene.family + ": " + sample.text()});
+    for (const auto& [name, values] : context.ledger().family(claim.text("over")).parameters) {
+        of_family_ = of_family_ || name == name_;
+        for (std::size_t i = 0; name == name_ && i < values.size(); ++i) {
+            add_step(to_text(values[i]), samples_with(values[i]));
         }
-    };
-    const std::string& over = claim.text("over");
-    if (const auto* values = listed(context.ledger().family(over), name_)) {
-        of_family_ = true;
-        for (const formula::Expr& value : *values) {
-            values_.push_back(to_text(value));
-            const Ledger fixed = with_parameter(context.ledger(), over, name_, value);
-            add_step(AuditContext(fixed, context.digits()).samples(claim));
-        }
-    } else if (claim.has("vary")) {
-        for (const auto& [name, texts] : claim.table("vary")) {
-            if (name != name_) {
-                continue;
-            }
-            for (const std::string& text : texts) {
-                values_.push_back(text);
-                Claim at = claim;
-                Field& field = at.fields.find("vary")->second;
-                for (auto& [key, list] : std::get<Field::Table>(field.value)) {
-                    if (key == name_) {
-                        list = {text};
-                    }
-                }
-                add_step(context.samples(at));
+    }
+    if (!of_family_ && claim.has("vary")) {
+        Claim at = claim;
+        for (auto& [name, texts] : std::get<Field::Table>(at.fields.find("vary")->second.value)) {
+            for (const std::string& text : name == name_ ? Field::List(texts) : Field::List()) {
+                texts = {text};
+                add_step(text, context.samples(at));
             }
         }
     }
@@ -82,18 +50,31 @@ ParameterSweep::ParameterSweep(const Claim& claim, const AuditContext& context)
     }
 }
 
+std::vector<Sample> ParameterSweep::samples_with(const formula::Expr& value) const {
+    const Ledger fixed = with_parameter(context_.ledger(), claim_.text("over"), name_, value);
+    return AuditContext(fixed, context_.digits()).samples(claim_);
+}
+
+void ParameterSweep::add_step(std::string value, std::vector<Sample> samples) {
+    for (const Sample& sample : samples) {
+        if (sample.scene.slips()) {
+            require_partial_slip(sample.scene);
+        }
+    }
+    values_.push_back(std::move(value));
+    steps_.push_back(std::move(samples));
+}
+
 const formula::Exact& ParameterSweep::value_at(std::size_t value, std::size_t sample) const {
-    const Sample& at = sample_at(value, sample).sample;
+    const Sample& at = sample_at(value, sample);
     return of_family_ ? at.scene.parameter(name_) : at.variables.find(name_)->second;
 }
 
 Sample ParameterSweep::sample_with(const formula::Exact& value, std::size_t sample) const {
     if (of_family_) {
-        const Ledger fixed =
-            with_parameter(context_.ledger(), claim_.text("over"), name_, value.expr());
-        return AuditContext(fixed, context_.digits()).samples(claim_)[sample];
+        return samples_with(value.expr())[sample];
     }
-    Sample at = sample_at(0, sample).sample;
+    Sample at = sample_at(0, sample);
     at.variables.insert_or_assign(name_, value);
     return at;
 }

@@ -13,12 +13,6 @@ namespace edgeproof::audit {
 [[nodiscard]] Ledger with_parameter(const Ledger& ledger, const std::string& family,
                                     const std::string& parameter, const formula::Expr& value);
 
-/// A sample of a sweep, and its text.
-struct SweptSample {
-    Sample sample;
-    std::string text;
-};
-
 /// The samples of a claim, each at every listed value of the name in `along`: a parameter of the
 /// family, or a name of `vary`. Refers to the claim and to the context.
 class ParameterSweep {
@@ -29,8 +23,11 @@ public:
     [[nodiscard]] const std::vector<std::string>& values() const noexcept { return values_; }
     /// The number of samples at each value.
     [[nodiscard]] std::size_t samples() const noexcept { return steps_.front().size(); }
-    [[nodiscard]] const SweptSample& sample_at(std::size_t value, std::size_t sample) const {
+    [[nodiscard]] const Sample& sample_at(std::size_t value, std::size_t sample) const {
         return steps_[value][sample];
+    }
+    [[nodiscard]] const Sample& last_sample(std::size_t sample) const {
+        return steps_.back()[sample];
     }
     /// The value of the name in that sample.
     [[nodiscard]] const formula::Exact& value_at(std::size_t value, std::size_t sample) const;
@@ -39,12 +36,15 @@ public:
     [[nodiscard]] Sample sample_with(const formula::Exact& value, std::size_t sample) const;
 
 private:
+    [[nodiscard]] std::vector<Sample> samples_with(const formula::Expr& value) const;
+    void add_step(std::string value, std::vector<Sample> samples);
+
     const Claim& claim_;
     const AuditContext& context_;
     std::string name_;
     bool of_family_ = false; ///< false: a name of `vary`
     std::vector<std::string> values_;
-    std::vector<std::vector<SweptSample>> steps_;
+    std::vector<std::vector<Sample>> steps_;
 };
 
 } // namespace edgeproof::audit

@@ -16,15 +16,14 @@ namespace {
 /// Computed figures are assumed to be right to all working digits except these last ones.
 constexpr int lost_digits = 25;
 
-Rational power_of_ten(unsigned k) {
-    Rational p = 1;
-    while (k-- > 0) {
-        p *= 10;
-    }
-    return p;
-}
-
 } // namespace
+
+Decision decide_within(const Ball& x, const std::pair<Rational, Rational>& interval) {
+    const auto& [lower, upper] = interval;
+    const auto below = Refutation::less(x, Ball(lower, x.bits()));
+    return decision(below ? below : Refutation::less(Ball(upper, x.bits()), x),
+                    Confirmation::within(x, lower, upper));
+}
 
 QuotedFigure QuotedFigure::of(const Claim& claim) {
     std::string number = claim.text("quoted");
@@ -50,7 +49,8 @@ QuotedFigure QuotedFigure::of(const Claim& claim) {
     if (point != std::string::npos) {
         figure.decimals_ = static_cast<unsigned>(number.size() - point - 1);
     }
-    figure.unit_ = 1 / power_of_ten(figure.decimals_);
+    figure.unit_ =
+        Rational(Integer(1), Integer(boost::multiprecision::pow(Integer(10), figure.decimals_)));
     if (figure.percent_) {
         figure.value_ /= 100;
         figure.unit_ /= 100;
@@ -76,34 +76,13 @@ long QuotedFigure::units_off(const Real& computed) const {
     return abs(off) > most ? (off > 0 ? most : -most) : off.convert_to<long>();
 }
 
-namespace {
-
-/// Confirms that x is within `units` units of the figure.
-template <class Number>
-std::optional<Confirmation> within(const Number& x, const QuotedFigure& figure,
-                                   const Rational& units) {
-    const auto [lower, upper] = figure.within_units(units);
-    return Confirmation::within(x, lower, upper);
-}
-
-} // namespace
-
 Judgement QuotedFigure::verdict(const Ball& computed) const {
-    if (const auto rounds = within(computed, *this, rounding_units())) {
-        return Judgement(*rounds);
+    const Decision rounds = decide_within(computed, within_units(rounding_units()));
+    const Decision near = decide_within(computed, within_units(neighbour_units()));
+    if (confirms(rounds) || !confirms(near)) {
+        return Judgement(confirms(rounds) ? rounds : near);
     }
-    const auto [low, high] = within_units(rounding_units());
-    const auto [lowest, highest] = within_units(neighbour_units());
-    const auto ball = [&](const Rational& q) { return Ball(q, computed.bits()); };
-    if (const auto near = within(computed, *this, neighbour_units());
-        near && (certainly_less(computed, ball(low)) || certainly_less(ball(high), computed))) {
-        return Judgement::imprecise(*near);
-    }
-    if (const auto below = Refutation::less(computed, ball(lowest))) {
-        return Judgement(*below);
-    }
-    const auto above = Refutation::less(ball(highest), computed);
-    return above ? Judgement(*above) : Judgement();
+    return refutes(rounds) ? Judgement::imprecise(std::get<Confirmation>(near)) : Judgement();
 }
 
 Judgement QuotedFigure::verdict_half_way(const formula::Exact& computed) const {

@@ -11,6 +11,9 @@
 
 namespace edgeproof::audit {
 
+/// Decides if a number is in the interval lower <= x < upper.
+[[nodiscard]] Decision decide_within(const Ball& x, const std::pair<Rational, Rational>& interval);
+
 /// A figure as it is quoted: "6.4 %", "0.03", "17". Its unit is one unit of the last place.
 class QuotedFigure {
 public:

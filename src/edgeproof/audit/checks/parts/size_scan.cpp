@@ -24,11 +24,6 @@ struct Value {
     Float128 f;
 };
 
-Float128 extremum(const SizeScan::Function& f, const Float128& lo, const Float128& hi, bool top) {
-    const auto depth = [&](const Float128& a) { return top ? Float128(-f(a)) : f(a); };
-    return roots::place_of_minimum(depth, lo, hi, 30);
-}
-
 /// Adds the extrema between sizes, indicated by three successive values, that may reach the level.
 void add_extrema(const SizeScan::Function& f, const Float128& level, std::vector<Value>& values) {
     std::vector<Value> found;
@@ -44,13 +39,13 @@ void add_extrema(const SizeScan::Function& f, const Float128& level, std::vector
                                    : m.f >= l.f && m.f >= r.f && m.f > std::min(l.f, r.f);
         const Float128 bend = std::max(abs(Float128(m.f - l.f)), abs(Float128(m.f - r.f)));
         if (towards && abs(Float128(level - m.f)) <= 4 * bend) {
-            const Float128 a = extremum(f, l.a, r.a, !above);
+            const auto depth = [&](const Float128& a) { return above ? f(a) : Float128(-f(a)); };
+            const Float128 a = roots::place_of_minimum(depth, l.a, r.a, 30);
             found.push_back({a, f(a)});
         }
     }
     values.insert(values.end(), found.begin(), found.end());
-    std::sort(values.begin(), values.end(),
-              [](const Value& x, const Value& y) { return x.a < y.a; });
+    std::ranges::sort(values, {}, &Value::a);
 }
 
 } // namespace
@@ -129,6 +124,17 @@ SizeScan::SizeScan(const contact::Profile& profile, const formula::Exact& from,
     sizes_.erase(std::unique(sizes_.begin(), sizes_.end()), sizes_.end());
 }
 
+void SizeScan::describe(const std::vector<std::string>& range, Evidence& evidence) const {
+    std::vector<std::string> breaks;
+    for (const Float128& a : breaks_) {
+        breaks.push_back(to_text(a));
+    }
+    evidence.add("size", "the right edge a; all else is given")
+        .add("searched", range[0] + " ... " + range[1])
+        .add("sizes_looked_at", sizes_.size())
+        .add("edge_on_a_knot_at", breaks);
+}
+
 SizeSet SizeScan::joined(bool inside, std::vector<Float128> ends) const {
     std::sort(ends.begin(), ends.end());
     SizeSet set;
@@ -168,14 +174,13 @@ SizeSet SizeScan::between(const Function& f, const std::vector<Float128>& at_siz
                 continue;
             }
             // A value equal to the level counts as above it.
-            const auto g = [&](const Float128& a) {
-                const Float128 d = f(a) - level;
-                return d == 0 ? isolation : d;
+            const auto over = [&](const Float128& value) {
+                return value == level ? isolation : Float128(value - level);
             };
-            const auto above = [](const Float128& d) { return d == 0 ? isolation : d; };
-            ends.push_back(roots::bracketed_root<Float128>(g, l.a, above(l.f - level), r.a,
-                                                           above(r.f - level), isolation)
-                               .x);
+            ends.push_back(
+                roots::bracketed_root<Float128>([&](const Float128& a) { return over(f(a)); }, l.a,
+                                                over(l.f), r.a, over(r.f), isolation)
+                    .x);
         }
     }
     const Float128& start = at_sizes.front();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/ledger/family.hpp"
+#include "edgeproof/audit/ledger/judgement.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
@@ -49,6 +50,8 @@ public:
     [[nodiscard]] const std::vector<Float128>& sizes() const noexcept { return sizes_; }
     /// The sizes at which an edge is on a knot.
     [[nodiscard]] const std::vector<Float128>& breaks() const noexcept { return breaks_; }
+    /// Adds the range (as the texts of a claim's `sizes`), the number of sizes and the breaks.
+    void describe(const std::vector<std::string>& range, Evidence& evidence) const;
     /// Returns the set where lower <= f(a) < upper. `at_sizes`: f at sizes(). Between neighbouring
     /// sizes, f is assumed to cross each bound at most once, except near extrema indicated by three
     /// successive sizes: sampled, not proved. A jump of f counts as a crossing.

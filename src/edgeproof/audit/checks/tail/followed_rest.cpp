@@ -28,10 +28,10 @@ constexpr double most_hidden = 390;
 constexpr std::size_t doublings = 3;
 constexpr long rest_bits = 30;
 
-Expr power_of_ten(long exponent) {
-    const Rational power(
-        boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(exponent))));
-    return Expr::number(exponent < 0 ? Rational(1 / power) : power);
+/// Returns 10^-decades.
+Expr decimal_power(unsigned decades) {
+    return Expr::number(
+        Rational(Integer(1), Integer(boost::multiprecision::pow(Integer(10), decades))));
 }
 
 /// True if `second` is certainly more than 3/2 of `first`.
@@ -87,7 +87,7 @@ Expr ExpansionToFollow::rest() const {
 Sample at_distance(const Sample& sample, const ExpansionToFollow& expansion, unsigned decades,
                    bool exactly) {
     // The distance is not a power of ten, as formulas such as sin(Pi/s) are special there.
-    const Expr power = power_of_ten(-static_cast<long>(decades));
+    const Expr power = decimal_power(decades);
     const Expr off = exactly ? power : Expr::number(Rational(7919, 7001)) * power;
     const Expr& end = expansion.towards.expr();
     const auto own = sample.variables.find(expansion.variable);
@@ -98,47 +98,84 @@ Sample at_distance(const Sample& sample, const ExpansionToFollow& expansion, uns
     return at;
 }
 
-Ball FollowedRest::largest_of(const Run& run) {
-    Ball most = run.stations.front().rest;
-    for (const Station& r : run.stations) {
-        most = max(most, r.rest);
-    }
-    return most;
-}
+namespace {
 
-FollowedRest::FollowedRest(const Sample& sample, const ExpansionToFollow& expansion,
-                           unsigned digits)
-    : expansion_(expansion), rest_(expansion.rest()), simplified_(simplified(rest_)),
-      digits_(digits) {
+using Course = FollowedRest::Course;
+
+struct Station {
+    unsigned decades;
+    Ball rest; ///< |rest|
+    bool nothing;
+};
+
+/// The remainder for one size of the small variable.
+struct Run {
+    Sample sample;
+    std::optional<Ball> far; ///< |rest| at the variable's own value
+    std::vector<Station> stations;
+    double hidden = 0; ///< decades that the formula may hide
+
+    [[nodiscard]] Ball largest() const {
+        Ball most = stations.front().rest;
+        for (const Station& r : stations) {
+            most = max(most, r.rest);
+        }
+        return most;
+    }
+};
+
+class RestFollower {
+public:
+    RestFollower(const ExpansionToFollow& expansion, unsigned digits)
+        : expansion_(expansion), rest_(expansion.rest()), simplified_(simplified(rest_)),
+          digits_(digits) {}
+    [[nodiscard]] FollowedRest follow(const Sample& sample);
+
+private:
+    [[nodiscard]] bool add_run(const Sample& sample);
+    [[nodiscard]] std::optional<Station> station(const Sample& at, unsigned decades, double small);
+    [[nodiscard]] Course judge();
+    [[nodiscard]] bool sums_settle(const Run& run) const;
+    [[nodiscard]] std::string last_distance() const {
+        return "10^-" + std::to_string(runs_.front().stations.back().decades);
+    }
+
+    const ExpansionToFollow& expansion_;
+    Expr rest_;
+    Expr simplified_; ///< the same expression with cancelling terms removed
+    unsigned digits_;
+    std::vector<Run> runs_;
+    std::string problem_;
+};
+
+FollowedRest RestFollower::follow(const Sample& sample) {
+    FollowedRest found{sample, Course::unknown, "", {}, {}, {}, ""};
     for (const unsigned size : sizes) {
         Sample smaller = sample;
-        Exact& small = smaller.variables.find(expansion.small)->second;
-        small = Exact(power_of_ten(-static_cast<long>(size)) * small.expr());
+        Exact& small = smaller.variables.find(expansion_.small)->second;
+        small = Exact(decimal_power(size) * small.expr());
         if (!add_run(smaller)) {
-            return;
+            found.problem = problem_;
+            return found;
         }
     }
-    course_ = judge();
-    if (course_ == Course::unknown && problem_.empty()) {
-        problem_ = "the remainder neither converges nor certainly grows, down to the distance " +
-                   last_distance();
+    found.course = judge();
+    found.problem = problem_;
+    found.last_distance = last_distance();
+    if (found.course == Course::unknown && problem_.empty()) {
+        found.problem =
+            "the remainder neither converges nor certainly grows, down to the distance " +
+            last_distance();
     }
+    const Run& first = runs_.front();
+    const bool wrong_order = found.course == Course::wrong_order;
+    found.before_last = wrong_order ? *first.far : first.stations[first.stations.size() - 2].rest;
+    found.last = wrong_order ? *runs_.back().far : first.stations.back().rest;
+    found.largest = first.largest();
+    return found;
 }
 
-const Ball& FollowedRest::before_last() const {
-    const std::vector<Station>& stations = runs_.front().stations;
-    return course_ == Course::wrong_order ? *runs_.front().far : stations[stations.size() - 2].rest;
-}
-const Ball& FollowedRest::last() const {
-    return course_ == Course::wrong_order ? *runs_.back().far : runs_.front().stations.back().rest;
-}
-Ball FollowedRest::largest() const { return largest_of(runs_.front()); }
-std::string FollowedRest::last_distance() const {
-    return "10^-" + std::to_string(runs_.front().stations.back().decades);
-}
-
-std::optional<FollowedRest::Station> FollowedRest::station(const Sample& at, unsigned decades,
-                                                           double small) {
+std::optional<Station> RestFollower::station(const Sample& at, unsigned decades, double small) {
     const double lost = (expansion_.order + 1) * small + decades;
     std::optional<Station> found;
     SampleInBalls sample(at, digits_ + static_cast<unsigned>(lost));
@@ -166,7 +203,7 @@ std::optional<FollowedRest::Station> FollowedRest::station(const Sample& at, uns
     return found;
 }
 
-bool FollowedRest::add_run(const Sample& sample) {
+bool RestFollower::add_run(const Sample& sample) {
     const double small = decades_of_size(sample, expansion_.small);
     Run run{sample, std::nullopt, {}, 0};
     try {
@@ -203,11 +240,11 @@ bool FollowedRest::add_run(const Sample& sample) {
 }
 
 /// True if the last three steps are much smaller than the remainder, and do not grow.
-bool FollowedRest::is_bounded(const Run& run) {
+bool is_bounded(const Run& run) {
     const std::size_t n = run.stations.size();
     const Ball tolerance =
         pow_int(Ball(10, 64), -static_cast<long>(std::ceil(bounded_margin + run.hidden)));
-    const Ball most = largest_of(run);
+    const Ball most = run.largest();
     const auto step = [&](std::size_t i) {
         return abs(run.stations[i].rest - run.stations[i - 1].rest);
     };
@@ -219,7 +256,7 @@ bool FollowedRest::is_bounded(const Run& run) {
     return true;
 }
 
-bool FollowedRest::is_growing(const Run& run) {
+bool is_growing(const Run& run) {
     unsigned decades = run.stations.back().decades;
     const Ball* later = nullptr;
     for (std::size_t k = 0; k <= doublings; ++k, decades /= 2) {
@@ -234,7 +271,7 @@ bool FollowedRest::is_growing(const Run& run) {
     return true;
 }
 
-bool FollowedRest::sums_settle(const Run& run) const {
+bool RestFollower::sums_settle(const Run& run) const {
     const unsigned last = run.stations.back().decades;
     try {
         const double lost = 8 * decades_of_size(run.sample, expansion_.small) + 4.0 * last;
@@ -247,7 +284,7 @@ bool FollowedRest::sums_settle(const Run& run) const {
     }
 }
 
-FollowedRest::Course FollowedRest::judge() {
+Course RestFollower::judge() {
     const auto all = [&](auto&& test) { return std::all_of(runs_.begin(), runs_.end(), test); };
     if (all([](const Run& run) {
             return std::all_of(run.stations.begin(), run.stations.end(),
@@ -272,7 +309,7 @@ FollowedRest::Course FollowedRest::judge() {
     }
     std::vector<Ball> most;
     for (const Run& run : runs_) {
-        most.push_back(largest_of(run));
+        most.push_back(run.largest());
     }
     if (certainly_tenfold(most[0], most[1]) && certainly_tenfold(most[1], most[2]) && first.far &&
         third.far && certainly_less(*third.far, *first.far * 3)) {
@@ -281,6 +318,13 @@ FollowedRest::Course FollowedRest::judge() {
     const bool maximum_settles = certainly_less(abs(most[2] - most[1]) * 10000, most[1]) &&
                                  certainly_less(abs(most[1] - most[0]) * 100, most[0]);
     return all(is_bounded) && maximum_settles ? Course::bounded : Course::unknown;
+}
+
+} // namespace
+
+FollowedRest follow_rest(const Sample& sample, const ExpansionToFollow& expansion,
+                         unsigned digits) {
+    return RestFollower(expansion, digits).follow(sample);
 }
 
 bool certainly_grows(const Expr& e, const Sample& sample, const ExpansionToFollow& expansion,

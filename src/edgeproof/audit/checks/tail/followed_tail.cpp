@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/tail/followed_tail.hpp"
 
+#include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/checks/tail/hidden_terms.hpp"
+#include "edgeproof/audit/checks/tail/sweep_target.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
@@ -29,8 +31,7 @@ constexpr double least_steadiness = 0.5;
 
 double decades_of_exact(const formula::Exact& x) {
     try {
-        const auto decades = decades_of(formula::ball_of(x, 256));
-        return decades ? std::abs(*decades) : 0;
+        return std::abs(decades_of(formula::ball_of(x, 256)).value_or(0));
     } catch (const Error&) {
         return 0;
     }
@@ -57,54 +58,113 @@ bool is_steady(const std::vector<Ball>& d, const std::vector<unsigned>& decades,
     return last >= least_steadiness * most;
 }
 
-} // namespace
-
-bool can_be_printed(const Ball& x) {
+/// Returns nothing for numbers beyond 10^100000, or as near to zero; they have no decimals here.
+std::optional<std::string> printed_text(const Ball& x) {
+    constexpr unsigned digits_shown = 12;
     try {
-        return !ball_text(x, 5).empty();
+        return ball_text(x, digits_shown);
     } catch (const Error&) {
-        return false;
+        return std::nullopt;
     }
 }
 
-FollowedTail::FollowedTail(const ParameterSweep& sweep, std::size_t sample, SweepTarget target,
-                           LimitClaimed claimed, unsigned digits)
-    : sweep_(sweep), sample_(sample), target_(std::move(target)), claimed_(std::move(claimed)),
-      digits_(digits) {
-    find_scales();
-    if (problem_.empty()) {
-        follow();
+/// Returns the limit of the values in `along`; other numbers of the sample may be its units.
+std::optional<SweepTarget> target_of(const ParameterSweep& sweep, std::size_t sample) {
+    std::vector<formula::Exact> listed;
+    for (std::size_t j = 0; j < sweep.values().size(); ++j) {
+        listed.push_back(sweep.value_at(j, sample));
     }
+    const Sample& at = sweep.sample_at(0, sample);
+    std::vector<formula::Exact> units;
+    for (const auto* names : {&at.scene.parameters, &at.variables}) {
+        for (const auto& [name, value] : *names) {
+            if (name != sweep.name()) {
+                units.push_back(value);
+            }
+        }
+    }
+    return SweepTarget::of(listed, units);
 }
 
-unsigned FollowedTail::decades() const { return points_.empty() ? 0 : points_.back().decades; }
+class TailFollower {
+public:
+    TailFollower(const ParameterSweep& sweep, std::size_t sample, const SweepTarget& target,
+                 const LimitClaimed& claimed, unsigned digits)
+        : sweep_(sweep), sample_(sample), target_(target), claimed_(claimed), digits_(digits) {
+        find_scales();
+        if (problem_.empty()) {
+            follow();
+        }
+    }
+    [[nodiscard]] FollowedTail result() const {
+        return {decision_, problem_, target_.text(), decades(), texts(), compared_};
+    }
 
-bool FollowedTail::is_costly() const {
-    const Sample& sample = sweep_.sample_at(0, sample_).sample;
-    return has_binder(claimed_.of) || (claimed_.limit && has_binder(*claimed_.limit)) ||
-           !contact::BallContact::has_closed_form(sample.scene.make_profile());
-}
+private:
+    struct Point {
+        unsigned decades = 0;
+        Ball value;
+        Ball difference; ///< value - limit, or value if the limit is infinity
+        Ball gap;        ///< |difference|
+    };
+    void find_scales();
+    void follow();
+    [[nodiscard]] bool add(unsigned decades, std::size_t which);
+    void judge();
+    void judge_finite();
+    void judge_infinite();
+    /// Sets the decision, if there is one, and shows that `first` (if there is none, the step
+    /// before) differs from the last of a sequence for which this is certain.
+    void decide(const Decision& decision, std::string_view first_name,
+                const std::optional<Ball>& first, std::string_view second_name,
+                const std::vector<Ball>& sequence);
+    [[nodiscard]] bool sums_settle() const;
+    [[nodiscard]] std::vector<Ball> gaps() const;
+    [[nodiscard]] std::vector<Ball> steps() const;
+    [[nodiscard]] bool dies_away(const std::vector<Ball>& d, const Ball& reference) const;
+    [[nodiscard]] bool grows(const std::vector<Ball>& d, const Ball& reference) const;
+    [[nodiscard]] std::vector<std::string> texts() const;
 
-unsigned FollowedTail::digits_at(unsigned decades) const {
-    const double more = decades + target_.decades() + 2 * hidden_ + margin;
-    return digits_ + static_cast<unsigned>(std::min(more, most_decades));
-}
+    [[nodiscard]] bool is_short() const { return !ended_by_.empty(); }
+    [[nodiscard]] unsigned decades() const { return points_.empty() ? 0 : points_.back().decades; }
+    [[nodiscard]] Sample sample_at(unsigned decades, std::size_t which) const {
+        return decades == 0 ? sweep_.last_sample(sample_)
+                            : sweep_.sample_with(target_.beyond(decades, which), sample_);
+    }
+    [[nodiscard]] unsigned digits_at(unsigned decades) const {
+        const double more = decades + target_.decades() + 2 * hidden_ + margin;
+        return digits_ + static_cast<unsigned>(std::min(more, most_decades));
+    }
+    [[nodiscard]] Ball tolerance() const {
+        const double needed =
+            is_short() ? short_margin + hidden_ : margin + 2 * hidden_ + scene_decades_;
+        return pow_int(Ball(10, formula::bits_for(static_cast<unsigned>(needed) + digits_)),
+                       -static_cast<long>(std::ceil(needed)));
+    }
 
-Ball FollowedTail::tolerance() const {
-    const double needed =
-        is_short() ? short_margin + hidden_ : margin + 2 * hidden_ + scene_decades_;
-    return pow_int(Ball(10, formula::bits_for(static_cast<unsigned>(needed) + digits_)),
-                   -static_cast<long>(std::ceil(needed)));
-}
+    const ParameterSweep& sweep_;
+    std::size_t sample_;
+    const SweepTarget& target_;
+    const LimitClaimed& claimed_;
+    unsigned digits_;
+    bool costly_ = false;       ///< integrals, or a curved profile
+    double hidden_ = 0;         ///< decades that the formulas may hide
+    double scene_decades_ = 0;  ///< from the scene's parameters
+    std::optional<Ball> scale_; ///< of the gap
+    std::vector<Point> points_; ///< from the last listed value on
+    std::string ended_by_;      ///< why there is no further enclosure
+    Decision decision_;
+    std::string problem_;
+    std::optional<Evidence> compared_;
+};
 
 /// Finds what the formulas may hide, and the scale of the gap at the first listed value.
-void FollowedTail::find_scales() {
-    const std::size_t last = sweep_.values().size() - 1;
-    const Sample& sample = sweep_.sample_at(0, sample_).sample;
+void TailFollower::find_scales() {
+    const Sample& sample = sweep_.sample_at(0, sample_);
     const long bits = 2 * formula::bits_for(digits_at(0));
     try {
         const EnclosedSample before(sample, bits);
-        const EnclosedSample after(sweep_.sample_at(last, sample_).sample, bits);
+        const EnclosedSample after(sweep_.last_sample(sample_), bits);
         const SweptPair pair{before, after};
         const formula::Expr difference = claimed_.difference();
         hidden_ = hidden_decades(difference, pair);
@@ -131,16 +191,11 @@ void FollowedTail::find_scales() {
     }
 }
 
-Sample FollowedTail::sample_at(unsigned decades, std::size_t which) const {
-    return decades == 0 ? sweep_.sample_at(sweep_.values().size() - 1, sample_).sample
-                        : sweep_.sample_with(target_.beyond(decades, which), sample_);
-}
-
-bool FollowedTail::add(unsigned decades, std::size_t which) {
+bool TailFollower::add(unsigned decades, std::size_t which) {
     std::optional<Point> point;
     try {
         const unsigned digits = digits_at(decades);
-        SampleInBalls sample(sample_at(decades, which), digits, is_costly() ? digits_ + 20 : 0);
+        SampleInBalls sample(sample_at(decades, which), digits, costly_ ? digits_ + 20 : 0);
         const bool decided = sample.until([&](const EnclosedSample& at) {
             Point found{decades, at.evaluate(claimed_.of), {}, {}};
             found.difference =
@@ -165,8 +220,10 @@ bool FollowedTail::add(unsigned decades, std::size_t which) {
     return point.has_value();
 }
 
-void FollowedTail::follow() {
-    const bool costly = is_costly();
+void TailFollower::follow() {
+    const Sample& first = sweep_.sample_at(0, sample_);
+    costly_ = has_binder(claimed_.of) || (claimed_.limit && has_binder(*claimed_.limit)) ||
+              !contact::BallContact::has_closed_form(first.scene.make_profile());
     std::size_t which = 0;
     bool more = add(0, which++);
     for (const unsigned decades : stations) {
@@ -174,14 +231,14 @@ void FollowedTail::follow() {
             break;
         }
         check_interruption();
-        if (costly && decades > farthest_of_integrals) {
+        if (costly_ && decades > farthest_of_integrals) {
             ended_by_ = "integrals are not followed further";
             break;
         }
         more = add(decades, which++);
         if (more && decades >= first_judged) {
             judge();
-            if (!std::holds_alternative<std::monostate>(decision_)) {
+            if (!is_open(decision_)) {
                 return;
             }
         }
@@ -189,7 +246,7 @@ void FollowedTail::follow() {
     if (is_short()) {
         judge();
     }
-    if (std::holds_alternative<std::monostate>(decision_) && problem_.empty()) {
+    if (is_open(decision_) && problem_.empty()) {
         problem_ = points_.size() < least_points && is_short()
                        ? "no enclosures near the end of the sweep: " + ended_by_
                        : "the values up to 10^" + std::to_string(decades()) +
@@ -197,7 +254,7 @@ void FollowedTail::follow() {
     }
 }
 
-std::vector<Ball> FollowedTail::gaps() const {
+std::vector<Ball> TailFollower::gaps() const {
     std::vector<Ball> all;
     for (const Point& point : points_) {
         all.push_back(point.gap);
@@ -205,7 +262,7 @@ std::vector<Ball> FollowedTail::gaps() const {
     return all;
 }
 
-std::vector<Ball> FollowedTail::steps() const {
+std::vector<Ball> TailFollower::steps() const {
     std::vector<Ball> all;
     for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
         all.push_back(abs(points_[i + 1].difference - points_[i].difference));
@@ -216,7 +273,7 @@ std::vector<Ball> FollowedTail::steps() const {
 /// True if the last three values are certainly less than the tolerance times `reference`, and each
 /// is at most half of the previous one or not distinguished from zero. If the enclosures end early,
 /// all values must also decrease steadily.
-bool FollowedTail::dies_away(const std::vector<Ball>& d, const Ball& reference) const {
+bool TailFollower::dies_away(const std::vector<Ball>& d, const Ball& reference) const {
     if (points_.size() < least_points) {
         return false;
     }
@@ -247,7 +304,7 @@ bool FollowedTail::dies_away(const std::vector<Ball>& d, const Ball& reference) 
     return before.size() < 2 || is_steady(before, decades, false);
 }
 
-bool FollowedTail::grows(const std::vector<Ball>& d, const Ball& reference) const {
+bool TailFollower::grows(const std::vector<Ball>& d, const Ball& reference) const {
     if (points_.size() < least_points || !certainly_less(reference, tolerance() * d.back())) {
         return false;
     }
@@ -268,7 +325,7 @@ bool FollowedTail::grows(const std::vector<Ball>& d, const Ball& reference) cons
 }
 
 /// True if the sums of the formulas have reached their final form between half-way and the end.
-bool FollowedTail::sums_settle() const {
+bool TailFollower::sums_settle() const {
     const std::size_t last = points_.size() - 1;
     std::size_t half = last;
     while (half > 0 && 2 * points_[half].decades > points_[last].decades) {
@@ -286,103 +343,105 @@ bool FollowedTail::sums_settle() const {
     }
 }
 
-void FollowedTail::judge() {
+void TailFollower::judge() {
     if (points_.size() < least_points) {
         return;
     }
-    if (claimed_.is_infinite()) {
-        judge_infinite();
-    } else {
+    if (claimed_.limit) {
         judge_finite();
+    } else {
+        judge_infinite();
     }
-    if (!std::holds_alternative<std::monostate>(decision_) && !sums_settle()) {
+    if (!is_open(decision_) && !sums_settle()) {
         decision_ = {};
         compared_.reset();
     }
 }
 
-void FollowedTail::judge_finite() {
+void TailFollower::judge_finite() {
     const std::vector<Ball> gap = gaps();
     const Ball& last = gap.back();
+    const char* distance = "distance from the limit";
     if (!scale_) {
         // If all gaps are zero, they must be exactly zero.
-        const bool zero = std::all_of(
-            gap.begin(), gap.end(), [](const Ball& d) { return d.is_exact() && contains_zero(d); });
-        if (const auto equal =
-                Confirmation::agreement(last, Ball(0, last.bits()), Ball(1, last.bits()), digits_);
-            zero && equal) {
-            decision_ = *equal;
-            compare("scale", Ball(1, last.bits()), "distance from the limit", gap);
+        const Ball one(1, last.bits());
+        if (std::ranges::all_of(gap,
+                                [](const Ball& d) { return d.is_exact() && contains_zero(d); })) {
+            decide(decision({}, Confirmation::agreement(last, one - one, one, digits_)), "scale",
+                   one, distance, gap);
         }
-        return;
-    }
-    if (dies_away(gap, *scale_)) {
-        if (const auto holds = Confirmation::less(last, tolerance() * *scale_)) {
-            decision_ = *holds;
-            compare("scale", *scale_, "distance from the limit", gap);
-        }
+    } else if (dies_away(gap, *scale_)) {
+        decide(decision({}, Confirmation::less(last, tolerance() * *scale_)), "scale", scale_,
+               distance, gap);
     } else if (certainly_positive(last) && dies_away(steps(), last)) {
-        if (const auto fails = Refutation::less(steps().back(), tolerance() * last)) {
-            decision_ = *fails;
-            compare("last step", std::nullopt, "distance from the limit", gap);
-        }
+        decide(decision(Refutation::less(steps().back(), tolerance() * last), {}), "last step", {},
+               distance, gap);
     } else if (grows(gap, *scale_)) {
-        if (const auto fails = Refutation::less(*scale_, tolerance() * last)) {
-            decision_ = *fails;
-            compare("scale", *scale_, "distance from the limit", gap);
-        }
+        decide(decision(Refutation::less(*scale_, tolerance() * last), {}), "scale", scale_,
+               distance, gap);
     }
 }
 
-void FollowedTail::judge_infinite() {
+void TailFollower::judge_infinite() {
     const std::vector<Ball> size = gaps();
     const Ball& last = size.back();
     if (scale_ && grows(size, *scale_)) {
         // The value is compared with its sign, as minus infinity is not infinity.
         const Ball& value = points_.back().value;
-        decision_ = edgeproof::audit::decision(Refutation::less(value, -*scale_),
-                                               Confirmation::less(*scale_, tolerance() * value));
-        compare("size of the first value", *scale_, "last size", size);
+        decide(decision(Refutation::less(value, -*scale_),
+                        Confirmation::less(*scale_, tolerance() * value)),
+               "size of the first value", scale_, "last size", size);
     } else if (certainly_positive(last) && dies_away(steps(), last)) {
-        if (const auto fails = Refutation::less(steps().back(), tolerance() * last)) {
-            decision_ = *fails;
-            compare("last step", std::nullopt, "last value", size);
-        }
+        decide(decision(Refutation::less(steps().back(), tolerance() * last), {}), "last step", {},
+               "last value", size);
     } else if (scale_ && dies_away(size, *scale_)) {
-        if (const auto fails = Refutation::less(last, tolerance() * *scale_)) {
-            decision_ = *fails;
-            compare("first value", *scale_, "last value", size);
-        }
+        decide(decision(Refutation::less(last, tolerance() * *scale_), {}), "first value", scale_,
+               "last value", size);
     }
 }
 
-/// Finds the last value of a sequence that can be printed and certainly differs from `first` (from
-/// the previous step if there is no `first`).
-void FollowedTail::compare(const std::string& first_name, const std::optional<Ball>& first,
-                           const std::string& second_name, const std::vector<Ball>& sequence) {
+void TailFollower::decide(const Decision& decision, std::string_view first_name,
+                          const std::optional<Ball>& first, std::string_view second_name,
+                          const std::vector<Ball>& sequence) {
+    decision_ = decision;
     const std::vector<Ball> step = steps();
-    for (std::size_t i = sequence.size(); i-- > 1;) {
+    for (std::size_t i = is_open(decision) ? 1 : sequence.size(); i-- > 1;) {
         const Ball& other = first ? *first : step[i - 1];
-        if (can_be_printed(other) && can_be_printed(sequence[i]) && disjoint(other, sequence[i])) {
-            compared_ = Compared{first_name, other, second_name, sequence[i]};
+        if (printed_text(other) && printed_text(sequence[i]) && disjoint(other, sequence[i])) {
+            const Sample& last = sweep_.last_sample(sample_);
+            compared_ = pair_evidence(full_text(last) + "; followed from there", first_name, other,
+                                      second_name, sequence[i], digits_);
             return;
         }
     }
 }
 
-std::vector<std::string> FollowedTail::texts() const {
-    constexpr unsigned digits_shown = 12;
+std::vector<std::string> TailFollower::texts() const {
     std::vector<std::string> all;
     for (std::size_t i = 1; i < points_.size(); ++i) {
-        const bool shown = i + 4 >= points_.size() || i % 4 == 1;
-        if (shown && can_be_printed(points_[i].value)) {
+        const auto text = printed_text(points_[i].value);
+        if (text && (i + 4 >= points_.size() || i % 4 == 1)) {
             all.push_back("about 10^" + std::to_string(points_[i].decades) +
                           (target_.is_infinite() ? " times the last value: "
                                                  : " times as near as the last value: ") +
-                          ball_text(points_[i].value, digits_shown));
+                          *text);
         }
     }
     return all;
+}
+
+} // namespace
+
+FollowedTail follow_tail(const ParameterSweep& sweep, std::size_t sample,
+                         const LimitClaimed& claimed, unsigned digits) {
+    if (const auto target = target_of(sweep, sample)) {
+        return TailFollower(sweep, sample, *target, claimed, digits).result();
+    }
+    FollowedTail none;
+    none.problem = "the values of " + sweep.name() +
+                   " do not show which value it approaches; list values that halve, or double, at "
+                   "each step, or whose distance from a simple number halves";
+    return none;
 }
 
 } // namespace edgeproof::audit

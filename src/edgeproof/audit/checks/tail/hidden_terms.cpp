@@ -31,6 +31,12 @@ std::optional<Ball> value_in(const EnclosedSample& sample, const Expr& e) {
     }
 }
 
+/// Returns log10 |e|.
+std::optional<double> decades_in(const EnclosedSample& sample, const Expr& e) {
+    const auto value = value_in(sample, e);
+    return value ? decades_of(*value) : std::nullopt;
+}
+
 bool is_zero_ball(const Ball& x) { return x.is_exact() && contains_zero(x); }
 
 /// True if no name in an expression changes from one sample to the other.
@@ -95,17 +101,13 @@ private:
 /// Adds the ratios of the terms at the first sample in decades; for a constant, also the
 /// cancellation.
 void HiddenScales::collect_terms(const Expr& e, double times) {
-    const auto size = [&](const Expr& part) {
-        const auto value = value_in(at_.before, part);
-        return value ? decades_of(*value) : std::nullopt;
-    };
     double apart = 0;
     for (std::size_t i = 0; i + 1 < e.args().size(); ++i) {
-        const auto first = size(e.arg(i));
-        const auto second = size(e.arg(i + 1));
+        const auto first = decades_in(at_.before, e.arg(i));
+        const auto second = decades_in(at_.before, e.arg(i + 1));
         if (first && second) {
             apart += std::abs(*first - *second);
-            const auto all = is_constant(e, at_) ? size(e) : std::nullopt;
+            const auto all = is_constant(e, at_) ? decades_in(at_.before, e) : std::nullopt;
             apart += all ? std::abs(std::max(*first, *second) - *all) : 0;
         }
     }
@@ -133,8 +135,7 @@ void HiddenScales::collect(const Expr& e, double times) {
     } else if (e.kind() == Expr::Kind::symbol && (e.name() == "x" || e.name() == "u")) {
         // A place near an edge hides as many decades as its distance from the edge.
         const Expr fraction = Expr::symbol("u") / Expr::symbol("L");
-        const auto value = value_in(at_.after, fraction);
-        add(fraction, std::abs((value ? decades_of(*value) : std::nullopt).value_or(infinite)));
+        add(fraction, std::abs(decades_in(at_.after, fraction).value_or(infinite)));
     } else if (e.args().empty()) {
         if (!value_in(at_.after, e)) {
             add(e, infinite);
@@ -153,10 +154,8 @@ void HiddenScales::collect(const Expr& e, double times) {
 
 bool pair_is_steady(const Expr& first, const Expr& second, const SweptPair& at) {
     const auto ratio = [&](const EnclosedSample& sample) -> std::optional<double> {
-        const auto x = value_in(sample, first);
-        const auto y = value_in(sample, second);
-        const auto p = x ? decades_of(*x) : std::nullopt;
-        const auto q = y ? decades_of(*y) : std::nullopt;
+        const auto p = decades_in(sample, first);
+        const auto q = decades_in(sample, second);
         return p && q ? std::optional(*p - *q) : std::nullopt;
     };
     const auto zero = [&](const Expr& e) {

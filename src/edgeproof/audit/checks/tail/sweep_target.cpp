@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/tail/sweep_target.hpp"
 
+#include "edgeproof/contact/enclosure/exact_contact.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 namespace edgeproof::audit {
 namespace {
@@ -16,42 +16,10 @@ using formula::Exact;
 using formula::Expr;
 
 constexpr long target_bits = 4000;
-constexpr long most_height = 1000; ///< of the simplest multiple of a unit
+constexpr double most_height = 1000; ///< of the simplest multiple of a unit
 /// A multiple is not a coincidence if its height, times the relative width of the interval in which
 /// it must lie, is below this.
 constexpr double most_coincidence = 0.1;
-
-/// For 0 < lo <= hi: returns the rational number of least height between them; nothing beyond
-/// `most_height`.
-std::optional<Rational> simplest_between(const Real& lo, const Real& hi) {
-    const Real whole = floor(lo);
-    if (whole > most_height) {
-        return std::nullopt;
-    }
-    const Rational floor_of_lo(whole.convert_to<long>());
-    if (whole == lo) {
-        return floor_of_lo;
-    }
-    if (whole + 1 <= hi) {
-        return Rational(floor_of_lo + 1);
-    }
-    const auto rest = simplest_between(Real(1 / (hi - whole)), Real(1 / (lo - whole)));
-    if (!rest) {
-        return std::nullopt;
-    }
-    const Rational q = floor_of_lo + 1 / *rest;
-    return numerator(q) * denominator(q) > most_height ? std::nullopt : std::optional(q);
-}
-
-/// Returns the values in balls, in the order of the list.
-std::vector<Ball> enclosed_values(const std::vector<Exact>& listed) {
-    std::vector<Ball> values;
-    values.reserve(listed.size());
-    for (const Exact& value : listed) {
-        values.push_back(formula::ball_of(value, target_bits));
-    }
-    return values;
-}
 
 /// True if each value is at most half of the previous one (`twice`: at least twice it), all with
 /// one sign. Values pass if balls do not prove the contrary: the balls of a ratio of exactly 2
@@ -68,14 +36,12 @@ bool each_halves(const std::vector<Ball>& d, bool twice) {
     return true;
 }
 
-bool halves_towards(const Expr& at, const std::vector<Ball>& values) {
+bool halves_towards(const Expr& at, std::vector<Ball> values) {
     const Ball target = formula::ball_of(Exact(at), target_bits);
-    std::vector<Ball> distances;
-    distances.reserve(values.size());
-    for (const Ball& value : values) {
-        distances.push_back(value - target);
+    for (Ball& value : values) {
+        value -= target;
     }
-    return each_halves(distances, false);
+    return each_halves(values, false);
 }
 
 struct Candidate {
@@ -98,11 +64,11 @@ std::optional<Candidate> multiple_of(const Expr& unit, const std::vector<Ball>& 
     if (!certainly_positive(last * end)) {
         return std::nullopt;
     }
-    const Real lo = std::min(abs(last).lower(), abs(end).lower());
-    const Real hi = std::max(abs(last).upper(), abs(end).upper());
-    const auto q = simplest_between(lo, hi);
+    const Ball between = Ball::hull(abs(last), abs(end));
+    const auto q = contact::simplest_rational(between);
     const double height = q ? Rational(numerator(*q) * denominator(*q)).convert_to<double>() : 0;
-    if (!q || height * Real((hi - lo) / lo).convert_to<double>() > most_coincidence) {
+    const Real width = (between.upper() - between.lower()) / between.lower();
+    if (!q || height > most_height || height * width.convert_to<double>() > most_coincidence) {
         return std::nullopt;
     }
     const Rational factor = negative ? Rational(-*q) : *q;
@@ -118,24 +84,20 @@ std::optional<Candidate> multiple_of(const Expr& unit, const std::vector<Ball>& 
 
 std::optional<Expr> finite_target(const std::vector<Ball>& values,
                                   const std::vector<Exact>& units) {
+    std::vector<Expr> all{Expr::number(1), Expr::pi()};
+    for (const Exact& unit : units) {
+        all.push_back(unit.expr());
+    }
     std::vector<Candidate> found;
-    const auto take = [&](const Expr& unit) {
+    for (const Expr& unit : all) {
         if (auto candidate = multiple_of(unit, values)) {
             found.push_back(std::move(*candidate));
         }
-    };
-    take(Expr::number(1));
-    take(Expr::pi());
-    for (const Exact& unit : units) {
-        take(unit.expr());
     }
     if (found.empty()) {
         return std::nullopt;
     }
-    const auto best =
-        std::min_element(found.begin(), found.end(), [](const Candidate& x, const Candidate& y) {
-            return x.height < y.height;
-        });
+    const auto best = std::ranges::min_element(found, {}, &Candidate::height);
     // Two numbers fit, and there is no reason to prefer one of them.
     constexpr double as_simple = 4;
     const bool doubtful = std::any_of(found.begin(), found.end(), [&](const Candidate& other) {
@@ -179,7 +141,10 @@ SweepTarget::SweepTarget(Kind kind, Expr at, const Exact& last)
 std::optional<SweepTarget> SweepTarget::of(const std::vector<Exact>& listed,
                                            const std::vector<Exact>& units) {
     const PrecisionScope scope(target_bits * 3 / 10);
-    const std::vector<Ball> values = enclosed_values(listed);
+    std::vector<Ball> values;
+    for (const Exact& value : listed) {
+        values.push_back(formula::ball_of(value, target_bits));
+    }
     if (each_halves(values, false)) {
         return SweepTarget(Kind::zero, Expr::number(0), listed.back());
     }

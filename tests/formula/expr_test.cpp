@@ -148,7 +148,17 @@ TEST_CASE("free names and functions") {
     CHECK(free_symbols(read("integral(s*x, s, 0, a) + y")) == Names{"a", "x", "y"});
     CHECK(free_symbols(read("s + integral(s, s, s, 1)")) == Names{"s"});
     CHECK(free_symbols(read("sum(integral(k*s, s, 0, k), k, 1, b)")) == Names{"b"});
-    CHECK(called_functions(read("f(g(1, sqrt(2))) + pv(f(s), s, 0, 1, x)")) == Names{"f", "g"});
+    for (const char* text : {"a*sqrt(b) + f(x)", "integral(s*x, s, 0, a) + y", "s + f(a)",
+                             "s + integral(s, s, s, 1)", "sum(integral(k*s, s, 0, k), k, 1, b)"}) {
+        CAPTURE(text);
+        const Names free = free_symbols(read(text));
+        for (const char* name : {"a", "b", "k", "s", "x", "y", "f"}) {
+            CHECK(holds_symbol(read(text), name) == free.contains(name));
+        }
+    }
+    const Expr nested = read("f(g(1, sqrt(2))) + pv(f(s), s, 0, 1, x)");
+    CHECK((holds_call(nested, "f") && holds_call(nested, "g") && holds_call(nested, "sqrt")));
+    CHECK_FALSE((holds_call(nested, "x") || holds_call(nested, "pv")));
     CHECK(has_binder(read("1 + sum(k, k, 1, 3)")));
     CHECK_FALSE(has_binder(read("1 + f(a)")));
 }

@@ -7,33 +7,24 @@
 namespace edgeproof::formula {
 namespace {
 
-constexpr unsigned any_number = 64;
+/// In the order of the enumeration, from sqrt on.
+constexpr std::array<std::string_view, 23> builtin_names{
+    "sqrt", "exp",   "log",  "sin",   "cos",  "tan",   "asin",  "acos",
+    "atan", "atan2", "sinh", "cosh",  "tanh", "asinh", "acosh", "atanh",
+    "abs",  "sgn",   "step", "gamma", "max",  "min",   "hypot"};
 
-constexpr std::array table{
-    BuiltinInfo{Builtin::sqrt, "sqrt", 1, 1},
-    BuiltinInfo{Builtin::exp, "exp", 1, 1},
-    BuiltinInfo{Builtin::log, "log", 1, 1},
-    BuiltinInfo{Builtin::sin, "sin", 1, 1},
-    BuiltinInfo{Builtin::cos, "cos", 1, 1},
-    BuiltinInfo{Builtin::tan, "tan", 1, 1},
-    BuiltinInfo{Builtin::asin, "asin", 1, 1},
-    BuiltinInfo{Builtin::acos, "acos", 1, 1},
-    BuiltinInfo{Builtin::atan, "atan", 1, 1},
-    BuiltinInfo{Builtin::atan2, "atan2", 2, 2},
-    BuiltinInfo{Builtin::sinh, "sinh", 1, 1},
-    BuiltinInfo{Builtin::cosh, "cosh", 1, 1},
-    BuiltinInfo{Builtin::tanh, "tanh", 1, 1},
-    BuiltinInfo{Builtin::asinh, "asinh", 1, 1},
-    BuiltinInfo{Builtin::acosh, "acosh", 1, 1},
-    BuiltinInfo{Builtin::atanh, "atanh", 1, 1},
-    BuiltinInfo{Builtin::abs, "abs", 1, 1},
-    BuiltinInfo{Builtin::sgn, "sgn", 1, 1},
-    BuiltinInfo{Builtin::step, "step", 1, 1},
-    BuiltinInfo{Builtin::gamma, "gamma", 1, 1},
-    BuiltinInfo{Builtin::max, "max", 2, any_number},
-    BuiltinInfo{Builtin::min, "min", 2, any_number},
-    BuiltinInfo{Builtin::hypot, "hypot", 2, 2},
-};
+constexpr std::array table = [] {
+    std::array<BuiltinInfo, builtin_names.size()> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        constexpr unsigned any_number = 64;
+        const auto f = static_cast<Builtin>(i + 1);
+        const bool list = f == Builtin::max || f == Builtin::min;
+        const unsigned least = list || f == Builtin::atan2 || f == Builtin::hypot ? 2 : 1;
+        all[i] = {f, builtin_names[i], least, list ? any_number : least};
+    }
+    return all;
+}();
+static_assert(table.back().id == Builtin::hypot);
 
 } // namespace
 
@@ -45,8 +36,7 @@ std::optional<BuiltinInfo> find_builtin(std::string_view name) {
 }
 
 std::string_view name_of(Builtin f) {
-    const auto it = std::ranges::find(table, f, &BuiltinInfo::id);
-    return it == table.end() ? std::string_view{} : it->name;
+    return f == Builtin::none ? std::string_view{} : table[static_cast<std::size_t>(f) - 1].name;
 }
 
 } // namespace edgeproof::formula

@@ -32,7 +32,7 @@ enum class Builtin {
     gamma,
     max,
     min,
-    hypot,
+    hypot
 };
 
 struct BuiltinInfo {
@@ -46,5 +46,10 @@ struct BuiltinInfo {
 [[nodiscard]] std::span<const BuiltinInfo> builtins();
 [[nodiscard]] std::optional<BuiltinInfo> find_builtin(std::string_view name);
 [[nodiscard]] std::string_view name_of(Builtin f);
+
+/// The number of arguments of integral, pv and sum, which bind a variable; 0 for other names.
+[[nodiscard]] constexpr unsigned binder_arity(std::string_view name) {
+    return name == "pv" ? 5 : name == "integral" || name == "sum" ? 4 : 0;
+}
 
 } // namespace edgeproof::formula

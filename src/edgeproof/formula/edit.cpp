@@ -2,44 +2,37 @@
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/error.hpp"
 
-#include <functional>
+#include <algorithm>
 
 namespace edgeproof::formula {
 namespace {
 
 constexpr std::size_t bound_variable = 1;
 
-/// A binder binds its variable in its first argument only.
-bool binds_in(const Expr& e, std::size_t child) { return e.is_binder() && child == 0; }
-
-void walk(const Expr& e, const std::function<void(const Expr&)>& visit) {
-    visit(e);
+/// Calls visit(i) for each child of e except a bound variable.
+template <class Visit> void for_parts(const Expr& e, const Visit& visit) {
     for (std::size_t i = 0; i < e.args().size(); ++i) {
         if (!(e.is_binder() && i == bound_variable)) {
-            walk(e.args()[i], visit);
+            visit(i);
         }
     }
 }
 
-void collect_free(const Expr& e, std::multiset<std::string>& bound, std::set<std::string>& out) {
-    if (e.kind() == Expr::Kind::symbol) {
-        if (!bound.contains(e.name())) {
-            out.insert(e.name());
-        }
-        return;
+/// A binder binds its variable in its first argument only.
+void collect_free(const Expr& e, std::vector<std::string_view>& bound, std::set<std::string>& out) {
+    if (e.kind() == Expr::Kind::symbol && std::ranges::find(bound, e.name()) == bound.end()) {
+        out.insert(e.name());
     }
-    for (std::size_t i = 0; i < e.args().size(); ++i) {
-        if (e.is_binder() && i == bound_variable) {
-            continue;
+    for_parts(e, [&](std::size_t i) {
+        const bool binds = e.is_binder() && i == 0;
+        if (binds) {
+            bound.emplace_back(e.args()[bound_variable].name());
         }
-        if (binds_in(e, i)) {
-            const auto it = bound.insert(e.args()[bound_variable].name());
-            collect_free(e.args()[i], bound, out);
-            bound.erase(it);
-        } else {
-            collect_free(e.args()[i], bound, out);
+        collect_free(e.args()[i], bound, out);
+        if (binds) {
+            bound.pop_back();
         }
-    }
+    });
 }
 
 std::string fresh(const std::string& name, const std::set<std::string>& taken,
@@ -65,19 +58,14 @@ public:
             return e;
         }
         std::vector<Expr> args(e.args().begin(), e.args().end());
-        if (e.is_binder()) {
-            for (std::size_t i = bound_variable + 1; i < args.size(); ++i) {
+        for_parts(e, [&](std::size_t i) {
+            if (e.is_binder() && i == 0) {
+                substitute_under(args);
+            } else {
                 args[i] = (*this)(args[i]);
             }
-            substitute_under(args);
-        } else {
-            for (Expr& x : args) {
-                x = (*this)(x);
-            }
-        }
-        return args == std::vector<Expr>(e.args().begin(), e.args().end())
-                   ? e
-                   : Expr::with_args(e, std::move(args));
+        });
+        return std::ranges::equal(args, e.args()) ? e : Expr::with_args(e, std::move(args));
     }
 
 private:
@@ -106,40 +94,41 @@ private:
 
 void collect_paths(const Expr& e, Path& here, std::vector<Path>& out) {
     out.push_back(here);
-    for (std::size_t i = 0; i < e.args().size(); ++i) {
-        if (e.is_binder() && i == bound_variable) {
-            continue;
-        }
+    for_parts(e, [&](std::size_t i) {
         here.push_back(i);
         collect_paths(e.args()[i], here, out);
         here.pop_back();
-    }
+    });
 }
 
 } // namespace
 
 std::set<std::string> free_symbols(const Expr& e) {
     std::set<std::string> out;
-    std::multiset<std::string> bound;
+    std::vector<std::string_view> bound;
     collect_free(e, bound, out);
     return out;
 }
 
-std::set<std::string> called_functions(const Expr& e) {
-    std::set<std::string> out;
-    walk(e, [&out](const Expr& x) {
-        if (x.kind() == Expr::Kind::call && x.builtin() == Builtin::none) {
-            out.insert(x.name());
-        }
-    });
-    return out;
-}
-
-bool has_binder(const Expr& e) {
+bool holds_symbol(const Expr& e, std::string_view name) {
+    if (e.kind() == Expr::Kind::symbol) {
+        return e.name() == name;
+    }
     bool found = false;
-    walk(e, [&found](const Expr& x) { found = found || x.is_binder(); });
+    for_parts(e, [&](std::size_t i) {
+        const bool hidden = e.is_binder() && i == 0 && e.args()[bound_variable].name() == name;
+        found = found || (!hidden && holds_symbol(e.args()[i], name));
+    });
     return found;
 }
+
+bool holds_call(const Expr& e, std::string_view name) {
+    return any_part(e, [&](const Expr& part) {
+        return part.kind() == Expr::Kind::call && part.name() == name;
+    });
+}
+
+bool has_binder(const Expr& e) { return any_part(e, &Expr::is_binder); }
 
 Expr substitute(const Expr& e, std::string_view name, const Expr& value) {
     return Substitution(name, value)(e);

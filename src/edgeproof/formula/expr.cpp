@@ -64,19 +64,6 @@ bool terminates(const Rational& q) {
     return odd == 1;
 }
 
-std::optional<Expr::Kind> binder_kind(std::string_view name) {
-    if (name == "integral") {
-        return Expr::Kind::integral;
-    }
-    if (name == "pv") {
-        return Expr::Kind::pv;
-    }
-    if (name == "sum") {
-        return Expr::Kind::sum;
-    }
-    return std::nullopt;
-}
-
 void check_call(std::string_view name, std::size_t given, std::size_t least, std::size_t most) {
     if (given < least || given > most) {
         std::string wanted = std::to_string(least);
@@ -144,15 +131,15 @@ Expr Expr::pi() {
 Expr Expr::symbol(std::string_view name) { return make(Kind::symbol, std::string(name), {}); }
 
 Expr Expr::call(std::string_view name, std::vector<Expr> args) {
-    if (const auto binder = binder_kind(name)) {
-        const std::size_t arity = *binder == Kind::pv ? 5 : 4;
+    if (const unsigned arity = binder_arity(name); arity != 0) {
         check_call(name, args.size(), arity, arity);
         if (args[1].kind() != Kind::symbol) {
             throw InputError("the second argument of '" + std::string(name) + "' is not a variable",
                              "write " + std::string(name) + "(f, s, lower, upper" +
                                  (arity == 5 ? ", x)" : ")"));
         }
-        return make(*binder, std::string(name), std::move(args));
+        const Kind kind = name == "pv" ? Kind::pv : name == "sum" ? Kind::sum : Kind::integral;
+        return make(kind, std::string(name), std::move(args));
     }
     if (const auto f = find_builtin(name)) {
         check_call(name, args.size(), f->min_arity, f->max_arity);

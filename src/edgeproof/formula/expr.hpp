@@ -3,6 +3,7 @@
 #include "edgeproof/formula/builtin.hpp"
 #include "edgeproof/precision/rational.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -110,8 +111,15 @@ private:
 
 /// The names that are not bound by an enclosing integral, pv or sum.
 [[nodiscard]] std::set<std::string> free_symbols(const Expr& e);
-/// The called functions that are not built in.
-[[nodiscard]] std::set<std::string> called_functions(const Expr& e);
+/// True if `name` is one of them.
+[[nodiscard]] bool holds_symbol(const Expr& e, std::string_view name);
+/// True if holds(part) is true for e or one of its parts.
+template <class Predicate> [[nodiscard]] bool any_part(const Expr& e, const Predicate& holds) {
+    return std::invoke(holds, e) ||
+           std::ranges::any_of(e.args(), [&](const Expr& part) { return any_part(part, holds); });
+}
+/// True if the function `name` is called.
+[[nodiscard]] bool holds_call(const Expr& e, std::string_view name);
 /// True if an integral, pv or sum occurs.
 [[nodiscard]] bool has_binder(const Expr& e);
 

@@ -11,30 +11,6 @@
 namespace edgeproof::formula {
 namespace {
 
-Integer whole_power(const Integer& x, unsigned long n) {
-    Integer y;
-    mpz_pow_ui(y.backend().data(), x.backend().data(), n);
-    return y;
-}
-
-/// Returns the exact root of x >= 0, if there is one.
-std::optional<Integer> exact_root(const Integer& x, unsigned long degree) {
-    Integer y;
-    if (mpz_root(y.backend().data(), x.backend().data(), degree) == 0) {
-        return std::nullopt;
-    }
-    return y;
-}
-
-std::optional<Rational> exact_root(const Rational& q, unsigned long degree) {
-    if (q < 0) {
-        return std::nullopt;
-    }
-    const auto n = exact_root(Integer(numerator(q)), degree);
-    const auto d = exact_root(Integer(denominator(q)), degree);
-    return n && d ? std::optional(Rational(*n, *d)) : std::nullopt;
-}
-
 std::optional<Rational> fold_power(const Rational& base, const Rational& exponent) {
     constexpr unsigned long max_root = 64;
     const Integer n(numerator(exponent));
@@ -67,8 +43,7 @@ std::optional<Rational> fold_power(const Rational& base, const Rational& exponen
         return std::nullopt;
     }
     const auto k = size.convert_to<unsigned long>();
-    const Rational y(whole_power(Integer(numerator(x)), k),
-                     whole_power(Integer(denominator(x)), k));
+    const Rational y = whole_power(x, k);
     return n > 0 ? y : Rational(1) / y;
 }
 
@@ -116,6 +91,28 @@ std::optional<Rational> fold_unbounded(Expr::Kind kind, Builtin f, std::span<con
 }
 
 } // namespace
+
+std::optional<Rational> exact_root(const Rational& q, unsigned long degree) {
+    if (q < 0) {
+        return std::nullopt;
+    }
+    Integer n;
+    Integer d;
+    const auto* raw = q.backend().data();
+    if (mpz_root(n.backend().data(), mpq_numref(raw), degree) == 0 ||
+        mpz_root(d.backend().data(), mpq_denref(raw), degree) == 0) {
+        return std::nullopt;
+    }
+    return Rational(n, d);
+}
+
+Rational whole_power(const Rational& q, unsigned long n) {
+    Rational y;
+    auto* raw = y.backend().data();
+    mpz_pow_ui(mpq_numref(raw), mpq_numref(q.backend().data()), n);
+    mpz_pow_ui(mpq_denref(raw), mpq_denref(q.backend().data()), n);
+    return y;
+}
 
 std::size_t bits_of(const Rational& q) {
     const auto* raw = q.backend().data();

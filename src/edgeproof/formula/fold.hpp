@@ -12,6 +12,12 @@ namespace edgeproof::formula {
 /// The size of a rational: the bits of numerator and denominator together.
 [[nodiscard]] std::size_t bits_of(const Rational& q);
 
+/// Returns the root of this degree, if it is rational and q is not negative.
+[[nodiscard]] std::optional<Rational> exact_root(const Rational& q, unsigned long degree);
+
+/// Returns q^n, with 0^0 = 1.
+[[nodiscard]] Rational whole_power(const Rational& q, unsigned long n);
+
 /// Larger exact results are not folded but evaluated numerically.
 inline constexpr std::size_t max_folded_bits = std::size_t{1} << 17U;
 

@@ -32,7 +32,7 @@ template <class Value>
             }
             return sum;
         }
-        return abs(Number(value(e)));
+        [[fallthrough]];
     default:
         return abs(Number(value(e)));
     }

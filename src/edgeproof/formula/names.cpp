@@ -19,32 +19,30 @@ struct Meant {
     std::string_view written;
     std::string_view meant;
 };
-constexpr std::array other_spellings{
-    Meant{"ln", "log"},
-    Meant{"arcsin", "asin"},
-    Meant{"arccos", "acos"},
-    Meant{"arctan", "atan"},
-    Meant{"arctan2", "atan2"},
-    Meant{"arcsinh", "asinh"},
-    Meant{"arccosh", "acosh"},
-    Meant{"arctanh", "atanh"},
-    Meant{"arsinh", "asinh"},
-    Meant{"arcosh", "acosh"},
-    Meant{"artanh", "atanh"},
-    Meant{"sign", "sgn"},
-    Meant{"signum", "sgn"},
-    Meant{"Gamma", "gamma"},
-    Meant{"tgamma", "gamma"},
-    Meant{"fabs", "abs"},
-    Meant{"Sqrt", "sqrt"},
-    Meant{"Heaviside", "step"},
-    Meant{"heaviside", "step"},
-    Meant{"integrate", "integral"},
-    Meant{"Integral", "integral"},
-    Meant{"Log", "log"},
-    Meant{"Exp", "exp"},
-    Meant{"PI", "Pi"},
-};
+constexpr std::array other_spellings{Meant{"ln", "log"},
+                                     Meant{"arcsin", "asin"},
+                                     Meant{"arccos", "acos"},
+                                     Meant{"arctan", "atan"},
+                                     Meant{"arctan2", "atan2"},
+                                     Meant{"arcsinh", "asinh"},
+                                     Meant{"arccosh", "acosh"},
+                                     Meant{"arctanh", "atanh"},
+                                     Meant{"arsinh", "asinh"},
+                                     Meant{"arcosh", "acosh"},
+                                     Meant{"artanh", "atanh"},
+                                     Meant{"sign", "sgn"},
+                                     Meant{"signum", "sgn"},
+                                     Meant{"Gamma", "gamma"},
+                                     Meant{"tgamma", "gamma"},
+                                     Meant{"fabs", "abs"},
+                                     Meant{"Sqrt", "sqrt"},
+                                     Meant{"Heaviside", "step"},
+                                     Meant{"heaviside", "step"},
+                                     Meant{"integrate", "integral"},
+                                     Meant{"Integral", "integral"},
+                                     Meant{"Log", "log"},
+                                     Meant{"Exp", "exp"},
+                                     Meant{"PI", "Pi"}};
 
 /// Units that are not plausible as names in a formula.
 constexpr std::array units{"Pa", "kPa", "MPa", "GPa", "kN",  "MN",  "mm", "cm",
@@ -115,12 +113,8 @@ std::size_t character_length(std::string_view text, std::size_t offset) {
 
 } // namespace
 
-bool is_binder_name(std::string_view name) {
-    return name == "integral" || name == "pv" || name == "sum";
-}
-
 bool is_reserved(std::string_view name) {
-    return name == "pi" || name == "Pi" || is_binder_name(name) || find_builtin(name) ||
+    return is_pi(name) || binder_arity(name) != 0 || find_builtin(name) ||
            std::ranges::find(taken_for_constants, name) != taken_for_constants.end();
 }
 
@@ -153,17 +147,15 @@ const Symbols::Function* Symbols::function(std::string_view name) const {
     return it == functions_.end() ? nullptr : &it->second;
 }
 
-std::pair<std::size_t, std::size_t> arity_of(std::string_view name, const Symbols& allowed) {
-    if (is_binder_name(name)) {
-        return name == "pv" ? std::pair<std::size_t, std::size_t>{5, 5}
-                            : std::pair<std::size_t, std::size_t>{4, 4};
+Arity arity_of(std::string_view name, const Symbols& allowed) {
+    if (const unsigned arity = binder_arity(name); arity != 0) {
+        return {arity, arity};
     }
     if (const auto f = find_builtin(name)) {
         return {f->min_arity, f->max_arity};
     }
     const auto* f = allowed.function(name);
-    return f == nullptr ? std::pair<std::size_t, std::size_t>{0, 0}
-                        : std::pair<std::size_t, std::size_t>{f->arity, f->arity};
+    return f == nullptr ? Arity() : Arity{f->arity, f->arity};
 }
 
 std::string usage(std::string_view name, const Symbols& allowed) {
@@ -172,7 +164,7 @@ std::string usage(std::string_view name, const Symbols& allowed) {
     if (name == "pv") {
         return text + "(f, s, lower, upper, x)";
     }
-    if (is_binder_name(name)) {
+    if (binder_arity(name) != 0) {
         return text + (name == "sum" ? "(f, k, lower, upper)" : "(f, s, lower, upper)");
     }
     text += '(';

@@ -5,16 +5,19 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 
 /// The messages of the parser about names and characters, separate from the grammar.
 namespace edgeproof::formula {
 
-[[nodiscard]] bool is_binder_name(std::string_view name);
+[[nodiscard]] inline bool is_pi(std::string_view name) { return name == "pi" || name == "Pi"; }
 
-/// Returns the least and the greatest number of arguments of a known function or binder.
-[[nodiscard]] std::pair<std::size_t, std::size_t> arity_of(std::string_view name,
-                                                           const Symbols& allowed);
+/// The least and the greatest number of arguments.
+struct Arity {
+    std::size_t least = 0;
+    std::size_t most = 0;
+};
+/// Returns that of a known function or binder; {0, 0} for others.
+[[nodiscard]] Arity arity_of(std::string_view name, const Symbols& allowed);
 /// "atan2(x, y)".
 [[nodiscard]] std::string usage(std::string_view name, const Symbols& allowed);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/parity.hpp"
 
-#include <string>
+#include <algorithm>
+#include <array>
 
 namespace edgeproof::formula {
 namespace {
@@ -26,24 +27,12 @@ Parity of_power(const Expr& exponent) {
 
 /// The parity of a built-in function of one odd argument.
 Parity of_odd_argument(Builtin f) {
-    switch (f) {
-    case Builtin::cos:
-    case Builtin::cosh:
-    case Builtin::abs:
-        return Parity::even;
-    case Builtin::sin:
-    case Builtin::tan:
-    case Builtin::asin:
-    case Builtin::atan:
-    case Builtin::sinh:
-    case Builtin::tanh:
-    case Builtin::asinh:
-    case Builtin::atanh:
-    case Builtin::sgn:
-        return Parity::odd;
-    default:
-        return Parity::undecided;
-    }
+    using enum Builtin;
+    static constexpr std::array even_functions{cos, cosh, abs};
+    static constexpr std::array odd_functions{sin, tan, asin, atan, sinh, tanh, asinh, atanh, sgn};
+    return std::ranges::find(even_functions, f) != even_functions.end() ? Parity::even
+           : std::ranges::find(odd_functions, f) != odd_functions.end() ? Parity::odd
+                                                                        : Parity::undecided;
 }
 
 } // namespace
@@ -82,15 +71,13 @@ Parity parity(const Expr& e, std::string_view variable) {
     }
     default:
         // An integral or a sum.
-        return free_symbols(e).contains(std::string(variable)) ? Parity::undecided : Parity::even;
+        return holds_symbol(e, variable) ? Parity::undecided : Parity::even;
     }
 }
 
 bool odd_but_for_a_constant(const Expr& e, std::string_view variable) {
     using Kind = Expr::Kind;
-    const auto constant = [&](const Expr& part) {
-        return !free_symbols(part).contains(std::string(variable));
-    };
+    const auto constant = [&](const Expr& part) { return !holds_symbol(part, variable); };
     const auto shown = [&](std::size_t i) { return odd_but_for_a_constant(e.arg(i), variable); };
     if (constant(e) || parity(e, variable) == Parity::odd) {
         return true;

@@ -5,6 +5,7 @@
 #include "edgeproof/formula/names.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -95,9 +96,9 @@ private:
         Expr left = term();
         for (;;) {
             if (take('+')) {
-                left = combine(left, term(), start, [](auto& x, auto& y) { return x + y; });
+                left = combine(left, term(), start, std::plus<>());
             } else if (take('-')) {
-                left = combine(left, term(), start, [](auto& x, auto& y) { return x - y; });
+                left = combine(left, term(), start, std::minus<>());
             } else {
                 return left;
             }
@@ -112,11 +113,9 @@ private:
                 if (peek() == '*') {
                     fail("'**'" + column(pos_ - 1), "write a power as x^y", pos_ - 1);
                 }
-                left =
-                    combine(left, signed_factor(), start, [](auto& x, auto& y) { return x * y; });
+                left = combine(left, signed_factor(), start, std::multiplies<>());
             } else if (take('/')) {
-                left =
-                    combine(left, signed_factor(), start, [](auto& x, auto& y) { return x / y; });
+                left = combine(left, signed_factor(), start, std::divides<>());
             } else {
                 return left;
             }
@@ -212,9 +211,11 @@ private:
         }
         return text_.substr(start, end - start);
     }
+    [[nodiscard]] bool is_function(std::string_view name) const {
+        return arity_of(name, allowed_).most != 0 || allowed_.function(name) != nullptr;
+    }
     [[nodiscard]] bool is_known(std::string_view name) const {
-        return name == "pi" || name == "Pi" || find_builtin(name) || is_binder_name(name) ||
-               allowed_.has(name) || allowed_.function(name) != nullptr;
+        return is_pi(name) || allowed_.has(name) || is_function(name);
     }
 
     Expr name_or_call() {
@@ -228,11 +229,10 @@ private:
         if (peek() == '(') {
             return call(name, start);
         }
-        if (name == "pi" || name == "Pi") {
+        if (is_pi(name)) {
             return located(Expr::pi(), start);
         }
-        if (find_builtin(name) || is_binder_name(name) ||
-            (allowed_.function(name) != nullptr && !allowed_.has(name))) {
+        if (is_function(name) && !allowed_.has(name)) {
             fail("the function '" + name + "'" + column(start) + " has no arguments",
                  "write " + usage(name, allowed_), start);
         }
@@ -240,10 +240,8 @@ private:
     }
 
     Expr call(const std::string& name, std::size_t start) {
-        const bool known =
-            find_builtin(name) || is_binder_name(name) || allowed_.function(name) != nullptr;
-        if (!known) {
-            if (allowed_.has(name) || name == "pi" || name == "Pi") {
+        if (!is_function(name)) {
+            if (allowed_.has(name) || is_pi(name)) {
                 fail("'" + name + "'" + column(start) + " is not a function",
                      "write a product as " + name + "*(...)", start);
             }
@@ -275,7 +273,7 @@ private:
                      (args.size() == 1 ? " argument" : " arguments"),
                  "write " + usage(name, allowed_), start);
         }
-        if (is_binder_name(name)) {
+        if (binder_arity(name) != 0) {
             const Expr& variable = args[1];
             if (variable.kind() != Expr::Kind::symbol || is_reserved(variable.name())) {
                 fail("the second argument of '" + name + "'" + column(variable.offset()) +

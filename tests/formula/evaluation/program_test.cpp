@@ -84,26 +84,50 @@ TEST_CASE("one program serves several precisions and arithmetics") {
     }
 }
 
-TEST_CASE("functions and integrals come from outside") {
-    struct Externals {
+TEST_CASE("parts that are given, and parts that are written out") {
+    // b(x) is an input, f(x) is written out, and f(y) is a constant of the environment.
+    const auto written_out = [](const Expr& e) {
+        return e.kind() == Expr::Kind::call && e.name() == "f"
+                   ? std::optional(e.arg(0) * Expr::number(Rational(10)))
+                   : std::nullopt;
+    };
+    Symbols symbols = program_symbols;
+    symbols.add_function("b", 1);
+    const auto compiled = [&](const char* text) {
+        return Program(parse(text, symbols), {Expr::symbol("x"), parse("b(x)", symbols)},
+                       written_out);
+    };
+    const Program program = compiled("f(x + 1) + b(x) + f(y)");
+    struct Negative : Values<double> {
         [[nodiscard]] double call(const Expr& node, std::span<const double> args) const {
-            return node.name() == "f" ? 10 * args[0] : 0;
-        }
-        [[nodiscard]] double binder(const Expr& node, std::span<const double> at) const {
-            // Correct for integrands that are the bound variable.
-            return node.kind() == Expr::Kind::integral ? at[0] * at[0] / 2 : 0;
+            return node.name() == "f" ? -args[0] : 0;
         }
     };
-    const Expr e = parse("f(x + 1) + integral(s, s, 0, x)", program_symbols);
-    const Program program(e, {"x"});
-    const std::array<double, 1> at{4.0};
-    CHECK(run<double>(program, at, constants_of<double>(program), Externals{}) == 58.0);
-    CHECK_THROWS_AS((void)run<double>(program, at, constants_of<double>(program)), Error);
+    Negative values;
+    values.set("y", 7.0);
+    const std::array<double, 2> at{4.0, 0.5};
+    CHECK(run<double>(program, at, constants_of<double>(program, values)) == 50 + 0.5 - 7);
+    // The source of a step is the part as it is written.
+    CHECK(program.steps().back().source == parse("f(x + 1) + b(x) + f(y)", symbols));
+    // A factor that is the number 0 removes the other factor.
+    for (const char* zero : {"0*log(x)", "log(x)*(1 - 1)", "-(0*x)", "0/x", "f(0*x)"}) {
+        CAPTURE(zero);
+        const Program none = compiled(zero);
+        CHECK(none.result() == 2);
+        CHECK(run<double>(none, at, constants_of<double>(none, values)) == 0);
+    }
 }
 
 TEST_CASE("misuse is an error, and so is a value outside the domain") {
-    CHECK_THROWS_AS(Program(parse("x + y", program_symbols), {"x"}), Error);
-    CHECK_THROWS_AS(Program(parse("integral(s*y, s, 0, x)", program_symbols), {"x"}), Error);
+    for (const char* text : {"x + y", "x*f(1)", "x + integral(s, s, 0, 1)"}) {
+        const Program lacking(parse(text, program_symbols), {"x"});
+        CHECK_THROWS_AS((void)constants_of<double>(lacking), Error);
+    }
+    for (const char* text : {"f(x)", "integral(s, s, 0, x)", "sum(k, k, 1, x)"}) {
+        const Program lacking(parse(text, program_symbols), {"x"});
+        CHECK_THROWS_AS((void)run<double>(lacking, std::array{1.0}, constants_of<double>(lacking)),
+                        Error);
+    }
     const Program program(parse("2 + log(x - 3)", program_symbols), {"x"});
     const std::array<double, 1> at{1.0};
     const std::array<double, 2> two{1.0, 2.0};

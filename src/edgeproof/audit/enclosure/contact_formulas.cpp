@@ -7,17 +7,17 @@
 #include <algorithm>
 
 namespace edgeproof::audit {
+
+using formula::Expr;
+
 namespace {
 
-formula::Expr integer(long n) { return formula::Expr::number(Rational(n)); }
-formula::Expr call_of(const char* f, std::vector<formula::Expr> args) {
-    return formula::Expr::call(f, std::move(args));
-}
-formula::Expr root_of(const formula::Expr& x) { return call_of("sqrt", {x}); }
+Expr integer(long n) { return Expr::number(Rational(n)); }
+Expr call_of(const char* f, std::vector<Expr> args) { return Expr::call(f, std::move(args)); }
+Expr root_of(const Expr& x) { return call_of("sqrt", {x}); }
 
-const formula::Expr edge_a =
-    formula::Expr::symbol("a"); // NOLINT: Expr is immutable and needs no other source
-const formula::Expr edge_b = formula::Expr::symbol("b"); // NOLINT
+const Expr edge_a = Expr::symbol("a"); // NOLINT: Expr is immutable and needs no other source
+const Expr edge_b = Expr::symbol("b"); // NOLINT
 
 constexpr long most_whole = 200; // greatest exponent of a power law that is written as a formula
 
@@ -63,16 +63,16 @@ ContactFormulas::ContactFormulas(const contact::Profile& profile,
     }
 }
 
-formula::Expr ContactFormulas::parameter(const char* name) const {
+Expr ContactFormulas::parameter(const char* name) const {
     return profile_.parameters().at(name).expr();
 }
 
-formula::Expr ContactFormulas::named(const std::string& name, const Ball& value) {
+Expr ContactFormulas::named(const std::string& name, const Ball& value) {
     constants_.insert_or_assign(name, value);
-    return formula::Expr::symbol(name);
+    return Expr::symbol(name);
 }
 
-bool ContactFormulas::beyond(const Ball& near, const formula::Expr& knot) const {
+bool ContactFormulas::beyond(const Ball& near, const Expr& knot) const {
     const Ball at = enclosed_constant(formula::Exact(knot), contact_.bits());
     if (overlaps(near, at)) {
         throw BudgetError("a place that cannot be distinguished from a knot");
@@ -80,34 +80,31 @@ bool ContactFormulas::beyond(const Ball& near, const formula::Expr& knot) const 
     return certainly_less(at, near);
 }
 
-formula::Expr ContactFormulas::slope(const formula::Expr& x, const Ball& near,
-                                     bool absolute) const {
+Expr ContactFormulas::slope(const Expr& x, const Ball& near, bool absolute) const {
     std::size_t piece = 0;
     for (const std::size_t knot : changing_knots(absolute)) {
         if (beyond(near, profile_.knots()[knot].expr())) {
             piece = knot + 1;
         }
     }
-    const formula::Expr g = substitute(profile_.pieces()[piece].slope, "x", x);
+    const Expr g = substitute(profile_.pieces()[piece].slope, "x", x);
     // g' <= 0 left of the origin and >= 0 to the right of it.
     return absolute && piece <= profile_.origin() ? -g : g;
 }
 
-std::optional<formula::Expr> ContactFormulas::force_rate(const formula::Expr& s,
-                                                         const Ball& near) const {
+std::optional<Expr> ContactFormulas::force_rate(const Expr& s, const Ball& near) const {
     switch (profile_.kind()) {
     case contact::Profile::Kind::power_law:
-        return formula::Expr::symbol("factor of the force rate") *
-               pow(s, formula::Expr::number(*exponent_));
+        return Expr::symbol("factor of the force rate") * pow(s, Expr::number(*exponent_));
     case contact::Profile::Kind::tilted_wedge:
-        return formula::Expr::symbol("factor of the force rate");
+        return Expr::symbol("factor of the force rate");
     case contact::Profile::Kind::flat_and_rounded: {
-        const formula::Expr t = parameter("t");
+        const Expr t = parameter("t");
         if (!beyond(near, t)) {
             return integer(0);
         }
         // This is pi/2 - asin(t/s) in a form that keeps its digits and its root at s = t.
-        return formula::Expr::symbol("modulus of the contact") * s / parameter("R") * integer(2) *
+        return Expr::symbol("modulus of the contact") * s / parameter("R") * integer(2) *
                call_of("atan", {root_of((s - t) / (s + t))});
     }
     default:
@@ -115,18 +112,17 @@ std::optional<formula::Expr> ContactFormulas::force_rate(const formula::Expr& s,
             return std::nullopt;
         }
         // The whole contact is on the right arc.
-        return formula::Expr::symbol("modulus of the contact") * formula::Expr::pi() * s /
+        return Expr::symbol("modulus of the contact") * Expr::pi() * s /
                (integer(2) * parameter("R"));
     }
 }
 
-std::optional<formula::Expr> ContactFormulas::left_edge(const formula::Expr& s,
-                                                        const Ball& near) const {
+std::optional<Expr> ContactFormulas::left_edge(const Expr& s, const Ball& near) const {
     if (profile_.symmetric()) {
         return s;
     }
     if (profile_.kind() == contact::Profile::Kind::tilted_wedge) {
-        return formula::Expr::symbol("ratio of the edges") * s;
+        return Expr::symbol("ratio of the edges") * s;
     }
     if (beyond(near, parameter("alpha") * parameter("R"))) {
         return std::nullopt;
@@ -150,11 +146,9 @@ std::optional<TiltedPath> ContactFormulas::path(const Ball& near) const {
                       value("t"), value("R"), modulus_);
 }
 
-formula::Expr ContactFormulas::traction(const formula::Expr& x) {
-    const formula::Expr tension =
-        formula::Expr::symbol("sig0") * (integer(2) * x + edge_b - edge_a) / integer(8);
-    return (formula::Expr::symbol("Q") / formula::Expr::pi() + tension) /
-           root_of((edge_a - x) * (x + edge_b));
+Expr ContactFormulas::traction(const Expr& x) {
+    const Expr tension = Expr::symbol("sig0") * (integer(2) * x + edge_b - edge_a) / integer(8);
+    return (Expr::symbol("Q") / Expr::pi() + tension) / root_of((edge_a - x) * (x + edge_b));
 }
 
 void ContactFormulas::read_pressure() {
@@ -178,78 +172,74 @@ bool ContactFormulas::whole_exponent() const {
 }
 
 /// I_m = (w + (m - 1) z^2 I_{m-2})/m, I_0 = log((1 + w)/z), I_1 = w.
-formula::Expr ContactFormulas::whole_power_pressure(const formula::Expr& w, const formula::Expr& z,
-                                                    const formula::Expr& log_z) const {
+Expr ContactFormulas::whole_power_pressure(const Expr& w, const Expr& z, const Expr& log_z) const {
     const long m = exponent_->convert_to<long>();
-    formula::Expr sum = m % 2 == 1 ? w : call_of("log", {integer(1) + w}) - log_z;
+    Expr sum = m % 2 == 1 ? w : call_of("log", {integer(1) + w}) - log_z;
     for (long k = m % 2 + 2; k <= m; k += 2) {
         sum = (w + integer(k - 1) * (pow(z, integer(2)) * sum)) / integer(k);
     }
-    return formula::Expr::symbol("factor of the pressure") * sum;
+    return Expr::symbol("factor of the pressure") * sum;
 }
 
-std::optional<formula::Expr> ContactFormulas::pressure_above(const formula::Expr& x) const {
-    const formula::Expr right = root_of(edge_a - x);
-    const formula::Expr left = root_of(x + (symmetric() ? edge_a : edge_b));
+std::optional<Expr> ContactFormulas::pressure_above(const Expr& x) const {
+    const Expr right = root_of(edge_a - x);
+    const Expr left = root_of(x + (symmetric() ? edge_a : edge_b));
     if (exponent_) {
         if (!whole_exponent()) {
             return std::nullopt;
         }
-        const formula::Expr z = x / edge_a;
+        const Expr z = x / edge_a;
         return whole_power_pressure(right * left / edge_a, z, call_of("log_above", {z}));
     }
-    formula::Expr sum = formula::Expr::symbol("arc of the contact") * (right * left);
+    Expr sum = Expr::symbol("arc of the contact") * (right * left);
     for (std::size_t i = 0; i < profile_.knots().size(); ++i) {
         if (!constants_.contains(indexed("knot", i))) {
             continue;
         }
-        const auto at_knot = [&](const char* name) {
-            return formula::Expr::symbol(indexed(name, i));
-        };
+        const auto at_knot = [&](const char* name) { return Expr::symbol(indexed(name, i)); };
         // The function G, with |v - x| as the real part of a logarithm.
-        const formula::Expr green =
+        const Expr green =
             integer(2) * call_of("log", {at_knot("inset") * left + at_knot("outset") * right}) -
             call_of("log", {edge_a + (symmetric() ? edge_a : edge_b)}) -
             call_of("log_above", {x - at_knot("knot")});
         sum = sum + (at_knot("jump") + at_knot("drop") * (at_knot("knot") - x)) * green;
     }
-    return formula::Expr::symbol("factor of the pressure") * sum;
+    return Expr::symbol("factor of the pressure") * sum;
 }
 
 /// w = sqrt(1 - z^2), z = |x|/a.
-formula::Expr ContactFormulas::root_of_y(const formula::Expr& x) const {
+Expr ContactFormulas::root_of_y(const Expr& x) const {
     return root_of((edge_a - x) * (x + edge_a)) / edge_a;
 }
 
 /// For y = 1 - z^2, I_m = w 2F1((1 - m)/2, 1; 3/2; y); and by the connection from y to 1 - y
 /// (Abramowitz and Stegun 15.3.6)
 ///     I_m = (w/m) 2F1((1 - m)/2, 1; 1 - m/2; z^2) + (sqrt(pi)/2) Gamma(-m/2)/Gamma((1 - m)/2) z^m.
-formula::Expr ContactFormulas::power_law_pressure(const formula::Expr& x, const Ball& near) const {
+Expr ContactFormulas::power_law_pressure(const Expr& x, const Ball& near) const {
     if (!exponent_) {
         throw Error("'p' has no enclosure inside such an integral");
     }
-    const formula::Expr m = formula::Expr::number(*exponent_);
-    const formula::Expr half = formula::Expr::number(Rational(1, 2));
-    const formula::Expr z = (certainly_positive(near) ? x : -x) / edge_a;
-    const formula::Expr w = root_of_y(x);
+    const Expr m = Expr::number(*exponent_);
+    const Expr half = Expr::number(Rational(1, 2));
+    const Expr z = (certainly_positive(near) ? x : -x) / edge_a;
+    const Expr w = root_of_y(x);
     if (whole_exponent()) {
         return whole_power_pressure(w, z, call_of("log", {z}));
     }
-    const formula::Expr first = (integer(1) - m) * half;
+    const Expr first = (integer(1) - m) * half;
     const Ball size = abs(near) / contact_.a() * 10;
-    formula::Expr integral;
+    Expr integral;
     if (certainly_less(size, Ball(7, size.bits()))) {
-        const formula::Expr even =
+        const Expr even =
             w / m *
             call_of("gauss", {first, integer(1), integer(1) - m * half, pow(z, integer(2))});
-        integral = even + root_of(formula::Expr::pi()) * half * call_of("gamma", {-(m * half)}) /
+        integral = even + root_of(Expr::pi()) * half * call_of("gamma", {-(m * half)}) /
                               call_of("gamma", {first}) * pow(z, m);
     } else {
-        const formula::Expr y = (edge_a - x) * (x + edge_a) / pow(edge_a, integer(2));
-        integral =
-            w * call_of("gauss", {first, integer(1), formula::Expr::number(Rational(3, 2)), y});
+        const Expr y = (edge_a - x) * (x + edge_a) / pow(edge_a, integer(2));
+        integral = w * call_of("gauss", {first, integer(1), Expr::number(Rational(3, 2)), y});
     }
-    return formula::Expr::symbol("factor of the pressure") * integral;
+    return Expr::symbol("factor of the pressure") * integral;
 }
 
 std::vector<std::size_t> ContactFormulas::changing_knots(bool absolute) const {
@@ -263,30 +253,24 @@ std::vector<std::size_t> ContactFormulas::changing_knots(bool absolute) const {
     return knots;
 }
 
-std::vector<formula::Expr> ContactFormulas::slope_knots(bool absolute) const {
-    std::vector<formula::Expr> knots;
-    for (const std::size_t knot : changing_knots(absolute)) {
-        knots.push_back(profile_.knots()[knot].expr());
+std::vector<Expr> ContactFormulas::knots(std::string_view function, bool absolute) const {
+    std::vector<Expr> all;
+    if (function == "g1") {
+        for (const std::size_t knot : changing_knots(absolute)) {
+            all.push_back(profile_.knots()[knot].expr());
+        }
+    } else if (function == "p") {
+        const Expr inner = edge_a * Expr::number(Rational(7, 10));
+        all = {-inner, integer(0), inner};
+    } else if (function == "P1of" || function == "bof") {
+        if (profile_.kind() == contact::Profile::Kind::flat_and_rounded) {
+            all = {parameter("t")};
+        } else if (profile_.kind() == contact::Profile::Kind::tilted_flat_and_rounded) {
+            const Expr r = parameter("alpha") * parameter("R");
+            all = {r, call_of("binv", {r + integer(2) * parameter("t")})};
+        }
     }
-    return knots;
-}
-
-std::vector<formula::Expr> ContactFormulas::contact_knots() const {
-    switch (profile_.kind()) {
-    case contact::Profile::Kind::flat_and_rounded:
-        return {parameter("t")};
-    case contact::Profile::Kind::tilted_flat_and_rounded: {
-        const formula::Expr r = parameter("alpha") * parameter("R");
-        return {r, call_of("binv", {r + integer(2) * parameter("t")})};
-    }
-    default:
-        return {};
-    }
-}
-
-std::vector<formula::Expr> ContactFormulas::pressure_knots() const {
-    const formula::Expr inner = edge_a * formula::Expr::number(Rational(7, 10));
-    return {-inner, integer(0), inner};
+    return all;
 }
 
 } // namespace edgeproof::audit

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace edgeproof::audit {
@@ -46,11 +47,9 @@ public:
     /// Returns p(x) of a power law, near the origin or near an edge, for x with the sign of `near`.
     [[nodiscard]] formula::Expr power_law_pressure(const formula::Expr& x, const Ball& near) const;
 
-    /// Return the arguments at which these functions change their formulas: constants, and b^{-1}
-    /// of constants.
-    [[nodiscard]] std::vector<formula::Expr> slope_knots(bool absolute) const;
-    [[nodiscard]] std::vector<formula::Expr> contact_knots() const;
-    [[nodiscard]] std::vector<formula::Expr> pressure_knots() const;
+    /// Returns the arguments at which g1 (or |g1|), p, P1of or bof changes its formula: constants,
+    /// and b^{-1} of constants; none for other functions.
+    [[nodiscard]] std::vector<formula::Expr> knots(std::string_view function, bool absolute) const;
 
 private:
     [[nodiscard]] bool whole_exponent() const;

@@ -10,14 +10,17 @@
 #include <unordered_map>
 
 namespace edgeproof::audit {
+
+using formula::Expr;
+
 namespace {
 
 class EnclosedIntegral {
 public:
-    EnclosedIntegral(const formula::Expr& node, const IntegralSurroundings& around, unsigned digits)
+    EnclosedIntegral(const Expr& node, const IntegralSurroundings& around, unsigned digits)
         : f_(node.arg(0)), variable_(node.arg(1).name()), around_(around), digits_(digits),
           lo_(resolved(node.arg(2))), hi_(resolved(node.arg(3))) {
-        if (node.kind() == formula::Expr::Kind::pv) {
+        if (node.kind() == Expr::Kind::pv) {
             pole_ = node.arg(4);
         }
     }
@@ -48,7 +51,7 @@ private:
     }
 
     /// Resolves max and min if the balls decide them.
-    [[nodiscard]] formula::Expr resolved(const formula::Expr& e) {
+    [[nodiscard]] Expr resolved(const Expr& e) {
         const bool greater = e.builtin() == formula::Builtin::max;
         if ((!greater && e.builtin() != formula::Builtin::min) || e.args().size() != 2) {
             return e;
@@ -61,7 +64,7 @@ private:
         return resolved(certainly_less(x, y) == greater ? e.arg(1) : e.arg(0));
     }
 
-    [[nodiscard]] Ball number(const formula::Expr& e) {
+    [[nodiscard]] Ball number(const Expr& e) {
         if (const auto it = numbers_.find(e); it != numbers_.end()) {
             return it->second;
         }
@@ -70,7 +73,7 @@ private:
         return value;
     }
 
-    [[nodiscard]] const ContactFormulas& contact(const formula::Expr& call) const {
+    [[nodiscard]] const ContactFormulas& contact(const Expr& call) const {
         if (around_.contact == nullptr) {
             throw Error("'" + call.name() + "' has no enclosure inside an integral");
         }
@@ -109,7 +112,7 @@ private:
     }
 
     /// Evaluates a linear function of the variable at a place.
-    [[nodiscard]] Ball linear_at(const formula::Expr& argument, const Ball& place) {
+    [[nodiscard]] Ball linear_at(const Expr& argument, const Ball& place) {
         const auto line = contact::as_linear(argument, variable_);
         if (!line) {
             throw Error("an argument that is not linear has no enclosure inside an integral");
@@ -119,7 +122,7 @@ private:
 
     /// Evaluates a contact's right edge, which must lie to the right of the origin from one end of
     /// the integral to the other.
-    [[nodiscard]] Ball right_edge_at(const formula::Expr& argument, const Ball& place) {
+    [[nodiscard]] Ball right_edge_at(const Expr& argument, const Ball& place) {
         for (const Ball* end : {&lowest_.at, &highest_.at}) {
             const Ball edge = linear_at(argument, *end);
             if (!certainly_positive(edge) && arb_is_zero(edge.data()) == 0) {
@@ -135,7 +138,7 @@ private:
         if (around_.contact == nullptr) {
             return inside;
         }
-        const auto same = [&](const PieceEnd& x, const formula::Expr& e, const Ball& at) {
+        const auto same = [&](const PieceEnd& x, const Expr& e, const Ball& at) {
             if (!overlaps(x.at, at)) {
                 return false;
             }
@@ -165,16 +168,14 @@ private:
     /// Returns the functions of the contact near `place`.
     [[nodiscard]] IntegrandMeaning meaning(const Ball& place, bool above) {
         IntegrandMeaning m;
-        m.constant = [this](const formula::Expr& e) { return number(e); };
+        m.constant = [this](const Expr& e) { return number(e); };
         m.rational = around_.rational;
-        m.surely_zero = [this](const formula::Expr& e) {
-            return surely_zero(e, around_.symmetric);
-        };
-        m.written_out = [this, place, above](const formula::Expr& e) {
+        m.surely_zero = [this](const Expr& e) { return surely_zero(e, around_.symmetric); };
+        m.written_out = [this, place, above](const Expr& e) {
             const bool size = is_size_of_slope(e);
-            const formula::Expr& f = size ? e.arg(0) : e;
+            const Expr& f = size ? e.arg(0) : e;
             const ContactFormulas& formulas = contact(f);
-            std::optional<formula::Expr> out;
+            std::optional<Expr> out;
             if (f.name() == "g1") {
                 out = formulas.slope(f.arg(0), linear_at(f.arg(0), place), size);
             } else if (f.name() == "P1of") {
@@ -232,32 +233,32 @@ private:
     }
 
     /// `first`: the end with the least angle on the path.
-    [[nodiscard]] Ball angle_of(const PieceEnd& end, const formula::Expr& argument,
-                                const TiltedPath& path, bool first) {
+    [[nodiscard]] Ball angle_of(const PieceEnd& end, const Expr& argument, const TiltedPath& path,
+                                bool first) {
         if (end.of_contacts) {
             return first ? Ball(0, around_.bits) : path.end_of_flat();
         }
-        const formula::Expr s = substitute(argument, variable_, end.written);
-        return path.angle_of(number(s), number(formula::Expr::call("bof", {s})));
+        const Expr s = substitute(argument, variable_, end.written);
+        return path.angle_of(number(s), number(Expr::call("bof", {s})));
     }
 
     /// Integrates above the contact, from its left end to its right end. Returns nothing if the
     /// integrand does not have this form.
     [[nodiscard]] std::optional<Box> over_the_contact() {
-        formula::Expr over = f_;
+        Expr over = f_;
         if (pole_) {
-            const formula::Expr behind = formula::Expr::symbol(variable_) - *pole_;
-            if (f_.kind() != formula::Expr::Kind::div || !(f_.arg(1) == behind)) {
+            const Expr behind = Expr::symbol(variable_) - *pole_;
+            if (f_.kind() != Expr::Kind::div || !(f_.arg(1) == behind)) {
                 return std::nullopt;
             }
             over = f_.arg(0);
         }
         if (degree_in_pressure(over, variable_) != 1 ||
-            !around_.contact->pressure_above(formula::Expr::symbol(variable_))) {
+            !around_.contact->pressure_above(Expr::symbol(variable_))) {
             return std::nullopt;
         }
-        if (!surely_zero(highest_.written - formula::Expr::symbol("a"), around_.symmetric) ||
-            !surely_zero(lowest_.written + formula::Expr::symbol("b"), around_.symmetric)) {
+        if (!surely_zero(highest_.written - Expr::symbol("a"), around_.symmetric) ||
+            !surely_zero(lowest_.written + Expr::symbol("b"), around_.symmetric)) {
             return std::nullopt;
         }
         const long bits = around_.bits;
@@ -288,22 +289,21 @@ private:
         return Box(sum.real());
     }
 
-    formula::Expr f_;
+    Expr f_;
     std::string variable_;
     const IntegralSurroundings& around_;
     unsigned digits_;
-    std::unordered_map<formula::Expr, Ball, formula::ExprHash> numbers_;
-    formula::Expr lo_;
-    formula::Expr hi_;
-    std::optional<formula::Expr> pole_;
+    std::unordered_map<Expr, Ball, formula::ExprHash> numbers_;
+    Expr lo_;
+    Expr hi_;
+    std::optional<Expr> pole_;
     PieceEnd lowest_;
     PieceEnd highest_;
 };
 
 } // namespace
 
-Ball enclosed_integral(const formula::Expr& node, const IntegralSurroundings& around,
-                       unsigned digits) {
+Ball enclosed_integral(const Expr& node, const IntegralSurroundings& around, unsigned digits) {
     return EnclosedIntegral(node, around, digits).value();
 }
 

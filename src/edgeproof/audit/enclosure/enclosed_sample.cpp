@@ -4,6 +4,7 @@
 #include "edgeproof/audit/enclosure/contact_formulas.hpp"
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
 #include "edgeproof/audit/enclosure/integrand_parts.hpp"
+#include "edgeproof/audit/sample/quantity_names.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/curved/slope_monotonicity.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
@@ -14,7 +15,6 @@
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <functional>
 #include <iterator>
 #include <memory>
@@ -22,28 +22,13 @@
 #include <vector>
 
 namespace edgeproof::audit {
+
+using formula::Expr;
+
 namespace {
-
-constexpr std::size_t most_terms = 10; // for the names P9, right_c9, ...
-
-/// Returns k of "P3" for the stem "P".
-std::optional<std::size_t> order_behind(std::string_view name, std::string_view stem) {
-    std::size_t k = 0;
-    if (!name.starts_with(stem) || name.size() == stem.size()) {
-        return std::nullopt;
-    }
-    const char* end = name.data() + name.size();
-    const auto [stop, error] = std::from_chars(name.data() + stem.size(), end, k);
-    return error == std::errc() && stop == end && k < most_terms ? std::optional(k) : std::nullopt;
-}
 
 /// The names that ContactFormulas use.
 constexpr const char* names_of_formulas[] = {"a", "b", "Q", "sig0"};
-
-bool holds_traction(const formula::Expr& e) {
-    return (e.kind() == formula::Expr::Kind::call && e.name() == "q") ||
-           std::any_of(e.args().begin(), e.args().end(), holds_traction);
-}
 
 } // namespace
 
@@ -77,7 +62,38 @@ struct EnclosedSample::State {
         }
         throw Error("'" + std::string(what) + "' of a curved slope has no enclosure");
     }
+    // The quantities of quantity_names.hpp.
+    [[nodiscard]] Ball left_edge() const { return contact().b(); }
     [[nodiscard]] Ball length() const { return contact().a() + contact().b(); }
+    [[nodiscard]] Ball force() const { return contact().force(); }
+    [[nodiscard]] Ball moment() const { return contact().moment(); }
+    [[nodiscard]] Ball force_derivative(std::size_t k) const {
+        if (k == 1 && contact().closed_form() == nullptr) {
+            // c_0 = 2 P'(a)/(pi sqrt(a + b)): docs/expansions.md
+            return coefficient(contact::Edge::right, 0) * pi() * sqrt(length()) / 2;
+        }
+        return closed_form("P" + std::to_string(k)).force_derivatives(k + 1).back();
+    }
+    [[nodiscard]] Ball left_edge_derivative(std::size_t k) const {
+        if (k == 1 && contact().closed_form() == nullptr) {
+            // The coefficients c_0 of the edges have the ratio b'(a).
+            return coefficient(contact::Edge::right, 0) / coefficient(contact::Edge::left, 0);
+        }
+        return closed_form("b" + std::to_string(k)).left_edge_derivatives(k + 1).back();
+    }
+    [[nodiscard]] Ball coefficient(contact::Edge edge, std::size_t k) const {
+        return contact().expansion(edge, k + 1).back();
+    }
+    [[nodiscard]] Ball shear_coefficient(contact::Edge edge, std::size_t k) const {
+        return full_stick_expansion(length(), load(), edge, k + 1).back();
+    }
+    [[nodiscard]] bool slips() const { return sample.scene.slips(); }
+    [[nodiscard]] Ball slip_size(contact::Edge edge) const {
+        return partial_slip().slip().size(edge);
+    }
+    [[nodiscard]] Ball stick_edge(contact::Edge edge) const {
+        return partial_slip().slip().stick().at(edge);
+    }
     [[nodiscard]] Ball x() const {
         return sample.edge == contact::Edge::right ? contact().a() - *u : *u - contact().b();
     }
@@ -104,12 +120,12 @@ struct EnclosedSample::State {
         return *slip;
     }
     mutable std::unique_ptr<contact::ProvedSlip> slip; ///< computed on first use
-    [[nodiscard]] Ball traction(const formula::Expr& written, const Ball& at) const {
-        if (!sample.scene.slips()) {
+    [[nodiscard]] Ball traction(const Expr& written, const Ball& at) const {
+        if (!slips()) {
             const contact::Edge edge = u ? sample.edge : contact::Edge::right;
             return full_stick_traction(length(), load(), edge, distance(edge, written, at));
         }
-        const bool own_place = u && written == formula::Expr::symbol("x");
+        const bool own_place = u && written == Expr::symbol("x");
         const contact::Edge edge = own_place                ? sample.edge
                                    : certainly_negative(at) ? contact::Edge::left
                                                             : contact::Edge::right;
@@ -119,20 +135,19 @@ struct EnclosedSample::State {
     [[nodiscard]] Ball number(const Rational& q) const { return Ball(q, bits); }
     [[nodiscard]] Ball pi() const { return Ball::pi(bits); }
     [[nodiscard]] Ball symbol(std::string_view name) const;
-    [[nodiscard]] Ball call(const formula::Expr& node, std::span<const Ball> args) const;
+    [[nodiscard]] Ball call(const Expr& node, std::span<const Ball> args) const;
 
-    template <class Scope>
-    [[nodiscard]] Ball binder(const formula::Expr& node, const Scope& scope) const {
-        if (node.kind() == formula::Expr::Kind::sum) {
+    template <class Scope> [[nodiscard]] Ball binder(const Expr& node, const Scope& scope) const {
+        if (node.kind() == Expr::Kind::sum) {
             return evaluate_sum<Ball>(node, scope);
         }
         return integral(node, [&](std::string_view name) { return Ball(scope.symbol(name)); });
     }
-    [[nodiscard]] Ball integral(const formula::Expr& node,
+    [[nodiscard]] Ball integral(const Expr& node,
                                 const std::function<Ball(std::string_view)>& symbol_of) const;
 
     /// Returns the exact value of e if it is a constant of the scene.
-    [[nodiscard]] std::optional<formula::Exact> constant(const formula::Expr& e) const {
+    [[nodiscard]] std::optional<formula::Exact> constant(const Expr& e) const {
         const std::set<std::string> names_in_e = free_symbols(e);
         return std::any_of(overridden.begin(), overridden.end(),
                            [&](const std::string& name) { return names_in_e.contains(name); })
@@ -140,15 +155,14 @@ struct EnclosedSample::State {
                    : exact_value(e, sample);
     }
     /// Returns the distance from an edge of the place given by an argument.
-    [[nodiscard]] Ball distance(contact::Edge edge, const formula::Expr& written,
-                                const Ball& at) const {
-        if (u && edge == sample.edge && written == formula::Expr::symbol("x")) {
+    [[nodiscard]] Ball distance(contact::Edge edge, const Expr& written, const Ball& at) const {
+        if (u && edge == sample.edge && written == Expr::symbol("x")) {
             return *u;
         }
         return edge == contact::Edge::right ? contact().a() - at : at + contact().b();
     }
-    [[nodiscard]] Ball pressure(const formula::Expr& written, const Ball& at) const {
-        if (u && written == formula::Expr::symbol("x")) {
+    [[nodiscard]] Ball pressure(const Expr& written, const Ball& at) const {
+        if (u && written == Expr::symbol("x")) {
             return contact().pressure(sample.edge, *u);
         }
         const contact::Edge edge =
@@ -157,17 +171,9 @@ struct EnclosedSample::State {
     }
     /// Returns g'(x); if the ball of x contains a knot, the values of the pieces on both sides.
     [[nodiscard]] Ball slope(const Ball& at) const {
-        struct AtX {
-            const State* state;
-            const Ball& at;
-            [[nodiscard]] Ball number(const Rational& q) const { return state->number(q); }
-            [[nodiscard]] Ball pi() const { return state->pi(); }
-            [[nodiscard]] Ball symbol(std::string_view name) const {
-                return name == "x" ? at : state->symbol(name);
-            }
-        };
         const auto in_piece = [&](std::size_t piece) {
-            return formula::evaluate<Ball>(profile.pieces()[piece].slope, AtX{this, at});
+            return formula::evaluate<Ball>(profile.pieces()[piece].slope,
+                                           formula::with_symbol(*this, "x", at));
         };
         std::size_t first = 0;
         std::size_t last = 0;
@@ -184,8 +190,7 @@ struct EnclosedSample::State {
     }
     /// Returns a contact of the family with the same profile.
     [[nodiscard]] contact::BallContact with_right_edge(const std::string& function,
-                                                       const formula::Expr& written,
-                                                       const Ball& at) const {
+                                                       const Expr& written, const Ball& at) const {
         const contact::BallContact& contact = closed_form(function);
         if (const auto edge = constant(written); edge && edge->sign() > 0) {
             return {profile, sample.scene.parameter("Es"), contact::Load::right_edge(*edge), bits};
@@ -195,7 +200,7 @@ struct EnclosedSample::State {
         }
         return contact.with_right_edge(at);
     }
-    [[nodiscard]] Ball local(contact::Edge edge, const formula::Expr& node,
+    [[nodiscard]] Ball local(contact::Edge edge, const Expr& node,
                              std::span<const Ball> args) const {
         const Rational* n = node.arg(0).rational();
         if (n == nullptr || denominator(*n) != 1 || *n < 0 || *n > 1000) {
@@ -203,11 +208,7 @@ struct EnclosedSample::State {
         }
         const Ball at = distance(edge, node.arg(1), args[1]);
         const std::vector<Ball> c = contact().expansion(edge, n->convert_to<std::size_t>());
-        Ball sum(0, bits);
-        for (std::size_t k = c.size(); k-- > 0;) {
-            sum = sum * at + c[k];
-        }
-        return sum * sqrt(at);
+        return sum_of_terms(std::span<const Ball>(c), at, Ball(0, bits));
     }
 
     Sample sample;
@@ -230,56 +231,13 @@ Ball EnclosedSample::State::symbol(std::string_view name) const {
         }
         return name == "u" ? *u : x();
     }
-    if (name == "b") {
-        return contact().b();
-    }
-    if (name == "L") {
-        return length();
-    }
-    if (name == "P") {
-        return contact().force();
-    }
-    if (name == "M") {
-        return contact().moment();
-    }
-    const bool curved = contact().closed_form() == nullptr;
-    if (curved && name == "P1") { // c_0 = 2 P'(a)/(pi sqrt(a + b)): docs/expansions.md
-        return contact().expansion(contact::Edge::right, 1)[0] * pi() * sqrt(length()) / 2;
-    }
-    if (curved && name == "b1") { // the coefficients c_0 of the edges have the ratio b'(a)
-        return contact().expansion(contact::Edge::right, 1)[0] /
-               contact().expansion(contact::Edge::left, 1)[0];
-    }
-    if (const auto k = order_behind(name, "P")) {
-        return closed_form(name).force_derivatives(*k + 1).back();
-    }
-    if (const auto k = order_behind(name, "b")) {
-        return closed_form(name).left_edge_derivatives(*k + 1).back();
-    }
-    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
-        const std::string side = edge == contact::Edge::right ? "right_" : "left_";
-        if (const auto k = order_behind(name, side + "c")) {
-            return contact().expansion(edge, *k + 1).back();
-        }
-        if (const auto k = order_behind(name, side + "s")) {
-            return full_stick_expansion(length(), load(), edge, *k + 1).back();
-        }
-    }
-    if (sample.scene.slips()) {
-        for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
-            const bool right = edge == contact::Edge::right;
-            if (name == (right ? "right_d" : "left_d")) {
-                return partial_slip().slip().size(edge);
-            }
-            if (name == (right ? "stick_a" : "stick_b")) {
-                return partial_slip().slip().stick().at(edge);
-            }
-        }
+    if (const auto value = named_quantity(*this, name)) {
+        return *value;
     }
     throw Error("'" + std::string(name) + "' has no enclosure");
 }
 
-Ball EnclosedSample::State::call(const formula::Expr& node, std::span<const Ball> args) const {
+Ball EnclosedSample::State::call(const Expr& node, std::span<const Ball> args) const {
     const std::string& name = node.name();
     if (name == "p") {
         return pressure(node.arg(0), args[0]);
@@ -317,20 +275,19 @@ template <class State> struct Renamed {
     [[nodiscard]] Ball number(const Rational& q) const { return state.number(q); }
     [[nodiscard]] Ball pi() const { return state.pi(); }
     [[nodiscard]] Ball symbol(std::string_view name) const { return symbol_of(name); }
-    [[nodiscard]] Ball call(const formula::Expr& node, std::span<const Ball> args) const {
+    [[nodiscard]] Ball call(const Expr& node, std::span<const Ball> args) const {
         return state.call(node, args);
     }
-    template <class Scope>
-    [[nodiscard]] Ball binder(const formula::Expr& node, const Scope& scope) const {
+    template <class Scope> [[nodiscard]] Ball binder(const Expr& node, const Scope& scope) const {
         return state.binder(node, scope);
     }
 };
 
 } // namespace
 
-Ball EnclosedSample::State::integral(const formula::Expr& node,
+Ball EnclosedSample::State::integral(const Expr& node,
                                      const std::function<Ball(std::string_view)>& symbol_of) const {
-    if (sample.scene.slips() && holds_traction(node)) {
+    if (slips() && holds_call(node, "q")) {
         throw Error("q of partial slip has no enclosure inside an integral");
     }
     const bool renamed =
@@ -354,7 +311,7 @@ Ball EnclosedSample::State::integral(const formula::Expr& node,
         return symbol_of(name);
     };
     // Limits such as k*a with k = 1 are compared with the edges by symbols.
-    formula::Expr with_values = node;
+    Expr with_values = node;
     for (const auto& [name, value] : sample.variables) {
         if (!overridden.contains(name)) {
             with_values = substitute(with_values, name, value.expr());
@@ -362,8 +319,8 @@ Ball EnclosedSample::State::integral(const formula::Expr& node,
     }
     const Renamed<State> scope{*this, with_formulas};
     IntegralSurroundings around;
-    around.value = [&](const formula::Expr& e) { return formula::evaluate<Ball>(e, scope); };
-    around.rational = [&](const formula::Expr& e) -> std::optional<Rational> {
+    around.value = [&](const Expr& e) { return formula::evaluate<Ball>(e, scope); };
+    around.rational = [&](const Expr& e) -> std::optional<Rational> {
         const auto exact = constant(e);
         return exact && exact->is_rational() ? std::optional(exact->rational()) : std::nullopt;
     };
@@ -378,9 +335,7 @@ EnclosedSample::EnclosedSample(const Sample& sample, long bits, unsigned integra
 EnclosedSample::~EnclosedSample() = default;
 EnclosedSample::EnclosedSample(EnclosedSample&&) noexcept = default;
 
-Ball EnclosedSample::evaluate(const formula::Expr& e) const {
-    return formula::evaluate<Ball>(e, *state_);
-}
+Ball EnclosedSample::evaluate(const Expr& e) const { return formula::evaluate<Ball>(e, *state_); }
 
 void EnclosedSample::set(const std::string& name, const Ball& value) {
     state_->names.insert_or_assign(name, value);
@@ -395,5 +350,63 @@ void EnclosedSample::set_place(contact::Edge edge, const Ball& u) {
 
 Ball EnclosedSample::length() const { return state_->length(); }
 long EnclosedSample::bits() const { return state_->bits; }
+
+std::optional<formula::Exact> exact_value(Expr e, const Sample& sample) {
+    for (const auto& [name, value] : sample.variables) {
+        e = substitute(e, name, value.expr());
+    }
+    for (const auto& [name, value] : sample.scene.parameters) {
+        e = substitute(e, name, value.expr());
+    }
+    if (!free_symbols(e).empty() || holds_function(e)) {
+        return std::nullopt;
+    }
+    return formula::Exact(e);
+}
+
+Enclosed enclosed(const Expr& e, const Sample& sample, unsigned digits) {
+    Enclosed best;
+    const long needed = formula::bits_for(digits);
+    for (long bits = 2 * needed; bits <= 16 * needed; bits *= 2) {
+        try {
+            const Ball ball = EnclosedSample(sample, bits).evaluate(e);
+            if (!ball.is_finite()) {
+                best.problem = "the balls do not exclude a point where it is undefined";
+                continue;
+            }
+            best.ball = ball;
+            if (ball.relative_accuracy_bits() >= needed) {
+                break;
+            }
+        } catch (const BudgetError& error) {
+            best.problem = error.what();
+        } catch (const Error& error) {
+            best.problem = error.what();
+            break;
+        }
+    }
+    return best;
+}
+
+std::string ball_text(const Ball& ball, unsigned digits) {
+    // These exponents are not allowed for numbers in a text.
+    constexpr long most_exponent = 330'000; // of two: about 1e100000
+    const long exponent = arf_abs_bound_lt_2exp_si(arb_midref(ball.data()));
+    if (exponent > most_exponent || (exponent < -most_exponent && !contains_zero(ball))) {
+        return exponent > 0 ? "beyond 1e100000" : "within 1e-100000 of 0";
+    }
+    if (!ball.is_exact() && contains_zero(ball)) {
+        return "0 +- " + bound_text(abs(ball).upper());
+    }
+    // Only two digits that the radius makes uncertain are shown.
+    const long known =
+        std::min(ball.relative_accuracy_bits(), formula::bits_for(digits)) * 301 / 1000 + 2;
+    const Rounded middle =
+        round_ball(Ball(ball.midpoint(), ball.bits()),
+                   static_cast<unsigned>(std::clamp(known, 1L, static_cast<long>(digits))));
+    // The rounding of the middle for the text is part of the error.
+    const Ball off = abs(ball - Ball(middle.lower.value(), ball.bits()));
+    return middle.text + " +- " + bound_text(off.upper());
+}
 
 } // namespace edgeproof::audit

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosure/integrand.hpp"
 
-#include "edgeproof/audit/enclosure/integrand_program.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
@@ -9,24 +8,31 @@
 #include <algorithm>
 
 namespace edgeproof::audit {
+
+using formula::Expr;
+
 namespace {
 
-using Op = IntegrandStep::Op;
+using Kind = Expr::Kind;
 
 constexpr long most_rooted = 64; // n of e +- v^n
 
 } // namespace
 
-Integrand::Program::Program(const formula::Expr& f, std::string variable, IntegrandMeaning meaning,
-                            long bits)
+Integrand::Integrand(const Expr& f, std::string variable, IntegrandMeaning meaning, long bits)
     : variable_(std::move(variable)), meaning_(std::move(meaning)), bits_(bits),
-      steps_(f, variable_, meaning_), valued_(steps_.all().size(), ValuedBox(bits)),
-      zero_(steps_.all().size(), false), sloped_(steps_.all().size(), false) {
-    for (std::size_t i = 0; i < all().size(); ++i) {
-        if (all()[i].op == Op::constant) {
-            const Ball value = meaning_.constant(all()[i].written);
-            valued_[i].w = valued_[i].end = Box(value);
-        }
+      program_(f, inputs(variable_, meaning_),
+               [this](const Expr& part) { return written_out(part); }),
+      valued_(first_result() + program_.steps().size(), ValuedBox(bits)),
+      zero_(valued_.size(), false), sloped_(valued_.size(), false) {
+    std::size_t slot = program_.inputs().size();
+    for (const Expr& e : program_.constants()) {
+        valued_[slot].w = valued_[slot].end = Box(meaning_.constant(e));
+        ++slot;
+    }
+    for (const Step& step : program_.steps()) {
+        exponents_.push_back(step.kind == Kind::pow ? meaning_.rational(step.source.arg(1))
+                                                    : std::nullopt);
     }
     if (meaning_.path != nullptr) {
         const auto line = contact::as_linear(*meaning_.path_argument, variable_);
@@ -38,8 +44,26 @@ Integrand::Program::Program(const formula::Expr& f, std::string variable, Integr
     }
 }
 
-void Integrand::Program::centre(const formula::Expr& written, const Ball& at, int direction,
-                                const Ball& angle, Centre kind) {
+std::vector<Expr> Integrand::inputs(const std::string& variable, const IntegrandMeaning& meaning) {
+    std::vector<Expr> all{Expr::symbol(variable)};
+    if (meaning.path != nullptr) {
+        all.push_back(Expr::call("bof", {*meaning.path_argument}));
+        all.push_back(Expr::call("P1of", {*meaning.path_argument}));
+    }
+    return all;
+}
+
+bool Integrand::vanishes() const {
+    const std::size_t inputs = program_.inputs().size();
+    if (program_.result() < inputs || program_.result() >= first_result()) {
+        return false;
+    }
+    const Rational* q = program_.constants()[program_.result() - inputs].rational();
+    return q != nullptr && *q == 0;
+}
+
+void Integrand::centre(const Expr& written, const Ball& at, int direction, const Ball& angle,
+                       Centre kind) {
     written_ = written;
     direction_ = certainly_negative(rate_) ? -direction : direction;
     start_ = Box(meaning_.path != nullptr ? angle : at);
@@ -53,38 +77,38 @@ void Integrand::Program::centre(const formula::Expr& written, const Ball& at, in
     mark_slopes();
 }
 
-void Integrand::Program::mark_slopes() {
-    for (std::size_t i = all().size(); i-- > 0;) {
-        if (zero_[i]) {
-            sloped_[i] = true;
-        }
-        if (sloped_[i]) {
-            for (const std::size_t part : all()[i].args) {
-                sloped_[part] = true;
+void Integrand::mark_slopes() {
+    const std::vector<Step>& steps = program_.steps();
+    for (std::size_t i = steps.size(); i-- > 0;) {
+        const std::size_t slot = first_result() + i;
+        sloped_[slot] = sloped_[slot] || zero_[slot];
+        if (sloped_[slot]) {
+            for (std::size_t k = 0; k < steps[i].count; ++k) {
+                sloped_[operand(steps[i], k)] = true;
             }
         }
     }
+    sloped_[of_variable] = sloped_[of_variable] || zero_[of_variable];
     wants_slopes_ = std::any_of(sloped_.begin(), sloped_.end(), [](bool x) { return x; });
 }
 
-void Integrand::Program::run(const Box& v, bool analytic) {
+void Integrand::run(const Box& v, bool analytic) {
     v_ = v;
     analytic_ = analytic;
     acb_pow_ui(vn_.get(), v.get(), static_cast<ulong>(power_), bits_);
     Box at = start_;
     (direction_ > 0 ? acb_add : acb_sub)(at.get(), at.get(), vn_.get(), bits_);
     place(at);
-    for (std::size_t i = 0; i < all().size(); ++i) {
-        if (all()[i].op != Op::constant) {
-            take(i);
-        }
+    apply_zero(of_variable);
+    for (std::size_t i = 0; i < program_.steps().size(); ++i) {
+        take(i);
     }
 }
 
-void Integrand::Program::at(acb_ptr out, const Box& v, bool analytic) {
+void Integrand::at(acb_ptr out, const Box& v, bool analytic) {
     check_interruption();
     run(v, analytic);
-    const ValuedBox& f = valued_[steps_.last()];
+    const ValuedBox& f = valued_[program_.result()];
     Box y = f.w;
     multiply_by_power(y, f.k + power_ - 1);
     acb_mul_si(out, y.get(), power_, bits_);
@@ -93,12 +117,12 @@ void Integrand::Program::at(acb_ptr out, const Box& v, bool analytic) {
     }
 }
 
-Integrand::Leading Integrand::Program::leading(const Box& v) {
+Integrand::Leading Integrand::leading(const Box& v) {
     run(v, true);
-    return {valued_[steps_.last()].k, valued_[steps_.last()].w};
+    return {valued_[program_.result()].k, valued_[program_.result()].w};
 }
 
-void Integrand::Program::multiply_by_power(Box& y, long k) const {
+void Integrand::multiply_by_power(Box& y, long k) const {
     if (k == 0) {
         return;
     }
@@ -107,32 +131,35 @@ void Integrand::Program::multiply_by_power(Box& y, long k) const {
     acb_mul(y.get(), y.get(), factor.get(), bits_);
 }
 
-void Integrand::Program::place(const Box& at) {
-    variable_now_.k = 0;
+void Integrand::place(const Box& at) {
+    ValuedBox& variable = valued_[of_variable];
+    variable.k = 0;
     if (meaning_.path == nullptr) {
-        variable_now_.w = at;
-        variable_now_.end = start_;
-        acb_set_si(variable_now_.slope.get(), direction_);
+        variable.w = at;
+        variable.end = start_;
+        acb_set_si(variable.slope.get(), direction_);
         return;
     }
+    ValuedBox& edge = valued_[of_edge];
     const auto in_variable = [&](Box s) { return (std::move(s) - offset_) * (1 / rate_); };
     const TiltedPath::Point here = meaning_.path->at(at);
-    variable_now_.w = in_variable(here.s);
+    variable.w = in_variable(here.s);
     by_angle_ = here.ds * (1 / abs(rate_));
-    edge_now_.w = here.b;
-    force_rate_ = here.rate;
+    edge.w = here.b;
+    valued_[of_force_rate].w = here.rate;
+    acb_indeterminate(valued_[of_force_rate].slope.get());
     if (wants_slopes_) {
         // A derivative over the convex box that contains the segment encloses the quotient.
         const TiltedPath::Point end = meaning_.path->at(start_);
         const TiltedPath::Point over = meaning_.path->at(Box::hull(start_, at));
-        variable_now_.end = in_variable(end.s);
-        edge_now_.end = end.b;
-        find_slope(variable_now_, over.ds * (1 / rate_));
-        find_slope(edge_now_, over.db);
+        variable.end = in_variable(end.s);
+        edge.end = end.b;
+        find_slope(variable, over.ds * (1 / rate_));
+        find_slope(edge, over.db);
     }
 }
 
-void Integrand::Program::find_slope(ValuedBox& x, const Box& derivative) const {
+void Integrand::find_slope(ValuedBox& x, const Box& derivative) const {
     x.slope = direction_ > 0 ? derivative : -derivative;
     const Box quotient = (x.w - x.end) / vn_;
     if (!derivative.is_finite()) {
@@ -145,73 +172,75 @@ void Integrand::Program::find_slope(ValuedBox& x, const Box& derivative) const {
     }
 }
 
-void Integrand::Program::find_zeros() {
+void Integrand::find_zeros() {
     v_ = Box(bits_);
     analytic_ = false;
     vn_ = Box(bits_);
     wants_slopes_ = false;
     std::vector<std::size_t> found;
-    place(start_);
-    for (std::size_t i = 0; i < all().size(); ++i) {
-        const IntegrandStep& step = all()[i];
-        if (step.op == Op::constant) {
-            continue;
-        }
-        take(i);
-        ValuedBox& value = valued_[i];
-        const bool candidate = step.op == Op::add || step.op == Op::sub || step.op == Op::variable;
-        zero_[i] = false;
+    const auto look = [&](std::size_t slot, bool candidate, const Expr& written) {
+        ValuedBox& value = valued_[slot];
         if (candidate && value.w.contains_zero() &&
-            meaning_.surely_zero(substitute(step.written, variable_, written_))) {
-            found.push_back(i);
+            meaning_.surely_zero(substitute(written, variable_, written_))) {
+            found.push_back(slot);
             acb_zero(value.w.get());
         }
         value.end = value.w;
+    };
+    place(start_);
+    for (std::size_t i = 0; i < program_.inputs().size(); ++i) {
+        look(i, i == of_variable, program_.inputs()[i]);
     }
-    for (const std::size_t i : found) {
-        zero_[i] = true;
+    for (std::size_t i = 0; i < program_.steps().size(); ++i) {
+        const Step& step = program_.steps()[i];
+        take(i);
+        look(first_result() + i, step.kind == Kind::add || step.kind == Kind::sub, step.source);
+    }
+    for (const std::size_t slot : found) {
+        zero_[slot] = true;
     }
 }
 
-void Integrand::Program::choose_power(Centre kind) {
-    std::vector<Rational> order(all().size(), Rational(0));
+void Integrand::choose_power(Centre kind) {
+    std::vector<Rational> order(valued_.size(), Rational(0));
+    order[of_variable] = zero_[of_variable] ? 1 : 0;
     Integer common = 1;
     bool roots = false; // of parts that vanish at the centre
-    for (std::size_t i = 0; i < all().size(); ++i) {
-        const IntegrandStep& step = all()[i];
-        const auto part = [&](std::size_t k) -> const Rational& { return order[step.args[k]]; };
-        if (zero_[i]) {
-            order[i] = 1;
+    for (std::size_t i = 0; i < program_.steps().size(); ++i) {
+        const Step& step = program_.steps()[i];
+        Rational& here = order[first_result() + i];
+        const auto part = [&](std::size_t k) -> const Rational& { return order[operand(step, k)]; };
+        if (zero_[first_result() + i]) {
+            here = 1;
             continue;
         }
-        switch (step.op) {
-        case Op::neg:
-            order[i] = part(0);
+        switch (step.kind) {
+        case Kind::neg:
+            here = part(0);
             break;
-        case Op::add:
-        case Op::sub:
-            order[i] = std::min(part(0), part(1));
+        case Kind::add:
+        case Kind::sub:
+            here = std::min(part(0), part(1));
             break;
-        case Op::mul:
-            order[i] = part(0) + part(1);
+        case Kind::mul:
+            here = part(0) + part(1);
             break;
-        case Op::div:
-            order[i] = part(0) - part(1);
+        case Kind::div:
+            here = part(0) - part(1);
             break;
-        case Op::sqrt:
-            order[i] = part(0) / 2;
-            roots = roots || part(0) != 0;
-            break;
-        case Op::power:
-            if (step.exponent) {
-                order[i] = part(0) * *step.exponent;
-                roots = roots || (part(0) != 0 && denominator(*step.exponent) != 1);
+        case Kind::pow:
+            if (const auto& exponent = exponents_[i]) {
+                here = part(0) * *exponent;
+                roots = roots || (part(0) != 0 && denominator(*exponent) != 1);
             }
             break;
         default:
-            break;
+            if (step.source.builtin() == formula::Builtin::sqrt) {
+                here = part(0) / 2;
+                roots = roots || part(0) != 0;
+            }
         }
-        common = lcm(common, Integer(denominator(order[i])));
+        common = lcm(common, Integer(denominator(here)));
     }
     if (kind == Centre::rooted ? common > most_rooted : roots) {
         std::fill(zero_.begin(), zero_.end(), false);
@@ -219,19 +248,5 @@ void Integrand::Program::choose_power(Centre kind) {
         power_ = common.convert_to<long>();
     }
 }
-
-Integrand::Integrand(const formula::Expr& f, std::string variable, IntegrandMeaning meaning,
-                     long bits)
-    : program_(std::make_unique<Program>(f, std::move(variable), std::move(meaning), bits)) {}
-Integrand::~Integrand() = default;
-Integrand::Integrand(Integrand&&) noexcept = default;
-bool Integrand::vanishes() const { return program_->vanishes(); }
-void Integrand::centre(const formula::Expr& written, const Ball& at, int direction,
-                       const Ball& angle, Centre kind) {
-    program_->centre(written, at, direction, angle, kind);
-}
-long Integrand::power() const { return program_->power(); }
-void Integrand::at(acb_ptr out, const Box& v, bool analytic) { program_->at(out, v, analytic); }
-Integrand::Leading Integrand::leading(const Box& v) { return program_->leading(v); }
 
 } // namespace edgeproof::audit

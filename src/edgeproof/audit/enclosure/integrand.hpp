@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/enclosure/tilted_path.hpp"
+#include "edgeproof/formula/evaluation/program.hpp"
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/ball/complex_box.hpp"
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace edgeproof::audit {
@@ -40,9 +39,8 @@ struct IntegrandMeaning {
 /// upper half-plane (real for z > 0), and gauss(a, b, c, z), Gauss's 2F1.
 class Integrand {
 public:
+    /// Throws Error for a part without an enclosure.
     Integrand(const formula::Expr& f, std::string variable, IntegrandMeaning meaning, long bits);
-    ~Integrand();
-    Integrand(Integrand&&) noexcept;
 
     /// True if the formula reduces to the constant 0.
     [[nodiscard]] bool vanishes() const;
@@ -56,7 +54,7 @@ public:
     void centre(const formula::Expr& written, const Ball& at, int direction, const Ball& angle,
                 Centre kind);
     /// Returns n; it is 1 if nothing is singular.
-    [[nodiscard]] long power() const;
+    [[nodiscard]] long power() const { return power_; }
     /// Returns f d(variable)/dv, without the sign of the direction. `analytic`: the result is not
     /// finite if the function may not be holomorphic on the whole box.
     void at(acb_ptr out, const Box& v, bool analytic);
@@ -68,8 +66,82 @@ public:
     [[nodiscard]] Leading leading(const Box& v);
 
 private:
-    class Program;
-    std::unique_ptr<Program> program_;
+    /// A value v^k w. If needed, for k = 0, w is also given as end + v^n slope.
+    struct ValuedBox {
+        explicit ValuedBox(long bits) : w(bits), end(bits), slope(bits) {}
+        long k = 0;
+        Box w;
+        Box end;
+        Box slope;
+    };
+    using Step = formula::Program::Step;
+
+    /// The inputs of the program: the variable, and with a path b and P' at its argument.
+    enum Input { of_variable, of_edge, of_force_rate };
+    [[nodiscard]] static std::vector<formula::Expr> inputs(const std::string& variable,
+                                                           const IntegrandMeaning& meaning);
+    /// Checks that a part has an enclosure, and replaces functions of the contact by formulas.
+    [[nodiscard]] std::optional<formula::Expr> written_out(const formula::Expr& part) const;
+    /// The slot of the program that the first step writes.
+    [[nodiscard]] std::size_t first_result() const {
+        return program_.inputs().size() + program_.constants().size();
+    }
+    [[nodiscard]] std::size_t operand(const Step& step, std::size_t k) const {
+        return program_.operands()[step.first + k];
+    }
+    [[nodiscard]] const ValuedBox& part(const Step& step, std::size_t k) const {
+        return valued_[operand(step, k)];
+    }
+    void run(const Box& v, bool analytic);
+    void multiply_by_power(Box& y, long k) const;
+    /// Returns v^k w.
+    [[nodiscard]] Box plain(const ValuedBox& x) const {
+        Box y = x.w;
+        multiply_by_power(y, x.k);
+        return y;
+    }
+    /// Computes the inputs, at one of the points of the variable or of the path.
+    void place(const Box& at);
+    /// Computes the slope from the values at the point and at the centre, and from the derivative
+    /// between them. The former is narrow if the box is narrow, the latter near the centre.
+    void find_slope(ValuedBox& x, const Box& derivative) const;
+    /// Finds the slots that are proved to be zero at v = 0.
+    void find_zeros();
+    /// Finds the least n for which all powers of v are integers.
+    void choose_power(Centre kind);
+    /// Marks the parts that are needed for the divided differences of zeros.
+    void mark_slopes();
+
+    /// Computes the slot of step i.
+    void take(std::size_t i);
+    void take_sum(const Step& step, std::size_t slot);
+    void take_product(const Step& step, std::size_t slot);
+    void take_quotient(const Step& step, std::size_t slot);
+    void take_power(std::size_t i, std::size_t slot);
+    void take_root(const Step& step, std::size_t slot);
+    void take_function(const Step& step, std::size_t slot);
+    /// Applies the proof that a slot is zero at v = 0.
+    void apply_zero(std::size_t slot);
+
+    std::string variable_;
+    IntegrandMeaning meaning_;
+    long bits_;
+    formula::Program program_;
+    std::vector<std::optional<Rational>> exponents_; ///< by steps; of a power, if it is rational
+    std::vector<ValuedBox> valued_;                  ///< by slots of the program
+    std::vector<bool> zero_;                         ///< proved to vanish at the centre
+    std::vector<bool> sloped_;                       ///< the divided difference is needed
+    bool wants_slopes_ = false;
+    formula::Expr written_;
+    Box start_;
+    int direction_ = 1; ///< of the angle, if there is a path
+    long power_ = 1;
+    Ball offset_;
+    Ball rate_;
+    Box v_{bits_};
+    Box vn_{bits_};
+    bool analytic_ = false;
+    Box by_angle_{bits_};
 };
 
 } // namespace edgeproof::audit

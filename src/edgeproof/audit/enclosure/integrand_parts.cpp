@@ -9,76 +9,63 @@
 #include <optional>
 
 namespace edgeproof::audit {
+
+using formula::Expr;
+
 namespace {
 
-using Kind = formula::Expr::Kind;
+using Kind = Expr::Kind;
 
-void collect_cuts_of(const formula::Expr& e, const std::string& variable,
-                     const ContactFormulas& contact, std::vector<IntegrandCut>& cuts) {
+void collect_cuts_of(const Expr& e, const std::string& variable, const ContactFormulas& contact,
+                     std::vector<IntegrandCut>& cuts) {
     if (e.is_binder() || !holds_symbol(e, variable)) {
         return;
     }
     const bool size = is_size_of_slope(e);
-    const formula::Expr& f = size ? e.arg(0) : e;
+    const Expr& f = size ? e.arg(0) : e;
     const bool of_contacts = f.name() == "P1of" || f.name() == "bof";
-    std::vector<formula::Expr> knots;
-    if (f.kind() == Kind::call && f.name() == "g1") {
-        knots = contact.slope_knots(size);
-    } else if (f.kind() == Kind::call && of_contacts) {
-        knots = contact.contact_knots();
-    } else if (f.kind() == Kind::call && f.name() == "p") {
-        knots = contact.pressure_knots();
-    }
-    for (const formula::Expr& knot : knots) {
+    const bool called = f.kind() == Kind::call;
+    for (const Expr& knot : called ? contact.knots(f.name(), size) : std::vector<Expr>()) {
         const auto line = contact::as_linear(f.arg(0), variable);
-        if (f.arg(0) == formula::Expr::symbol(variable)) {
+        if (f.arg(0) == Expr::symbol(variable)) {
             cuts.push_back({knot, of_contacts});
         } else if (line) {
             cuts.push_back({(knot - line->at_origin) / line->rate, of_contacts});
         }
     }
-    for (const formula::Expr& part : (size ? f : e).args()) {
+    for (const Expr& part : (size ? f : e).args()) {
         collect_cuts_of(part, variable, contact, cuts);
     }
 }
 
 } // namespace
 
-bool holds_function(const formula::Expr& e) {
-    return (e.kind() == formula::Expr::Kind::call && e.builtin() == formula::Builtin::none) ||
-           std::any_of(e.args().begin(), e.args().end(), holds_function);
+bool holds_function(const Expr& e) {
+    return any_part(e, [](const Expr& part) {
+        return part.kind() == Kind::call && part.builtin() == formula::Builtin::none;
+    });
 }
 
-bool holds_symbol(const formula::Expr& e, const std::string& name) {
-    if (e.kind() == Kind::symbol) {
-        return e.name() == name;
-    }
-    return e.is_binder()
-               ? free_symbols(e).contains(name)
-               : std::any_of(e.args().begin(), e.args().end(),
-                             [&](const formula::Expr& part) { return holds_symbol(part, name); });
-}
-
-bool is_size_of_slope(const formula::Expr& e) {
+bool is_size_of_slope(const Expr& e) {
     return e.builtin() == formula::Builtin::abs && e.arg(0).kind() == Kind::call &&
            e.arg(0).name() == "g1";
 }
 
-bool holds_pressure(const formula::Expr& e, const std::string& variable) {
-    return (e.kind() == Kind::call && e.name() == "p" && holds_symbol(e, variable)) ||
-           std::any_of(e.args().begin(), e.args().end(),
-                       [&](const formula::Expr& part) { return holds_pressure(part, variable); });
+bool holds_pressure(const Expr& e, const std::string& variable) {
+    return any_part(e, [&](const Expr& part) {
+        return part.kind() == Kind::call && part.name() == "p" && holds_symbol(part, variable);
+    });
 }
 
-std::optional<int> degree_in_pressure(const formula::Expr& e, const std::string& variable) {
+std::optional<int> degree_in_pressure(const Expr& e, const std::string& variable) {
     if (!holds_symbol(e, variable) || e.kind() == Kind::symbol) {
         return 0;
     }
     if (e.kind() == Kind::call && e.name() == "p") {
-        return e.arg(0) == formula::Expr::symbol(variable) ? std::optional(1) : std::nullopt;
+        return e.arg(0) == Expr::symbol(variable) ? std::optional(1) : std::nullopt;
     }
     const auto of_all_parts_zero = [&] {
-        return std::all_of(e.args().begin(), e.args().end(), [&](const formula::Expr& part) {
+        return std::all_of(e.args().begin(), e.args().end(), [&](const Expr& part) {
             return degree_in_pressure(part, variable) == 0;
         });
     };
@@ -102,7 +89,7 @@ std::optional<int> degree_in_pressure(const formula::Expr& e, const std::string&
         return std::nullopt;
     }
     int degree = 0;
-    for (const formula::Expr& part : e.args()) {
+    for (const Expr& part : e.args()) {
         const auto of_part = degree_in_pressure(part, variable);
         if (!of_part) {
             return std::nullopt;
@@ -112,12 +99,12 @@ std::optional<int> degree_in_pressure(const formula::Expr& e, const std::string&
     return degree;
 }
 
-std::optional<formula::Expr> contact_argument(const formula::Expr& e, const std::string& variable) {
+std::optional<Expr> contact_argument(const Expr& e, const std::string& variable) {
     if (e.kind() == Kind::call && (e.name() == "P1of" || e.name() == "bof") &&
         holds_symbol(e, variable)) {
         return e.arg(0);
     }
-    for (const formula::Expr& part : e.args()) {
+    for (const Expr& part : e.args()) {
         if (auto found = contact_argument(part, variable)) {
             return found;
         }
@@ -125,7 +112,7 @@ std::optional<formula::Expr> contact_argument(const formula::Expr& e, const std:
     return std::nullopt;
 }
 
-std::vector<IntegrandCut> integrand_cuts(const formula::Expr& f, const std::string& variable,
+std::vector<IntegrandCut> integrand_cuts(const Expr& f, const std::string& variable,
                                          const ContactFormulas& contact) {
     std::vector<IntegrandCut> cuts;
     collect_cuts_of(f, variable, contact, cuts);
@@ -134,7 +121,7 @@ std::vector<IntegrandCut> integrand_cuts(const formula::Expr& f, const std::stri
 
 namespace {
 
-bool is_zero_by_symbols(const formula::Expr& e) {
+bool is_zero_by_symbols(const Expr& e) {
     try {
         const auto held = ginac::hold();
         const GiNaC::ex x = ginac::from_expr(e);
@@ -147,13 +134,12 @@ bool is_zero_by_symbols(const formula::Expr& e) {
 }
 
 /// Returns y if the whole of e is equal to f(y) for an f(y) in e.
-std::optional<formula::Expr> argument_if_all(const formula::Expr& e, const std::string& f,
-                                             const formula::Expr& whole) {
-    if (e.kind() == formula::Expr::Kind::call && e.name() == f &&
+std::optional<Expr> argument_if_all(const Expr& e, const std::string& f, const Expr& whole) {
+    if (e.kind() == Expr::Kind::call && e.name() == f &&
         (e == whole || is_zero_by_symbols(whole - e))) {
         return e.arg(0);
     }
-    for (const formula::Expr& part : e.args()) {
+    for (const Expr& part : e.args()) {
         if (auto y = argument_if_all(part, f, whole)) {
             return y;
         }
@@ -163,9 +149,9 @@ std::optional<formula::Expr> argument_if_all(const formula::Expr& e, const std::
 
 /// Returns e with the known properties of b and its inverse put in; nothing if e contains a root, a
 /// binder or a built-in function, because some of their rules hold only for one sign.
-std::optional<formula::Expr> as_rational_function(const formula::Expr& e, bool symmetric) {
+std::optional<Expr> as_rational_function(const Expr& e, bool symmetric) {
     if (e.kind() == Kind::symbol && e.name() == "b" && symmetric) {
-        return formula::Expr::symbol("a");
+        return Expr::symbol("a");
     }
     if (e.rational() != nullptr || e.kind() == Kind::symbol || e.kind() == Kind::pi) {
         return e;
@@ -179,8 +165,8 @@ std::optional<formula::Expr> as_rational_function(const formula::Expr& e, bool s
             return std::nullopt;
         }
     }
-    std::vector<formula::Expr> args;
-    for (const formula::Expr& part : e.args()) {
+    std::vector<Expr> args;
+    for (const Expr& part : e.args()) {
         auto rational = as_rational_function(part, symmetric);
         if (!rational) {
             return std::nullopt;
@@ -195,12 +181,12 @@ std::optional<formula::Expr> as_rational_function(const formula::Expr& e, bool s
             return y;
         }
     }
-    return formula::Expr::with_args(e, std::move(args));
+    return Expr::with_args(e, std::move(args));
 }
 
 } // namespace
 
-bool surely_zero(const formula::Expr& e, bool symmetric) {
+bool surely_zero(const Expr& e, bool symmetric) {
     const auto rational = as_rational_function(e, symmetric);
     return rational && is_zero_by_symbols(*rational);
 }

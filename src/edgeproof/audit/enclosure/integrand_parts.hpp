@@ -12,7 +12,6 @@ namespace edgeproof::audit {
 
 /// True if a function of the contact, such as p, occurs: a call that is not built in.
 [[nodiscard]] bool holds_function(const formula::Expr& e);
-[[nodiscard]] bool holds_symbol(const formula::Expr& e, const std::string& name);
 
 /// True for |g1(x)|, whose formula depends on the piece as that of g1 does.
 [[nodiscard]] bool is_size_of_slope(const formula::Expr& e);

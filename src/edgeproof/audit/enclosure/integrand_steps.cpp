@@ -1,16 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/enclosure/integrand_program.hpp"
+#include "edgeproof/audit/enclosure/integrand.hpp"
+#include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace edgeproof::audit {
+
+using formula::Expr;
+
 namespace {
 
-using Op = IntegrandStep::Op;
+using formula::Builtin;
+using StepKind = Expr::Kind;
 
-/// True if a value is certainly off the cuts of asin and acos, which extend outwards from -1 and 1;
-/// with the axes exchanged, off those of atan.
-bool off_cuts_from_one(const Ball& along, const Ball& across) {
+enum class Cuts { none, real, imaginary }; ///< from -1 and 1, or -i and i, outwards
+
+/// A function of one argument on boxes, and the axis of its cuts.
+struct BoxFunction {
+    Builtin id;
+    void (*of)(acb_ptr, acb_srcptr, slong);
+    Cuts cuts;
+};
+constexpr std::array box_functions{BoxFunction{Builtin::exp, acb_exp, Cuts::none},
+                                   BoxFunction{Builtin::sin, acb_sin, Cuts::none},
+                                   BoxFunction{Builtin::cos, acb_cos, Cuts::none},
+                                   BoxFunction{Builtin::asin, acb_asin, Cuts::real},
+                                   BoxFunction{Builtin::acos, acb_acos, Cuts::real},
+                                   BoxFunction{Builtin::atan, acb_atan, Cuts::imaginary}};
+
+/// Returns null for other functions.
+const BoxFunction* box_function(Builtin f) {
+    const auto* const row = std::ranges::find(box_functions, f, &BoxFunction::id);
+    return row == box_functions.end() ? nullptr : row;
+}
+
+bool certainly_off(Cuts cuts, const Box& z) {
+    if (cuts == Cuts::none) {
+        return true;
+    }
+    const Ball along = cuts == Cuts::real ? z.real() : z.imaginary();
+    const Ball across = cuts == Cuts::real ? z.imaginary() : z.real();
     return !contains_zero(across) || certainly_less(abs(along), Ball(1, along.bits()));
 }
 
@@ -26,66 +56,75 @@ void log_above(Box& r, const Box& z, bool analytic, long bits) {
 
 } // namespace
 
-void Integrand::Program::take(std::size_t i) {
-    const IntegrandStep& step = all()[i];
-    ValuedBox& r = valued_[i];
-    switch (step.op) {
-    case Op::constant:
-        return;
-    case Op::variable:
-        r = variable_now_;
-        break;
-    case Op::left_edge:
-        r = edge_now_;
-        break;
-    case Op::force_rate:
-        r.k = 0;
-        r.w = force_rate_;
-        indeterminate(r.slope);
-        break;
-    case Op::neg: {
-        const ValuedBox& x = valued_[step.args[0]];
+std::optional<Expr> Integrand::written_out(const Expr& e) const {
+    const bool contacts = e.name() == "bof" || e.name() == "P1of";
+    // Two contacts of the family in one integrand have no common path.
+    if (e.is_binder() || (meaning_.path != nullptr && contacts)) {
+        throw Error("'" + e.name() + "' has no enclosure inside an integral");
+    }
+    if (e.kind() == StepKind::pow && holds_symbol(e.arg(1), variable_)) {
+        throw Error("a power to the variable has no enclosure inside an integral");
+    }
+    if (e.kind() != StepKind::call || e.name() == "log_above" || e.name() == "gauss" ||
+        e.builtin() == Builtin::sqrt || e.builtin() == Builtin::log ||
+        box_function(e.builtin()) != nullptr) {
+        return std::nullopt;
+    }
+    return meaning_.written_out(e);
+}
+
+void Integrand::take(std::size_t i) {
+    const Step& step = program_.steps()[i];
+    const std::size_t slot = first_result() + i;
+    switch (step.kind) {
+    case StepKind::neg: {
+        const ValuedBox& x = part(step, 0);
+        ValuedBox& r = valued_[slot];
         r.k = x.k;
         r.w = -x.w;
-        if (sloped_[i]) {
+        if (sloped_[slot]) {
             r.end = -x.end;
             r.slope = -x.slope;
         }
         break;
     }
-    case Op::add:
-        take_sum(i, false);
+    case StepKind::add:
+    case StepKind::sub:
+        take_sum(step, slot);
         break;
-    case Op::sub:
-        take_sum(i, true);
+    case StepKind::mul:
+        take_product(step, slot);
         break;
-    case Op::mul:
-        take_product(i);
+    case StepKind::div:
+        take_quotient(step, slot);
         break;
-    case Op::div:
-        take_quotient(i);
-        break;
-    case Op::power:
-        take_power(i);
-        break;
-    case Op::sqrt:
-        take_root(i);
+    case StepKind::pow:
+        take_power(i, slot);
         break;
     default:
-        take_function(i);
+        if (step.source.builtin() == Builtin::sqrt) {
+            take_root(step, slot);
+        } else {
+            take_function(step, slot);
+        }
     }
-    if (zero_[i]) {
+    apply_zero(slot);
+}
+
+void Integrand::apply_zero(std::size_t slot) {
+    if (zero_[slot]) {
+        ValuedBox& r = valued_[slot];
         r.k = power_;
         r.w = r.slope;
         acb_zero(r.end.get());
     }
 }
 
-void Integrand::Program::take_sum(std::size_t i, bool minus) {
-    const ValuedBox& x = valued_[all()[i].args[0]];
-    const ValuedBox& y = valued_[all()[i].args[1]];
+void Integrand::take_sum(const Step& step, std::size_t i) {
+    const ValuedBox& x = part(step, 0);
+    const ValuedBox& y = part(step, 1);
     ValuedBox& r = valued_[i];
-    const auto combine = minus ? acb_sub : acb_add;
+    const auto combine = step.kind == StepKind::sub ? acb_sub : acb_add;
     if (sloped_[i]) {
         combine(r.slope.get(), x.slope.get(), y.slope.get(), bits_);
         combine(r.end.get(), x.end.get(), y.end.get(), bits_);
@@ -105,9 +144,9 @@ void Integrand::Program::take_sum(std::size_t i, bool minus) {
     combine(r.w.get(), lower.get(), upper.get(), bits_);
 }
 
-void Integrand::Program::take_product(std::size_t i) {
-    const ValuedBox& x = valued_[all()[i].args[0]];
-    const ValuedBox& y = valued_[all()[i].args[1]];
+void Integrand::take_product(const Step& step, std::size_t i) {
+    const ValuedBox& x = part(step, 0);
+    const ValuedBox& y = part(step, 1);
     ValuedBox& r = valued_[i];
     r.k = x.k + y.k;
     acb_mul(r.w.get(), x.w.get(), y.w.get(), bits_);
@@ -117,9 +156,9 @@ void Integrand::Program::take_product(std::size_t i) {
     }
 }
 
-void Integrand::Program::take_quotient(std::size_t i) {
-    const ValuedBox& x = valued_[all()[i].args[0]];
-    const ValuedBox& y = valued_[all()[i].args[1]];
+void Integrand::take_quotient(const Step& step, std::size_t i) {
+    const ValuedBox& x = part(step, 0);
+    const ValuedBox& y = part(step, 1);
     ValuedBox& r = valued_[i];
     r.k = x.k - y.k;
     acb_div(r.w.get(), x.w.get(), y.w.get(), bits_);
@@ -129,17 +168,17 @@ void Integrand::Program::take_quotient(std::size_t i) {
     }
 }
 
-void Integrand::Program::take_power(std::size_t i) {
-    const IntegrandStep& step = all()[i];
-    const ValuedBox& x = valued_[step.args[0]];
-    ValuedBox& r = valued_[i];
-    const bool whole =
-        step.exponent && denominator(*step.exponent) == 1 && abs(*step.exponent) < 1000;
+void Integrand::take_power(std::size_t i, std::size_t slot) {
+    const Step& step = program_.steps()[i];
+    const std::optional<Rational>& exponent = exponents_[i];
+    const ValuedBox& x = part(step, 0);
+    ValuedBox& r = valued_[slot];
+    const bool whole = exponent && denominator(*exponent) == 1 && abs(*exponent) < 1000;
     if (whole) {
-        const long n = step.exponent->convert_to<long>();
+        const long n = exponent->convert_to<long>();
         r.k = x.k * n;
         acb_pow_si(r.w.get(), x.w.get(), n, bits_);
-        if (sloped_[i]) {
+        if (sloped_[slot]) {
             constexpr long most_written = 8;
             if (n < 1 || n > most_written) {
                 indeterminate(r.slope);
@@ -156,19 +195,18 @@ void Integrand::Program::take_power(std::size_t i) {
         return;
     }
     indeterminate(r.slope);
-    const Rational order = step.exponent ? Rational(*step.exponent * x.k) : Rational(0);
-    const bool split = x.k != 0 && step.exponent && denominator(order) == 1;
+    const Rational order = exponent ? Rational(*exponent * x.k) : Rational(0);
+    const bool split = x.k != 0 && exponent && denominator(order) == 1;
     const Box base = split ? x.w : plain(x);
     r.k = split ? order.convert_to<long>() : 0;
-    acb_pow_analytic(r.w.get(), base.get(), valued_[step.args[1]].w.get(), analytic_ ? 1 : 0,
-                     bits_);
-    if (sloped_[i]) {
+    acb_pow_analytic(r.w.get(), base.get(), part(step, 1).w.get(), analytic_ ? 1 : 0, bits_);
+    if (sloped_[slot]) {
         r.end = r.w; // not used without a slope
     }
 }
 
-void Integrand::Program::take_root(std::size_t i) {
-    const ValuedBox& x = valued_[all()[i].args[0]];
+void Integrand::take_root(const Step& step, std::size_t i) {
+    const ValuedBox& x = part(step, 0);
     ValuedBox& r = valued_[i];
     const bool split = x.k % 2 == 0;
     const Box base = split ? x.w : plain(x);
@@ -185,61 +223,34 @@ void Integrand::Program::take_root(std::size_t i) {
     }
 }
 
-void Integrand::Program::take_function(std::size_t i) {
-    const IntegrandStep& step = all()[i];
+void Integrand::take_function(const Step& step, std::size_t i) {
     ValuedBox& r = valued_[i];
-    const int whole = analytic_ ? 1 : 0;
-    const Box x = plain(valued_[step.args.back()]);
+    const Box x = plain(part(step, step.count - 1));
     r.k = 0;
     acb_ptr y = r.w.get();
-    switch (step.op) {
-    case Op::log:
-        acb_log_analytic(y, x.get(), whole, bits_);
-        break;
-    case Op::log_above:
+    if (const BoxFunction* f = box_function(step.source.builtin())) {
+        if (analytic_ && !certainly_off(f->cuts, x)) {
+            indeterminate(r.w);
+        } else {
+            f->of(y, x.get(), bits_);
+        }
+    } else if (step.source.builtin() == Builtin::log) {
+        acb_log_analytic(y, x.get(), analytic_ ? 1 : 0, bits_);
+    } else if (step.source.name() == "log_above") {
         log_above(r.w, x, analytic_, bits_);
-        break;
-    case Op::exp:
-        acb_exp(y, x.get(), bits_);
-        break;
-    case Op::sin:
-        acb_sin(y, x.get(), bits_);
-        break;
-    case Op::cos:
-        acb_cos(y, x.get(), bits_);
-        break;
-    case Op::asin:
-    case Op::acos:
-        if (analytic_ && !off_cuts_from_one(x.real(), x.imaginary())) {
-            indeterminate(r.w);
-        } else {
-            (step.op == Op::asin ? acb_asin : acb_acos)(y, x.get(), bits_);
-        }
-        break;
-    case Op::atan:
-        if (analytic_ && !off_cuts_from_one(x.imaginary(), x.real())) {
-            indeterminate(r.w);
-        } else {
-            acb_atan(y, x.get(), bits_);
-        }
-        break;
-    case Op::gauss: {
-        const auto part = [&](std::size_t k) { return valued_[step.args[k]].w.get(); };
+    } else { // Gauss's function
+        const auto parameter = [&](std::size_t k) { return part(step, k).w.get(); };
         // A polynomial if a or b is 0 or a negative integer; else the cut runs from 1 to infinity.
-        const auto ends_the_series = [](acb_ptr a) {
+        const auto ends_the_series = [](acb_srcptr a) {
             return acb_is_int(a) != 0 && arb_is_nonpositive(acb_realref(a)) != 0;
         };
-        const bool off = ends_the_series(part(0)) || ends_the_series(part(1)) || !x.may_be_real() ||
-                         certainly_less(x.real(), Ball(1, bits_));
+        const bool off = ends_the_series(parameter(0)) || ends_the_series(parameter(1)) ||
+                         !x.may_be_real() || certainly_less(x.real(), Ball(1, bits_));
         if (analytic_ && !off) {
             indeterminate(r.w);
         } else {
-            acb_hypgeom_2f1(y, part(0), part(1), part(2), x.get(), 0, bits_);
+            acb_hypgeom_2f1(y, parameter(0), parameter(1), parameter(2), x.get(), 0, bits_);
         }
-        break;
-    }
-    default:
-        indeterminate(r.w);
     }
     if (sloped_[i]) {
         r.end = r.w;

@@ -5,6 +5,9 @@
 #include <exception>
 
 namespace edgeproof::audit {
+
+using formula::Expr;
+
 namespace {
 
 using Centre = Integrand::Centre;
@@ -89,8 +92,7 @@ Box PieceIntegrals::over_pole(Integrand& f, const PieceEnd& pole, const PieceEnd
         const Box top(zero, r);
         Box sum = line_integral(f, Box(-r), top, digits_) + line_integral(f, top, Box(r), digits_) +
                   f.leading(Box(bits_)).factor * Box(zero, Ball::pi(bits_));
-        const formula::Expr unnamed =
-            formula::Expr::symbol("a place inside"); // not a name in any text
+        const Expr unnamed = Expr::symbol("a place inside"); // not a name in any text
         const PieceEnd before{unnamed, pole.at - r};
         const PieceEnd behind{unnamed, pole.at + r};
         sum = sum + by_ends(f, from, before, false);

@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
+#include "edgeproof/audit/sample/quantity_names.hpp"
 #include "edgeproof/formula/magnitude.hpp"
 
 namespace edgeproof::audit {
+
+using formula::Expr;
+
 namespace {
 
-formula::Expr named(const char* name) { return formula::Expr::symbol(name); }
+Expr named(const char* name) { return Expr::symbol(name); }
 
 /// A quantity of the same dimension as a name that does not vanish where the name does.
-formula::Expr scale_of_name(const formula::Expr& e) {
+Expr scale_of_name(const Expr& e) {
     const std::string& name = e.name();
     if (name == "M") {
         return named("P") * named("L");
     }
-    for (const char* first : {"right_c0", "left_c0", "right_s0", "left_s0"}) {
-        const std::string stem(first, std::string(first).size() - 1);
-        if (name.size() == stem.size() + 1 && name.starts_with(stem)) {
-            return named(first) /
-                   pow(named("L"), formula::Expr::number(Rational(name.back() - '0')));
+    for (const char* stem : {"right_c", "left_c", "right_s", "left_s"}) {
+        if (const auto k = order_behind(name, stem)) {
+            const Expr first = Expr::symbol(std::string(stem) + "0");
+            return first / pow(named("L"), Expr::number(Rational(*k)));
         }
     }
     return e;
@@ -25,25 +28,24 @@ formula::Expr scale_of_name(const formula::Expr& e) {
 
 /// Returns the sum of the sizes of two parts of an integral; the cut is at a place where no
 /// symmetry makes a part vanish.
-Ball scale_of_integral(const formula::Expr& e, const EnclosedSample& sample) {
-    const formula::Expr cut =
-        e.arg(2) + formula::Expr::number(Rational(3, 7)) * (e.arg(3) - e.arg(2));
-    const auto part = [&](const formula::Expr& from, const formula::Expr& to) {
-        return abs(sample.evaluate(formula::Expr::with_args(e, {e.arg(0), e.arg(1), from, to})));
+Ball scale_of_integral(const Expr& e, const EnclosedSample& sample) {
+    const Expr cut = e.arg(2) + Expr::number(Rational(3, 7)) * (e.arg(3) - e.arg(2));
+    const auto part = [&](const Expr& from, const Expr& to) {
+        return abs(sample.evaluate(Expr::with_args(e, {e.arg(0), e.arg(1), from, to})));
     };
     return part(e.arg(2), cut) + part(cut, e.arg(3));
 }
 
 } // namespace
 
-Ball scale_of_terms(const formula::Expr& e, const EnclosedSample& sample) {
-    return magnitude(e, [&](const formula::Expr& part) {
-        if (part.kind() == formula::Expr::Kind::integral) {
+Ball scale_of_terms(const Expr& e, const EnclosedSample& sample) {
+    return magnitude(e, [&](const Expr& part) {
+        if (part.kind() == Expr::Kind::integral) {
             return scale_of_integral(part, sample);
         }
-        if (part.kind() == formula::Expr::Kind::symbol) {
+        if (part.kind() == Expr::Kind::symbol) {
             const Ball value = sample.evaluate(part);
-            const formula::Expr scale = scale_of_name(part);
+            const Expr scale = scale_of_name(part);
             return contains_zero(value) && !(scale == part) ? abs(sample.evaluate(scale)) : value;
         }
         return sample.evaluate(part);

@@ -2,6 +2,7 @@
 #include "edgeproof/audit/sample/audit_context.hpp"
 
 #include "edgeproof/audit/ledger/claim_kind.hpp"
+#include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -26,8 +27,7 @@ std::vector<std::size_t> spread_first(std::size_t n, std::size_t first) {
 std::string Sample::text() const {
     std::string text = scene.text();
     if (fraction) {
-        text += ", u = " + fraction->text() + " of the length from the " +
-                (edge == contact::Edge::right ? "right" : "left") + " edge";
+        text += ", " + place_text(edge, *fraction);
     }
     for (const auto& [name, value] : variables) {
         text += ", " + name + " = " + value.text();

@@ -3,6 +3,7 @@
 
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/sample/evaluated_scene_environment.hpp"
+#include "edgeproof/audit/sample/quantity_names.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -18,15 +19,6 @@ constexpr unsigned screening_guard = 6;
 constexpr int screening_level = 6;
 constexpr long most_local_terms = 1000;
 constexpr std::size_t most_pressures = 4096; ///< stored for each edge
-
-/// Returns the number at the end of a name such as P2 or right_c1.
-std::optional<unsigned> order_in(std::string_view name, std::string_view prefix) {
-    if (!name.starts_with(prefix) || name.size() != prefix.size() + 1 || name.back() < '0' ||
-        name.back() > '9') {
-        return std::nullopt;
-    }
-    return static_cast<unsigned>(name.back() - '0');
-}
 
 } // namespace
 
@@ -93,37 +85,19 @@ const std::vector<Real>& EvaluatedSceneState::expansion(contact::Edge edge, std:
     return known;
 }
 
+Real EvaluatedSceneState::local(contact::Edge edge, std::size_t n, const Real& u) {
+    return sum_of_terms(std::span<const Real>(expansion(edge, n)).first(n), u, Real(0));
+}
+
 std::optional<Real> EvaluatedSceneState::derived_symbol(std::string_view name) {
-    if (name == "b") {
-        return here().extent.b;
-    }
-    if (name == "L") {
-        return here().extent.length();
+    if (name == "b" || name == "L") { // at the working precision
+        return named_quantity(*this, name);
     }
     const auto it = derived.find(name);
     if (it != derived.end()) {
         return it->second;
     }
-    std::optional<Real> value;
-    if (name == "P") {
-        value = contact.force();
-    } else if (name == "M") {
-        value = contact.moment();
-    } else if (const auto k = order_in(name, "P")) {
-        value = contact.force_derivative(*k);
-    } else if (const auto j = order_in(name, "b")) {
-        value = contact.left_edge_derivative(*j);
-    } else if (const auto s = order_in(name, "right_s")) {
-        value = shear_coefficients(contact::Edge::right, *s + 1).back();
-    } else if (const auto t = order_in(name, "left_s")) {
-        value = shear_coefficients(contact::Edge::left, *t + 1).back();
-    } else if (const auto quantity = slip_symbol(name)) {
-        value = quantity;
-    } else if (const auto right = order_in(name, "right_c")) {
-        value = expansion(contact::Edge::right, *right + 1)[*right];
-    } else if (const auto left = order_in(name, "left_c")) {
-        value = expansion(contact::Edge::left, *left + 1)[*left];
-    }
+    std::optional<Real> value = named_quantity(*this, name);
     if (value) {
         derived.emplace(std::string(name), *value);
     }
@@ -138,11 +112,6 @@ contact::ShearLoad<Real> EvaluatedSceneState::shear_load() const {
         throw Error("a scene of family " + spec.family + " has no shear: give it Q and sig0");
     }
     return {Q->second, tension->second};
-}
-
-std::vector<Real> EvaluatedSceneState::shear_coefficients(contact::Edge edge,
-                                                          std::size_t terms) const {
-    return full_stick_expansion(top().extent.length(), shear_load(), edge, terms);
 }
 
 Place EvaluatedSceneState::place_of_x(const Real& x) const {
@@ -222,13 +191,7 @@ Real EvaluatedSceneState::call(const std::string& name, std::span<const Real> ar
             at_place(args[1]) && place->edge == edge
                 ? place->u
                 : Real(edge == contact::Edge::right ? extent.a - args[1] : args[1] + extent.b);
-        const auto terms = static_cast<std::size_t>(n);
-        const std::vector<Real>& c = expansion(edge, terms);
-        Real sum(0);
-        for (std::size_t k = terms; k-- > 0;) {
-            sum = sum * u + c[k];
-        }
-        return sum * sqrt(u);
+        return local(edge, static_cast<std::size_t>(n), u);
     }
     throw Error("the function '" + name + "' has no meaning here");
 }
@@ -278,11 +241,15 @@ Real EvaluatedScene::parameter(std::string_view name) const {
     return it->second;
 }
 
+std::string place_text(contact::Edge edge, const formula::Exact& fraction) {
+    return "u = " + fraction.text() + " of the length from the " +
+           (edge == contact::Edge::right ? "right" : "left") + " edge";
+}
+
 Place EvaluatedScene::place(contact::Edge edge, const formula::Exact& fraction) const {
     const PrecisionScope scope(state_->precision.integrand());
     Place at = place_at_u(edge, Real(fraction.to<Real>() * length()));
-    at.text = "u = " + fraction.text() + " of the length from the " +
-              (edge == contact::Edge::right ? "right" : "left") + " edge";
+    at.text = place_text(edge, fraction);
     return at;
 }
 
@@ -304,12 +271,7 @@ std::vector<Real> EvaluatedScene::expansion(contact::Edge edge, std::size_t term
 
 Real EvaluatedScene::local(contact::Edge edge, std::size_t n, const Real& u) const {
     const PrecisionScope scope(state_->precision.integrand());
-    const std::vector<Real>& c = state_->expansion(edge, n);
-    Real sum(0);
-    for (std::size_t k = n; k-- > 0;) {
-        sum = sum * u + c[k];
-    }
-    return sum * sqrt(u);
+    return state_->local(edge, n, u);
 }
 
 Variables EvaluatedScene::values_of(

@@ -25,6 +25,9 @@ struct Place {
     std::string text; ///< "u = 1e-3 of the length, from the right edge"
 };
 
+/// Returns such a text for the fraction u of the length.
+[[nodiscard]] std::string place_text(contact::Edge edge, const formula::Exact& fraction);
+
 /// Values for names that a sample adds to its scene.
 using Variables = std::map<std::string, Real, std::less<>>;
 

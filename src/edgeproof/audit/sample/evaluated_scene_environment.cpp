@@ -85,7 +85,7 @@ void EvaluatedSceneEnvironment::collect_cuts(const formula::Expr& f, const std::
         collect_cuts(part, variable, lo, hi, at, cuts);
     }
     const auto add = [&](const formula::Expr& argument, const std::vector<Real>& criticals) {
-        if (!free_symbols(argument).contains(variable)) {
+        if (!holds_symbol(argument, variable)) {
             return;
         }
         try {
@@ -114,13 +114,13 @@ void EvaluatedSceneEnvironment::collect_cuts(const formula::Expr& f, const std::
 
 /// The quantities of partial slip in an EvaluatedScene.
 Real EvaluatedSceneState::of_slip(const std::function<Ball(const contact::ProvedSlip&)>& quantity) {
-    if (slips.empty()) {
+    if (enclosed_slips.empty()) {
         require_partial_slip(spec);
     }
     const long needed = formula::bits_for(precision.integrand());
     std::optional<Ball> best;
     for (long bits = 2 * needed; bits <= 16 * needed; bits *= 2) {
-        const auto [it, fresh] = slips.try_emplace(bits);
+        const auto [it, fresh] = enclosed_slips.try_emplace(bits);
         try {
             if (fresh) {
                 it->second = std::make_unique<contact::ProvedSlip>(spec.partial_slip(bits));
@@ -156,21 +156,6 @@ Real EvaluatedSceneState::traction(const Place& at) {
     return of_slip([&](const contact::ProvedSlip& s) {
         return s.traction(at.edge, Ball(at.u, s.slip().zones().bits()));
     });
-}
-
-std::optional<Real> EvaluatedSceneState::slip_symbol(std::string_view name) {
-    if (!spec.slips()) {
-        return std::nullopt;
-    }
-    if (name == "right_d" || name == "left_d") {
-        const contact::Edge edge = name == "right_d" ? contact::Edge::right : contact::Edge::left;
-        return of_slip([edge](const contact::ProvedSlip& s) { return s.slip().size(edge); });
-    }
-    if (name == "stick_a" || name == "stick_b") {
-        const contact::Edge edge = name == "stick_a" ? contact::Edge::right : contact::Edge::left;
-        return of_slip([edge](const contact::ProvedSlip& s) { return s.slip().stick().at(edge); });
-    }
-    return std::nullopt;
 }
 
 } // namespace edgeproof::audit

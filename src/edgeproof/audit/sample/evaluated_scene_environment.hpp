@@ -50,7 +50,7 @@ struct EvaluatedSceneState {
     std::array<std::map<Real, Real>, 2> pressures;
 
     /// For a scene with friction, by bits; null if this number of bits does not give an enclosure.
-    std::map<long, std::unique_ptr<contact::ProvedSlip>> slips;
+    std::map<long, std::unique_ptr<contact::ProvedSlip>> enclosed_slips;
 
     /// Returns the level of the working precision. Far from their ends, integrands need few digits;
     /// this saves time only if all their parts have as few.
@@ -60,6 +60,30 @@ struct EvaluatedSceneState {
         return levels.at(precision.integrand());
     }
     const std::vector<Real>& expansion(contact::Edge edge, std::size_t terms);
+    /// Returns the sum of the first n terms at u.
+    Real local(contact::Edge edge, std::size_t n, const Real& u);
+    // The quantities of quantity_names.hpp.
+    Real left_edge() { return here().extent.b; }
+    Real length() { return here().extent.length(); }
+    Real force() { return contact.force(); }
+    Real moment() { return contact.moment(); }
+    Real force_derivative(std::size_t k) {
+        return contact.force_derivative(static_cast<unsigned>(k));
+    }
+    Real left_edge_derivative(std::size_t k) {
+        return contact.left_edge_derivative(static_cast<unsigned>(k));
+    }
+    Real coefficient(contact::Edge edge, std::size_t k) { return expansion(edge, k + 1)[k]; }
+    Real shear_coefficient(contact::Edge edge, std::size_t k) {
+        return full_stick_expansion(top().extent.length(), shear_load(), edge, k + 1).back();
+    }
+    [[nodiscard]] bool slips() const { return spec.slips(); }
+    Real slip_size(contact::Edge edge) {
+        return of_slip([edge](const contact::ProvedSlip& s) { return s.slip().size(edge); });
+    }
+    Real stick_edge(contact::Edge edge) {
+        return of_slip([edge](const contact::ProvedSlip& s) { return s.slip().stick().at(edge); });
+    }
     /// Returns the value of a name that is not a parameter, place or variable; nullopt if unknown.
     std::optional<Real> derived_symbol(std::string_view name);
     /// Returns p at a place other than the sample's: at the nodes of integrals.
@@ -68,12 +92,9 @@ struct EvaluatedSceneState {
     /// Returns the values of the argument of a function at which it is not analytic.
     std::vector<Real> critical_arguments(const std::string& function);
     [[nodiscard]] contact::ShearLoad<Real> shear_load() const;
-    [[nodiscard]] std::vector<Real> shear_coefficients(contact::Edge edge, std::size_t terms) const;
     [[nodiscard]] Place place_of_x(const Real& x) const;
     /// Returns the middle of the enclosure of a quantity of partial slip.
     Real of_slip(const std::function<Ball(const contact::ProvedSlip&)>& quantity);
-    /// Returns right_d, left_d, stick_a or stick_b; nullopt for another name, and without friction.
-    std::optional<Real> slip_symbol(std::string_view name);
     /// Returns q(x), under partial slip if the scene has friction.
     Real traction(const Place& at);
 };
@@ -117,8 +138,7 @@ public:
             node.arg(0), name, lo, hi,
             [&](const formula::Expr& e, const Real& s) { return along(e)(s); }, cuts);
         NaivePrecision precision = state_.precision;
-        precision.roots =
-            !called_functions(node.arg(0)).contains("p"); // p has logarithms at the knots
+        precision.roots = !holds_call(node.arg(0), "p"); // p has logarithms at the knots
         const NaiveIntegral result =
             node.kind() == formula::Expr::Kind::pv
                 ? principal_value_naively(along(node.arg(0)), lo, hi,

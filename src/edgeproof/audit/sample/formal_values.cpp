@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/sample/formal_values.hpp"
 
-#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/error.hpp"
 
 namespace edgeproof::audit {
@@ -29,20 +28,6 @@ Rational drawn(const std::string& name, std::size_t draw) {
     return Rational(1, 10) + r * Rational(2, 5);
 }
 
-/// A formula environment that has only names.
-struct Names {
-    const Variables& values;
-    [[nodiscard]] Real number(const Rational& q) const { return formula::number_of<Real>(q); }
-    [[nodiscard]] Real pi() const { return edgeproof::pi<Real>(); }
-    [[nodiscard]] const Real& symbol(std::string_view name) const {
-        const auto it = values.find(name);
-        if (it == values.end()) {
-            throw Error("'" + std::string(name) + "' has no value here");
-        }
-        return it->second;
-    }
-};
-
 } // namespace
 
 FormalValues::FormalValues(const std::set<std::string>& names, const SymbolicCase& under,
@@ -63,17 +48,17 @@ FormalValues::FormalValues(const std::set<std::string>& names, const SymbolicCas
         }
     }
     for (const auto& [name, q] : drawn_) {
-        values_.emplace(name, from_rational<Real>(q));
+        values_.set(name, from_rational<Real>(q));
     }
-    const Variables drawn_values = values_;
+    const formula::Values<Real> drawn_values = values_;
     for (const auto& [name, meaning] : meanings_) {
-        values_.insert_or_assign(name, formula::evaluate<Real>(meaning, Names{drawn_values}));
+        values_.set(name, formula::evaluate<Real>(meaning, drawn_values));
     }
 }
 
 Real FormalValues::evaluate(const formula::Expr& e) const {
     const PrecisionScope scope(working_digits_);
-    return formula::evaluate<Real>(e, Names{values_});
+    return formula::evaluate<Real>(e, values_);
 }
 
 Ball FormalValues::enclose(const formula::Expr& e, long bits) const {

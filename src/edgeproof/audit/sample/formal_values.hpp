@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/audit/symbolic/symbolic.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
 #include <cstddef>
@@ -20,8 +21,8 @@ public:
     FormalValues(const std::set<std::string>& names, const SymbolicCase& under, std::size_t draw,
                  unsigned working_digits = digits);
 
-    [[nodiscard]] const Variables& values() const noexcept { return values_; }
-    void set(const std::string& name, const Real& value) { values_.insert_or_assign(name, value); }
+    [[nodiscard]] const Variables& values() const noexcept { return values_.all(); }
+    void set(const std::string& name, const Real& value) { values_.set(name, value); }
     /// Throws Error for names without a value and for functions along the family of contacts.
     [[nodiscard]] Real evaluate(const formula::Expr& e) const;
     /// Evaluates in balls: the drawn numbers are exact, and values that depend on them are
@@ -31,7 +32,7 @@ public:
     static constexpr unsigned digits = 40;
 
 private:
-    Variables values_;
+    formula::Values<Real> values_;
     std::map<std::string, Rational, std::less<>> drawn_;
     std::map<std::string, formula::Expr, std::less<>>
         meanings_; ///< of names that depend on the drawn ones

@@ -6,6 +6,7 @@
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
+#include <ranges>
 #include <set>
 #include <utility>
 
@@ -22,39 +23,36 @@ bool is_zero_expr(const Expr& e) { return e.rational() != nullptr && *e.rational
 
 using Matrix = std::vector<std::vector<Expr>>;
 
-Matrix minor_without(const Matrix& m, std::size_t row, std::size_t column) {
-    Matrix rest;
-    for (std::size_t i = 0; i < m.size(); ++i) {
-        if (i == row) {
-            continue;
-        }
-        std::vector<Expr>& kept = rest.emplace_back(m[i]);
-        kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(column));
-    }
-    return rest;
+bool contains(const std::vector<std::size_t>& list, std::size_t i) {
+    return std::ranges::find(list, i) != list.end();
 }
 
-/// Expands the determinant along its first row; returns nothing if it has too many products.
-std::optional<Expr> determinant(const Matrix& m, std::size_t& products) {
-    if (m.empty()) {
+/// Expands the determinant of these columns of the last rows along its first row; returns nothing
+/// if it has too many products.
+std::optional<Expr> determinant(const Matrix& m, const std::vector<std::size_t>& columns,
+                                std::size_t& products) {
+    if (columns.empty()) {
         return Expr::number(1);
     }
     std::optional<Expr> sum;
-    for (std::size_t j = 0; j < m.size(); ++j) {
-        if (is_zero_expr(m[0][j])) {
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+        const Expr& entry = m[m.size() - columns.size()][columns[j]];
+        if (is_zero_expr(entry)) {
             continue;
         }
         if (++products > most_products) {
             return std::nullopt;
         }
-        const auto minor = determinant(minor_without(m, 0, j), products);
+        std::vector<std::size_t> rest = columns;
+        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(j));
+        const auto minor = determinant(m, rest, products);
         if (!minor) {
             return std::nullopt;
         }
         if (is_zero_expr(*minor)) {
             continue;
         }
-        const Expr term = m[0][j] * *minor;
+        const Expr term = entry * *minor;
         if (!sum) {
             sum = j % 2 == 0 ? term : -term;
         } else {
@@ -70,7 +68,7 @@ pivot_of(const std::vector<std::vector<Ball>>& rows, const std::vector<std::size
     std::optional<std::pair<std::size_t, std::size_t>> best;
     std::optional<Real> most;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (std::find(used.begin(), used.end(), i) != used.end()) {
+        if (contains(used, i)) {
             continue;
         }
         for (std::size_t j = 0; j < rows[i].size(); ++j) {
@@ -147,11 +145,8 @@ void GradientRank::drop_equal_columns() {
             return of_[i] == of_[j] && std::all_of(others_.begin(), others_.end(),
                                                    [&](const Row& r) { return r[i] == r[j]; });
         };
-        bool repeated = false;
-        for (std::size_t i = 0; i < j && !repeated; ++i) {
-            repeated = equals(i);
-        }
-        if (!repeated) {
+        const auto before = std::views::iota(std::size_t{0}, j);
+        if (std::ranges::none_of(before, equals)) {
             continue;
         }
         const auto at = static_cast<std::ptrdiff_t>(j);
@@ -189,7 +184,7 @@ std::optional<GradientRank::Eliminated> GradientRank::eliminate(std::size_t draw
         found.rows.push_back(row);
         found.columns.push_back(column);
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            if (std::find(found.rows.begin(), found.rows.end(), i) == found.rows.end()) {
+            if (!contains(found.rows, i)) {
                 subtract(rows[i], rows[row], column);
             }
         }
@@ -203,24 +198,18 @@ std::optional<GradientRank::Eliminated> GradientRank::eliminate(std::size_t draw
 }
 
 bool GradientRank::adds_nothing(const Row& row, const Eliminated& pivots) const {
+    Matrix rows{row};
+    for (const std::size_t r : pivots.rows) {
+        rows.push_back(others_[r]);
+    }
     for (std::size_t j = 0; j < columns_.size(); ++j) {
-        if (std::find(pivots.columns.begin(), pivots.columns.end(), j) != pivots.columns.end()) {
+        if (contains(pivots.columns, j)) {
             continue;
         }
-        const auto bordered = [&](const Row& from) {
-            Row part;
-            for (const std::size_t c : pivots.columns) {
-                part.push_back(from[c]);
-            }
-            part.push_back(from[j]);
-            return part;
-        };
-        Matrix minor{bordered(row)};
-        for (const std::size_t r : pivots.rows) {
-            minor.push_back(bordered(others_[r]));
-        }
+        std::vector<std::size_t> bordered = pivots.columns;
+        bordered.push_back(j);
         std::size_t products = 0;
-        const auto d = determinant(minor, products);
+        const auto d = determinant(rows, bordered, products);
         if (!d || !proved_equal(*d, Expr::number(0), under_)) {
             return false;
         }
@@ -230,9 +219,7 @@ bool GradientRank::adds_nothing(const Row& row, const Eliminated& pivots) const 
 
 bool GradientRank::others_add_nothing(const Eliminated& pivots) const {
     for (std::size_t i = 0; i < others_.size(); ++i) {
-        const bool is_pivot =
-            std::find(pivots.rows.begin(), pivots.rows.end(), i) != pivots.rows.end();
-        if (!is_pivot && !adds_nothing(others_[i], pivots)) {
+        if (!contains(pivots.rows, i) && !adds_nothing(others_[i], pivots)) {
             return false;
         }
     }

@@ -2,7 +2,6 @@
 #pragma once
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,8 +14,6 @@ public:
     /// Throws InputError if the scene does not have these parameters.
     LinearLoads(const SceneSpec& scene, unsigned digits, const std::string& first,
                 const std::string& second);
-    ~LinearLoads();
-    LinearLoads(LinearLoads&&) noexcept;
 
     /// The contributions of each load to a quantity.
     struct Parts {
@@ -38,10 +35,10 @@ public:
 private:
     unsigned digits_;
     std::string second_;
+    EvaluatedScene both_;
+    EvaluatedScene only_first_;
+    EvaluatedScene only_second_;
     Real second_value_;
-    std::unique_ptr<EvaluatedScene> both_;
-    std::unique_ptr<EvaluatedScene> only_first_;
-    std::unique_ptr<EvaluatedScene> only_second_;
 };
 
 } // namespace edgeproof::audit

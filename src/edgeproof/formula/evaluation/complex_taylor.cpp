@@ -6,54 +6,38 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace edgeproof::formula {
 namespace {
 
 using OfSeries = void (*)(acb_poly_struct*, const acb_poly_struct*, slong, slong);
+using OfNumber = void (*)(acb_struct*, const acb_struct*, slong);
 
-/// Returns Arb's function of a series, if its values are correct at every complex number.
-OfSeries function_of_series(Builtin f) {
-    switch (f) {
-    case Builtin::exp:
-        return acb_poly_exp_series;
-    case Builtin::sin:
-        return acb_poly_sin_series;
-    case Builtin::cos:
-        return acb_poly_cos_series;
-    case Builtin::sinh:
-        return acb_poly_sinh_series;
-    case Builtin::cosh:
-        return acb_poly_cosh_series;
-    case Builtin::gamma:
-        return acb_poly_gamma_series;
-    case Builtin::tan:
-        return acb_poly_tan_series;
-    default:
-        return nullptr;
-    }
-}
+/// Arb's functions of a series whose values are correct at every complex number.
+constexpr std::array<std::pair<Builtin, OfSeries>, 7> entire_functions{
+    {{Builtin::exp, acb_poly_exp_series},
+     {Builtin::sin, acb_poly_sin_series},
+     {Builtin::cos, acb_poly_cos_series},
+     {Builtin::sinh, acb_poly_sinh_series},
+     {Builtin::cosh, acb_poly_cosh_series},
+     {Builtin::gamma, acb_poly_gamma_series},
+     {Builtin::tan, acb_poly_tan_series}}};
 
-using Inverse = void (*)(acb_struct*, const acb_struct*, slong);
+/// Arb's functions for the values of the functions that Walk::inverse expands.
+constexpr std::array<std::pair<Builtin, OfNumber>, 6> inverse_functions{
+    {{Builtin::asin, acb_asin},
+     {Builtin::acos, acb_acos},
+     {Builtin::atan, acb_atan},
+     {Builtin::asinh, acb_asinh},
+     {Builtin::acosh, acb_acosh},
+     {Builtin::atanh, acb_atanh}}};
 
-/// Returns Arb's function for the values of a function that inverse() expands.
-Inverse inverse_function(Builtin f) {
-    switch (f) {
-    case Builtin::asin:
-        return acb_asin;
-    case Builtin::acos:
-        return acb_acos;
-    case Builtin::atan:
-        return acb_atan;
-    case Builtin::asinh:
-        return acb_asinh;
-    case Builtin::acosh:
-        return acb_acosh;
-    case Builtin::atanh:
-        return acb_atanh;
-    default:
-        return nullptr;
-    }
+/// Returns the function of f, or null.
+template <class Table> auto function_in(const Table& table, Builtin f) {
+    const auto row = std::ranges::find(table, f, [](const auto& r) { return r.first; });
+    return row == table.end() ? nullptr : row->second;
 }
 
 class Walk {
@@ -186,36 +170,24 @@ private:
     void call(acb_poly_struct* r, const Expr& e) const {
         AcbPolyValue x;
         (*this)(x, e.arg(0));
-        if (const OfSeries f = function_of_series(e.builtin())) {
+        if (const OfSeries f = function_in(entire_functions, e.builtin())) {
             f(r, x, terms_, bits_);
             return;
         }
-        switch (e.builtin()) {
-        case Builtin::tanh: {
+        const bool root = e.builtin() == Builtin::sqrt;
+        if (e.builtin() == Builtin::tanh) {
             AcbPolyValue y;
             acb_poly_cosh_series(y, x, terms_, bits_);
             acb_poly_sinh_series(x, x, terms_, bits_);
             acb_poly_div_series(r, x, y, terms_, bits_);
-            return;
-        }
-        case Builtin::sqrt:
-        case Builtin::log:
-            if (meets_cut(x) && real_ && e.builtin() == Builtin::sqrt) {
-                power_near_zero(r, x, Rational(1, 2));
-            } else if (meets_cut(x)) {
-                nowhere(r);
-            } else if (e.builtin() == Builtin::sqrt) {
-                acb_poly_sqrt_series(r, x, terms_, bits_);
-            } else {
-                acb_poly_log_series(r, x, terms_, bits_);
-            }
-            return;
-        default:
-            if (inverse_function(e.builtin()) != nullptr) {
-                inverse(r, x, e.builtin());
-            } else {
-                nowhere(r);
-            }
+        } else if (root && real_ && meets_cut(x)) {
+            power_near_zero(r, x, Rational(1, 2));
+        } else if ((root || e.builtin() == Builtin::log) && !meets_cut(x)) {
+            (root ? acb_poly_sqrt_series : acb_poly_log_series)(r, x, terms_, bits_);
+        } else if (function_in(inverse_functions, e.builtin()) != nullptr) {
+            inverse(r, x, e.builtin());
+        } else {
+            nowhere(r);
         }
     }
     /// The functions whose derivative is +-1/(1 +- x^2) or +-1/sqrt(1 +- x^2) (DLMF 4.24(ii),
@@ -274,7 +246,7 @@ private:
         acb_sub(z, z, middle, bits_);
         acb_poly_get_coeff_acb(rate, slowness, 0);
         acb_div(z, z, rate, bits_);
-        inverse_function(f)(middle, middle, bits_);
+        function_in(inverse_functions, f)(middle, middle, bits_);
         acb_add(z, z, middle, bits_);
     }
     static bool certainly_beyond_one(const arb_t x) {
@@ -303,16 +275,10 @@ bool has_complex_taylor(const Expr& e) {
     case Expr::Kind::sum:
         return false;
     case Expr::Kind::call:
-        switch (e.builtin()) {
-        case Builtin::tanh:
-        case Builtin::sqrt:
-        case Builtin::log:
-            break;
-        default:
-            if (function_of_series(e.builtin()) == nullptr &&
-                inverse_function(e.builtin()) == nullptr) {
-                return false;
-            }
+        if (e.builtin() != Builtin::tanh && e.builtin() != Builtin::sqrt &&
+            e.builtin() != Builtin::log && function_in(entire_functions, e.builtin()) == nullptr &&
+            function_in(inverse_functions, e.builtin()) == nullptr) {
+            return false;
         }
         break;
     default:

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/evaluation/evaluate.hpp"
+#include "edgeproof/formula/evaluation/program.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
 
 namespace edgeproof::formula {
 
@@ -31,6 +36,130 @@ std::pair<long, long> sum_bounds(const Expr& node) {
         throw BudgetError(inside("more than 100000 terms", node));
     }
     return {lo, hi};
+}
+
+class ProgramBuilder {
+public:
+    ProgramBuilder(Program& program, const Expr& e, const Program::WrittenOut& written_out)
+        : program_(program), written_out_(written_out) {
+        for (std::size_t i = 0; i < program_.inputs_.size(); ++i) {
+            known_.emplace(program_.inputs_[i], Slot{Slot::input, i});
+        }
+        const Slot result = compile(e);
+        // The number of constants, which precede the results, is known only now.
+        for (const Slot& s : operands_) {
+            program_.operands_.push_back(resolve(s));
+        }
+        program_.result_ = resolve(result);
+    }
+
+private:
+    struct Slot {
+        enum Where { input, constant, result } where;
+        std::size_t index;
+    };
+
+    [[nodiscard]] std::size_t resolve(const Slot& s) const {
+        return s.index + (s.where == Slot::input ? 0 : program_.inputs_.size()) +
+               (s.where == Slot::result ? program_.constants_.size() : 0);
+    }
+
+    Slot compile(const Expr& e) {
+        if (const auto it = known_.find(e); it != known_.end()) {
+            return it->second;
+        }
+        const Slot s = compile_new(e);
+        known_.emplace(e, s);
+        return s;
+    }
+
+    Slot compile_new(const Expr& e) {
+        const bool constant = std::ranges::none_of(program_.inputs_, [&](const Expr& input) {
+            return input.kind() == Expr::Kind::symbol && holds_symbol(e, input.name());
+        });
+        if (constant) {
+            program_.constants_.push_back(e);
+            return {Slot::constant, program_.constants_.size() - 1};
+        }
+        if (written_out_) {
+            if (const auto other = written_out_(e)) {
+                return compile(*other);
+            }
+        }
+        if (e.kind() == Expr::Kind::sum && e.arg(2).rational() != nullptr &&
+            e.arg(3).rational() != nullptr) {
+            constexpr long longest_written_out = 1000;
+            if (const auto [lo, hi] = sum_bounds(e); hi - lo < longest_written_out) {
+                return expanded(e, lo, hi);
+            }
+        }
+        std::vector<Slot> in;
+        if (!e.is_binder()) {
+            for (const Expr& x : e.args()) {
+                in.push_back(compile(x));
+            }
+            if (written_out_) {
+                if (const auto zero = zero_factor(e.kind(), in)) {
+                    return *zero;
+                }
+            }
+            if (e.kind() == Expr::Kind::pow && e.arg(1).rational() != nullptr) {
+                in.push_back(compile(Expr::number(Rational(1))));
+            }
+        }
+        return add_step(e.kind(), in, e);
+    }
+
+    [[nodiscard]] bool is_zero(const Slot& s) const {
+        const Rational* q =
+            s.where == Slot::constant ? program_.constants_[s.index].rational() : nullptr;
+        return q != nullptr && *q == 0;
+    }
+
+    /// Returns the operand that is the number 0 if it is the value of the operation as well.
+    [[nodiscard]] std::optional<Slot> zero_factor(Expr::Kind kind,
+                                                  const std::vector<Slot>& in) const {
+        const bool times = kind == Expr::Kind::mul;
+        if (is_zero(in[0]) &&
+            (times || kind == Expr::Kind::neg || (kind == Expr::Kind::div && !is_zero(in[1])))) {
+            return in[0];
+        }
+        return times && is_zero(in[1]) ? std::optional(in[1]) : std::nullopt;
+    }
+
+    Slot expanded(const Expr& e, long lo, long hi) {
+        const auto term = [&](long k) {
+            return compile(substitute(e.arg(0), e.arg(1).name(), Expr::number(Rational(k))));
+        };
+        Slot total = hi < lo ? compile(Expr::number(Rational(0))) : term(lo);
+        for (long k = lo + 1; k <= hi; ++k) {
+            total = add_step(Expr::Kind::add, {total, term(k)}, e);
+        }
+        return total;
+    }
+
+    Slot add_step(Expr::Kind kind, const std::vector<Slot>& in, const Expr& source) {
+        program_.steps_.push_back({kind, operands_.size(), in.size(), source});
+        operands_.insert(operands_.end(), in.begin(), in.end());
+        return {Slot::result, program_.steps_.size() - 1};
+    }
+
+    Program& program_;
+    const Program::WrittenOut& written_out_;
+    std::vector<Slot> operands_;
+    std::unordered_map<Expr, Slot, ExprHash> known_;
+};
+
+Program::Program(const Expr& e, std::vector<Expr> inputs, const WrittenOut& written_out)
+    : inputs_(std::move(inputs)) {
+    const ProgramBuilder built(*this, e, written_out);
+}
+
+Program::Program(const Expr& e, const std::vector<std::string>& symbols) {
+    for (const std::string& name : symbols) {
+        inputs_.push_back(Expr::symbol(name));
+    }
+    const ProgramBuilder built(*this, e, {});
 }
 
 } // namespace edgeproof::formula

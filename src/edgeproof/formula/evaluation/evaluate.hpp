@@ -108,42 +108,12 @@ template <class Operation> auto in_part(const Expr& part, const Operation& opera
     }
 }
 
-template <class T, class Env> T evaluate_call(const Expr& e, const Env& env) {
-    std::vector<T> args;
-    args.reserve(e.args().size());
-    for (const Expr& x : e.args()) {
-        args.push_back(evaluate<T>(x, env));
-    }
-    if (e.builtin() != Builtin::none) {
-        return in_part(
-            e, [&] { return detail::call_builtin<T>(e.builtin(), std::span<const T>(args)); });
-    }
-    if constexpr (requires { T(env.call(e, std::span<const T>(args))); }) {
-        return T(env.call(e, std::span<const T>(args)));
-    } else {
-        throw Error("the function '" + e.name() + "' has no meaning here");
-    }
-}
-
-template <class T, class Env> T evaluate_binder(const Expr& e, const Env& env) {
-    if constexpr (requires { T(env.binder(e, env)); }) {
-        return T(env.binder(e, env));
-    } else {
-        if (e.kind() == Expr::Kind::sum) {
-            return evaluate_sum<T>(e, env);
-        }
-        throw Error("'" + e.name() + "' has no meaning here");
-    }
-}
-
-template <class T, class Env> T evaluate_node(const Expr& e, const Env& env) {
+/// Returns the value of a node of this kind from the values x(0), x(1), ... of its operands.
+/// `env.number` converts the exponent of a power. Calls are those of built-in functions.
+template <class T, class Operands, class Env>
+T value_of(Expr::Kind kind, const Expr& e, const Operands& x, const Env& env) {
     using Kind = Expr::Kind;
-    const auto x = [&](std::size_t i) { return evaluate<T>(e.args()[i], env); };
-    switch (e.kind()) {
-    case Kind::pi:
-        return T(env.pi());
-    case Kind::symbol:
-        return T(env.symbol(e.name()));
+    switch (kind) {
     case Kind::neg:
         return T(-x(0));
     case Kind::add:
@@ -153,23 +123,59 @@ template <class T, class Env> T evaluate_node(const Expr& e, const Env& env) {
     case Kind::mul:
         return T(x(0) * x(1));
     case Kind::div: {
-        const T over = x(0);
-        const T under = x(1);
+        const auto& over = x(0);
+        const auto& under = x(1);
         return in_part(e, [&] { return quotient<T>(over, under); });
     }
     case Kind::pow: {
-        const T base = x(0);
+        const auto& base = x(0);
         if (const Rational* q = e.arg(1).rational()) {
             return in_part(e, [&] { return power<T>(base, *q, env); });
         }
-        const T exponent = x(1);
+        const auto& exponent = x(1);
         return in_part(e, [&] { return power<T>(base, exponent); });
     }
-    case Kind::call:
-        return evaluate_call<T>(e, env);
-    default:
-        return evaluate_binder<T>(e, env);
+    default: {
+        if (e.kind() != Kind::call || e.builtin() == Builtin::none) {
+            throw Error((e.is_binder() ? "'" : "the function '") + e.name() +
+                        "' has no meaning here");
+        }
+        std::vector<T> args;
+        args.reserve(e.args().size());
+        for (std::size_t i = 0; i < e.args().size(); ++i) {
+            args.push_back(x(i));
+        }
+        return in_part(e, [&] { return call_builtin<T>(e.builtin(), std::span<const T>(args)); });
     }
+    }
+}
+
+template <class T, class Env> T evaluate_node(const Expr& e, const Env& env) {
+    using Kind = Expr::Kind;
+    const auto operand = [&](std::size_t i) { return evaluate<T>(e.args()[i], env); };
+    if (e.kind() == Kind::pi) {
+        return T(env.pi());
+    }
+    if (e.kind() == Kind::symbol) {
+        return T(env.symbol(e.name()));
+    }
+    if (e.is_binder()) {
+        if constexpr (requires { T(env.binder(e, env)); }) {
+            return T(env.binder(e, env));
+        } else if (e.kind() == Kind::sum) {
+            return evaluate_sum<T>(e, env);
+        }
+    } else if (e.kind() == Kind::call && e.builtin() == Builtin::none) {
+        if constexpr (requires(std::span<const T> args) { T(env.call(e, args)); }) {
+            std::vector<T> args;
+            args.reserve(e.args().size());
+            for (std::size_t i = 0; i < e.args().size(); ++i) {
+                args.push_back(operand(i));
+            }
+            return T(env.call(e, std::span<const T>(args)));
+        }
+    }
+    return value_of<T>(e.kind(), e, operand, env);
 }
 
 } // namespace detail
@@ -196,11 +202,9 @@ template <Arithmetic T> [[nodiscard]] T number_of(const Rational& q) {
     return x;
 }
 
-/// An environment with the values of names, and with functions that are not built in.
+/// An environment with the values of names.
 template <Arithmetic T> class Values {
 public:
-    using Function = std::function<T(std::span<const T>)>;
-
     Values() = default;
     Values(std::initializer_list<std::pair<std::string_view, T>> values) {
         for (const auto& [name, value] : values) {
@@ -212,11 +216,8 @@ public:
         values_.insert_or_assign(std::string(name), value);
         return *this;
     }
-    Values& define(std::string_view name, Function f) {
-        functions_.insert_or_assign(std::string(name), std::move(f));
-        return *this;
-    }
 
+    [[nodiscard]] const std::map<std::string, T, std::less<>>& all() const { return values_; }
     [[nodiscard]] T number(const Rational& q) const { return number_of<T>(q); }
     [[nodiscard]] T pi() const { return edgeproof::pi<T>(); }
     /// Throws Error for a name that has no value.
@@ -227,17 +228,9 @@ public:
         }
         return it->second;
     }
-    [[nodiscard]] T call(const Expr& node, std::span<const T> args) const {
-        const auto it = functions_.find(node.name());
-        if (it == functions_.end()) {
-            throw Error("the function '" + node.name() + "' has no meaning here");
-        }
-        return it->second(args);
-    }
 
 private:
     std::map<std::string, T, std::less<>> values_;
-    std::map<std::string, Function, std::less<>> functions_;
 };
 
 } // namespace edgeproof::formula

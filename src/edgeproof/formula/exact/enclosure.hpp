@@ -3,23 +3,16 @@
 #include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
-#include "edgeproof/precision/real.hpp"
 
 #include <optional>
 #include <string_view>
 
 namespace edgeproof::formula {
 
-/// Two numbers between which the exact value lies, or one of which it is.
-struct Enclosure {
-    Real lower;
-    Real upper;
-};
-
-/// Returns an enclosure of a constant expression by ball arithmetic (Arb) at `bits` bits. Nothing
-/// if the balls at that precision do not exclude a point where the expression is undefined. Throws
-/// Error for an integral, and for a name without a value.
-[[nodiscard]] std::optional<Enclosure> enclose(const Expr& constant, long bits);
+/// Returns a finite enclosure of a constant expression, by ball arithmetic at `bits` bits; its ends
+/// have 2 bits more. Nothing if the balls do not exclude a point where the expression is undefined.
+/// Throws Error for an integral, and for a name without a value.
+[[nodiscard]] std::optional<Ball> enclose(const Expr& constant, long bits);
 
 /// The environment in which an expression without variables is evaluated in balls (evaluate.hpp).
 struct BallConstants {

@@ -84,9 +84,7 @@ void check_magnitude(const Expr& e, std::string_view text) {
 
 template <class T> T rounded_to(const Real& x) {
     if constexpr (std::same_as<T, Real>) {
-        Real y;
-        mpfr_set(y.backend().data(), x.backend().data(), MPFR_RNDN);
-        return y;
+        return at_working_precision(x);
     } else if constexpr (std::same_as<T, double>) {
         return mpfr_get_d(x.backend().data(), MPFR_RNDN);
     } else if constexpr (std::same_as<T, long double>) {
@@ -145,9 +143,10 @@ template <Arithmetic T> T Exact::to() const {
     for (long more = 32; more <= most_bits; more *= 2) {
         if (const auto x = enclose(expr_, bits + more)) {
             // If both ends round to one number, so do all numbers between them.
-            const T low = rounded_to<T>(x->lower);
-            if (low == rounded_to<T>(x->upper)) {
-                check_range(low, x->lower);
+            const Real lower = x->lower();
+            const T low = rounded_to<T>(lower);
+            if (low == rounded_to<T>(x->upper())) {
+                check_range(low, lower);
                 return low;
             }
         }
@@ -170,8 +169,8 @@ int Exact::sign() const {
     }
     for (long bits = 64; bits <= most_bits; bits *= 2) {
         if (const auto x = enclose(expr_, bits)) {
-            if (x->lower > 0 || x->upper < 0 || (x->lower == 0 && x->upper == 0)) {
-                return x->lower.sign();
+            if (certainly_positive(*x) || certainly_negative(*x) || x->is_exact()) {
+                return x->midpoint().sign();
             }
         }
     }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/exact/exact_number.hpp"
 
-#include <array>
+#include "edgeproof/formula/fold.hpp"
+
 #include <cstddef>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -24,37 +26,22 @@ bool is_of_moderate_size(const Rational& q) {
            mpz_sizeinbase(mpq_denref(q.backend().data()), 2) <= most_rational_bits;
 }
 
-/// Returns the k-th root of n >= 0, if it is an integer.
-std::optional<Integer> whole_root(const Integer& n, unsigned k) {
-    Integer root;
-    if (mpz_root(root.backend().data(), n.backend().data(), k) == 0) {
+/// Returns q^n; nothing beyond the limit of size.
+std::optional<Rational> moderate_power(const Rational& q, unsigned n) {
+    if (n > 1 && bits_of(q) * n > most_rational_bits) {
         return {};
     }
-    return root;
+    return whole_power(q, n);
 }
 
-/// Returns the k-th root of q > 0, if it is rational.
-std::optional<Rational> rational_root(const Rational& q, unsigned k) {
-    if (k == 1) {
-        return q;
+/// Returns the product of a term without a radical and a radical.
+template <class Term, class Radical> Term times_root(Term t, Radical root) {
+    if (root.degree == 1) {
+        t.factor *= root.radicand;
+    } else {
+        t.root = std::move(root);
     }
-    const auto above = whole_root(numerator(q), k);
-    const auto below = above ? whole_root(denominator(q), k) : std::nullopt;
-    if (!below) {
-        return {};
-    }
-    return Rational(*above, *below);
-}
-
-/// Returns q^n, n >= 0; nothing beyond the limit of size.
-std::optional<Rational> whole_power(const Rational& q, unsigned n) {
-    const std::size_t bits = mpz_sizeinbase(mpq_numref(q.backend().data()), 2) +
-                             mpz_sizeinbase(mpq_denref(q.backend().data()), 2);
-    if (n > 1 && bits * n > most_rational_bits) {
-        return {};
-    }
-    return Rational(Integer(pow(Integer(numerator(q)), n)),
-                    Integer(pow(Integer(denominator(q)), n)));
+    return t;
 }
 
 } // namespace
@@ -167,8 +154,8 @@ std::optional<ExactNumber::Radical> ExactNumber::times(const Radical& x, const R
     if (degree > highest_degree) {
         return {};
     }
-    const auto of_x = whole_power(x.radicand, degree / x.degree);
-    const auto of_y = whole_power(y.radicand, degree / y.degree);
+    const auto of_x = moderate_power(x.radicand, degree / x.degree);
+    const auto of_y = moderate_power(y.radicand, degree / y.degree);
     if (!of_x || !of_y) {
         return {};
     }
@@ -176,7 +163,7 @@ std::optional<ExactNumber::Radical> ExactNumber::times(const Radical& x, const R
     // Reduces to the lowest degree: R^(1/k) = S^(1/(k/d)) with R = S^d.
     for (unsigned d = degree; d > 1; --d) {
         if (r.degree % d == 0) {
-            if (auto root = rational_root(r.radicand, d)) {
+            if (auto root = exact_root(r.radicand, d)) {
                 r = {std::move(*root), r.degree / d};
             }
         }
@@ -192,12 +179,7 @@ std::optional<ExactNumber::Term> ExactNumber::product(const Term& x, const Term&
     if (!root || !is_of_moderate_size(t.factor)) {
         return {};
     }
-    if (root->degree == 1) {
-        t.factor *= root->radicand;
-    } else {
-        t.root = std::move(*root);
-    }
-    return t;
+    return times_root(std::move(t), std::move(*root));
 }
 
 std::optional<ExactNumber::Term> ExactNumber::power(const Term& x, const Rational& e) {
@@ -212,8 +194,8 @@ std::optional<ExactNumber::Term> ExactNumber::power(const Term& x, const Rationa
         return {};
     }
     // (q R^(1/d))^(n/k) is the k-th root of q^n times the (d k)-th root of R^n.
-    auto of_factor = whole_power(abs(x.factor), n);
-    auto of_root = whole_power(x.root.radicand, n);
+    auto of_factor = moderate_power(abs(x.factor), n);
+    auto of_root = moderate_power(x.root.radicand, n);
     if (!of_factor || !of_root || x.root.degree * k > highest_degree) {
         return {};
     }
@@ -226,12 +208,7 @@ std::optional<ExactNumber::Term> ExactNumber::power(const Term& x, const Rationa
         return {};
     }
     Term t{x.factor < 0 && n % 2 == 1 ? -1 : 1, {}, x.pi_power * e};
-    if (root->degree == 1) {
-        t.factor *= root->radicand;
-    } else {
-        t.root = std::move(*root);
-    }
-    return t;
+    return times_root(std::move(t), std::move(*root));
 }
 
 void ExactNumber::add(const Term& t) {
@@ -246,8 +223,7 @@ void ExactNumber::add(const Term& t) {
         // Terms are combined if the quotient of their radicals is rational. (Radicals with
         // different lowest degrees have no rational quotient, because a rational multiple of a
         // radical has its degree.)
-        const auto ratio =
-            rational_root(Rational(t.root.radicand / old.root.radicand), t.root.degree);
+        const auto ratio = exact_root(Rational(t.root.radicand / old.root.radicand), t.root.degree);
         if (!ratio) {
             continue;
         }
@@ -346,17 +322,17 @@ ExactNumber pow(const ExactNumber& x, const Rational& e) {
 
 ExactNumber sqrt(const ExactNumber& x) { return pow(x, Rational(1, 2)); }
 
+std::optional<Rational> part_of_pi(const Rational& square_of_cosine) {
+    static const std::map<Rational, Rational> table{{0, Rational(1, 2)},
+                                                    {Rational(1, 4), Rational(1, 3)},
+                                                    {Rational(1, 2), Rational(1, 4)},
+                                                    {Rational(3, 4), Rational(1, 6)},
+                                                    {1, 0}};
+    const auto known = table.find(square_of_cosine);
+    return known == table.end() ? std::nullopt : std::optional(known->second);
+}
+
 ExactNumber angle_of_cosine(const ExactNumber& c) {
-    // The squares of the cosines of the multiples of pi/12 that are rational (DLMF table 4.17.1).
-    struct Known {
-        Rational square;
-        Rational part; ///< fraction of pi, in the first quadrant
-    };
-    static const std::array<Known, 5> table{{{0, Rational(1, 2)},
-                                             {Rational(1, 4), Rational(1, 3)},
-                                             {Rational(1, 2), Rational(1, 4)},
-                                             {Rational(3, 4), Rational(1, 6)},
-                                             {1, 0}}};
     const auto sign = c.sign();
     if (!sign) {
         return ExactNumber::unknown();
@@ -366,12 +342,7 @@ ExactNumber angle_of_cosine(const ExactNumber& c) {
     };
     const auto known_part = [&](const ExactNumber& cosine) -> std::optional<Rational> {
         const auto square = ExactNumber(cosine * cosine).rational();
-        for (const Known& known : table) {
-            if (square && *square == known.square) {
-                return known.part;
-            }
-        }
-        return {};
+        return square ? part_of_pi(*square) : std::nullopt;
     };
     if (const auto part = known_part(c)) {
         return in_its_quadrant(ExactNumber(*part) * ExactNumber::pi());

@@ -85,6 +85,9 @@ private:
 [[nodiscard]] ExactNumber abs(const ExactNumber& x);
 [[nodiscard]] ExactNumber sqrt(const ExactNumber& x);
 [[nodiscard]] ExactNumber pow(const ExactNumber& x, const Rational& e);
+/// Returns h/pi for the angle h, 0 <= h <= pi/2, whose cosine has this square, if it is one of the
+/// five with a rational square (DLMF table 4.17.1).
+[[nodiscard]] std::optional<Rational> part_of_pi(const Rational& square_of_cosine);
 /// Returns the angle h, 0 <= h <= pi, with cos h = c, if it is a multiple of pi/12, found from the
 /// cosine or from the cosine of twice the angle. Unknown otherwise.
 [[nodiscard]] ExactNumber angle_of_cosine(const ExactNumber& c);

@@ -250,9 +250,8 @@ bool value_in_range(const formula::Expr& e) {
     const PrecisionScope scope(30);
     const Real largest = from_rational<Real>(largest_size());
     const Real smallest = from_rational<Real>(smallest_size());
-    const bool is_larger = x->lower > largest || x->upper < -largest;
-    const bool is_smaller =
-        (x->lower > 0 || x->upper < 0) && abs(x->lower) < smallest && abs(x->upper) < smallest;
+    const bool is_larger = x->lower() > largest || x->upper() < -largest;
+    const bool is_smaller = !contains_zero(*x) && abs(*x).upper() < smallest;
     return !is_larger && !is_smaller;
 }
 

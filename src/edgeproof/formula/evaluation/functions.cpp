@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/formula/evaluation/real_functions.hpp"
-
-#include "edgeproof/precision/arithmetic.hpp"
-#include "edgeproof/precision/error.hpp"
+#include "edgeproof/formula/evaluation/functions.hpp"
 
 #include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/special_functions/hypot.hpp>
@@ -12,12 +9,6 @@
 
 namespace edgeproof::formula {
 namespace {
-
-[[noreturn]] void outside(Builtin f, const char* domain) {
-    throw DomainError(std::string(name_of(f)) + " of a number that is " + domain);
-}
-
-// --- Real: MPFR's functions, each correctly rounded
 
 using UnaryMpfr = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 using BinaryMpfr = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
@@ -44,111 +35,26 @@ Real rounded(BinaryMpfr f, const Real& x1, const Real& x2) {
     return y;
 }
 
-Real elementary(Builtin f, std::span<const Real> x) {
-    switch (f) {
-    case Builtin::sqrt:
-        return rounded(mpfr_sqrt, x[0]);
-    case Builtin::exp:
-        return rounded(mpfr_exp, x[0]);
-    case Builtin::log:
-        return rounded(mpfr_log, x[0]);
-    case Builtin::sin:
-        return rounded(mpfr_sin, x[0]);
-    case Builtin::cos:
-        return rounded(mpfr_cos, x[0]);
-    case Builtin::tan:
-        return rounded(mpfr_tan, x[0]);
-    case Builtin::asin:
-        return rounded(mpfr_asin, x[0]);
-    case Builtin::acos:
-        return rounded(mpfr_acos, x[0]);
-    case Builtin::atan:
-        return rounded(mpfr_atan, x[0]);
-    case Builtin::atan2:
-        return rounded(mpfr_atan2, x[0], x[1]);
-    case Builtin::sinh:
-        return rounded(mpfr_sinh, x[0]);
-    case Builtin::cosh:
-        return rounded(mpfr_cosh, x[0]);
-    case Builtin::tanh:
-        return rounded(mpfr_tanh, x[0]);
-    case Builtin::asinh:
-        return rounded(mpfr_asinh, x[0]);
-    case Builtin::acosh:
-        return rounded(mpfr_acosh, x[0]);
-    case Builtin::atanh:
-        return rounded(mpfr_atanh, x[0]);
-    case Builtin::gamma:
-        return rounded(mpfr_gamma, x[0]);
-    case Builtin::hypot:
-        return rounded(mpfr_hypot, x[0], x[1]);
-    default:
-        return x[0];
-    }
-}
-
-// --- double, long double, Float128
-
+/// The functions of one argument, atan2 and hypot.
 template <class T> T elementary(Builtin f, std::span<const T> x) {
-    using std::acos;
-    using std::acosh;
-    using std::asin;
-    using std::asinh;
-    using std::atan;
     using std::atan2;
-    using std::atanh;
-    using std::cos;
-    using std::cosh;
-    using std::exp;
-    using std::log;
-    using std::sin;
-    using std::sinh;
-    using std::sqrt;
-    using std::tan;
-    using std::tanh;
-    switch (f) {
-    case Builtin::sqrt:
-        return sqrt(x[0]);
-    case Builtin::exp:
-        return exp(x[0]);
-    case Builtin::log:
-        return log(x[0]);
-    case Builtin::sin:
-        return sin(x[0]);
-    case Builtin::cos:
-        return cos(x[0]);
-    case Builtin::tan:
-        return tan(x[0]);
-    case Builtin::asin:
-        return asin(x[0]);
-    case Builtin::acos:
-        return acos(x[0]);
-    case Builtin::atan:
-        return atan(x[0]);
-    case Builtin::atan2:
-        return atan2(x[0], x[1]);
-    case Builtin::sinh:
-        return sinh(x[0]);
-    case Builtin::cosh:
-        return cosh(x[0]);
-    case Builtin::tanh:
-        return tanh(x[0]);
-    case Builtin::asinh:
-        return asinh(x[0]);
-    case Builtin::acosh:
-        return acosh(x[0]);
-    case Builtin::atanh:
-        return atanh(x[0]);
-    case Builtin::gamma:
+    if constexpr (std::same_as<T, Real>) {
+        if (x.size() == 2) {
+            return rounded(f == Builtin::atan2 ? mpfr_atan2 : mpfr_hypot, x[0], x[1]);
+        }
+        UnaryMpfr of = nullptr;
+        detail::adl::for_unary(f, [&](const auto& row) { of = row.mpfr; });
+        return rounded(of, x[0]);
+    } else if (x.size() == 2) {
+        return f == Builtin::atan2 ? T(atan2(x[0], x[1])) : boost::math::hypot(x[0], x[1]);
+    } else if (f == Builtin::gamma) {
         if constexpr (std::same_as<T, Float128>) {
             return boost::math::tgamma(x[0]);
         } else {
             return std::tgamma(x[0]);
         }
-    case Builtin::hypot:
-        return boost::math::hypot(x[0], x[1]);
-    default:
-        return x[0];
+    } else {
+        return detail::adl::unary(f, x[0]).value();
     }
 }
 
@@ -157,46 +63,33 @@ template <class T> bool is_integer(const T& x) {
     return floor(x) == x;
 }
 
-template <class T> void check_domain(Builtin f, std::span<const T> x) {
+/// Returns a description of x if f is not defined there, else nullptr.
+template <class T> const char* outside_domain(Builtin f, const T& x) {
     switch (f) {
     case Builtin::sqrt:
-        if (x[0] < 0) {
-            outside(f, "negative");
-        }
-        return;
+        return x < 0 ? "negative" : nullptr;
     case Builtin::log:
-        if (!(x[0] > 0)) {
-            outside(f, "not positive");
-        }
-        return;
+        return x > 0 ? nullptr : "not positive";
     case Builtin::asin:
     case Builtin::acos:
-        if (x[0] < -1 || x[0] > 1) {
-            outside(f, "outside -1 ... 1");
-        }
-        return;
+        return x < -1 || x > 1 ? "outside -1 ... 1" : nullptr;
     case Builtin::acosh:
-        if (x[0] < 1) {
-            outside(f, "less than 1");
-        }
-        return;
+        return x < 1 ? "less than 1" : nullptr;
     case Builtin::atanh:
-        if (!(x[0] > -1 && x[0] < 1)) {
-            outside(f, "not between -1 and 1");
-        }
-        return;
+        return x > -1 && x < 1 ? nullptr : "not between -1 and 1";
     case Builtin::gamma:
-        if (!(x[0] > 0) && is_integer(x[0])) {
-            outside(f, "zero or a negative integer");
-        }
-        return;
-    case Builtin::atan2:
-        if (x[0] == 0 && x[1] == 0) {
-            throw DomainError("atan2 of two zeros");
-        }
-        return;
+        return !(x > 0) && is_integer(x) ? "zero or a negative integer" : nullptr;
     default:
-        return;
+        return nullptr;
+    }
+}
+
+template <class T> void check_domain(Builtin f, std::span<const T> x) {
+    if (f == Builtin::atan2 && x[0] == 0 && x[1] == 0) {
+        throw DomainError("atan2 of two zeros");
+    }
+    if (const char* const domain = outside_domain(f, x[0])) {
+        throw DomainError(std::string(name_of(f)) + " of a number that is " + domain);
     }
 }
 
@@ -284,21 +177,13 @@ template <Arithmetic T> T pow_int(const T& x, long n) {
         return y;
     } else {
         using std::pow;
-        constexpr long few = 8; // beyond this the power function of the C library is more accurate
-        constexpr long exact_in_double = 1L << 53U;
-        if (n >= 0 && n <= few) {
-            return n == 0 ? T(1) : repeated_product(x, static_cast<unsigned long>(n));
-        }
-        if (n < 0 && n >= -few) {
-            return T(1) / repeated_product(x, static_cast<unsigned long>(-n));
-        }
-        if (n >= -exact_in_double && n <= exact_in_double) {
-            return pow(x, static_cast<T>(n));
-        }
+        constexpr unsigned long few =
+            8; // beyond this the power function of the C library is more accurate
+        constexpr unsigned long exact_in_double = 1UL << 53U;
         const unsigned long size =
             n < 0 ? 0UL - static_cast<unsigned long>(n) : static_cast<unsigned long>(n);
-        const T y = repeated_product(x, size);
-        return n < 0 ? T(T(1) / y) : y;
+        return size <= few || size > exact_in_double ? detail::power_by_products(x, n, T(1))
+                                                     : pow(x, static_cast<T>(n));
     }
 }
 
@@ -340,22 +225,12 @@ template <Arithmetic T> T real_power(const T& x, const Rational& q) {
     }
 }
 
-// The four types of Arithmetic, and no others.
-template double real_call(Builtin, std::span<const double>);
-template long double real_call(Builtin, std::span<const long double>);
-template Float128 real_call(Builtin, std::span<const Float128>);
-template Real real_call(Builtin, std::span<const Real>);
-template double real_power(const double&, const Rational&);
-template long double real_power(const long double&, const Rational&);
-template Float128 real_power(const Float128&, const Rational&);
-template Real real_power(const Real&, const Rational&);
-template double real_power(const double&, const double&);
-template long double real_power(const long double&, const long double&);
-template Float128 real_power(const Float128&, const Float128&);
-template Real real_power(const Real&, const Real&);
-template double pow_int(const double&, long);
-template long double pow_int(const long double&, long);
-template Float128 pow_int(const Float128&, long);
-template Real pow_int(const Real&, long);
+#define EDGEPROOF_INSTANTIATE(T)                                                                   \
+    template T real_call(Builtin, std::span<const T>);                                             \
+    template T real_power(const T&, const Rational&);                                              \
+    template T real_power(const T&, const T&);                                                     \
+    template T pow_int(const T&, long);
+EDGEPROOF_FOR_EACH_ARITHMETIC(EDGEPROOF_INSTANTIATE)
+#undef EDGEPROOF_INSTANTIATE
 
 } // namespace edgeproof::formula

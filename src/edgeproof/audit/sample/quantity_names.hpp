@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/profile/edge.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace edgeproof::audit {
+
+/// Returns k of a name such as P2 or right_c1: one digit after the stem.
+[[nodiscard]] inline std::optional<std::size_t> order_behind(std::string_view name,
+                                                             std::string_view stem) {
+    if (!name.starts_with(stem) || name.size() != stem.size() + 1 || name.back() < '0' ||
+        name.back() > '9') {
+        return std::nullopt;
+    }
+    return static_cast<std::size_t>(name.back() - '0');
+}
+
+/// The names of the quantities of a contact in formulas (evaluated_scene.hpp), for numbers and for
+/// balls. Returns the value of a name, or nothing for other names. `of` has the values:
+///   left_edge(), length(), force(), moment(), force_derivative(k), left_edge_derivative(k),
+///   coefficient(edge, k) of the pressure, shear_coefficient(edge, k) under full stick,
+///   slips(), and for scenes that slip, slip_size(edge) and stick_edge(edge).
+template <class Quantities>
+[[nodiscard]] auto named_quantity(Quantities& of, std::string_view name)
+    -> std::optional<decltype(of.force())> {
+    if (name == "b") {
+        return of.left_edge();
+    }
+    if (name == "L") {
+        return of.length();
+    }
+    if (name == "P") {
+        return of.force();
+    }
+    if (name == "M") {
+        return of.moment();
+    }
+    if (const auto k = order_behind(name, "P")) {
+        return of.force_derivative(*k);
+    }
+    if (const auto k = order_behind(name, "b")) {
+        return of.left_edge_derivative(*k);
+    }
+    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+        const bool right = edge == contact::Edge::right;
+        const std::string side = right ? "right_" : "left_";
+        if (const auto k = order_behind(name, side + "c")) {
+            return of.coefficient(edge, *k);
+        }
+        if (const auto k = order_behind(name, side + "s")) {
+            return of.shear_coefficient(edge, *k);
+        }
+        if (of.slips() && name == side + "d") {
+            return of.slip_size(edge);
+        }
+        if (of.slips() && name == (right ? "stick_a" : "stick_b")) {
+            return of.stick_edge(edge);
+        }
+    }
+    return std::nullopt;
+}
+
+/// Returns c_0 sqrt(u) + ... + c_{n-1} u^(n-1/2) by Horner's rule; `zero` is 0 of the type.
+template <class T> [[nodiscard]] T sum_of_terms(std::span<const T> c, const T& u, const T& zero) {
+    T sum = zero;
+    for (std::size_t k = c.size(); k-- > 0;) {
+        sum = sum * u + c[k];
+    }
+    return sum * sqrt(u);
+}
+
+} // namespace edgeproof::audit

@@ -67,7 +67,7 @@ ParametricSlope flat_and_rounded(const DesignFormulas& of) {
     ParametricSlope s;
     s.knots = {-t, num(0), t};
     s.pieces = {{t / R, rate}, {num(0), num(0)}, {num(0), num(0)}, {-(t / R), rate}};
-    s.corner = {false, false, false};
+    s.corners = {false, false, false};
     s.origin = 1;
     s.symmetric = true;
     return s;
@@ -79,7 +79,7 @@ ParametricSlope tilted_wedge(const DesignFormulas& of) {
     ParametricSlope s;
     s.knots = {num(0)};
     s.pieces = {{-(phi + alpha), num(0)}, {phi - alpha, num(0)}};
-    s.corner = {true};
+    s.corners = {true};
     return s;
 }
 
@@ -92,7 +92,7 @@ ParametricSlope tilted_flat_and_rounded(const DesignFormulas& of) {
     ParametricSlope s;
     s.knots = {end - two_t, end, num(0)};
     s.pieces = {{two_t / R, rate}, {-alpha, num(0)}, {num(0), rate}, {num(0), rate}};
-    s.corner = {false, false, false};
+    s.corners = {false, false, false};
     s.origin = 2;
     return s;
 }
@@ -231,7 +231,7 @@ std::optional<ParametricSlope> piecewise(const DesignFormulas& of,
         const auto value = [&](const ParametricSlope::Piece& p) {
             return p.at_origin + p.rate * s.knots[i];
         };
-        s.corner.push_back(
+        s.corners.push_back(
             !identically_zero(value(s.pieces[i + 1]) - value(s.pieces[i]), parameters));
     }
     return s;

@@ -17,7 +17,7 @@ ParametricSlope punch_of_flat(const std::string& t) {
     ParametricSlope s;
     s.knots = {e("-1/5 - 2*" + t), e("-1/5"), e("0")};
     s.pieces = {{e(t), e("1/2")}, {e("-1/10"), e("0")}, {e("0"), e("1/2")}, {e("0"), e("1/2")}};
-    s.corner = {false, false, false};
+    s.corners = {false, false, false};
     s.origin = 2;
     return s;
 }
@@ -30,7 +30,7 @@ void check_error(const ErrorFamily& family, const Profile& profile, const Load& 
     const auto here = family.over({Ball(parameter, 256)});
     for (const Rational& u : {Rational(1, 1000), Rational(1, 7), Rational(3, 5)}) {
         const Rational at = u * exact_value(f.length().midpoint());
-        const Ball mine = here->at(Ball(at, 256) / f.length());
+        const Ball mine = here.at(Ball(at, 256) / f.length());
         CHECK(overlaps(mine, f.at(at)));
         CHECK(mine.relative_accuracy_bits() > 180);
     }
@@ -127,7 +127,7 @@ TEST_CASE("design: an end of the range, both edges, and two parameters" *
     ParametricSlope pad;
     pad.knots = {e("-t"), e("0"), e("t")};
     pad.pieces = {{e("t"), e("1")}, {e("0"), e("0")}, {e("0"), e("0")}, {e("-t"), e("1")}};
-    pad.corner = {false, false, false};
+    pad.corners = {false, false, false};
     pad.origin = 1;
     pad.symmetric = true;
     ParametricLoad load;
@@ -146,7 +146,7 @@ TEST_CASE("design: an end of the range, both edges, and two parameters" *
     ParametricSlope wedge;
     wedge.knots = {in("0", {})};
     wedge.pieces = {{in("-(1 + s)", {"s"}), in("0", {})}, {in("1 - s", {"s"}), in("0", {})}};
-    wedge.corner = {true};
+    wedge.corners = {true};
     const auto right = linear_slope_errors(wedge, load, about("s", 1, Edge::right));
     const auto left = linear_slope_errors(wedge, load, about("s", 1, Edge::left));
     problem.edges = {right.get(), left.get()};

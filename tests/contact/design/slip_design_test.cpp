@@ -20,7 +20,7 @@ ParametricSlope cylinder() {
     ParametricSlope s;
     s.knots = {in("0", {})};
     s.pieces = {{in("0", {}), in("1", {})}, {in("0", {}), in("1", {})}};
-    s.corner = {false};
+    s.corners = {false};
     s.symmetric = true;
     return s;
 }
@@ -31,7 +31,7 @@ ParametricSlope rounded_wedge() {
     ParametricSlope s;
     s.knots = {e("-r"), e("0"), e("r")};
     s.pieces = {{e("-r"), e("0")}, {e("0"), e("1")}, {e("0"), e("1")}, {e("r"), e("0")}};
-    s.corner = {false, false, false};
+    s.corners = {false, false, false};
     s.origin = 1;
     s.symmetric = true;
     return s;
@@ -43,7 +43,7 @@ ParametricSlope tilted_punch() {
     ParametricSlope s;
     s.knots = {e("-2*alpha - 2"), e("-2*alpha"), e("0")};
     s.pieces = {{e("1"), e("1/2")}, {e("-alpha"), e("0")}, {e("0"), e("1/2")}, {e("0"), e("1/2")}};
-    s.corner = {false, false, false};
+    s.corners = {false, false, false};
     s.origin = 2;
     return s;
 }
@@ -69,7 +69,7 @@ TEST_CASE("slip zones over a range of a parameter are those of the contact") {
                     const auto series = s.slip->series(n);
                     const Ball sum = slip_sum(edge == Edge::right ? series.right : series.left, n,
                                               s.slip->load_ratio());
-                    const Ball at = here->at(Ball(scenes::exact(tau).rational(), 300));
+                    const Ball at = here.at(Ball(scenes::exact(tau).rational(), 300));
                     CHECK(overlaps(at, sum / s.slip->size(edge) - 1));
                     CHECK(at.relative_accuracy_bits() > 180);
                 }
@@ -89,11 +89,11 @@ TEST_CASE("slip zones over a range of a parameter are those of the contact") {
          {std::array<Rational, 3>{0, Rational(1, 1000), Rational(1, 500)},
           std::array<Rational, 3>{Rational(1, 4), Rational(2, 7), Rational(1, 3)},
           std::array<Rational, 3>{Rational(4, 5), Rational(9, 10), 1}}) {
-        const Ball at = point->at(Ball(tau, 128));
+        const Ball at = point.at(Ball(tau, 128));
         const Ball wide = Ball::hull(Ball(lo, 128), Ball(hi, 128));
-        CHECK(point->at(wide).is_finite());
-        CHECK(contains(point->at(wide), at));
-        CHECK(contains(box->at(wide), at));
+        CHECK(point.at(wide).is_finite());
+        CHECK(contains(point.at(wide), at));
+        CHECK(contains(box.at(wide), at));
     }
 }
 
@@ -180,7 +180,7 @@ TEST_CASE("design: a knot passes an edge within a box") {
         const auto box = errors->over(
             {Ball::hull(Ball(Rational(36647, 100000), 128), Ball(Rational(36648, 100000), 128))});
         for (const Rational& u : {Rational(1, 100), Rational(1, 3), Rational(9, 10)}) {
-            const Ball over = box->at(Ball(u, 128));
+            const Ball over = box.at(Ball(u, 128));
             CHECK(over.is_finite());
             for (const long k : {3664700L, 3664764L, 3664765L, 3664766L, 3664800L}) {
                 const Rational alpha(k, 10000000);

@@ -184,7 +184,7 @@ TEST_CASE("design: two parameters, the best at an end of the range of one" *
     s.knots = {e("-r"), e("0"), e("r")};
     s.pieces = {
         {e("-r*(1 - k)"), e("k")}, {e("0"), e("1")}, {e("0"), e("1")}, {e("r*(1 - k)"), e("k")}};
-    s.corner = {false, false, false};
+    s.corners = {false, false, false};
     s.origin = 1;
     s.symmetric = true;
     ParametricLoad load;

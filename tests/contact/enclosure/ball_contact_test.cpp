@@ -119,7 +119,7 @@ TEST_CASE("balls of the expansion hold the series in Real, at both edges, and ar
         const NormalContact contact(c.profile, c.modulus, c.load, 50);
         for (const Edge edge : {Edge::right, Edge::left}) {
             const std::vector<Ball> balls =
-                enclosed_expansion(c.profile, c.modulus, c.load, edge, 12, 50);
+                BallContact(c.profile, c.modulus, c.load, 1200).expansion(edge, 12);
             const std::vector<Real> reals = contact.expansion(edge, 12);
             const PrecisionScope scope(60);
             REQUIRE(balls.size() == 12);

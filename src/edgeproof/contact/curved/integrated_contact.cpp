@@ -2,6 +2,8 @@
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/exact_edges.hpp"
 #include "edgeproof/contact/profile/profile_checks.hpp"
 #include "edgeproof/contact/profile/slope_from_knot.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
@@ -17,6 +19,23 @@ namespace {
 /// With this number of terms or more one disk is cheaper than one integral for each term; the
 /// integrands cancel near the edge, the more the higher the power.
 constexpr std::size_t least_terms_of_disk = 6;
+
+constexpr long spent_on_signs = 24; ///< bits, for the sign of a sum near its zero
+constexpr long spent_on_both = 16;  ///< additional bits if an edge depends on the other one
+
+constexpr unsigned first_digits = 10;
+constexpr int most_chords = 40;
+
+struct Between {
+    Ball lo;
+    Ball hi;
+};
+
+/// Returns the numbers middle -+ 2^-bits |middle|.
+Between narrow_range(const Ball& middle, long bits) {
+    const Ball slack = abs(middle) * power_of_two(-bits, middle.bits());
+    return {lower_end(middle - slack), upper_end(middle + slack)};
+}
 
 /// Returns the bits of accuracy wanted of an integral: between edges that are wide balls more bits
 /// are not attainable, and the attempt takes long.
@@ -35,13 +54,9 @@ bool IntegratedContact::handles(const Profile& profile) {
 
 IntegratedContact::IntegratedContact(const Profile& profile, const formula::Exact& contact_modulus,
                                      const Load& load, long bits)
-    : profile_(profile), load_(load), bits_(bits),
-      modulus_(enclosed_constant(contact_modulus, bits)) {
-    for (const formula::Exact& knot : profile.knots()) {
-        knots_.push_back(enclosed_constant(knot, bits));
-    }
-    on_edge_.assign(knots_.size(), std::nullopt);
+    : ProvedContact(profile, enclosed_constant(contact_modulus, bits), bits), load_(load) {
     if (load.kind == Load::Kind::right_edge) {
+        known_a_ = load.value;
         a_ = enclosed_constant(load.value, bits);
         find_knots_on_edges();
     }
@@ -53,45 +68,24 @@ IntegratedContact::IntegratedContact(const Profile& profile, const formula::Exac
     check_reach(profile_, a_, b_);
 }
 
-void IntegratedContact::find_knots_on_edges() {
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
-        const formula::Expr& a = load_.value.expr();
-        const formula::Expr& knot = profile_.knots()[i].expr();
-        if (overlaps(knots_[i], a_) && certainly_zero(a - knot)) {
-            on_edge_[i] = Edge::right;
-        } else if ((profile_.symmetric() || odd_) && overlaps(-knots_[i], a_) &&
-                   certainly_zero(a + knot)) {
-            on_edge_[i] = Edge::left;
-        }
+template <class Set>
+Ball IntegratedContact::over_spans(const Ball& a, const Ball& b, const Set& set) const {
+    Ball sum(0, bits_);
+    for (const quadrature::ThetaSpan& span : spans(a, b)) {
+        SlopeIntegrand f{&profile_.pieces()[span.piece].slope, &roots().formulas[span.formula],
+                         (a - b) / 2, (a + b) / 2};
+        set(f, span);
+        sum += integrate(f, span, bits_);
     }
-}
-
-std::optional<formula::Exact> IntegratedContact::known(Edge edge) const {
-    const bool known = load_.kind == Load::Kind::right_edge &&
-                       (edge == Edge::right || profile_.symmetric() || odd_);
-    return known ? std::optional(load_.value) : std::nullopt;
-}
-
-bool IntegratedContact::edge_may_be_on_knot() const {
-    for (const Ball& knot : knots_) {
-        if ((!known(Edge::right) && overlaps(knot, a_)) ||
-            (!known(Edge::left) && overlaps(-knot, b_))) {
-            return true;
-        }
-    }
-    return false;
+    return sum;
 }
 
 // docs/curved-slopes.md, "What is integrated".
 Ball IntegratedContact::slope_integral(const Ball& a, const Ball& b, long harmonic) const {
-    Ball sum(0, bits_);
-    for (const quadrature::ThetaSpan& span : spans(a, b)) {
-        SlopeIntegrand f = integrand(span, a, b);
+    return over_spans(a, b, [&](SlopeIntegrand& f, const quadrature::ThetaSpan&) {
         f.harmonic = harmonic;
         f.goal = zone_ ? goal_between(a, b, bits_) : 0;
-        sum += integrate(f, span, bits_);
-    }
-    return sum;
+    });
 }
 
 /// P = (E*/2) times the integral of g'(s) (s - c)/w(s) ds (eqn:AppliedNormalForce_NonSym with
@@ -113,21 +107,12 @@ Ball IntegratedContact::moment() const {
 
 std::vector<Ball> IntegratedContact::expansion(Edge edge, std::size_t terms) const {
     if (edge == Edge::left && (zone_ || !profile_.symmetric())) {
-        IntegratedContact mirror(*this);
-        mirror.profile_ = profile_.reflected();
-        mirror.knots_.clear();
-        for (const formula::Exact& knot : mirror.profile_.knots()) {
-            mirror.knots_.push_back(enclosed_constant(knot, bits_));
-        }
-        std::reverse(mirror.on_edge_.begin(), mirror.on_edge_.end());
-        for (auto& edge_of_knot : mirror.on_edge_) {
-            edge_of_knot = edge_of_knot ? std::optional(opposite(*edge_of_knot)) : std::nullopt;
-        }
-        std::swap(mirror.a_, mirror.b_);
-        mirror.disks_.clear();
-        mirror.over_theta_.reset();
-        mirror.roots_.reset();
-        return mirror.right_expansion(terms);
+        IntegratedContact other(*this);
+        other.mirror();
+        other.disks_.clear();
+        other.over_theta_.reset();
+        other.roots_.reset();
+        return other.right_expansion(terms);
     }
     return right_expansion(terms);
 }
@@ -137,29 +122,19 @@ Ball IntegratedContact::coefficient(std::size_t k, std::size_t piece, const Ball
                                     const std::vector<Ball>& taylor, bool from_right_edge) const {
     const std::vector<Ball> head(taylor.begin(),
                                  taylor.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-    Ball sum(0, bits_);
-    for (const quadrature::ThetaSpan& span : spans(a_, b_)) {
-        SlopeIntegrand f = integrand(span, a_, b_);
+    return over_spans(a_, b_, [&](SlopeIntegrand& f, const quadrature::ThetaSpan& span) {
         f.x = &x;
         f.holds_x = span.piece == piece;
         f.taylor = &head;
         f.from_right_edge = from_right_edge;
         f.goal = zone_ ? goal_between(a_, b_, bits_) : 0;
-        sum += integrate(f, span, bits_);
-    }
-    return sum;
+    });
 }
 
 std::vector<Ball> IntegratedContact::coefficients_by_disk(std::size_t piece,
                                                           std::size_t terms) const {
-    Ball gap = a_ + b_;
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
-        if (inside(i)) {
-            gap = min(gap, abs(Ball(a_ - knots_[i])));
-        }
-    }
     // A disk is computed to about half of its working bits (disk_goal).
-    const PressureDisk disk(over_theta(), piece, a_, gap, terms, 2 * bits_ + 48);
+    const PressureDisk disk(over_theta(), piece, a_, gap_at(a_), terms, 2 * bits_ + 48);
     std::vector<Ball> I;
     if (disk.found()) {
         const BallSeries at = disk.at(Ball(0, bits_), terms);
@@ -171,14 +146,12 @@ std::vector<Ball> IntegratedContact::coefficients_by_disk(std::size_t piece,
 }
 
 std::vector<Ball> IntegratedContact::right_expansion(std::size_t terms) const {
-    Ball unknown(0, bits_);
-    arb_indeterminate(unknown.data());
     std::size_t last = 0; // the piece at the edge
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
-        if (certainly_less(knots_[i], a_)) {
+    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
+        if (certainly_less(slope_.knots[i], a_)) {
             ++last;
-        } else if (!certainly_less(a_, knots_[i]) && on_edge_[i] != Edge::right) {
-            return std::vector<Ball>(terms, unknown);
+        } else if (!certainly_less(a_, slope_.knots[i]) && on_edge_[i] != Edge::right) {
+            return std::vector<Ball>(terms, unknown_ball(bits_));
         }
     }
     // p = (E*/(2 pi)) sqrt(u (D - u)) I(x), where I is the sum of I_k (-u)^k (docs/expansions.md,
@@ -222,39 +195,35 @@ Ball IntegratedContact::pressure(Edge edge, const formula::Exact& u) const {
         throw DomainError("a point lies outside the contact");
     }
     const Ball x = edge == Edge::right ? a_ - from_edge : from_edge - b_;
-    Ball unknown(0, bits_);
-    arb_indeterminate(unknown.data());
     // The piece that contains x. On a knot where g' only bends, both pieces give the same value.
     std::size_t piece = 0;
     std::optional<std::size_t> on_knot;
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
-        if (certainly_less(knots_[i], x)) {
+    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
+        if (certainly_less(slope_.knots[i], x)) {
             piece = i + 1;
-        } else if (!certainly_less(x, knots_[i])) {
-            const bool given = known(edge).has_value();
-            const formula::Expr& a = load_.value.expr();
-            const formula::Expr exactly = edge == Edge::right ? a - u.expr() : u.expr() - a;
-            if (profile_.has_corner(i) || !given ||
-                !certainly_zero(exactly - profile_.knots()[i].expr())) {
-                return unknown;
+        } else if (!certainly_less(x, slope_.knots[i])) {
+            const auto a = known(edge);
+            const auto exactly = [&] {
+                return edge == Edge::right ? a->expr() - u.expr() : u.expr() - a->expr();
+            };
+            if (profile_.has_corner(i) || !a ||
+                !certainly_zero(exactly() - profile_.knots()[i].expr())) {
+                return unknown_ball(bits_);
             }
             on_knot = i;
             piece = i;
         }
     }
-    const Ball slope = series_of_slope(piece, x, 1)[0];
-    Ball sum(0, bits_);
-    for (const quadrature::ThetaSpan& span : spans(a_, b_)) {
-        SlopeIntegrand f = integrand(span, a_, b_);
-        // Each of two pieces that meet at x is evaluated by its own expression; their values at x
-        // are equal.
-        const Ball here =
-            on_knot && span.piece == *on_knot + 1 ? series_of_slope(span.piece, x, 1)[0] : slope;
+    const std::vector<Ball> slope = series_of_slope(piece, x, 1);
+    // Each of two pieces that meet at x is evaluated by its own expression; their values at x are
+    // equal.
+    const std::vector<Ball> next = on_knot ? series_of_slope(*on_knot + 1, x, 1) : slope;
+    const Ball sum = over_spans(a_, b_, [&](SlopeIntegrand& f, const quadrature::ThetaSpan& span) {
+        const bool beyond = on_knot && span.piece == *on_knot + 1;
         f.x = &x;
-        f.slope_at_x = &here;
-        f.holds_x = span.piece == piece || (on_knot && span.piece == *on_knot + 1);
-        sum += integrate(f, span, bits_);
-    }
+        f.taylor = beyond ? &next : &slope;
+        f.holds_x = span.piece == piece || beyond;
+    });
     // eqn:SIEPressure regularised (docs/curved-slopes.md, "What is integrated")
     return modulus_ / (Ball::pi(bits_) * 2) * sqrt(from_edge * other) * sum;
 }
@@ -265,10 +234,10 @@ std::vector<quadrature::ThetaSpan> IntegratedContact::piece_spans(const Ball& a,
     // edge.
     std::vector<quadrature::ThetaSpan> list;
     Ball from(0, bits_);
-    for (std::size_t i = knots_.size() + 1; i-- > 0;) {
+    for (std::size_t i = slope_.knots.size() + 1; i-- > 0;) {
         const auto here = i > 0 ? on_edge_[i - 1] : std::optional<Edge>(Edge::left);
         const Mark<Ball> next =
-            here ? end_mark(Extent<Ball>{a, b}, *here) : clamped_mark({a, b}, knots_[i - 1]);
+            here ? end_mark(Extent<Ball>{a, b}, *here) : clamped_mark({a, b}, slope_.knots[i - 1]);
         if (i > 0 && next.end == Edge::right) {
             continue;
         }
@@ -313,46 +282,141 @@ std::vector<quadrature::ThetaSpan> IntegratedContact::spans(const Ball& a, const
     const Ball half = (a + b) / 2;
     std::vector<quadrature::ThetaSpan> list;
     for (const quadrature::ThetaSpan& whole : piece_spans(a, b)) {
-        Ball middle((whole.from + whole.to) / 2);
-        arb_get_mid_arb(middle.data(), middle.data());
-        const Ball s = centre + half * cos(middle);
+        const Ball between = middle((whole.from + whole.to) / 2);
+        const Ball s = centre + half * cos(between);
         // Next to the knot at the right end of the piece, and next to the knot at its left end.
         const auto rooted = [&](std::size_t knot, std::size_t side) {
             const Roots::Root& root = roots().of_knots[knot].at(side);
-            const Ball distance = side == 0 ? knots_[knot] - s : s - knots_[knot];
+            const Ball distance = side == 0 ? slope_.knots[knot] - s : s - slope_.knots[knot];
             std::optional<quadrature::ThetaSpan> span;
-            if (root.root != 0 && certainly_less(knots_[knot], a) &&
-                certainly_less(-b, knots_[knot]) && certainly_positive(distance)) {
+            if (root.root != 0 && certainly_less(slope_.knots[knot], a) &&
+                certainly_less(-b, slope_.knots[knot]) && certainly_positive(distance)) {
                 span = {.piece = whole.piece,
                         .from = Ball(0, bits_),
                         .to = pow(distance, Rational(1, root.root)),
                         .formula = root.formula,
                         .root = root.root,
                         .side = side == 0 ? -1 : 1,
-                        .knot = knots_[knot]};
+                        .knot = slope_.knots[knot]};
             }
             return span;
         };
-        const auto right = whole.piece < knots_.size() ? rooted(whole.piece, 0) : std::nullopt;
+        const auto right =
+            whole.piece < slope_.knots.size() ? rooted(whole.piece, 0) : std::nullopt;
         const auto left = whole.piece > 0 ? rooted(whole.piece - 1, 1) : std::nullopt;
         if (!right && !left) {
             list.push_back(whole);
             continue;
         }
         quadrature::ThetaSpan part = whole;
-        part.to = middle;
+        part.to = between;
         list.push_back(right ? *right : part);
-        part.from = middle;
+        part.from = between;
         part.to = whole.to;
         list.push_back(left ? *left : part);
     }
     return list;
 }
 
-SlopeIntegrand IntegratedContact::integrand(const quadrature::ThetaSpan& span, const Ball& a,
-                                            const Ball& b) const {
-    return {&profile_.pieces()[span.piece].slope, &roots().formulas[span.formula], (a - b) / 2,
-            (a + b) / 2};
+/// Encloses the left edge for the right edge `a`: the integral of g' over theta decreases as the
+/// left edge moves outwards (docs/curved-slopes.md, "Edges").
+std::optional<Ball> IntegratedContact::left_edge_near(const Ball& a, const Ball& start) const {
+    for (long narrow = bits_ - spent_on_signs; narrow > 8; narrow -= bits_ / 8) {
+        const Between trial = narrow_range(start, narrow);
+        if (certainly_positive(trial.lo) && certainly_positive(slope_integral(a, trial.lo, 0)) &&
+            certainly_negative(slope_integral(a, trial.hi, 0))) {
+            return Ball::hull(trial.lo, trial.hi);
+        }
+    }
+    return {};
+}
+
+/// Approximates the edges by the routes in Real with a few digits, then by chords. With the partial
+/// derivatives P_a and P_b of P(a, b), the integral of g' over theta has the derivatives kappa P_a
+/// and -kappa P_b, kappa = 4/(E* (a + b)). So b' = P_a/P_b and P' = 2 P_a along the contacts that
+/// satisfy the consistency condition (docs/mechanics.md, "One measure, six kernels").
+IntegratedContact::Guess IntegratedContact::guess(const formula::Exact& contact_modulus) const {
+    const bool by_force = load_.kind == Load::Kind::force;
+    const bool symmetric = profile_.symmetric();
+    const auto near = [&](unsigned digits) {
+        const NormalContact contact(Profile(profile_), contact_modulus, Load(load_), digits);
+        const Ball b_rate(symmetric ? Real(1) : contact.left_edge_derivative(1), bits_);
+        const Ball rate(contact.force_derivative(1), bits_);
+        return Guess{Ball(contact.a(), bits_), Ball(contact.b(), bits_), rate, b_rate};
+    };
+    Guess found = near(first_digits);
+    if (!by_force) {
+        found.a = a_;
+    }
+    const Ball P = by_force ? enclosed_constant(load_.value, bits_) : Ball(0, bits_);
+    const Ball enough = found.a * power_of_two(16 - bits_, bits_);
+    for (int k = 0; k < most_chords; ++k) {
+        const Ball kappa = 4 / (modulus_ * (found.a + found.b));
+        const Ball C = symmetric ? Ball(0, bits_) : slope_integral(found.a, found.b, 0) / kappa;
+        Ball da(0, bits_);
+        Ball db(0, bits_);
+        if (by_force) {
+            const Ball missing = P - force_of(found.a, found.b);
+            da = (missing - C) / found.force_rate;
+            db = symmetric ? da : (missing + C) * found.b_rate / found.force_rate;
+        } else {
+            db = C * 2 * found.b_rate / found.force_rate;
+        }
+        if (!da.is_finite() || !db.is_finite()) {
+            break;
+        }
+        found.a = middle(found.a + da);
+        found.b = middle(found.b + db);
+        if (certainly_less(abs(middle(da)) + abs(middle(db)), enough)) {
+            return found;
+        }
+    }
+    return near(static_cast<unsigned>(bits_ * 3 / 10));
+}
+
+void IntegratedContact::enclose_edges(const formula::Exact& contact_modulus) {
+    const Guess near = guess(contact_modulus);
+    const auto too_few = [&] {
+        return BudgetError("ball arithmetic at " + std::to_string(bits_) +
+                           " bits does not enclose an edge");
+    };
+    if (load_.kind == Load::Kind::right_edge) {
+        const auto b = left_edge_near(a_, near.b);
+        b_ = b ? *b : near.b;
+        if ((!b || edge_may_be_on_knot()) && odd_within(profile_, load_.value.expr())) {
+            known_b_ = load_.value;
+            b_ = a_;
+            find_knots_on_edges();
+        } else if (!b) {
+            throw too_few();
+        }
+        return;
+    }
+    const Ball P = enclosed_constant(load_.value, bits_);
+    const bool symmetric = profile_.symmetric();
+    // P increases with a along the contacts that satisfy the consistency condition; the left edge
+    // of each is enclosed (docs/curved-slopes.md, "Edges").
+    for (long narrow = bits_ - spent_on_signs - (symmetric ? 0 : spent_on_both); narrow > 8;
+         narrow -= bits_ / 8) {
+        const Between a = narrow_range(near.a, narrow);
+        std::optional<Between> b = a;
+        if (!symmetric) {
+            const auto left_of = [&](const Ball& x) {
+                const Ball start = near.b + near.b_rate * (x - near.a);
+                return left_edge_near(x, middle(start));
+            };
+            const auto lo = left_of(a.lo);
+            const auto hi = lo ? left_of(a.hi) : lo;
+            b = lo && hi ? std::optional(Between{*lo, *hi}) : std::nullopt;
+        }
+        if (b && certainly_less(force_of(a.lo, b->lo), P) &&
+            certainly_less(P, force_of(a.hi, b->hi))) {
+            a_ = Ball::hull(a.lo, a.hi);
+            b_ = symmetric ? a_ : Ball::hull(b->lo, b->hi);
+            return;
+        }
+    }
+    throw too_few();
 }
 
 } // namespace edgeproof::contact

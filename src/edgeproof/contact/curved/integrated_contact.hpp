@@ -37,39 +37,22 @@ public:
     IntegratedContact(const Profile& profile, const formula::Exact& contact_modulus,
                       const Load& load, long bits);
 
-    [[nodiscard]] const Ball& modulus() const { return modulus_; }
-    [[nodiscard]] long bits() const override { return bits_; }
-    [[nodiscard]] const Ball& a() const override { return a_; }
-    [[nodiscard]] const Ball& b() const override { return b_; }
-    /// The distance of an edge from the origin (length), if it is given, or if g' is proved to be
-    /// odd in the contact.
-    [[nodiscard]] std::optional<formula::Exact> known(Edge edge) const override;
-    /// True if an edge without a known distance may lie on a knot, as far as the bits decide.
-    [[nodiscard]] bool edge_may_be_on_knot() const override;
-    /// P (force/length).
     [[nodiscard]] Ball force() const override { return force_of(a_, b_); }
-    /// M (force).
     [[nodiscard]] Ball moment() const override;
-    /// Returns p (stress) at the distance `u` from an edge (length). Not finite on a knot, unless
-    /// exact numbers prove that the point is the knot and that g' does not jump there.
+    /// Not finite on a knot, unless exact numbers prove that the point is the knot and that g' does
+    /// not jump there.
     [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const override;
-    /// Returns c_0, c_1, ... (stress/length^(k+1/2)).
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
-    /// Returns M with |c_k| <= M/rho^k for all k (docs/extents.md); `rho`: length.
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
     /// Returns the radius of the disk about an edge (length).
     [[nodiscard]] Ball reach(Edge edge) const override;
-    /// Returns the distances of the corners from an edge (length).
-    [[nodiscard]] std::vector<Ball> corners(Edge edge) const override;
     [[nodiscard]] std::size_t cost() const override { return 40; }
 
     /// For a wide ball p is enclosed by a disk that contains it (pressure_disk.hpp) or, if it
     /// contains a bend, by bounds of g'' near the bend. Disks are computed when they are needed,
     /// and kept.
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
-    /// Returns p, or a lower bound of it where a corner makes p infinite.
     [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const override;
-    /// Returns the Taylor series of p in `u` with `order` terms.
     [[nodiscard]] BallSeries pressure_series(Edge edge, const Ball& u,
                                              std::size_t order) const override;
 
@@ -103,9 +86,10 @@ private:
     };
     /// The formulas, computed when first needed.
     [[nodiscard]] const Roots& roots() const;
-    /// Returns g' over a span of the contact -b < x < a.
-    [[nodiscard]] SlopeIntegrand integrand(const quadrature::ThetaSpan& span, const Ball& a,
-                                           const Ball& b) const;
+    /// Returns the sum of the integrals over the spans of the contact -b < x < a of the integrand
+    /// that `set(f, span)` completes.
+    template <class Set>
+    [[nodiscard]] Ball over_spans(const Ball& a, const Ball& b, const Set& set) const;
     /// Returns the integral of g' cos(harmonic theta) over theta.
     [[nodiscard]] Ball slope_integral(const Ball& a, const Ball& b, long harmonic) const;
     /// Returns P (force/length) of the contact -b < x < a.
@@ -118,8 +102,6 @@ private:
                                                          std::size_t terms) const;
     /// Returns c_k at the right edge.
     [[nodiscard]] std::vector<Ball> right_expansion(std::size_t terms) const;
-    /// Finds the knots that are exactly an edge.
-    void find_knots_on_edges();
     /// An approximation of the edges; it proves nothing.
     struct Guess {
         Ball a;
@@ -135,9 +117,10 @@ private:
     [[nodiscard]] std::optional<Ball> left_edge_near(const Ball& a, const Ball& start) const;
     /// Returns x at the distance `u` from an edge.
     [[nodiscard]] Ball place(Edge edge, const Ball& u) const;
-    /// True if g' has different formulas on both sides of the knot and the knot may be inside the
+    [[nodiscard]] bool inside(std::size_t knot) const override;
+    /// Returns the distance from x to the next knot inside the contact, at most the length of the
     /// contact.
-    [[nodiscard]] bool inside(std::size_t knot) const;
+    [[nodiscard]] Ball gap_at(const Ball& x) const;
     /// The piece that contains all of x; nothing if x may contain a knot inside the contact.
     [[nodiscard]] std::optional<std::size_t> piece_of(const Ball& x) const;
     /// Returns the k-th Taylor coefficient of I (pressure_disk.hpp) at x.
@@ -165,15 +148,7 @@ private:
     /// The data of I, computed when first needed.
     [[nodiscard]] const SlopeOverTheta& over_theta() const;
 
-    Profile profile_;
     Load load_;
-    long bits_;
-    Ball modulus_;
-    std::vector<Ball> knots_;
-    std::vector<std::optional<Edge>> on_edge_; ///< knots that are known to be an edge exactly
-    Ball a_;
-    Ball b_;
-    bool odd_ = false;  ///< g' is odd in the contact, but perhaps not beyond it
     bool zone_ = false; ///< a zone of a contact: b may differ from a even if g' is odd
     mutable std::map<Edge, std::vector<std::shared_ptr<const Disk>>> disks_;
     mutable std::shared_ptr<const SlopeOverTheta> over_theta_;

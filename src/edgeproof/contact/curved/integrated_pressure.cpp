@@ -2,6 +2,7 @@
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/curved/slope_integral.hpp"
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 
 #include <algorithm>
 
@@ -11,22 +12,6 @@ namespace {
 constexpr std::size_t least_terms = 32; ///< number of terms of a disk
 constexpr long point_bits = 16;         ///< a ball that has lost no more bits counts as a point
 constexpr std::size_t most_disks = 4000;
-
-Ball not_finite(long bits) {
-    Ball x(0, bits);
-    arb_indeterminate(x.data());
-    return x;
-}
-
-BallSeries nowhere_series(std::size_t order, long bits) {
-    return BallSeries(std::vector<Ball>(order, not_finite(bits)));
-}
-
-Ball midpoint_of(const Ball& x) {
-    Ball m(x);
-    arb_get_mid_arb(m.data(), m.data());
-    return m;
-}
 
 bool is_point(const Ball& u) {
     return u.is_exact() || u.relative_accuracy_bits() > u.bits() - point_bits;
@@ -39,18 +24,29 @@ Ball IntegratedContact::place(Edge edge, const Ball& u) const {
 }
 
 bool IntegratedContact::inside(std::size_t knot) const {
-    return !on_edge_[knot] && !certainly_less(a_, knots_[knot]) &&
-           !certainly_less(knots_[knot], -b_);
+    return !on_edge_[knot] && !certainly_less(a_, slope_.knots[knot]) &&
+           !certainly_less(slope_.knots[knot], -b_);
+}
+
+Ball IntegratedContact::gap_at(const Ball& x) const {
+    Ball gap = length();
+    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
+        if (inside(i)) {
+            gap = min(gap, abs(Ball(x - slope_.knots[i])));
+        }
+    }
+    return gap;
 }
 
 std::optional<std::size_t> IntegratedContact::piece_of(const Ball& x) const {
     std::size_t piece = 0;
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
+    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
         if (!inside(i)) {
-            piece = certainly_less(a_, knots_[i]) || on_edge_[i] == Edge::right ? piece : i + 1;
-        } else if (certainly_less(knots_[i], x)) {
+            piece =
+                certainly_less(a_, slope_.knots[i]) || on_edge_[i] == Edge::right ? piece : i + 1;
+        } else if (certainly_less(slope_.knots[i], x)) {
             piece = i + 1;
-        } else if (!certainly_less(x, knots_[i])) {
+        } else if (!certainly_less(x, slope_.knots[i])) {
             return {};
         } else {
             break;
@@ -83,14 +79,8 @@ const IntegratedContact::Disk* IntegratedContact::disk_at(Edge edge, const Ball&
     if (!piece || disks.size() > most_disks) {
         return nullptr;
     }
-    Ball gap = a_ + b_;
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
-        if (inside(i)) {
-            gap = min(gap, abs(Ball(x - knots_[i])));
-        }
-    }
     disks.push_back(std::make_shared<const Disk>(
-        Disk{u, PressureDisk(over_theta(), *piece, x, gap, terms, bits_)}));
+        Disk{u, PressureDisk(over_theta(), *piece, x, gap_at(x), terms, bits_)}));
     return disks.back().get();
 }
 
@@ -121,19 +111,13 @@ const IntegratedContact::Disk* IntegratedContact::disk_for(Edge edge, const Ball
         }
     }
     // A new disk is centred at an edge if that is near, so that one disk serves many intervals.
-    const Ball middle = midpoint_of(u);
+    const Ball centre_of_u = middle(u);
     const Ball length = a_ + b_;
-    Ball near = length;
-    const Ball x = place(edge, middle);
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
-        if (inside(i)) {
-            near = min(near, abs(Ball(x - knots_[i])));
-        }
-    }
+    const Ball near = gap_at(place(edge, centre_of_u));
     if (!certainly_less(breadth * 3, near)) {
         return nullptr;
     }
-    for (const Ball& centre : {Ball(0, bits_), length, middle}) {
+    for (const Ball& centre : {Ball(0, bits_), length, centre_of_u}) {
         const bool tried = std::any_of(
             disks_[edge].begin(), disks_[edge].end(), [&](const std::shared_ptr<const Disk>& d) {
                 return overlaps(d->u, centre) && d->disk.terms() >= terms;
@@ -167,7 +151,7 @@ Ball IntegratedContact::pressure(Edge edge, const Ball& u) const {
     const Disk* found = disk_for(edge, u, 1);
     return with_root(u,
                      found == nullptr
-                         ? not_finite(bits_)
+                         ? unknown_ball(bits_)
                          : found->disk.at(edge == Edge::right ? found->u - u : u - found->u, 1)[0]);
 }
 
@@ -182,7 +166,7 @@ BallSeries IntegratedContact::pressure_series(Edge edge, const Ball& u, std::siz
     const Ball x = place(edge, u);
     const auto piece = piece_of(x);
     if (!piece || !certainly_positive(u) || !certainly_positive(other[0])) {
-        return nowhere_series(order, bits_);
+        return unknown_series(order, bits_);
     }
     std::vector<Ball> I;
     if (is_point(u) && order <= 2) {
@@ -193,7 +177,7 @@ BallSeries IntegratedContact::pressure_series(Edge edge, const Ball& u, std::siz
     } else {
         const Disk* found = disk_for(edge, u, order);
         if (found == nullptr) {
-            return nowhere_series(order, bits_);
+            return unknown_series(order, bits_);
         }
         const BallSeries at =
             found->disk.at(edge == Edge::right ? found->u - u : u - found->u, order);
@@ -207,16 +191,6 @@ BallSeries IntegratedContact::pressure_series(Edge edge, const Ball& u, std::siz
     return sqrt(from * other) * BallSeries(I) * (modulus_ / (Ball::pi(bits_) * 2));
 }
 
-std::vector<Ball> IntegratedContact::corners(Edge edge) const {
-    std::vector<Ball> distances;
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
-        if (profile_.has_corner(i) && inside(i)) {
-            distances.push_back(edge == Edge::right ? a_ - knots_[i] : b_ + knots_[i]);
-        }
-    }
-    return distances;
-}
-
 Ball IntegratedContact::reach(Edge edge) const {
     const Disk* disk = disk_at_edge(edge);
     return disk == nullptr || !disk->disk.found() ? Ball(0, bits_)
@@ -227,7 +201,7 @@ Ball IntegratedContact::reach(Edge edge) const {
 Ball IntegratedContact::majorant(Edge edge, const Ball& rho) const {
     const Disk* disk = disk_at_edge(edge);
     if (disk == nullptr || !disk->disk.found() || certainly_less(disk->disk.radius(), rho)) {
-        return not_finite(bits_);
+        return unknown_ball(bits_);
     }
     const Ball most(disk->disk.bound().upper(), bits_);
     return modulus_ / (Ball::pi(bits_) * 2) * sqrt(a_ + b_ + rho) * most;
@@ -239,7 +213,7 @@ Ball IntegratedContact::majorant(Edge edge, const Ball& rho) const {
 /// "What is integrated").
 Ball IntegratedContact::near_knot(std::size_t knot, const Ball& lo, const Ball& hi,
                                   const Ball& width) const {
-    const Ball& v = knots_[knot];
+    const Ball& v = slope_.knots[knot];
     const Ball before = series_of_slope(knot, Ball::hull(lo, v), 2)[1];
     const Ball after = series_of_slope(knot + 1, Ball::hull(v, hi), 2)[1];
     if (before.is_finite() && after.is_finite()) {
@@ -258,36 +232,37 @@ Ball IntegratedContact::near_knot(std::size_t knot, const Ball& lo, const Ball& 
         }
         most += abs(rate) * 2 * n * pow(r, Rational(1, n));
     }
-    return Ball::hull(Ball(0, bits_), Ball(Ball(most / nearest).upper(), bits_));
+    return Ball::hull(Ball(0, bits_), upper_end(most / nearest));
 }
 
 Ball IntegratedContact::over_knot(const Ball& x, bool least) const {
     std::optional<std::size_t> met;
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
-        if (inside(i) && overlaps(x, knots_[i])) {
+    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
+        if (inside(i) && overlaps(x, slope_.knots[i])) {
             if (met) {
-                return not_finite(bits_);
+                return unknown_ball(bits_);
             }
             met = i;
         }
     }
     if (!met || (profile_.has_corner(*met) && !least)) {
-        return not_finite(bits_);
+        return unknown_ball(bits_);
     }
     // Near the knot, up to twice the radius of the ball, the quotient is a mean of g''.
     const std::size_t i = *met;
-    const Ball& v = knots_[i];
-    const Ball r = Ball(abs(Ball(x - v)).upper(), bits_) * 2;
+    const Ball& v = slope_.knots[i];
+    const Ball r = upper_end(abs(x - v)) * 2;
     const Ball lo = v - r;
     const Ball hi = v + r;
-    for (std::size_t j = 0; j < knots_.size(); ++j) {
-        const bool clear = certainly_less(knots_[j], lo) || certainly_less(hi, knots_[j]);
+    for (std::size_t j = 0; j < slope_.knots.size(); ++j) {
+        const bool clear =
+            certainly_less(slope_.knots[j], lo) || certainly_less(hi, slope_.knots[j]);
         if (j != i && inside(j) && !clear) {
-            return not_finite(bits_);
+            return unknown_ball(bits_);
         }
     }
     if (!certainly_less(-b_, lo) || !certainly_less(hi, a_)) {
-        return not_finite(bits_);
+        return unknown_ball(bits_);
     }
     const SlopeOverTheta& all = over_theta();
     const Ball from = clamped_mark({a_, b_}, hi).h;

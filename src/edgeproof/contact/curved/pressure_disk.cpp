@@ -2,6 +2,7 @@
 #include "edgeproof/contact/curved/pressure_disk.hpp"
 
 #include "edgeproof/contact/curved/slope_integral.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/precision/ball/acb_values.hpp"
 
@@ -92,6 +93,10 @@ public:
             sizes_.emplace_back(g_[k]);
         }
     }
+    /// D_0 without a disk, for all x of a ball that no span contains; g0 is g'(x).
+    DiskIntegrand(const SlopeOverTheta& integral, const Ball& x, const Ball& g0, long bits)
+        : DiskIntegrand(integral, integral.formulas.size(), x, {g0}, Ball(1, bits), Magnitude(), 1,
+                        bits) {}
     [[nodiscard]] std::size_t count() const override { return terms_; }
     bool bound(const quadrature::ThetaPlace& at, std::vector<Magnitude>& most) const override {
         const std::size_t piece = at.span.piece;
@@ -208,10 +213,9 @@ private:
             sum_ = sum_ + length * (size + at_point_) / Magnitude::least(from_disk);
             return true;
         }
-        Ball middle = (lo + hi) / 2;
-        arb_get_mid_arb(middle.data(), middle.data());
-        return depth < majorant_depth && cell(piece, lo, middle, depth + 1) &&
-               cell(piece, middle, hi, depth + 1);
+        const Ball between = middle((lo + hi) / 2);
+        return depth < majorant_depth && cell(piece, lo, between, depth + 1) &&
+               cell(piece, between, hi, depth + 1);
     }
 
     const SlopeOverTheta& integral_;
@@ -225,40 +229,6 @@ private:
     Magnitude sum_;
     AcbValue change_;
     AcbValue s_;
-};
-
-/// (g'(s) - g'(x))/(s - x) for all x of a ball.
-class OuterIntegrand : public quadrature::ThetaIntegrand {
-public:
-    OuterIntegrand(const SlopeOverTheta& integral, const Ball& x, const Ball& slope_at_x, long bits)
-        : integral_(integral), x_(x), slope_at_x_(slope_at_x), bits_(bits) {}
-    [[nodiscard]] std::size_t count() const override { return 1; }
-    bool bound(const quadrature::ThetaPlace& at, std::vector<Magnitude>& most) const override {
-        acb_sub_arb(gap_, at.s, x_.data(), bits_);
-        const Magnitude least = Magnitude::least(gap_);
-        const acb_struct* t = variable(at);
-        slope_change(change_, integral_.formulas[at.span.formula], t, slope_at_x_, bits_over(t));
-        Magnitude size(change_);
-        if (!size.is_finite() && arb_is_zero(acb_imagref(t)) != 0) {
-            size = integral_.most_change;
-        }
-        most[0] = size / least;
-        return most[0].is_finite();
-    }
-    void value(const quadrature::ThetaPlace& at, std::vector<Ball>& f) const override {
-        slope_change(change_, integral_.formulas[at.span.formula], variable(at), slope_at_x_,
-                     bits_);
-        acb_sub_arb(gap_, at.s, x_.data(), bits_);
-        arb_div(f[0].data(), acb_realref(change_), acb_realref(gap_), bits_);
-    }
-
-private:
-    const SlopeOverTheta& integral_;
-    const Ball& x_;
-    const Ball& slope_at_x_;
-    long bits_;
-    mutable AcbValue gap_;
-    mutable AcbValue change_;
 };
 
 } // namespace
@@ -303,17 +273,15 @@ PressureDisk::PressureDisk(const SlopeOverTheta& integral, std::size_t holds, co
     bound_ = *bound;
     const long goal = disk_goal(bits);
     std::vector<Ball> g = slope_series(slope, x, terms + static_cast<std::size_t>(goal) + 8, bits);
-    quadrature::ThetaGoal wanted;
-    Ball tolerance = bound_.ball(box_bits);
-    arb_mul_2exp_si(tolerance.data(), tolerance.data(), -goal);
-    wanted.tolerance = Magnitude(tolerance);
+    quadrature::ThetaGoal wanted{Magnitude(bound_.ball(box_bits) * power_of_two(-goal, box_bits)),
+                                 {},
+                                 static_cast<std::size_t>(goal / 4 + 8),
+                                 2 * static_cast<int>(bits)};
     Magnitude scale(Ball(1, box_bits));
     for (std::size_t k = 0; k < terms; ++k) {
         wanted.scale.push_back(scale);
         scale = scale * Magnitude(radius_);
     }
-    wanted.nodes = static_cast<std::size_t>(goal / 4 + 8);
-    wanted.depth = 2 * static_cast<int>(bits);
     const DiskIntegrand integrand(integral, holds, x, std::move(g), *chosen, change, terms, bits);
     coefficients_ = integrate_cells(integrand, integral.spans, integral.centre,
                                     integral.half_length, wanted, bits);
@@ -346,7 +314,7 @@ BallSeries PressureDisk::at(const Ball& z, std::size_t order) const {
             continue;
         }
         if (k >= n || !certainly_positive(less)) {
-            arb_indeterminate(c[static_cast<std::size_t>(k)].data());
+            c[static_cast<std::size_t>(k)] = unknown_ball(bits_);
             continue;
         }
         c[static_cast<std::size_t>(k)] += (rest / Magnitude::least(less)).ball(bits_);
@@ -366,14 +334,13 @@ bool PressureDisk::good_to(const Ball& z, long bits) const {
 Ball outer_integral(const SlopeOverTheta& integral, const std::vector<quadrature::ThetaSpan>& outer,
                     std::size_t holds, const Ball& x, long bits) {
     const Ball slope = slope_series(integral.formulas[holds], x, 1, bits)[0];
-    const OuterIntegrand integrand(integral, x, slope, bits);
-    quadrature::ThetaGoal goal;
-    Ball tolerance = integral.most_change.ball(box_bits) / integral.half_length;
-    arb_mul_2exp_si(tolerance.data(), tolerance.data(), -outer_bits);
-    goal.tolerance = Magnitude(tolerance);
-    goal.scale = {Magnitude(Ball(1, box_bits))};
-    goal.nodes = outer_bits / 4 + 4;
-    goal.depth = 2 * static_cast<int>(bits);
+    const DiskIntegrand integrand(integral, x, slope, bits);
+    const quadrature::ThetaGoal goal{
+        Magnitude(integral.most_change.ball(box_bits) / integral.half_length *
+                  power_of_two(-outer_bits, box_bits)),
+        {Magnitude(Ball(1, box_bits))},
+        outer_bits / 4 + 4,
+        2 * static_cast<int>(bits)};
     return integrate_cells(integrand, outer, integral.centre, integral.half_length, goal, bits)[0];
 }
 

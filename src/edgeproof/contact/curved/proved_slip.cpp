@@ -25,17 +25,6 @@ std::unique_ptr<ProvedContact> proved_contact(const Profile& profile,
     return std::make_unique<IntegratedContact>(profile, contact_modulus, load, bits);
 }
 
-std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact, const Profile& profile,
-                                        const formula::Exact& contact_modulus, bool tilted) {
-    const BallContact* closed = contact.closed_form();
-    if (closed == nullptr) {
-        return integrated_zones(dynamic_cast<const IntegratedContact&>(contact));
-    }
-    return tilted && !closed->piecewise_linear()
-               ? power_law_zones(profile, contact_modulus, closed->a(), closed->b(), closed->bits())
-               : closed_form_zones(*closed);
-}
-
 bool ProvedSlip::admissible() const {
     return !slip_->sliding() && !certainly_negative(slip_->size(Edge::right)) &&
            !certainly_negative(slip_->size(Edge::left));
@@ -43,12 +32,8 @@ bool ProvedSlip::admissible() const {
 
 IntegratedContact::IntegratedContact(const Profile& profile, const formula::Exact& contact_modulus,
                                      const Ball& a, const Ball& b, long bits)
-    : profile_(profile), bits_(bits), modulus_(enclosed_constant(contact_modulus, bits)), a_(a),
-      b_(b), zone_(true) {
-    for (const formula::Exact& knot : profile.knots()) {
-        knots_.push_back(enclosed_constant(knot, bits));
-    }
-    on_edge_.assign(knots_.size(), std::nullopt);
+    : ProvedContact(profile, enclosed_constant(contact_modulus, bits), bits), zone_(true) {
+    move_edges(a, b);
 }
 
 IntegratedContact IntegratedContact::between(const Ball& a, const Ball& b, long bits) const {
@@ -56,17 +41,12 @@ IntegratedContact IntegratedContact::between(const Ball& a, const Ball& b, long 
     zone.zone_ = true;
     zone.bits_ = bits;
     zone.modulus_ = modulus_.with_bits(bits);
-    for (Ball& knot : zone.knots_) {
+    for (Ball& knot : zone.slope_.knots) {
         knot = knot.with_bits(bits);
     }
-    zone.odd_ = false;
-    zone.load_ = {};
-    zone.load_.kind = Load::Kind::force; // no edge is given
-    std::fill(zone.on_edge_.begin(), zone.on_edge_.end(), std::nullopt);
+    zone.move_edges(a, b);
     zone.disks_.clear();
     zone.over_theta_.reset();
-    zone.a_ = a;
-    zone.b_ = b;
     return zone;
 }
 
@@ -130,16 +110,19 @@ std::unique_ptr<ZoneSolver> integrated_zones(const IntegratedContact& contact) {
 
 namespace {
 
+/// The zones of a power law under a tilt. The integrals are Gauss's 2F1 where the zone contains the
+/// origin; elsewhere they, and all pressures, follow from rigorous integration.
 /// For g' = C sgn(x) |x|^m, with s = a t (DLMF 15.6.1, 5.12.1),
 ///   integral of s^p (a - s)^(q - 1) (b + s)^(-r) over 0 < s < a
 ///     = a^(p + q) b^(-r) B(p + 1, q) 2F1(r, p + 1; p + 1 + q; -a/b).
 class TiltedPowerLawZones : public ZoneSolver {
 public:
-    TiltedPowerLawZones(const Profile& profile, const formula::Exact& modulus, const Ball& a,
-                        const Ball& b, long bits)
-        : integrals_(integrated_zones(IntegratedContact(profile, modulus, a, b, bits))),
-          exponent_(formula::enclosed_constant(profile.parameters().at("m"), bits)),
-          factor_(formula::enclosed_constant(profile.parameters().at("C"), bits)) {}
+    TiltedPowerLawZones(const Profile& profile, const formula::Exact& modulus,
+                        const BallContact& contact)
+        : integrals_(integrated_zones(
+              IntegratedContact(profile, modulus, contact.a(), contact.b(), contact.bits()))),
+          exponent_(formula::enclosed_constant(profile.parameters().at("m"), contact.bits())),
+          factor_(formula::enclosed_constant(profile.parameters().at("C"), contact.bits())) {}
     [[nodiscard]] long bits() const override { return integrals_->bits(); }
     [[nodiscard]] const Ball& modulus() const override { return integrals_->modulus(); }
     [[nodiscard]] ZoneValues values(const BallZone& zone) const override {
@@ -185,10 +168,16 @@ private:
 
 } // namespace
 
-std::unique_ptr<ZoneSolver> power_law_zones(const Profile& profile,
-                                            const formula::Exact& contact_modulus, const Ball& a,
-                                            const Ball& b, long bits) {
-    return std::make_unique<TiltedPowerLawZones>(profile, contact_modulus, a, b, bits);
+std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact, const Profile& profile,
+                                        const formula::Exact& contact_modulus, bool tilted) {
+    const BallContact* closed = contact.closed_form();
+    if (closed == nullptr) {
+        return integrated_zones(dynamic_cast<const IntegratedContact&>(contact));
+    }
+    if (tilted && !closed->piecewise_linear()) {
+        return std::make_unique<TiltedPowerLawZones>(profile, contact_modulus, *closed);
+    }
+    return closed_form_zones(*closed);
 }
 
 } // namespace edgeproof::contact

@@ -70,9 +70,9 @@ int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong order, slong
     const auto taylor = order == 0 ? formula::real_taylor : formula::complex_taylor;
     const bool rooted = evaluation.span.root != 0;
     evaluation.span.map(s, rate, theta, f.centre, f.half_length, bits);
-    if (f.taylor != nullptr) {
+    if (f.x != nullptr) {
         taylor_quotient(out, theta, s, f, rooted, order, bits);
-    } else if (f.x == nullptr) {
+    } else {
         taylor(g, *f.formula, rooted ? theta : s, 1, bits);
         acb_poly_get_coeff_acb(out, g, 0);
         AcbValue cosine;
@@ -85,22 +85,6 @@ int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong order, slong
             acb_cos(cosine, cosine, bits);
         }
         acb_mul(out, out, cosine, bits);
-    } else {
-        AcbValue gap;
-        acb_sub_arb(gap, s, f.x->data(), bits);
-        if (f.holds_x && acb_contains_zero(gap) != 0) {
-            // The quotient is a mean of g'' between x and s, which stay in their hull.
-            AcbValue hull;
-            acb_set_arb(hull, f.x->data());
-            acb_union(hull, hull, s, bits);
-            taylor(g, *f.slope, hull, 2, bits);
-            acb_poly_get_coeff_acb(out, g, 1);
-        } else {
-            taylor(g, *f.formula, rooted ? theta : s, 1, bits);
-            acb_poly_get_coeff_acb(out, g, 0);
-            acb_sub_arb(out, out, f.slope_at_x->data(), bits);
-            acb_div(out, out, gap, bits);
-        }
     }
     if (rooted) {
         acb_mul(out, out, rate, bits);

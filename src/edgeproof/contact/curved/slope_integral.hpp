@@ -10,9 +10,9 @@
 namespace edgeproof::contact {
 
 /// An integrand over theta, s = c + d cos(theta) (docs/curved-slopes.md, "What is integrated").
-/// Without x it is g'(s) cos(n theta). With x it is (g'(s) - g'(x))/(s - x). With a Taylor
-/// polynomial T_k of g' about x it is (g'(s) - T_k(s))/(s - x)^(k+1), the k-th derivative of the
-/// former by x, divided by k!.
+/// Without x it is g'(s) cos(n theta). With x and a Taylor polynomial T_k of g' about x it is
+/// (g'(s) - T_k(s))/(s - x)^(k+1): for k = 0 the quotient (g'(s) - g'(x))/(s - x), otherwise the
+/// k-th derivative of this quotient by x, divided by k!.
 struct SlopeIntegrand {
     const formula::Expr* slope;   ///< in s
     const formula::Expr* formula; ///< the same in the variable of the span
@@ -20,7 +20,6 @@ struct SlopeIntegrand {
     Ball half_length;             ///< d
     long harmonic = 0;            ///< n
     const Ball* x = nullptr;
-    const Ball* slope_at_x = nullptr;
     bool holds_x = false; ///< x is on this piece, so that the quotient has no pole
     const std::vector<Ball>* taylor = nullptr; ///< the k + 1 coefficients of T_k
     bool from_right_edge = false; ///< x is the right edge: s - x is computed without cancellation

@@ -2,7 +2,7 @@
 #include "edgeproof/contact/curved/slope_monotonicity.hpp"
 
 #include "edgeproof/contact/curved/slope_integral.hpp"
-#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/profile/slope_from_knot.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/ball/interval.hpp"
@@ -119,8 +119,7 @@ struct SlopeCell {
     Ball hi;
     int halvings;
     [[nodiscard]] Ball middle() const {
-        const Ball between = (lo + hi).with_bits(Interval::bits) / 2;
-        return {between.midpoint(), Interval::bits};
+        return contact::middle((lo + hi).with_bits(Interval::bits) / 2);
     }
 };
 
@@ -193,30 +192,26 @@ SlopeMonotonicity monotonicity_between(const formula::Expr& slope, const Ball& o
     return {undecided ? Sign::open : Sign::rises, undecided};
 }
 
-Ball lower_end(const Ball& x) { return {x.with_bits(Interval::bits).lower(), Interval::bits}; }
-Ball upper_end(const Ball& x) { return {x.with_bits(Interval::bits).upper(), Interval::bits}; }
-
 /// Decides on half of a piece: from a knot, which is 0 in the variable of the slope, to `end`,
 /// which lies on one side of it.
 SlopeMonotonicity monotonicity_from(const formula::Expr& slope, const formula::Exact& knot,
                                     bool right, const Ball& end) {
     const Ball origin = enclosed_constant(knot, Interval::bits);
-    const Ball distance = end - origin;
+    const Ball distance = (end - origin).with_bits(Interval::bits);
     const Ball zero(0, Interval::bits);
-    if (right ? !certainly_positive(upper_end(distance))
-              : !certainly_negative(lower_end(distance))) {
+    const Ball limit = right ? upper_end(distance) : lower_end(distance);
+    if (right ? !certainly_positive(limit) : !certainly_negative(limit)) {
         return {Sign::rises, {}}; // the piece has no part in the contact
     }
-    return monotonicity_between(slope_from_knot(slope, knot.expr()), origin,
-                                right ? zero : lower_end(distance),
-                                right ? upper_end(distance) : zero);
+    return monotonicity_between(slope_from_knot(slope, knot.expr()), origin, right ? zero : limit,
+                                right ? limit : zero);
 }
 
 } // namespace
 
 SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a, const Ball& b) {
-    const Ball left = lower_end(-b);
-    const Ball right = upper_end(a);
+    const Ball left = lower_end((-b).with_bits(Interval::bits));
+    const Ball right = upper_end(a.with_bits(Interval::bits));
     const auto& knots = profile.knots();
     for (std::size_t i = 0; i <= knots.size(); ++i) {
         const SlopePiece& piece = profile.pieces()[i];
@@ -228,8 +223,7 @@ SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a, c
         if (piece.linear || certainly_less(to, left) || certainly_less(right, from)) {
             continue; // the rate of a linear piece was decided exactly
         }
-        const Ball middle((from + to) / 2);
-        const Ball half(middle.midpoint(), Interval::bits);
+        const Ball half = middle((from + to) / 2).with_bits(Interval::bits);
         SlopeMonotonicity found = ends_left ? monotonicity_from(piece.slope, knots[i], false, left)
                                   : ends_right
                                       ? monotonicity_from(piece.slope, knots[i - 1], true, right)

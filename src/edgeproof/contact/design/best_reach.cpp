@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/best_reach.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -22,8 +23,6 @@ constexpr double touching_excess =
 constexpr double farthest_from_sample =
     1e-4; ///< between the best value and the best sample, relative to the range
 constexpr double nearest_to_middle = 1e-6; ///< for extrema at a cusp, relative to a + b
-
-Real real_of(double x) { return Real(x); }
 
 /// Returns a short rational near x, on one side of it (on any side for 0).
 Rational short_rational(const Ball& x, int side, const Rational& distance) {
@@ -107,7 +106,7 @@ private:
         const double from = ranges_[0].from.convert_to<double>();
         const double to = ranges_[0].to.convert_to<double>();
         const SampledReach here = sampled_reach(problem_, {x});
-        if (!here.leaves && show(best, {exact_value(real_of(x))})) {
+        if (!here.leaves && show(best, {exact_value(Real(x))})) {
             best.kind = BestReach::Kind::everywhere;
             best.value = {Ball(best.shown_at[0], bits_)};
             best.reach = best.shown_reach;
@@ -132,10 +131,15 @@ private:
             touching(best, here, jumps(before) ? 1 : -1, x);
         }
         if (best.kind == BestReach::Kind::box && problem_.edges.size() == 2) {
-            two_edges(best, here, x);
+            const auto errors = problem_.over({Ball(Real(x), reach_bits)});
+            const Ball other = errors[1 - here.edge].at(Ball(Real(here.reach), reach_bits));
+            at_point(best,
+                     {BestReach::Kind::two_edges, here.edge, here.side,
+                      certainly_negative(other) ? -1 : 1},
+                     here, x);
         }
         if (best.kind == BestReach::Kind::box) {
-            smooth(best, here, x);
+            at_point(best, {BestReach::Kind::smooth, here.edge, here.side, 1}, here, x);
         }
     }
     /// `good`: the side of the value on which the reach is long.
@@ -147,16 +151,16 @@ private:
             const double middle = length_at(x, e.edge) / 2;
             const auto point =
                 std::fabs(e.u - middle) < nearest_to_middle * middle
-                    ? touching_at_middle(problem_, e.edge, e.side, real_of(x), bits_)
+                    ? touching_at_middle(problem_, e.edge, e.side, Real(x), bits_)
                     : design_point(problem_, {BestReach::Kind::touching, e.edge, e.side, 1},
-                                   real_of(e.u), real_of(x), bits_);
+                                   Real(e.u), Real(x), bits_);
             if (!point || !near_sample(point->parameter, x)) {
                 continue;
             }
             const auto errors = problem_.over({point->parameter});
             const Ball level = Ball(problem_.tolerance, bits_) * here.side;
             const auto exit = here.leaves
-                                  ? exit_near(*errors[here.edge], level, real_of(here.reach), bits_)
+                                  ? exit_near(errors[here.edge], level, Real(here.reach), bits_)
                                   : std::nullopt;
             if (here.leaves && !exit) {
                 continue;
@@ -182,21 +186,9 @@ private:
             return;
         }
     }
-    void two_edges(BestReach& best, const SampledReach& here, double x) {
-        const auto errors = problem_.over({Ball(real_of(x), reach_bits)});
-        const Ball other = errors[1 - here.edge]->at(Ball(real_of(here.reach), reach_bits));
-        at_point(
-            best,
-            {BestReach::Kind::two_edges, here.edge, here.side, certainly_negative(other) ? -1 : 1},
-            here, x);
-    }
-    void smooth(BestReach& best, const SampledReach& here, double x) {
-        at_point(best, {BestReach::Kind::smooth, here.edge, here.side, 1}, here, x);
-    }
     void at_point(BestReach& best, const DesignEquations& equations, const SampledReach& here,
                   double x) {
-        const auto point =
-            design_point(problem_, equations, real_of(here.reach), real_of(x), bits_);
+        const auto point = design_point(problem_, equations, Real(here.reach), Real(x), bits_);
         if (!point || !near_sample(point->parameter, x) ||
             !show(best, {short_rational(point->parameter, 0, 0)}) ||
             certainly_less(Ball(options_.gap, bits_), abs(point->u - best.shown_reach))) {
@@ -208,13 +200,13 @@ private:
         best.reach = point->u;
     }
     [[nodiscard]] bool near_sample(const Ball& parameter, double x) const {
-        const Ball off = abs(parameter - Ball(real_of(x), bits_));
+        const Ball off = abs(parameter - Ball(Real(x), bits_));
         return in_range(parameter) &&
-               certainly_less(off, Ball(real_of(farthest_from_sample * span()), bits_));
+               certainly_less(off, Ball(Real(farthest_from_sample * span()), bits_));
     }
     [[nodiscard]] double length_at(double x, std::size_t edge) const {
-        const auto errors = problem_.over({Ball(real_of(x), reach_bits)});
-        return errors[edge]->length().midpoint().convert_to<double>();
+        const auto errors = problem_.over({Ball(Real(x), reach_bits)});
+        return errors[edge].length.midpoint().convert_to<double>();
     }
     /// Proves the reach for exact parameters.
     bool show(BestReach& best, const std::vector<Rational>& at) const {
@@ -238,22 +230,22 @@ private:
         }
         const auto errors = problem_.over(balls);
         const Ball level = Ball(problem_.tolerance, bits_) * r.side;
-        const auto exit = exit_near(*errors[r.edge], level, r.reach.midpoint(), bits_);
+        const auto exit = exit_near(errors[r.edge], level, r.reach.midpoint(), bits_);
         return exit && contains(r.reach, *exit) ? *exit : r.reach;
     }
     void estimate(BestReach& best) const {
         best.value.clear();
         for (std::size_t i = 0; i < ranges_.size(); ++i) {
-            best.value.push_back(Ball(real_of(sampled_.value[i]), 64));
+            best.value.push_back(Ball(Real(sampled_.value[i]), 64));
         }
-        best.reach = Ball(real_of(sampled_.score), 64);
+        best.reach = Ball(Real(sampled_.score), 64);
         best.missing = "the reach at the best value sampled is not proved";
     }
     void by_samples(BestReach& best) const {
         std::vector<Rational> at;
         for (std::size_t i = 0; i < ranges_.size(); ++i) {
-            at.push_back(std::clamp(exact_value(real_of(sampled_.value[i])), ranges_[i].from,
-                                    ranges_[i].to));
+            at.push_back(
+                std::clamp(exact_value(Real(sampled_.value[i])), ranges_[i].from, ranges_[i].to));
         }
         estimate(best);
         if (show(best, at)) {

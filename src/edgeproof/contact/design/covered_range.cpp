@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/best_reach.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
@@ -97,9 +98,7 @@ private:
             hull[i].to = std::max(hull[i].to, box.hi[i]);
         }
     }
-    [[nodiscard]] bool beyond(const Ball& f) const {
-        return f.is_finite() && certainly_less(tolerance_, abs(f));
-    }
+    [[nodiscard]] bool beyond(const Ball& f) const { return is_beyond(side_of(f, tolerance_)); }
     [[nodiscard]] BoxState decided(ParameterBox& box) const {
         std::vector<Ball> whole;
         std::vector<Ball> middles;
@@ -113,25 +112,25 @@ private:
         const auto over = problem_.over(whole);
         const Ball part(problem_.part, cover_bits);
         for (const auto& f : over) {
-            const Ball limit = f->length() * part;
+            const Ball limit = f.length * part;
             if (limit.is_finite() && certainly_less(limit, Ball(target_, cover_bits))) {
                 return certainly_less(limit, Ball(shown_, cover_bits)) ? BoxState::excluded
                                                                        : BoxState::bounded;
             }
         }
-        const auto middle = problem_.over(middles);
+        const auto in_middle = problem_.over(middles);
         const auto decides = [&](const Rational& u) {
             const Ball place(u, cover_bits);
             for (std::size_t e = 0; e < over.size(); ++e) {
-                if (beyond(over[e]->at(place))) {
+                if (beyond(over[e].at(place))) {
                     return true;
                 }
                 // Mean value form (moore-kearfott-cloud2009).
-                Ball f = middle[e]->at(place);
+                Ball f = in_middle[e].at(place);
                 if (!beyond(f)) {
                     continue;
                 }
-                const Jet rates = over[e]->jet(place);
+                const Jet rates = over[e].jet(place);
                 for (std::size_t i = 0; i < offsets.size(); ++i) {
                     f += rates.g[i + 1] * offsets[i];
                 }
@@ -151,7 +150,7 @@ private:
         if (by_parents == BoxState::excluded) {
             return by_parents;
         }
-        std::vector<Rational> fresh = promising(middle);
+        std::vector<Rational> fresh = promising(in_middle);
         std::swap(fresh, box.places);
         if (box.places.empty() &&
             by_parents == BoxState::open) { // the middle may reach farther than all others
@@ -184,12 +183,12 @@ private:
     /// Returns places up to the target at which the error in the middle of the box exceeds the
     /// tolerance most, with extrema between samples. Those that exclude the box come first.
     [[nodiscard]] std::vector<Rational>
-    promising(const std::vector<std::unique_ptr<ErrorOverBox>>& middle) const {
+    promising(const std::vector<ErrorOverBox>& in_middle) const {
         std::vector<std::pair<double, Rational>> found;
-        for (const auto& f : middle) {
+        for (const auto& f : in_middle) {
             const auto excess = [&](const Rational& u) {
-                const Ball e = abs(f->at(Ball(u, cover_bits))) - tolerance_;
-                return e.is_finite() ? arf_get_d(arb_midref(e.data()), ARF_RND_NEAR) : -1.0;
+                const Ball e = abs(f.at(Ball(u, cover_bits))) - tolerance_;
+                return e.is_finite() ? approximate(e) : -1.0;
             };
             std::vector<Rational> at;
             std::vector<double> e;
@@ -202,7 +201,7 @@ private:
             }
             at.push_back(shown_);
             at.push_back(target_);
-            const Ball length = f->length();
+            const Ball length = f.length;
             if (length.is_finite()) { // a power law's error may have a cusp in the middle
                 at.push_back(std::min(target_, Rational(exact_value(length.midpoint()) / 2)));
             }
@@ -216,7 +215,7 @@ private:
                     found.emplace_back(e[k], at[k]);
                 }
                 if (k > 0 && k + 1 < at.size() && e[k] >= e[k - 1] && e[k] >= e[k + 1]) {
-                    const Rational top = extremum_near(*f, at[k]);
+                    const Rational top = extremum_near(f, at[k]);
                     if (top > at[k - 1] && top < at[k + 1]) {
                         found.emplace_back(excess(top), top);
                     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/best_reach.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <array>
@@ -23,13 +24,13 @@ EquationValues equations_at(const ReachProblem& problem, const DesignEquations& 
     const long bits = u.bits();
     const Ball level(problem.tolerance, bits);
     const auto errors = problem.over({parameter});
-    const Jet f = errors[of.edge]->jet(u);
+    const Jet f = errors[of.edge].jet(u);
     EquationValues e;
     e.f[0] = f.v - level * of.side;
     e.rates[0] = f.g[0];
     e.rates[1] = f.g[1];
     if (of.kind == BestReach::Kind::two_edges) {
-        const Jet other = errors[1 - of.edge]->jet(u);
+        const Jet other = errors[1 - of.edge].jet(u);
         e.f[1] = other.v - level * of.other_side;
         e.rates[2] = other.g[0];
         e.rates[3] = other.g[1];
@@ -41,8 +42,6 @@ EquationValues equations_at(const ReachProblem& problem, const DesignEquations& 
     e.rates[3] = f.h[Jet::second(1, by)];
     return e;
 }
-
-Ball centred(const Ball& x) { return {x.midpoint(), x.bits()}; }
 
 std::array<Ball, 4> inverse_of(const std::array<Ball, 4>& m) {
     const Ball det = m[0] * m[3] - m[1] * m[2];
@@ -70,16 +69,16 @@ std::optional<DesignPoint> design_point(const ReachProblem& problem,
             if (!entry.is_finite()) {
                 return {};
             }
-            entry = centred(entry);
+            entry = middle(entry);
         }
         const Ball dx = Y[0] * e.f[0] + Y[1] * e.f[1];
         const Ball dy = Y[2] * e.f[0] + Y[3] * e.f[1];
         if (!dx.is_finite() || !dy.is_finite()) {
             return {};
         }
-        const Ball step = centred(max(abs(dx), abs(dy)));
-        x = centred(x - dx);
-        y = centred(y - dy);
+        const Ball step = middle(max(abs(dx), abs(dy)));
+        x = middle(x - dx);
+        y = middle(y - dy);
         const bool stalls = k > 6 && !certainly_less(step * 2, last);
         last = step;
         if (stalls) {
@@ -89,10 +88,9 @@ std::optional<DesignPoint> design_point(const ReachProblem& problem,
     // Krawczyk's operator: m - Y f(m) + (1 - Y J(X)) (X - m) inside X shows one root in X, and no
     // other (moore-kearfott-cloud2009).
     const EquationValues at = equations_at(problem, equations, x, y);
-    Ball radius =
-        last * 16 + Ball(Rational(1, Integer(1) << static_cast<unsigned>(bits * 3 / 4)), bits);
+    Ball radius = last * 16 + power_of_two(-(bits * 3 / 4), bits);
     for (int k = 0; k < most_inflations_of_a_point; ++k) {
-        const Ball hx = Ball::around(Real(0), radius.upper(), bits);
+        const Ball hx = up_to(radius);
         const Ball X = x + hx;
         const Ball Z = y + hx;
         const EquationValues over = equations_at(problem, equations, X, Z);
@@ -104,7 +102,7 @@ std::optional<DesignPoint> design_point(const ReachProblem& problem,
         if (strictly_inside(kx, X) && strictly_inside(ky, Z)) {
             return DesignPoint{kx, ky};
         }
-        radius = centred(radius * 64);
+        radius = middle(radius * 64);
     }
     return {};
 }
@@ -115,11 +113,11 @@ std::optional<Ball> isolated_root(const ValueAndRate& f, const Real& start, long
     for (int k = 0; k < most_newton_steps_of_a_point; ++k) {
         check_interruption();
         const auto [value, rate] = f(x);
-        const Ball step = centred(value / rate);
+        const Ball step = middle(value / rate);
         if (!step.is_finite()) {
             return {};
         }
-        x = centred(x - step);
+        x = middle(x - step);
         const bool stalls = k > 6 && !certainly_less(abs(step) * 2, last);
         last = abs(step);
         if (stalls) {
@@ -131,15 +129,14 @@ std::optional<Ball> isolated_root(const ValueAndRate& f, const Real& start, long
     if (!by.is_finite()) {
         return {};
     }
-    Ball radius = Ball(abs(by).upper(), bits) * 2 +
-                  Ball(Rational(1, Integer(1) << static_cast<unsigned>(bits - 16)), bits);
+    Ball radius = upper_end(abs(by)) * 2 + power_of_two(-(bits - 16), bits);
     for (int k = 0; k < most_inflations_of_a_point; ++k) {
         const Ball X = Ball::around(x.midpoint(), radius.upper(), bits);
         const Ball image = x - residual / f(X).second;
         if (strictly_inside(image, X)) {
             return image;
         }
-        radius = centred(radius * 16);
+        radius = middle(radius * 16);
     }
     return {};
 }
@@ -161,8 +158,8 @@ std::optional<DesignPoint> touching_at_middle(const ReachProblem& problem, std::
     const auto root = isolated_root(
         [&](const Ball& t) {
             const auto errors = problem.over({t});
-            middle = errors[edge]->length() / 2;
-            const Jet at = errors[edge]->jet(*middle);
+            middle = errors[edge].length / 2;
+            const Jet at = errors[edge].jet(*middle);
             return std::pair(at.v - level, at.g[1]);
         },
         parameter, bits);

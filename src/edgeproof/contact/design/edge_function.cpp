@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/edge_function.hpp"
-#include "edgeproof/precision/ball/acb_include.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/precision/ball/acb_values.hpp"
 
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -9,96 +11,47 @@
 namespace edgeproof::contact {
 namespace {
 
-constexpr std::size_t most_parameters_of_a_series = 2;
+/// The parameters of a series, or its argument and its sum, as an array of Arb.
+using Polynomials = std::array<AcbPolyValue, 2>;
+static_assert(sizeof(Polynomials) == 2 * sizeof(acb_poly_struct));
 
-/// An array of polynomials of Arb.
-class PolyArray {
-public:
-    PolyArray() {
-        for (acb_poly_struct& p : all_) {
-            acb_poly_init(&p);
-        }
-    }
-    ~PolyArray() {
-        for (acb_poly_struct& p : all_) {
-            acb_poly_clear(&p);
-        }
-    }
-    PolyArray(const PolyArray&) = delete;
-    PolyArray& operator=(const PolyArray&) = delete;
-    void set(std::size_t i, const Ball& constant) {
-        acb_t c;
-        acb_init(c);
-        arb_set(acb_realref(c), constant.data());
-        acb_poly_set_acb(&all_[i], c);
-        acb_clear(c);
-    }
-    [[nodiscard]] acb_poly_struct* data() { return all_; }
+/// Sets p = constant + rate t.
+void set_linear(acb_poly_struct* p, const Ball& constant, long rate) {
+    AcbValue c;
+    acb_set_arb(c, constant.data());
+    acb_poly_set_acb(p, c);
+    acb_poly_set_coeff_si(p, 1, rate);
+}
 
-private:
-    acb_poly_struct all_[most_parameters_of_a_series]{};
-};
+std::vector<Ball> coefficients_of(const acb_poly_struct* p, std::size_t count, long bits) {
+    std::vector<Ball> coefficients;
+    AcbValue c;
+    for (std::size_t i = 0; i < count; ++i) {
+        acb_poly_get_coeff_acb(c, p, static_cast<slong>(i));
+        coefficients.emplace_back(0, bits);
+        arb_set(coefficients.back().data(), acb_realref(c));
+    }
+    return coefficients;
+}
 
 /// 2F1(1 + k, b + k; 3/2 + k; y), 0 <= y < 1, and its derivatives by b, divided by factorials,
 /// `count` numbers. Arb's sum of power series bounds its remainder.
 std::vector<Ball> series_by_b(const Ball& b, const Ball& y, long k, std::size_t count) {
     const long bits = y.bits();
-    PolyArray over;
-    PolyArray under;
-    PolyArray in;
-    over.set(0, b + k);
-    acb_poly_set_coeff_si(over.data(), 1, 1);
-    under.set(0, Ball(Rational(3, 2), bits) + k);
-    over.set(1, Ball(1 + k, bits));
-    under.set(1, Ball(1, bits));
-    in.set(0, y);
+    Polynomials over;
+    Polynomials under;
+    AcbPolyValue in;
+    AcbPolyValue sum;
+    set_linear(over[0], b + k, 1);
+    set_linear(under[0], Ball(Rational(3, 2), bits) + k, 0);
+    set_linear(over[1], Ball(1 + k, bits), 0);
+    set_linear(under[1], Ball(1, bits), 0);
+    set_linear(in, y, 0);
     // For k = 0 the last two parameters cancel.
     const slong pairs = k == 0 ? 1 : 2;
-    acb_hypgeom_pfq_series_direct(in.data() + 1, over.data(), pairs, under.data(), pairs, in.data(),
-                                  0, -1, static_cast<slong>(count), bits);
-    std::vector<Ball> coefficients;
-    acb_t c;
-    acb_init(c);
-    for (std::size_t i = 0; i < count; ++i) {
-        acb_poly_get_coeff_acb(c, in.data() + 1, static_cast<slong>(i));
-        Ball real(0, bits);
-        arb_set(real.data(), acb_realref(c));
-        coefficients.push_back(std::move(real));
-    }
-    acb_clear(c);
-    return coefficients;
-}
-
-/// A polynomial of Arb.
-struct Poly {
-    Poly() { acb_poly_init(p); }
-    ~Poly() { acb_poly_clear(p); }
-    Poly(const Poly&) = delete;
-    Poly& operator=(const Poly&) = delete;
-    acb_poly_t p{};
-};
-
-void set_linear(Poly& p, const Ball& constant, long rate) {
-    acb_t c;
-    acb_init(c);
-    arb_set(acb_realref(c), constant.data());
-    acb_poly_set_acb(p.p, c);
-    acb_poly_set_coeff_si(p.p, 1, rate);
-    acb_clear(c);
-}
-
-std::vector<Ball> coefficients_of(const Poly& p, std::size_t count, long bits) {
-    std::vector<Ball> coefficients;
-    acb_t c;
-    acb_init(c);
-    for (std::size_t i = 0; i < count; ++i) {
-        acb_poly_get_coeff_acb(c, p.p, static_cast<slong>(i));
-        Ball real(0, bits);
-        arb_set(real.data(), acb_realref(c));
-        coefficients.push_back(std::move(real));
-    }
-    acb_clear(c);
-    return coefficients;
+    acb_hypgeom_pfq_series_direct(sum, over[0], pairs, under[0], pairs, in, 0, -1,
+                                  static_cast<slong>(count), bits);
+    return coefficients_of(sum, count, bits);
 }
 
 /// F(y, b + t) in powers of t, for y near 1, by F = 2F1(1, b; b + 1/2; 1 - y)/m + y^(-1/2)
@@ -109,44 +62,35 @@ std::vector<Ball> series_by_far_end(const Ball& b, const Ball& y, std::size_t co
     const auto len = static_cast<slong>(count);
     const Ball half(Rational(1, 2), bits);
     const Ball rest = 1 - y;
-    PolyArray over;
-    PolyArray under;
-    over.set(0, b);
-    under.set(0, b + half);
-    acb_poly_set_coeff_si(over.data(), 1, 1);
-    acb_poly_set_coeff_si(under.data(), 1, 1);
-    Poly z;
-    Poly sum;
-    Poly part;
-    Poly other;
-    acb_t c;
-    acb_init(c);
-    arb_set(acb_realref(c), rest.data());
-    acb_poly_set_acb(z.p, c);
-    acb_hypgeom_pfq_series_direct(sum.p, over.data(), 1, under.data(), 1, z.p, 0, -1, len, bits);
+    AcbPolyValue over;
+    AcbPolyValue under;
+    AcbPolyValue z;
+    AcbPolyValue sum;
+    AcbPolyValue part;
+    AcbPolyValue other;
+    set_linear(over, b, 1);
+    set_linear(under, b + half, 1);
+    set_linear(z, rest, 0);
+    acb_hypgeom_pfq_series_direct(sum, over, 1, under, 1, z, 0, -1, len, bits);
     set_linear(part, 1 - b * 2, -2);
-    acb_poly_div_series(sum.p, sum.p, part.p, len, bits);
+    acb_poly_div_series(sum, sum, part, len, bits);
     set_linear(part, b - half, 1);
-    acb_poly_gamma_series(part.p, part.p, len, bits);
+    acb_poly_gamma_series(part, part, len, bits);
     set_linear(other, b, 1);
-    acb_poly_rgamma_series(other.p, other.p, len, bits);
-    acb_poly_mullow(part.p, part.p, other.p, len, bits);
+    acb_poly_rgamma_series(other, other, len, bits);
+    acb_poly_mullow(part, part, other, len, bits);
     const Ball logarithm = log(rest);
     set_linear(other, (half - b) * logarithm, 0);
-    arb_neg(acb_realref(c), logarithm.data());
-    acb_poly_set_coeff_acb(other.p, 1, c);
-    acb_poly_exp_series(other.p, other.p, len, bits);
-    acb_poly_mullow(part.p, part.p, other.p, len, bits);
-    const Ball factor = sqrt(Ball::pi(bits) / y) / 2;
-    arb_set(acb_realref(c), factor.data());
-    acb_poly_scalar_mul(part.p, part.p, c, bits);
-    acb_poly_add(sum.p, sum.p, part.p, bits);
-    acb_clear(c);
+    AcbValue c;
+    acb_set_arb(c, (-logarithm).data());
+    acb_poly_set_coeff_acb(other, 1, c);
+    acb_poly_exp_series(other, other, len, bits);
+    acb_poly_mullow(part, part, other, len, bits);
+    acb_set_arb(c, (sqrt(Ball::pi(bits) / y) / 2).data());
+    acb_poly_scalar_mul(part, part, c, bits);
+    acb_poly_add(sum, sum, part, bits);
     return coefficients_of(sum, count, bits);
 }
-
-Ball lower_end(const Ball& x) { return {x.lower(), x.bits()}; }
-Ball upper_end(const Ball& x) { return {x.upper(), x.bits()}; }
 
 /// True if the series in 1 - y converges faster.
 bool near_far_end(const Ball& y) {
@@ -171,7 +115,7 @@ std::vector<Ball> edge_series_at(const Ball& b, const Ball& y, std::size_t count
             return f;
         }
         // Both terms have a pole at even m. Values at both sides of it enclose the value.
-        const Ball near(Rational(1, Integer(1) << static_cast<unsigned>(bits)), 3 * bits);
+        const Ball near = power_of_two(-bits, 3 * bits);
         f = series_by_far_end(b - near, y.with_bits(3 * bits), count);
         const std::vector<Ball> high = series_by_far_end(b + near, y.with_bits(3 * bits), count);
         for (std::size_t i = 0; i < count; ++i) {

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/design/jet.hpp"
+#include "edgeproof/contact/law/linear_measure.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/expr.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// The relative error f = p_n/p - 1 of n terms at an edge as a function of the distance from it and
@@ -22,38 +25,15 @@ enum class ReachUnit {
 };
 
 /// f for the parameters of one box. A value that cannot be enclosed is not finite: the box is too
-/// wide, or a knot is at the place or at an edge.
-class ErrorOverBox {
-public:
-    virtual ~ErrorOverBox() = default;
-    ErrorOverBox(const ErrorOverBox&) = delete;
-    ErrorOverBox& operator=(const ErrorOverBox&) = delete;
+/// wide, or a knot is at the place or at an edge. An object belongs to one thread, and refers to
+/// its family.
+struct ErrorOverBox {
     /// Encloses f at every distance of a ball, zero included (f = 0 at the edge).
-    [[nodiscard]] virtual Ball at(const Ball& u) const = 0;
+    std::function<Ball(const Ball& u)> at;
     /// The same with derivatives, at distances > 0.
-    [[nodiscard]] virtual Jet jet(const Ball& u) const = 0;
+    std::function<Jet(const Ball& u)> jet;
     /// The length a + b in the unit of distances: 1 for fractions.
-    [[nodiscard]] virtual Ball length() const = 0;
-
-protected:
-    ErrorOverBox() = default;
-};
-
-/// f by a closed form over any field: Form<T> has `error(u)`, and the `length` that limits u;
-/// u is a fraction of it if `fraction`.
-template <template <class> class Form> class ClosedFormOverBox : public ErrorOverBox {
-public:
-    ClosedFormOverBox(Form<Ball> balls, Form<Jet> jets)
-        : balls_(std::move(balls)), jets_(std::move(jets)) {}
-    [[nodiscard]] Ball at(const Ball& u) const override { return balls_.error(u); }
-    [[nodiscard]] Jet jet(const Ball& u) const override { return jets_.error(Jet::variable(u, 0)); }
-    [[nodiscard]] Ball length() const override {
-        return balls_.fraction ? Ball(1, balls_.length.bits()) : balls_.length;
-    }
-
-private:
-    Form<Ball> balls_;
-    Form<Jet> jets_;
+    Ball length;
 };
 
 /// The costs of evaluations, in units of about a microsecond on the machine on which they were
@@ -65,22 +45,14 @@ struct EvaluationCost {
     double jet;
 };
 
-class ErrorFamily {
-public:
-    virtual ~ErrorFamily() = default;
-    ErrorFamily(const ErrorFamily&) = delete;
-    ErrorFamily& operator=(const ErrorFamily&) = delete;
+struct ErrorFamily {
+    EvaluationCost cost;
     /// `parameters`: one ball for each parameter, at the working precision.
-    [[nodiscard]] virtual std::unique_ptr<ErrorOverBox>
-    over(const std::vector<Ball>& parameters) const = 0;
-    [[nodiscard]] virtual EvaluationCost cost() const = 0;
-
-protected:
-    ErrorFamily() = default;
+    std::function<ErrorOverBox(const std::vector<Ball>& parameters)> over;
 };
 
 /// True if an evaluation takes so long that fewer samples are taken.
-[[nodiscard]] inline bool is_costly(const ErrorFamily& f) { return f.cost().at > 60; }
+[[nodiscard]] inline bool is_costly(const ErrorFamily& f) { return f.cost.at > 60; }
 
 /// A scene's numbers as formulas in the names of its parameters.
 struct ParametricLoad {
@@ -96,16 +68,8 @@ struct ErrorQuestion {
 };
 
 /// g' piecewise linear: pieces, knots and the half-planes' load as formulas. The origin is one of
-/// the knots.
-struct ParametricSlope {
-    struct Piece {
-        formula::Expr at_origin;
-        formula::Expr rate;
-    };
-    std::vector<formula::Expr> knots;
-    std::vector<Piece> pieces;
-    std::vector<bool> corner; ///< whether g' may jump at a knot
-    std::size_t origin = 0;
+/// the knots. The jumps are not set.
+struct ParametricSlope : LinearSlope<formula::Expr> {
     bool symmetric = false;
 };
 
@@ -136,6 +100,7 @@ linear_slip_errors(const ParametricSlope& slope, const ParametricLoad& load,
 /// Evaluates formulas in the parameters, over Ball or Jet.
 template <class T> class ParameterValues {
 public:
+    using Number = T;
     ParameterValues(const std::vector<std::string>& names, const std::vector<Ball>& values)
         : names_(names), bits_(values.front().bits()) {
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -159,6 +124,9 @@ public:
     [[nodiscard]] T operator()(const formula::Expr& e) const {
         return formula::evaluate<T>(e, *this);
     }
+    [[nodiscard]] std::optional<T> operator()(const std::optional<formula::Expr>& e) const {
+        return e ? std::optional<T>((*this)(*e)) : std::nullopt;
+    }
     [[nodiscard]] long bits() const { return bits_; }
 
 private:
@@ -166,5 +134,23 @@ private:
     long bits_;
     std::vector<T> values_;
 };
+
+/// The family of an error in closed form. `form(values)` makes, for values of either type T, an
+/// object with `error(u)` and with `whole()`, the length in the unit of distances.
+template <class Form>
+[[nodiscard]] std::unique_ptr<ErrorFamily>
+closed_form_errors(const ErrorQuestion& question, const EvaluationCost& cost, const Form& form) {
+    return std::make_unique<ErrorFamily>(
+        ErrorFamily{cost, [names = question.names, form](const std::vector<Ball>& at) {
+                        auto balls = form(ParameterValues<Ball>(names, at));
+                        Ball whole = balls.whole();
+                        return ErrorOverBox{
+                            [balls = std::move(balls)](const Ball& u) { return balls.error(u); },
+                            [jets = form(ParameterValues<Jet>(names, at))](const Ball& u) {
+                                return jets.error(Jet::variable(u, 0));
+                            },
+                            std::move(whole)};
+                    }});
+}
 
 } // namespace edgeproof::contact

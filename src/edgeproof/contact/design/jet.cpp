@@ -22,24 +22,10 @@ Jet Jet::variable(const Ball& x, std::size_t which) {
 }
 
 Jet& Jet::operator+=(const Jet& o) {
-    v += o.v;
-    for (std::size_t i = 0; i < g.size(); ++i) {
-        g[i] += o.g[i];
-    }
-    for (std::size_t i = 0; i < h.size(); ++i) {
-        h[i] += o.h[i];
-    }
-    return *this;
+    return with_each(o, [](Ball& x, const Ball& y) { x += y; });
 }
 Jet& Jet::operator-=(const Jet& o) {
-    v -= o.v;
-    for (std::size_t i = 0; i < g.size(); ++i) {
-        g[i] -= o.g[i];
-    }
-    for (std::size_t i = 0; i < h.size(); ++i) {
-        h[i] -= o.h[i];
-    }
-    return *this;
+    return with_each(o, [](Ball& x, const Ball& y) { x -= y; });
 }
 Jet& Jet::operator*=(const Jet& o) {
     Jet r;
@@ -58,24 +44,10 @@ Jet& Jet::operator/=(const Jet& o) {
     return *this *= composed(o, inverse, -square, square * inverse * 2);
 }
 Jet& Jet::operator*=(long k) {
-    v *= k;
-    for (Ball& x : g) {
-        x *= k;
-    }
-    for (Ball& x : h) {
-        x *= k;
-    }
-    return *this;
+    return with_each(*this, [k](Ball& x, const Ball&) { x *= k; });
 }
 Jet& Jet::operator/=(long k) {
-    v /= k;
-    for (Ball& x : g) {
-        x /= k;
-    }
-    for (Ball& x : h) {
-        x /= k;
-    }
-    return *this;
+    return with_each(*this, [k](Ball& x, const Ball&) { x /= k; });
 }
 Jet& Jet::operator+=(long k) {
     v += k;

@@ -42,6 +42,19 @@ struct Jet {
     friend Jet operator+(Jet x, long k) { return std::move(x += k); }
     friend Jet operator-(Jet x, long k) { return std::move(x += -k); }
     friend Jet operator-(long k, Jet x) { return std::move((x *= -1) += k); }
+
+private:
+    /// Applies f to the value and to each derivative of both jets.
+    template <class F> Jet& with_each(const Jet& o, const F& f) {
+        f(v, o.v);
+        for (std::size_t i = 0; i < g.size(); ++i) {
+            f(g[i], o.g[i]);
+        }
+        for (std::size_t i = 0; i < h.size(); ++i) {
+            f(h[i], o.h[i]);
+        }
+        return *this;
+    }
 };
 
 /// f(x) for a function of one variable with the derivatives f0, f1, f2 at x.v.
@@ -57,13 +70,6 @@ struct Jet {
 /// Gives templates over Ball and Jet one name for the value.
 [[nodiscard]] inline const Ball& value_in(const Ball& x) { return x; }
 [[nodiscard]] inline const Ball& value_in(const Jet& x) { return x.v; }
-template <class T> [[nodiscard]] T lifted(const Ball& x) { return T(x); }
-/// Returns a ball that is not finite, for a value that cannot be enclosed.
-[[nodiscard]] inline Ball unknown_ball(long bits) {
-    Ball x(0, bits);
-    arb_indeterminate(x.data());
-    return x;
-}
 
 /// Jets as a field of the formulas of contact/law. The root of a number that is not certainly
 /// positive has no finite derivatives.

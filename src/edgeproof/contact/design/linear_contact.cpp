@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/linear_contact.hpp"
-#include "edgeproof/contact/law/logarithmic_pressure.hpp"
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
 
 namespace edgeproof::contact {
 namespace {
@@ -40,63 +41,44 @@ template <class T> std::vector<Mark<T>> LinearContact<T>::marks(const Extent<T>&
     return all;
 }
 
-template <class T>
-template <class Kernel>
-T LinearContact<T>::over_measure(const Extent<T>& e) const {
-    return over_linear_measure<Kernel>(slope, e, marks(e));
-}
-
-template <class T> T LinearContact<T>::imbalance(const T& a, const T& b) const {
-    const Extent<T> e{a, b};
+template <class T> T LinearContact<T>::imbalance(const Extent<T>& e) const {
     T sum = linear_imbalance(slope, e, marks(e));
     if (!slope.has_corner(slope.origin)) {
         // g'(0) is not 0 in a tilted corrective contact; the integral of 1/w is pi.
-        sum += slope.pieces[slope.origin].at_origin * Field<T>::pi(a);
+        sum += slope.pieces[slope.origin].at_origin * Field<T>::pi(e.a);
     }
     return sum;
 }
 
-template <class T> T LinearContact<T>::imbalance_rate(const T& a, const T& b) const {
-    return -(over_measure<LeftRateKernel>({a, b}) / (a + b));
+template <class T> T LinearContact<T>::imbalance_rate(const Extent<T>& e) const {
+    return -(over_linear_measure<LeftRateKernel>(slope, e, marks(e)) / e.length());
 }
 
-template <class T> T LinearContact<T>::force(const T& a, const T& b) const {
-    return modulus / 2 * over_measure<ForceKernel>({a, b});
+template <class T> T LinearContact<T>::force(const Extent<T>& e) const {
+    return modulus / 2 * over_linear_measure<ForceKernel>(slope, e, marks(e));
 }
 
-template <class T> T LinearContact<T>::force_rate(const T& a, const T& b) const {
-    return modulus / 2 * over_measure<RightRateKernel>({a, b});
-}
-
-template <class T> T LinearContact<T>::arc(const T& a, const T& b) const {
-    const Extent<T> e{a, b};
-    return arc_of(slope, e, marks(e));
+template <class T> T LinearContact<T>::force_rate(const Extent<T>& e) const {
+    return modulus / 2 * over_linear_measure<RightRateKernel>(slope, e, marks(e));
 }
 
 template <class T>
-LinearContact<T> linear_contact(const ParametricSlope& slope, const formula::Expr& contact_modulus,
-                                const ParameterValues<T>& value) {
-    LinearContact<T> c;
-    c.bits = value.bits();
-    c.modulus = value(contact_modulus);
-    for (const formula::Expr& knot : slope.knots) {
-        c.slope.knots.push_back(value(knot));
+LinearContact<T>::LinearContact(const ParametricSlope& of, const formula::Expr& contact_modulus,
+                                const ParameterValues<T>& value)
+    : modulus(value(contact_modulus)), bits(value.bits()) {
+    for (const formula::Expr& knot : of.knots) {
+        slope.knots.push_back(value(knot));
     }
-    for (const ParametricSlope::Piece& piece : slope.pieces) {
-        c.slope.pieces.push_back({value(piece.at_origin), value(piece.rate)});
+    for (const ParametricSlope::Piece& piece : of.pieces) {
+        slope.pieces.push_back({value(piece.at_origin), value(piece.rate)});
     }
-    c.slope.corners = slope.corner;
-    c.slope.origin = slope.origin;
-    c.slope.find_jumps();
-    return c;
+    slope.corners = of.corners;
+    slope.origin = of.origin;
+    slope.find_jumps();
 }
 
 template struct LinearContact<Ball>;
 template struct LinearContact<Jet>;
-template LinearContact<Ball> linear_contact(const ParametricSlope&, const formula::Expr&,
-                                            const ParameterValues<Ball>&);
-template LinearContact<Jet> linear_contact(const ParametricSlope&, const formula::Expr&,
-                                           const ParameterValues<Jet>&);
 
 namespace {
 
@@ -106,20 +88,18 @@ constexpr int most_inflations = 24;
 constexpr int most_narrowings = 12;
 constexpr int most_direct_steps = 8;
 
-Ball centre(const Ball& x) { return {x.midpoint(), x.bits()}; }
-
 using BallFunction = std::function<Ball(const Ball&)>;
 
 /// Applies Newton's method to a start that may be good. Returns nothing if it does not converge at
 /// once.
 std::optional<Ball> zero_near(const BallFunction& f, const BallFunction& rate, Ball x) {
-    const Ball small(Rational(1, Integer(1) << 40), x.bits());
+    const Ball small = power_of_two(-40, x.bits());
     for (int k = 0; k < most_direct_steps; ++k) {
-        const Ball step = centre(f(x) / rate(x));
+        const Ball step = middle(f(x) / rate(x));
         if (!step.is_finite()) {
             return {};
         }
-        x = centre(x - step);
+        x = middle(x - step);
         if (!certainly_positive(x)) {
             return {};
         }
@@ -141,34 +121,34 @@ std::optional<Ball> approximate_zero(const BallFunction& f, const BallFunction& 
     for (int k = 0; k < most_bracket_steps && !(lo && hi); ++k) {
         const Ball value = f(x);
         if (!value.is_finite()) { // on a knot: the next place is tried
-            x = centre(x * Ball(Rational(1021, 1000), x.bits()));
+            x = middle(x * Ball(Rational(1021, 1000), x.bits()));
             continue;
         }
         if (certainly_positive(value)) {
             lo = x;
-            x = centre(x * 2);
+            x = middle(x * 2);
         } else {
             hi = x;
-            x = centre(x / 2);
+            x = middle(x / 2);
         }
     }
     if (!lo || !hi) {
         return {};
     }
-    x = centre((*lo + *hi) / 2);
+    x = middle((*lo + *hi) / 2);
     for (int k = 0; k < most_newton_steps; ++k) {
         const Ball value = f(x);
         if (!value.is_finite()) {
-            x = centre((*lo * 3 + *hi * 2) / 5);
+            x = middle((*lo * 3 + *hi * 2) / 5);
             continue;
         }
         (certainly_positive(value) ? lo : hi) = x;
-        const Ball step = centre(value / rate(x));
-        Ball next = step.is_finite() ? centre(x - step) : *lo;
+        const Ball step = middle(value / rate(x));
+        Ball next = step.is_finite() ? middle(x - step) : *lo;
         if (!step.is_finite() || !certainly_less(*lo, next) || !certainly_less(next, *hi)) {
-            next = centre((*lo + *hi) / 2);
+            next = middle((*lo + *hi) / 2);
         }
-        const Ball near = abs(x) * Ball(Rational(1, Integer(1) << 40), x.bits());
+        const Ball near = abs(x) * power_of_two(-40, x.bits());
         const bool done = certainly_less(abs(next - x), near); // the enclosure starts from there
         x = next;
         if (done) {
@@ -182,7 +162,7 @@ std::optional<Ball> approximate_zero(const BallFunction& f, const BallFunction& 
 /// (moore-kearfott-cloud2009).
 Ball narrowed_zero(const BallFunction& f, const BallFunction& rate, Ball x) {
     for (int k = 0; k < most_narrowings; ++k) {
-        const Ball m = centre(x);
+        const Ball m = middle(x);
         const Ball image = m - f(m) / rate(x);
         Ball next = x;
         if (!image.is_finite() ||
@@ -204,13 +184,8 @@ std::optional<Ball> enclosed_zero(const BallFunction& f, const BallFunction& rat
         if (!image.is_finite()) {
             return {};
         }
-        const Ball slack =
-            Ball(Ball(abs(image - about) / 4 +
-                      abs(about) *
-                          Ball(Rational(1, Integer(1) << static_cast<unsigned>(about.bits() - 8)),
-                               about.bits()))
-                     .upper(),
-                 about.bits());
+        const Ball slack = upper_end(abs(image - about) / 4 +
+                                     abs(about) * power_of_two(8 - about.bits(), about.bits()));
         const Ball trial = Ball::hull(image - slack, image + slack);
         const Ball next = about - value / rate(trial);
         if (!next.is_finite() || !certainly_positive(next)) {
@@ -225,105 +200,164 @@ std::optional<Ball> enclosed_zero(const BallFunction& f, const BallFunction& rat
 }
 
 /// Estimates the left edge for a given right edge.
-std::optional<Ball> approximate_left_edge(const LinearContact<Ball>& middle, const Ball& right,
+std::optional<Ball> approximate_left_edge(const LinearContact<Ball>& in_middle, const Ball& right,
                                           const Ball& start) {
-    return approximate_zero([&](const Ball& b) { return middle.imbalance(right, b); },
-                            [&](const Ball& b) { return middle.imbalance_rate(right, b); }, start);
-}
-
-/// Encloses the left edge for a right edge that may itself be a ball.
-std::optional<Ball> left_edge(const LinearContact<Ball>& contact, const LinearContact<Ball>& middle,
-                              const Ball& a, const Ball& start) {
-    const auto about = approximate_left_edge(middle, centre(a), start);
-    if (!about) {
-        return {};
-    }
-    return enclosed_zero([&](const Ball& b) { return contact.imbalance(a, b); },
-                         [&](const Ball& b) { return contact.imbalance_rate(a, b); }, *about);
+    return approximate_zero(
+        [&](const Ball& b) {
+            return in_middle.imbalance({right, b});
+        },
+        [&](const Ball& b) {
+            return in_middle.imbalance_rate({right, b});
+        },
+        start);
 }
 
 } // namespace
 
-std::optional<LinearEdges<Ball>> solve_edges(const LinearContact<Ball>& contact,
-                                             const LinearContact<Ball>& middle, bool symmetric,
-                                             const std::optional<Ball>& a,
-                                             const std::optional<Ball>& P,
-                                             const LinearEdges<Ball>* start) {
+std::optional<Extent<Ball>> solve_edges(const LinearContact<Ball>& contact,
+                                        const LinearContact<Ball>& in_middle, bool symmetric,
+                                        const std::optional<Ball>& a, const std::optional<Ball>& P,
+                                        const Extent<Ball>* start) {
     std::optional<Ball> last; // the last left edge, the start for the next one
     if (start != nullptr) {
         last = start->b;
     }
-    const auto left = [&](const Ball& right) {
-        return symmetric ? std::optional(right)
-                         : left_edge(contact, middle, right, last ? *last : centre(right));
-    };
-    if (a) {
-        const auto b = left(*a);
-        return b ? std::optional(LinearEdges<Ball>{*a, *b}) : std::nullopt;
-    }
-    const Ball load = centre(*P);
-    const auto left_in_middle = [&](const Ball& right) {
+    // Encloses the left edge for a right edge that may itself be a ball.
+    const auto left = [&](const Ball& right) -> Ball {
         if (symmetric) {
             return right;
         }
-        const auto b = approximate_left_edge(middle, right, last ? *last : right);
+        const Ball x = middle(right);
+        const auto about = approximate_left_edge(in_middle, x, last ? *last : x);
+        const auto b = about ? enclosed_zero(
+                                   [&](const Ball& y) {
+                                       return contact.imbalance({right, y});
+                                   },
+                                   [&](const Ball& y) {
+                                       return contact.imbalance_rate({right, y});
+                                   },
+                                   *about)
+                             : about;
+        return b ? *b : unknown_ball(right.bits());
+    };
+    const auto edges_to = [&](const Ball& right) {
+        const Extent<Ball> e{right, left(right)};
+        return symmetric || e.b.is_finite() ? std::optional(e) : std::nullopt;
+    };
+    if (a) {
+        return edges_to(*a);
+    }
+    const Ball load = middle(*P);
+    const auto to_left_in_middle = [&](const Ball& right) {
+        if (symmetric) {
+            return Extent<Ball>{right, right};
+        }
+        const auto b = approximate_left_edge(in_middle, right, last ? *last : right);
         if (b) {
             last = *b;
         }
-        return b ? *b : unknown_ball(right.bits());
+        return Extent<Ball>{right, b ? *b : unknown_ball(right.bits())};
     };
-    const auto about =
-        approximate_zero([&](const Ball& x) { return load - middle.force(x, left_in_middle(x)); },
-                         [&](const Ball& x) { return -middle.force_rate(x, left_in_middle(x)); },
-                         start != nullptr ? start->a : centre(load / middle.modulus));
-    if (!about) {
-        return {};
-    }
-    const auto left_or_unknown = [&](const Ball& right) {
-        const auto b = left(right);
-        return b ? *b : unknown_ball(right.bits());
-    };
-    const auto right = enclosed_zero(
-        [&](const Ball& x) { return *P - contact.force(x, left_or_unknown(x)); },
-        [&](const Ball& x) { return -contact.force_rate(x, left_or_unknown(x)); }, *about);
-    if (!right) {
-        return {};
-    }
-    const auto b = left(*right);
-    return b ? std::optional(LinearEdges<Ball>{*right, *b}) : std::nullopt;
+    const auto about = approximate_zero(
+        [&](const Ball& x) { return load - in_middle.force(to_left_in_middle(x)); },
+        [&](const Ball& x) { return -in_middle.force_rate(to_left_in_middle(x)); },
+        start != nullptr ? start->a : middle(load / in_middle.modulus));
+    const auto right = about ? enclosed_zero(
+                                   [&](const Ball& x) {
+                                       return *P - contact.force({x, left(x)});
+                                   },
+                                   [&](const Ball& x) {
+                                       return -contact.force_rate({x, left(x)});
+                                   },
+                                   *about)
+                             : about;
+    return right ? edges_to(*right) : std::nullopt;
 }
 
-LinearEdges<Jet> differentiated_edges(const LinearContact<Jet>& contact,
-                                      const LinearEdges<Ball>& edges, bool symmetric,
-                                      const std::optional<Jet>& a, const std::optional<Jet>& P) {
+Extent<Jet> differentiated_edges(const LinearContact<Jet>& contact, const Extent<Ball>& edges,
+                                 bool symmetric, const std::optional<Jet>& a,
+                                 const std::optional<Jet>& P) {
     // Implicit function theorem: the first derivatives follow from the residual at a constant
     // unknown, the second ones from the residual at an unknown with these first derivatives.
     const auto implicit = [](Jet x, const auto& residual, const Ball& rate) {
         const Jet first = residual(x);
-        for (std::size_t i = 0; i < x.g.size(); ++i) {
-            x.g[i] = -(first.g[i] / rate);
-        }
+        std::ranges::transform(first.g, x.g.begin(), [&](const Ball& g) { return -(g / rate); });
         const Jet second = residual(x);
-        for (std::size_t i = 0; i < x.h.size(); ++i) {
-            x.h[i] = -(second.h[i] / rate);
-        }
+        std::ranges::transform(second.h, x.h.begin(), [&](const Ball& h) { return -(h / rate); });
         return x;
     };
-    const auto left = [&](const Jet& right) {
+    const Extent<Jet> constant{Jet(edges.a), Jet(edges.b)};
+    const auto to_left = [&](const Jet& right) -> Extent<Jet> {
         if (symmetric) {
-            return right;
+            return {right, right};
         }
-        return implicit(
-            Jet(edges.b), [&](const Jet& b) { return contact.imbalance(right, b); },
-            contact.imbalance_rate(Jet(edges.a), Jet(edges.b)).v);
+        return {right, implicit(
+                           constant.b,
+                           [&](const Jet& b) {
+                               return contact.imbalance({right, b});
+                           },
+                           contact.imbalance_rate(constant).v)};
     };
     if (a) {
-        return {*a, left(*a)};
+        return to_left(*a);
     }
-    const Jet right = implicit(
-        Jet(edges.a), [&](const Jet& x) { return contact.force(x, left(x)) - *P; },
-        contact.force_rate(Jet(edges.a), Jet(edges.b)).v);
-    return {right, left(right)};
+    return to_left(implicit(
+        constant.a, [&](const Jet& x) { return contact.force(to_left(x)) - *P; },
+        contact.force_rate(constant).v));
+}
+
+std::vector<Ball> middles_of(const std::vector<Ball>& parameters) {
+    std::vector<Ball> middles;
+    std::ranges::transform(parameters, std::back_inserter(middles),
+                           [](const Ball& x) { return middle(x); });
+    return middles;
+}
+
+ErrorOverBox unknown_errors(long bits) {
+    const Ball unknown = unknown_ball(bits);
+    Jet jet(unknown);
+    jet.g.fill(unknown);
+    jet.h.fill(unknown);
+    return {[unknown](const Ball&) { return unknown; }, [jet](const Ball&) { return jet; },
+            unknown};
+}
+
+// The closed form of LinearError (docs/pressure.md).
+std::unique_ptr<ErrorFamily> linear_slope_errors(const ParametricSlope& slope,
+                                                 const ParametricLoad& load,
+                                                 const ErrorQuestion& question) {
+    const auto n = static_cast<double>(question.terms);
+    const auto over = [=](const std::vector<Ball>& parameters) {
+        const ParameterValues<Ball> value(question.names, parameters);
+        const std::vector<Ball> middles = middles_of(parameters);
+        const LinearContact<Ball> contact(slope, load.contact_modulus, value);
+        const LinearContact<Ball> in_middle(slope, load.contact_modulus,
+                                            ParameterValues<Ball>(question.names, middles));
+        const auto edges =
+            solve_edges(contact, in_middle, slope.symmetric, value(load.a), value(load.P));
+        if (!edges) {
+            return unknown_errors(value.bits());
+        }
+        LinearError<Ball> balls(contact, *edges, question);
+        Ball whole = balls.fraction ? Ball(1, balls.bits) : balls.length;
+        return ErrorOverBox{
+            [balls = std::move(balls)](const Ball& u) { return balls.error(u); },
+            [&slope, &load, &question, parameters, edges = *edges,
+             jets = std::optional<LinearError<Jet>>()](const Ball& u) mutable {
+                if (!jets) { // made on first use
+                    const ParameterValues<Jet> at(question.names, parameters);
+                    const LinearContact<Jet> moving(slope, load.contact_modulus, at);
+                    jets.emplace(moving,
+                                 differentiated_edges(moving, edges, slope.symmetric, at(load.a),
+                                                      at(load.P)),
+                                 question);
+                }
+                return jets->error(Jet::variable(u, 0));
+            },
+            std::move(whole)};
+    };
+    return std::make_unique<ErrorFamily>(
+        ErrorFamily{{(load.P ? 800 : 130) + n * n * n, 10, 130}, over});
 }
 
 } // namespace edgeproof::contact

@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/edge_function.hpp"
 #include "edgeproof/contact/design/error_family.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/law/slip_series.hpp"
 
 namespace edgeproof::contact {
+namespace {
+
+/// The length by which distances are divided; 1 if they are fractions of it.
+template <class T> Ball whole_length(const T& length, bool fraction) {
+    return fraction ? Ball(1, value_in(length).bits()) : value_in(length);
+}
 
 /// With z = u/(2a), p is proportional to sqrt(z (1 - z)) F (edge_function.hpp; docs/pressure.md).
 template <class T> struct PowerLawError {
@@ -29,51 +37,12 @@ template <class T> struct PowerLawError {
             t *= (b + n) * T(Ball(Rational(8, 2 * n + 3), bits));
         }
     }
+    [[nodiscard]] Ball whole() const { return whole_length(length, fraction); }
     [[nodiscard]] T error(const T& u) const {
         const T z = fraction ? u : u / length;
-        T sum = coefficients.back();
-        for (std::size_t k = coefficients.size() - 1; k-- > 0;) {
-            sum = sum * z + coefficients[k];
-        }
-        return sum * reciprocal_edge_function(z, b) / sqrt(1 - z) - 1;
+        return horner(coefficients, z) * reciprocal_edge_function(z, b) / sqrt(1 - z) - 1;
     }
 };
-
-namespace {
-
-class PowerLawFamily : public ErrorFamily {
-public:
-    PowerLawFamily(formula::Expr m, std::optional<formula::Expr> half_width, ErrorQuestion question)
-        : m_(std::move(m)), half_width_(std::move(half_width)), question_(std::move(question)) {}
-    [[nodiscard]] std::unique_ptr<ErrorOverBox>
-    over(const std::vector<Ball>& parameters) const override {
-        return std::make_unique<ClosedFormOverBox<PowerLawError>>(law<Ball>(parameters),
-                                                                  law<Jet>(parameters));
-    }
-
-    [[nodiscard]] EvaluationCost cost() const override {
-        const auto n = static_cast<double>(question_.terms);
-        return {10 + 1.2 * n * n, 20, 170};
-    }
-
-private:
-    template <class T> [[nodiscard]] PowerLawError<T> law(const std::vector<Ball>& at) const {
-        const ParameterValues<T> value(question_.names, at);
-        const T one = value.number(Rational(1));
-        return {(one - value(m_)) / 2, half_width_ ? T(value(*half_width_) * 2) : one, question_};
-    }
-    formula::Expr m_;
-    std::optional<formula::Expr> half_width_;
-    ErrorQuestion question_;
-};
-
-} // namespace
-
-std::unique_ptr<ErrorFamily> power_law_errors(const formula::Expr& m,
-                                              const std::optional<formula::Expr>& half_width,
-                                              const ErrorQuestion& question) {
-    return std::make_unique<PowerLawFamily>(m, half_width, question);
-}
 
 /// With z = u/D, q sqrt(u) = (A - B z)/sqrt(D (1 - z)), A = Q/pi + side sigma_0 D/8, B = side
 /// sigma_0 D/4; and s_k u^k = (beta_k A - beta_{k-1} B) z^k/sqrt(D), beta_k of (1 - z)^(-1/2).
@@ -84,6 +53,7 @@ template <class T> struct FullStick {
     std::size_t terms;
     bool fraction;
 
+    [[nodiscard]] Ball whole() const { return whole_length(length, fraction); }
     [[nodiscard]] T error(const T& u) const {
         const T z = fraction ? u : u / length;
         T sum = A;
@@ -100,46 +70,72 @@ template <class T> struct FullStick {
     }
 };
 
-namespace {
+/// d/a = 1 - (1 - tau)^w, w = 1/(m + 1), since P is proportional to a^(m + 1).
+template <class T> struct PowerLawSlip {
+    T w;
+    std::vector<T> kappa; ///< coefficients of tau, tau^2, ... (docs/partial-slip.md)
 
-class FullStickFamily : public ErrorFamily {
-public:
-    FullStickFamily(formula::Expr Q, formula::Expr tension, formula::Expr length,
-                    ErrorQuestion question)
-        : Q_(std::move(Q)), tension_(std::move(tension)), length_(std::move(length)),
-          question_(std::move(question)) {}
-    [[nodiscard]] std::unique_ptr<ErrorOverBox>
-    over(const std::vector<Ball>& parameters) const override {
-        return std::make_unique<ClosedFormOverBox<FullStick>>(stick<Ball>(parameters),
-                                                              stick<Jet>(parameters));
+    PowerLawSlip(T w_, std::size_t count) : w(std::move(w_)), kappa{w} {
+        for (long k = 1; kappa.size() < count; ++k) {
+            kappa.push_back(kappa.back() * (k - w) / (k + 1));
+        }
     }
-
-    [[nodiscard]] EvaluationCost cost() const override {
-        return {7, 4, 8 + 5 * static_cast<double>(question_.terms)};
+    [[nodiscard]] Ball whole() const { return {1, value_in(w).bits()}; }
+    [[nodiscard]] T size(const T& tau) const { return 1 - exp(w * log1p(-tau)); }
+    [[nodiscard]] T error(const T& tau) const {
+        if constexpr (std::is_same_v<T, Ball>) { // d increases with tau
+            if (!certainly_positive(tau)) {      // d/tau is a mean of the derivative
+                return horner(kappa, tau) / (w * exp((w - 1) * log1p(-tau))) - 1;
+            }
+            const Ball high = upper_end(tau).with_bits(w.bits());
+            const Ball most = certainly_less(high, whole()) ? size(high) : whole();
+            const Ball least = size(lower_end(tau).with_bits(w.bits()));
+            return slip_sum(kappa, kappa.size(), tau) / Ball::hull(least, most) - 1;
+        } else {
+            return slip_sum(kappa, kappa.size(), tau) / size(tau) - 1;
+        }
     }
-
-private:
-    template <class T> [[nodiscard]] FullStick<T> stick(const std::vector<Ball>& at) const {
-        const ParameterValues<T> value(question_.names, at);
-        const T length = value(length_);
-        T tension = value(tension_) * length;
-        tension *= question_.edge == Edge::right ? 1 : -1;
-        return {value(Q_) / value.pi() + tension / 8, tension / 4, length, question_.terms,
-                question_.unit == ReachUnit::fraction};
-    }
-    formula::Expr Q_;
-    formula::Expr tension_;
-    formula::Expr length_;
-    ErrorQuestion question_;
 };
 
 } // namespace
+
+std::unique_ptr<ErrorFamily> power_law_errors(const formula::Expr& m,
+                                              const std::optional<formula::Expr>& half_width,
+                                              const ErrorQuestion& question) {
+    const auto n = static_cast<double>(question.terms);
+    return closed_form_errors(
+        question, {10 + 1.2 * n * n, 20, 170}, [m, half_width, question](const auto& value) {
+            using T = typename std::decay_t<decltype(value)>::Number;
+            const T one = value.number(Rational(1));
+            return PowerLawError<T>((one - value(m)) / 2,
+                                    half_width ? T(value(*half_width) * 2) : one, question);
+        });
+}
 
 std::unique_ptr<ErrorFamily> full_stick_errors(const formula::Expr& Q,
                                                const formula::Expr& bulk_tension,
                                                const formula::Expr& length,
                                                const ErrorQuestion& question) {
-    return std::make_unique<FullStickFamily>(Q, bulk_tension, length, question);
+    return closed_form_errors(question, {7, 4, 8 + 5 * static_cast<double>(question.terms)},
+                              [Q, bulk_tension, length, question](const auto& value) {
+                                  using T = typename std::decay_t<decltype(value)>::Number;
+                                  const T D = value(length);
+                                  T tension = value(bulk_tension) * D;
+                                  tension *= question.edge == Edge::right ? 1 : -1;
+                                  return FullStick<T>{value(Q) / value.pi() + tension / 8,
+                                                      tension / 4, D, question.terms,
+                                                      question.unit == ReachUnit::fraction};
+                              });
+}
+
+std::unique_ptr<ErrorFamily> power_law_slip_errors(const formula::Expr& m,
+                                                   const ErrorQuestion& question) {
+    const auto n = static_cast<double>(question.terms);
+    return closed_form_errors(
+        question, {5 + 3 * n, 4, 10 + 2 * n}, [m, terms = question.terms](const auto& value) {
+            using T = typename std::decay_t<decltype(value)>::Number;
+            return PowerLawSlip<T>(value.number(Rational(1)) / (value(m) + 1), terms);
+        });
 }
 
 } // namespace edgeproof::contact

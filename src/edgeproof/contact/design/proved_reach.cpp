@@ -28,33 +28,26 @@ double cost_of_bits(long bits) {
     return std::max(1.0, std::pow(static_cast<double>(bits) / bits_of_the_costs, 1.5));
 }
 
-class CountedOverBox : public ErrorOverBox {
-public:
-    CountedOverBox(std::unique_ptr<ErrorOverBox> f, const EvaluationCost& cost,
-                   EvaluationCount& count)
-        : f_(std::move(f)), cost_(cost), count_(count) {}
-    [[nodiscard]] Ball at(const Ball& u) const override {
-        charge(count_, cost_.at);
-        return f_->at(u);
-    }
-    [[nodiscard]] Jet jet(const Ball& u) const override {
-        charge(count_, cost_.jet);
-        return f_->jet(u);
-    }
-    [[nodiscard]] Ball length() const override { return f_->length(); }
-
-private:
-    std::unique_ptr<ErrorOverBox> f_;
-    EvaluationCost cost_;
-    EvaluationCount& count_;
-};
+/// The same errors; each evaluation is counted.
+ErrorOverBox counted(ErrorOverBox f, const EvaluationCost& cost, EvaluationCount& count) {
+    Ball length = f.length;
+    return {[at = std::move(f.at), cost = cost.at, &count](const Ball& u) {
+                charge(count, cost);
+                return at(u);
+            },
+            [jet = std::move(f.jet), cost = cost.jet, &count](const Ball& u) {
+                charge(count, cost);
+                return jet(u);
+            },
+            std::move(length)};
+}
 
 /// The scan of one edge (docs/extents.md).
 class ReachScan {
 public:
     ReachScan(const ErrorOverBox& f, const Rational& tolerance, const Rational& part, long bits)
         : f_(f), bits_(bits), tolerance_(tolerance, bits),
-          end_(exact_value(Ball(f.length() * Ball(part, bits)).lower())) {}
+          end_(exact_value(Ball(f.length * Ball(part, bits)).lower())) {}
 
     [[nodiscard]] ProvedReach run() {
         Rational lo = from_edge();
@@ -66,16 +59,14 @@ public:
             }
             lo = hi;
         }
-        return {f_.length() * Ball(1, bits_), false, 0, 0};
+        return {f_.length * Ball(1, bits_), false, 0, 0};
     }
 
 private:
     [[nodiscard]] bool within(const Ball& x) const {
-        return x.is_finite() && certainly_less(abs(x), tolerance_);
+        return side_of(x, tolerance_) == Side::within;
     }
-    [[nodiscard]] bool beyond(const Ball& x) const {
-        return x.is_finite() && certainly_less(tolerance_, abs(x));
-    }
+    [[nodiscard]] bool beyond(const Ball& x) const { return is_beyond(side_of(x, tolerance_)); }
     /// Returns a distance up to which the error is within the tolerance, from the edge on.
     [[nodiscard]] Rational from_edge() const {
         Rational hi = end_ / 8;
@@ -165,19 +156,19 @@ private:
 
 } // namespace
 
-std::vector<std::unique_ptr<ErrorOverBox>> ReachProblem::over(const std::vector<Ball>& box) const {
-    std::vector<std::unique_ptr<ErrorOverBox>> all;
+std::vector<ErrorOverBox> ReachProblem::over(const std::vector<Ball>& box) const {
+    std::vector<ErrorOverBox> all;
     all.reserve(edges.size());
     for (const ErrorFamily* family : edges) {
         if (count == nullptr) {
             all.push_back(family->over(box));
             continue;
         }
-        EvaluationCost cost = family->cost();
+        EvaluationCost cost = family->cost;
         const double more = cost_of_bits(box.front().bits());
         cost = {cost.over * more, cost.at * more, cost.jet * more};
         charge(*count, cost.over);
-        all.push_back(std::make_unique<CountedOverBox>(family->over(box), cost, *count));
+        all.push_back(counted(family->over(box), cost, *count));
     }
     return all;
 }
@@ -196,13 +187,14 @@ ProvedReach proved_reach(const ReachProblem& problem, const std::vector<Ball>& a
     const auto errors = problem.over(at);
     std::optional<ProvedReach> least;
     for (std::size_t i = 0; i < errors.size(); ++i) {
-        if (!errors[i]->length().is_finite()) {
+        const Ball& length = errors[i].length;
+        if (!length.is_finite()) {
             throw BudgetError("the edges of the contact are not enclosed");
         }
-        ProvedReach here = ReachScan(*errors[i], problem.tolerance, problem.part, bits).run();
+        ProvedReach here = ReachScan(errors[i], problem.tolerance, problem.part, bits).run();
         here.edge = i;
         if (!here.leaves) {
-            here.reach = errors[i]->length() * Ball(problem.part, bits);
+            here.reach = length * Ball(problem.part, bits);
         }
         if (!least || certainly_less(here.reach, least->reach)) {
             least = std::move(here);

@@ -21,8 +21,7 @@ struct ReachProblem {
     Rational part = 1;                ///< the part of a + b that is considered
     std::size_t parameters = 1;       ///< one or two
     EvaluationCount* count = nullptr; ///< not owned; nothing is counted without it
-    [[nodiscard]] std::vector<std::unique_ptr<ErrorOverBox>>
-    over(const std::vector<Ball>& box) const;
+    [[nodiscard]] std::vector<ErrorOverBox> over(const std::vector<Ball>& box) const;
 };
 
 /// The first exit for exact parameters, proved (the scan of docs/extents.md, with second

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/best_reach.hpp"
 #include "edgeproof/contact/design/reach.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/roots/bracketed_root.hpp"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace edgeproof::contact {
 namespace {
@@ -24,8 +26,7 @@ constexpr int bits_of_an_extremum =
 constexpr double near_the_tolerance = 0.25;
 
 double as_double(const Ball& x) {
-    return x.is_finite() ? arf_get_d(arb_midref(x.data()), ARF_RND_NEAR)
-                         : std::numeric_limits<double>::quiet_NaN();
+    return x.is_finite() ? approximate(x) : std::numeric_limits<double>::quiet_NaN();
 }
 
 class EdgeSamples {
@@ -66,13 +67,18 @@ public:
         for (std::size_t k = 0; k < u.size(); ++k) {
             const double before = k == 0 ? 0 : u[k - 1];
             const double at_before = k == 0 ? -tolerance_ : e[k - 1];
-            double top = u[k];
-            if (!leaves && k > 0 && k + 1 < u.size() && e[k] >= e[k - 1] && e[k] >= e[k + 1] &&
-                e[k] < 0 && e[k] > -near_the_tolerance * tolerance_) {
-                top = highest(u[k - 1], u[k + 1]);
+            const bool highest_here =
+                k > 0 && k + 1 < u.size() && e[k] >= e[k - 1] && e[k] >= e[k + 1];
+            // Adds the extremum next to a sample; returns its place and |f| - tolerance there.
+            const auto add_extremum = [&] {
+                double top = highest(u[k - 1], u[k + 1]);
                 top = e[k] > excess(top) ? u[k] : top;
                 const double most = excess(top);
                 result.extrema.push_back({edge, top, most, error(top) > 0 ? 1 : -1});
+                return std::pair(top, most);
+            };
+            if (!leaves && highest_here && e[k] < 0 && e[k] > -near_the_tolerance * tolerance_) {
+                const auto [top, most] = add_extremum();
                 if (most >= 0) { // the tolerance is exceeded between two samples
                     leaves = true;
                     exit = crossing(before, at_before, top, most);
@@ -92,11 +98,8 @@ public:
                 measure += u[k] - before;
             }
             // An exit may also be an extremum that exceeds the tolerance between its neighbours.
-            if (k > 0 && k + 1 < u.size() && e[k] >= 0 && e[k] >= e[k - 1] && e[k] >= e[k + 1] &&
-                e[k] < near_the_tolerance * tolerance_) {
-                top = highest(u[k - 1], u[k + 1]);
-                top = e[k] > excess(top) ? u[k] : top;
-                result.extrema.push_back({edge, top, excess(top), error(top) > 0 ? 1 : -1});
+            if (highest_here && e[k] >= 0 && e[k] < near_the_tolerance * tolerance_) {
+                add_extremum();
             }
         }
         if (exit < result.reach || edge == 0) {
@@ -143,13 +146,13 @@ SampledReach sampled_reach(const ReachProblem& problem, const std::vector<double
     const auto errors = problem.over(at);
     SampledReach result;
     for (std::size_t i = 0; i < errors.size(); ++i) {
-        const double length = as_double(errors[i]->length());
+        const double length = as_double(errors[i].length);
         const double end = length * problem.part.convert_to<double>();
         if (std::isnan(end)) {
             result.reach = end;
             return result;
         }
-        EdgeSamples(*errors[i], problem.tolerance.convert_to<double>(), end, length / 2,
+        EdgeSamples(errors[i], problem.tolerance.convert_to<double>(), end, length / 2,
                     is_costly(*problem.edges[i]) ? costly_sample_points : sample_points, whole)
             .into(result, i);
     }

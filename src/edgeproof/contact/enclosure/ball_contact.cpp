@@ -14,8 +14,6 @@
 namespace edgeproof::contact {
 bool BallContact::has_closed_form(const Profile& profile) { return profile.has_closed_form(); }
 
-Ball BallContact::constant(const formula::Expr& e) const { return enclosed_constant(e, bits_); }
-
 BallContact::BallContact(const Profile& profile, const formula::Exact& contact_modulus,
                          const Load& load, long bits)
     : BallContact(profile, enclosed_constant(contact_modulus, bits), bits) {
@@ -76,20 +74,6 @@ void BallContact::solve(const formula::Exact& contact_modulus, const Load& load)
     fix();
 }
 
-/// Considers the edges that are solved for.
-bool BallContact::edge_may_be_on_knot() const {
-    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
-        if (!bends(i) || power_) {
-            continue;
-        }
-        if ((!known_a_ && overlaps(slope_.knots[i], a_)) ||
-            (!known(Edge::left) && overlaps(-slope_.knots[i], b_))) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /// The knot at which a flat minimum ends.
 std::optional<std::size_t> BallContact::flat_end(Edge edge) const {
     const bool right = edge == Edge::right;
@@ -138,33 +122,25 @@ void BallContact::tilt_by(const Ball& alpha) {
 }
 
 BallContact::BallContact(const Profile& profile, const Ball& modulus, long bits)
-    : profile_(profile), bits_(bits), modulus_(modulus) {
+    : ProvedContact(profile, modulus, bits) {
     if (!has_closed_form(profile)) {
         throw DomainError("only a piecewise linear slope or a power law has a closed form");
     }
-    read_profile();
+    if (!profile.piecewise_linear()) {
+        const formula::Exact& exponent = profile.parameters().at("m");
+        const Ball m = constant(exponent.expr());
+        power_law_integral_.emplace(exponent, m);
+        const Ball C = constant(profile.parameters().at("C").expr());
+        // moore-hills EQ11
+        power_ = PowerLaw<Ball>{m, modulus_ * C * sqrt(Ball::pi(bits_)) / 2 * gamma(m / 2 + 1) /
+                                       gamma((m + 3) / 2)};
+    }
 }
-
-bool certainly_zero(const formula::Expr& e) { return decided_sign(e) == 0; }
 
 bool BallContact::bends(std::size_t knot) const {
     const auto& before = profile_.pieces()[knot].linear;
     const auto& after = profile_.pieces()[knot + 1].linear;
-    return power_ || !(before->rate == after->rate) || !(before->at_origin == after->at_origin);
-}
-
-void BallContact::find_knots_on_edges() {
-    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
-        const formula::Expr knot = profile_.knots()[i].expr();
-        if (known_a_ && overlaps(slope_.knots[i], constant(known_a_->expr())) &&
-            certainly_zero(known_a_->expr() - knot)) {
-            on_edge_[i] = Edge::right;
-        } else if (const auto& b = known(Edge::left);
-                   b && overlaps(-slope_.knots[i], constant(b->expr())) &&
-                   certainly_zero(b->expr() + knot)) {
-            on_edge_[i] = Edge::left;
-        }
-    }
+    return !power_ && !(before->rate == after->rate && before->at_origin == after->at_origin);
 }
 
 std::vector<Mark<Ball>> BallContact::marks(const Extent<Ball>& e) const {
@@ -178,10 +154,7 @@ std::vector<Mark<Ball>> BallContact::marks(const Extent<Ball>& e) const {
 
 BallContact BallContact::with_right_edge(const Ball& a) const {
     BallContact other(*this);
-    other.known_a_.reset();
-    other.known_b_.reset();
-    std::fill(other.on_edge_.begin(), other.on_edge_.end(), std::nullopt);
-    other.a_ = a;
+    other.move_edges(a, a);
     other.b_ = other.solve_left_edge(a);
     other.fix();
     return other;
@@ -189,11 +162,7 @@ BallContact BallContact::with_right_edge(const Ball& a) const {
 
 BallContact BallContact::between(const Ball& a, const Ball& b) const {
     BallContact zone(*this);
-    zone.known_a_.reset();
-    zone.known_b_.reset();
-    std::fill(zone.on_edge_.begin(), zone.on_edge_.end(), std::nullopt);
-    zone.a_ = a;
-    zone.b_ = b;
+    zone.move_edges(a, b);
     zone.fix();
     return zone;
 }
@@ -217,44 +186,10 @@ Ball BallContact::zone_mean_slope() const {
 }
 
 BallContact BallContact::mirrored() const {
-    BallContact m(profile_.reflected(), modulus_, bits_);
-    m.a_ = b_;
-    m.b_ = a_;
-    m.known_a_ = known(Edge::left);
-    m.known_b_ = known_a_;
-    // A tilt given by a ball is contained in these numbers and not in the profile.
-    const std::size_t n = slope_.knots.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        m.slope_.knots[i] = -slope_.knots[n - 1 - i];
-    }
-    for (std::size_t i = 0; i < slope_.pieces.size(); ++i) {
-        const auto& p = slope_.pieces[n - i];
-        m.slope_.pieces[i] = {-p.at_origin, p.rate};
-    }
-    if (!power_) {
-        m.slope_.find_jumps();
-    }
-    for (std::size_t i = 0; i < on_edge_.size(); ++i) {
-        if (on_edge_[i]) {
-            m.on_edge_[on_edge_.size() - 1 - i] = opposite(*on_edge_[i]);
-        }
-    }
+    BallContact m(*this);
+    m.mirror();
     m.fix();
     return m;
-}
-
-void BallContact::read_profile() {
-    slope_ = linear_slope<Ball>(profile_, [&](const formula::Expr& e) { return constant(e); });
-    on_edge_.assign(slope_.knots.size(), std::nullopt);
-    if (!profile_.piecewise_linear()) {
-        const formula::Exact& exponent = profile_.parameters().at("m");
-        const Ball m = constant(exponent.expr());
-        power_law_integral_.emplace(exponent, m);
-        const Ball C = constant(profile_.parameters().at("C").expr());
-        // moore-hills EQ11
-        power_ = PowerLaw<Ball>{m, modulus_ * C * sqrt(Ball::pi(bits_)) / 2 * gamma(m / 2 + 1) /
-                                       gamma((m + 3) / 2)};
-    }
 }
 
 template <class Kernel> Ball BallContact::over_measure(const Extent<Ball>& e) const {

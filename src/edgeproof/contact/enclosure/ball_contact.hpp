@@ -43,18 +43,8 @@ public:
     [[nodiscard]] static bool has_closed_form(const Profile& profile);
 
     [[nodiscard]] bool piecewise_linear() const { return !power_; }
-    [[nodiscard]] const Ball& modulus() const { return modulus_; }
     /// The distance from the origin at which the minimum, which may be a flat, ends on that side.
     [[nodiscard]] Ball minimum_end(Edge edge) const;
-    [[nodiscard]] long bits() const override { return bits_; }
-    [[nodiscard]] const Ball& a() const override { return a_; }
-    [[nodiscard]] const Ball& b() const override { return b_; }
-    /// The distance of an edge from the origin, if it is given, or proved by exact algebra
-    /// (exact_edges.hpp).
-    [[nodiscard]] std::optional<formula::Exact> known(Edge edge) const override {
-        return edge == Edge::right || profile_.symmetric() ? known_a_ : known_b_;
-    }
-    [[nodiscard]] bool edge_may_be_on_knot() const override;
     [[nodiscard]] Ball force() const override;
     [[nodiscard]] Ball moment() const override;
     [[nodiscard]] const BallContact* closed_form() const override { return this; }
@@ -66,27 +56,16 @@ public:
     [[nodiscard]] std::vector<Ball> left_edge_derivatives(std::size_t count) const;
     /// P'(a + z) along the family of contacts, for every right edge in the ball a.
     [[nodiscard]] BallSeries total_rate_series(std::size_t order) const;
-    /// p at the distance u from an edge. Not finite if the ball of x contains a corner.
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
     /// If the edge is known exactly as well, the distances from the knots are exact.
     [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const override;
-    /// A ball whose lower end is a lower bound of the pressure over u; finite also if the ball of x
-    /// contains a corner.
     [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const override;
-    /// p(u + z) in powers of z. The coefficients hold for every u of the ball, so that the last one
-    /// bounds Taylor's remainder over it. Not finite if the ball of x contains a knot.
     [[nodiscard]] BallSeries pressure_series(Edge edge, const Ball& u,
                                              std::size_t order) const override;
-    /// The distances of the corners from the edge. There p is infinite.
-    [[nodiscard]] std::vector<Ball> corners(Edge edge) const override;
     /// A distance from the edge up to which p/sqrt(u) has a power series: the distance of the next
     /// knot, or, for a power law, a distance at which its majorant still converges.
     [[nodiscard]] Ball reach(Edge edge) const override;
-    /// M with |c_k| <= M/rho^k for all k, 0 < rho < reach (docs/extents.md).
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
-    /// c_0 ... c_{terms-1} at an edge, each enclosed. An edge that lies on a knot exactly, as given
-    /// or as proved, is expanded from inside the contact. If an edge may lie on a knot at this
-    /// number of bits, the coefficients are not finite.
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
     /// The parts of the pressure of a piecewise linear slope (logarithmic_pressure.hpp): the slope;
     /// the marks of its knots; whether a knot is inside and the formula of g' changes there; the
@@ -115,7 +94,6 @@ public:
 
 private:
     BallContact(const Profile& profile, const Ball& modulus, long bits);
-    void read_profile();
     void tilt_by(const Ball& alpha);
     void solve(const formula::Exact& contact_modulus, const Load& load);
     void lie_at(const ExactEdges& edges);
@@ -123,8 +101,8 @@ private:
     [[nodiscard]] std::vector<Ball> right_expansion(std::size_t terms) const;
     [[nodiscard]] BallSeries left_edge_series(std::size_t order) const;
     [[nodiscard]] std::vector<Mark<BallSeries>> marks(const Extent<BallSeries>& e) const;
-    [[nodiscard]] Ball constant(const formula::Expr& e) const;
-    void find_knots_on_edges();
+    [[nodiscard]] bool inside(std::size_t knot) const override { return !fixed_.marks[knot].end; }
+    [[nodiscard]] bool bends(std::size_t knot) const override;
     /// The parts of the pressure that do not depend on the point.
     struct Fixed {
         std::vector<Mark<Ball>> marks; ///< the marks of the knots
@@ -142,8 +120,6 @@ private:
     struct Place;
     [[nodiscard]] Place place(Edge edge, const Ball& u) const;
     [[nodiscard]] Ball pressure(const Place& at, bool least = false) const;
-    /// False at a knot where the formula of g' does not change (the origin of a parabola).
-    [[nodiscard]] bool bends(std::size_t knot) const;
     /// The marks of the knots.
     [[nodiscard]] std::vector<Mark<Ball>> marks(const Extent<Ball>& e) const;
     /// Without `prove` the zero is the approximate place that the search found.
@@ -157,31 +133,10 @@ private:
     [[nodiscard]] Ball force_rate_of(const Extent<Ball>& e, Edge edge) const;
     template <class Kernel> [[nodiscard]] Ball over_measure(const Extent<Ball>& e) const;
 
-    Profile profile_;
-    long bits_;
-    Ball modulus_;
-    LinearSlope<Ball> slope_; ///< for a power law only its knot
-    /// The edge on which a knot lies exactly, if this is known; balls cannot decide it.
-    std::vector<std::optional<Edge>> on_edge_;
-    std::optional<formula::Exact> known_a_;
-    std::optional<formula::Exact> known_b_;
     std::optional<PowerLawIntegral> power_law_integral_;
     std::optional<PowerLaw<Ball>> power_;
-    Ball a_;
-    Ball b_;
     Fixed fixed_;
 };
-
-/// True if a constant is proved to be zero.
-[[nodiscard]] bool certainly_zero(const formula::Expr& e);
-
-/// c_0 ... c_{terms-1} to `digits` correct digits each. A coefficient that vanishes is correct to
-/// that many digits of its natural size |c_0|/length^k. Throws BudgetError as enclosed_pressure
-/// does.
-[[nodiscard]] std::vector<Ball> enclosed_expansion(const Profile& profile,
-                                                   const formula::Exact& contact_modulus,
-                                                   const Load& load, Edge edge, std::size_t terms,
-                                                   unsigned digits);
 
 /// The pressure to `digits` correct digits: the precision doubles until the relative radius of the
 /// enclosure is below 10^-(digits + 2). `u` is the distance from the edge (length); the pressure is

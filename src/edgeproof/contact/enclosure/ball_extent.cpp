@@ -3,6 +3,7 @@
 
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/contact/enclosure/isolate_zero.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
@@ -18,69 +19,26 @@ constexpr long scan_bits = 192;
 constexpr long narrowest = 40; ///< intervals are halved to 2^-40 of their distance from the edge
 constexpr long kept_bits = 48; ///< bits that are lost on the way to a crossing
 
-Rational power_of_two(long k) {
-    const Integer p = Integer(1) << static_cast<unsigned>(k < 0 ? -k : k);
-    return k < 0 ? Rational(1, p) : Rational(p);
-}
-
 } // namespace
 
-/// An interval with a decision: all on one side, a root of f = level (f monotone), or undecided. It
-/// is not in the anonymous namespace because BallExtentSearch::Search, which has such members, is
-/// not.
-struct DecidedPiece {
-    Rational lo;
-    Rational hi;
-    Side from;
-    Side to;
-    std::optional<int> root; ///< +1: a root of f = tolerance, -1: of f = -tolerance
-};
+RelativeError BallExtentSearch::error(long bits) {
+    const ProvedContact& contact = contact_(bits);
+    most_doublings_ = contact.cost() > 1 ? 2 : 5;
+    return {contact, edge_, n_, tolerance_};
+}
 
-class BallExtentSearch::Search {
-public:
-    Search(Contact contact, Edge edge, std::size_t n, formula::Exact tolerance, ExtentRange range)
-        : contact_(std::move(contact)), edge_(edge), n_(n), tolerance_(std::move(tolerance)),
-          range_(std::move(range)) {}
-
-    [[nodiscard]] EnclosedExtents at(long bits);
-    std::size_t evaluations = 0;
-
-private:
-    [[nodiscard]] RelativeError error(long bits) {
-        const ProvedContact& contact = contact_(bits);
-        most_doublings_ = contact.cost() > 1 ? 2 : 5;
-        return {contact, edge_, n_, tolerance_};
+void BallExtentSearch::count(const RelativeError& f) {
+    check_interruption();
+    evaluations_ += f.cost();
+    if (evaluations_ > most_evaluations) {
+        throw BudgetError("undecided after " + std::to_string(most_evaluations / f.cost()) +
+                          " enclosures of the error");
     }
-    void count(const RelativeError& f) {
-        check_interruption();
-        evaluations += f.cost();
-        if (evaluations > most_evaluations) {
-            throw BudgetError("undecided after " + std::to_string(most_evaluations / f.cost()) +
-                              " enclosures of the error");
-        }
-    }
-    void scan();
-    void decide(const RelativeError& f, const Rational& lo, const Rational& hi, long finest,
-                std::vector<DecidedPiece>& pieces);
-    bool roots_between(const RelativeError& f, const Rational& lo, const Rational& hi,
-                       std::vector<DecidedPiece>& pieces);
-    [[nodiscard]] Ball refine(const RelativeError& f, const DecidedPiece& piece);
+}
 
-    Contact contact_;
-    Edge edge_;
-    std::size_t n_;
-    formula::Exact tolerance_;
-    ExtentRange range_;
-    int most_doublings_ = 5;           ///< of the bits of the scan, before it gives up
-    std::vector<DecidedPiece> pieces_; ///< of the scan; adjacent undecided pieces are joined
-};
-
-namespace {
-
-/// Joins undecided pieces that are adjacent.
-void merge_unknown(std::vector<DecidedPiece>& pieces) {
-    std::vector<DecidedPiece> merged;
-    for (DecidedPiece& piece : pieces) {
+void BallExtentSearch::merge_unknown(std::vector<Piece>& pieces) {
+    std::vector<Piece> merged;
+    for (Piece& piece : pieces) {
         const bool unknown = piece.from == Side::unknown;
         if (!merged.empty() && unknown && merged.back().from == Side::unknown) {
             merged.back().hi = piece.hi;
@@ -91,15 +49,9 @@ void merge_unknown(std::vector<DecidedPiece>& pieces) {
     pieces = std::move(merged);
 }
 
-} // namespace
-
-void BallExtentSearch::Search::scan() {
-    long small = 0;
-    {
-        const Ball decades = log(enclosed_constant(tolerance_, 64)) / log(Ball(2, 64));
-        small =
-            std::max(0L, -static_cast<long>(arf_get_d(arb_midref(decades.data()), ARF_RND_NEAR)));
-    }
+void BallExtentSearch::scan() {
+    const Ball decades = log(enclosed_constant(tolerance_, 64)) / log(Ball(2, 64));
+    const long small = std::max(0L, -static_cast<long>(approximate(decades)));
     for (long bits = scan_bits + 2 * small;; bits *= 2) {
         try {
             const RelativeError f = error(bits);
@@ -124,16 +76,15 @@ void BallExtentSearch::Search::scan() {
             merge_unknown(pieces_);
             return;
         } catch (const BudgetError&) {
-            if (evaluations > most_evaluations || bits > (scan_bits + small) << most_doublings_) {
+            if (evaluations_ > most_evaluations || bits > (scan_bits + small) << most_doublings_) {
                 throw;
             }
         }
     }
 }
 
-bool BallExtentSearch::Search::roots_between(const RelativeError& f, const Rational& lo,
-                                             const Rational& hi,
-                                             std::vector<DecidedPiece>& pieces) {
+bool BallExtentSearch::roots_between(const RelativeError& f, const Rational& lo, const Rational& hi,
+                                     std::vector<Piece>& pieces) {
     const Side from = f.side(f.at(lo));
     const Side to = f.side(f.at(hi));
     if (from == Side::unknown || to == Side::unknown) {
@@ -152,9 +103,8 @@ bool BallExtentSearch::Search::roots_between(const RelativeError& f, const Ratio
     return false;
 }
 
-void BallExtentSearch::Search::decide(const RelativeError& f, const Rational& lo,
-                                      const Rational& hi, long finest,
-                                      std::vector<DecidedPiece>& pieces) {
+void BallExtentSearch::decide(const RelativeError& f, const Rational& lo, const Rational& hi,
+                              long finest, std::vector<Piece>& pieces) {
     count(f);
     const RelativeError::Over over = f.over(lo, hi);
     if (over.side != Side::unknown) {
@@ -173,63 +123,27 @@ void BallExtentSearch::Search::decide(const RelativeError& f, const Rational& lo
     decide(f, m, hi, finest, pieces);
 }
 
-/// The place where f is equal to a level, f being monotone from lo to hi. Newton's method finds it
-/// and proves nothing; then two places with opposite signs enclose it (docs/extents.md).
-Ball BallExtentSearch::Search::refine(const RelativeError& f, const DecidedPiece& piece) {
+Ball BallExtentSearch::refine(const RelativeError& f, const Piece& piece) {
     const Ball level = *piece.root > 0 ? f.tolerance() : -f.tolerance();
-    const bool rises = piece.from < piece.to;
-    Rational lo = piece.lo;
-    Rational hi = piece.hi;
-    Rational x = (lo + hi) / 2;
-    for (int k = 0; k < 200; ++k) {
-        count(f);
-        const auto [value, rate] = f.tangent(x);
-        const Ball gap = value - level;
-        if (certainly_positive(gap) == rises && !contains_zero(gap)) {
-            hi = x;
-        } else if (!contains_zero(gap)) {
-            lo = x;
-        }
-        const Ball step = gap / rate;
-        Rational next = (lo + hi) / 2;
-        if (step.is_finite()) {
-            const Rational newton = exact_value(Ball(Ball(x, f.bits()) - step).midpoint());
-            const bool refined =
-                abs(Rational(newton - x)) * power_of_two(f.bits() - kept_bits / 2) < hi;
-            if (newton >= lo && newton <= hi) {
-                next = newton;
-            }
-            if (refined || contains_zero(gap)) {
-                x = next;
-                break;
-            }
-        }
-        x = exact_value(Ball(next, f.bits()).midpoint());
-    }
-    for (long k = f.bits() - kept_bits; k > 8; k -= 16) {
-        count(f);
-        const Rational slack = hi * power_of_two(-k);
-        const Rational left = std::max(piece.lo, Rational(x - slack));
-        const Rational right = std::min(piece.hi, Rational(x + slack));
-        const Ball at_left = f.at(left) - level;
-        const Ball at_right = f.at(right) - level;
-        const bool signs = rises ? certainly_negative(at_left) && certainly_positive(at_right)
-                                 : certainly_positive(at_left) && certainly_negative(at_right);
-        if (signs) {
-            return Ball::hull(Ball(left, f.bits()), Ball(right, f.bits()));
-        }
-    }
-    return Ball::hull(Ball(piece.lo, f.bits()), Ball(piece.hi, f.bits()));
+    const auto place = enclosed_crossing(
+        {piece.lo, piece.hi, piece.from < piece.to}, f.bits(), kept_bits,
+        [&](const Rational& u) {
+            count(f);
+            const auto [value, rate] = f.tangent(u);
+            return std::pair(value - level, rate);
+        },
+        [&](const Rational& u) { return f.at(u) - level; });
+    return place ? *place : Ball::hull(Ball(piece.lo, f.bits()), Ball(piece.hi, f.bits()));
 }
 
-EnclosedExtents BallExtentSearch::Search::at(long bits) {
+EnclosedExtents BallExtentSearch::at(long bits) {
     if (pieces_.empty()) {
         scan();
     }
     const RelativeError f = error(bits);
     // The pieces that the scan did not decide are examined again at this number of bits.
-    std::vector<DecidedPiece> pieces;
-    for (const DecidedPiece& piece : pieces_) {
+    std::vector<Piece> pieces;
+    for (const Piece& piece : pieces_) {
         if (piece.from == Side::unknown) {
             decide(f, piece.lo, piece.hi, bits - kept_bits, pieces);
         } else {
@@ -258,7 +172,7 @@ EnclosedExtents BallExtentSearch::Search::at(long bits) {
         found.first_exit = start;
     }
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const DecidedPiece& piece = pieces[i];
+        const Piece& piece = pieces[i];
         Ball place(0, bits);
         if (piece.root) {
             place = refine(f, piece);
@@ -307,12 +221,5 @@ EnclosedExtents BallExtentSearch::Search::at(long bits) {
     }
     return found;
 }
-
-BallExtentSearch::BallExtentSearch(Contact contact, Edge edge, std::size_t n,
-                                   const formula::Exact& tolerance, ExtentRange range)
-    : search_(std::make_unique<Search>(std::move(contact), edge, n, tolerance, std::move(range))) {}
-BallExtentSearch::~BallExtentSearch() = default;
-EnclosedExtents BallExtentSearch::at(long bits) { return search_->at(bits); }
-std::size_t BallExtentSearch::evaluations() const { return search_->evaluations; }
 
 } // namespace edgeproof::contact

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/contact/law/load.hpp"
 
 #include <functional>
-#include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace edgeproof::contact {
@@ -36,11 +38,10 @@ public:
     using Contact = std::function<const ProvedContact&(long bits)>;
 
     /// Throws InputError as within_tolerance does. `contact` must outlive the object.
-    BallExtentSearch(Contact contact, Edge edge, std::size_t n, const formula::Exact& tolerance,
-                     ExtentRange range);
-    ~BallExtentSearch();
-    BallExtentSearch(const BallExtentSearch&) = delete;
-    BallExtentSearch& operator=(const BallExtentSearch&) = delete;
+    BallExtentSearch(Contact contact, Edge edge, std::size_t n, formula::Exact tolerance,
+                     ExtentRange range)
+        : contact_(std::move(contact)), edge_(edge), n_(n), tolerance_(std::move(tolerance)),
+          range_(std::move(range)) {}
 
     /// Throws a BudgetError with the reason if these bits, or `most_evaluations`, are not enough
     /// for a decision. This happens where an error touches the tolerance, or a crossing lies on an
@@ -48,13 +49,40 @@ public:
     [[nodiscard]] EnclosedExtents at(long bits);
     /// The number of evaluations of f over intervals and at points so far, each times its cost
     /// (proved_contact.hpp).
-    [[nodiscard]] std::size_t evaluations() const;
+    [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
 
     static constexpr std::size_t most_evaluations = 60'000;
 
 private:
-    class Search;
-    std::unique_ptr<Search> search_;
+    /// An interval with a decision: all on one side, a root of f = level (f monotone), or
+    /// undecided.
+    struct Piece {
+        Rational lo;
+        Rational hi;
+        Side from;
+        Side to;
+        std::optional<int> root; ///< +1: a root of f = tolerance, -1: of f = -tolerance
+    };
+    [[nodiscard]] RelativeError error(long bits);
+    void count(const RelativeError& f);
+    void scan();
+    void decide(const RelativeError& f, const Rational& lo, const Rational& hi, long finest,
+                std::vector<Piece>& pieces);
+    bool roots_between(const RelativeError& f, const Rational& lo, const Rational& hi,
+                       std::vector<Piece>& pieces);
+    /// The place where f is equal to the level of a root.
+    [[nodiscard]] Ball refine(const RelativeError& f, const Piece& piece);
+    /// Joins undecided pieces that are adjacent.
+    static void merge_unknown(std::vector<Piece>& pieces);
+
+    Contact contact_;
+    Edge edge_;
+    std::size_t n_;
+    formula::Exact tolerance_;
+    ExtentRange range_;
+    std::size_t evaluations_ = 0;
+    int most_doublings_ = 5;    ///< of the bits of the scan, before it gives up
+    std::vector<Piece> pieces_; ///< of the scan; adjacent undecided pieces are joined
 };
 
 } // namespace edgeproof::contact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
 
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/law/logarithmic_pressure.hpp"
 
 namespace edgeproof::contact {
@@ -23,9 +24,14 @@ Mark<Ball> clamped_mark(const Extent<Ball>& e, const Ball& v) {
                                       : mark_between(clamped(right), clamped(left));
 }
 
-BallGreen ball_green(const Mark<Ball>& v, const Ball& right_x, const Ball& left_x, const Ball& D,
-                     const Ball& offset) {
-    return ball_green(v, right_x, left_x, Field<Ball>::root(right_x * left_x), D, offset);
+// |t ln(C/t)| grows with t up to t = C/e: for |offset| <= t the moment is at most t ln(C/t).
+Ball moment_across(const Ball& p, const Ball& q, const Ball& D, const Ball& offset) {
+    const Ball sum = Field<Ball>::root(p) + Field<Ball>::root(q);
+    const Ball C = upper_end(sum * sum / D).with_bits(offset.bits());
+    const Ball t = upper_end(abs(offset));
+    const Ball largest = t * log(C / t);
+    return certainly_less(t * 3, C) && largest.is_finite() ? up_to(largest)
+                                                           : unknown_ball(offset.bits());
 }
 
 BallGreen ball_green(const Mark<Ball>& v, const Ball& right_x, const Ball& left_x, const Ball& w_x,
@@ -49,17 +55,7 @@ BallGreen ball_green(const Mark<Ball>& v, const Ball& right_x, const Ball& left_
         return g;
     }
     g.least = log1p(clamped(beyond) / Ball(gap.upper(), offset.bits()));
-    // |t ln(C/t)| grows with t up to t = C/e: for |offset| <= t the moment is at most t ln(C/t).
-    const Ball sum = Field<Ball>::root(v.right * left_x) + Field<Ball>::root(right_x * v.left);
-    const Ball C(Ball(sum * sum / D).upper(), offset.bits());
-    const Ball t(abs(offset).upper(), offset.bits());
-    const Ball largest = t * log(C / t);
-    g.moment = largest;
-    if (certainly_less(t * 3, C) && largest.is_finite()) {
-        g.moment = Ball::around(Real(0), largest.upper(), offset.bits());
-    } else {
-        arb_indeterminate(g.moment.data());
-    }
+    g.moment = moment_across(v.right * left_x, right_x * v.left, D, offset);
     return g;
 }
 

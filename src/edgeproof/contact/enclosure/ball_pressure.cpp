@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
 #include "edgeproof/contact/law/kernels.hpp"
 #include "edgeproof/contact/law/logarithmic_pressure.hpp"
@@ -8,6 +9,7 @@
 #include "edgeproof/precision/rounding/escalate.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace edgeproof::contact {
 
@@ -132,9 +134,7 @@ Ball enclosed_pressure(const Profile& profile, const formula::Exact& contact_mod
                 return BallContact(profile, contact_modulus, load, bits).pressure(edge, u);
             } catch (const BudgetError&) {
                 // Too few bits to isolate an edge: the pressure is unknown.
-                Ball unknown(1, bits);
-                arb_indeterminate(unknown.data());
-                return unknown;
+                return unknown_ball(bits);
             }
         },
         [&](const Ball& p) { return p.is_finite() && p.relative_accuracy_bits() >= wanted; },
@@ -170,16 +170,24 @@ BallSeries BallContact::left_edge_series(std::size_t order) const {
         });
 }
 
-std::vector<Ball> BallContact::left_edge_derivatives(std::size_t count) const {
-    const BallSeries b = left_edge_series(count);
+namespace {
+
+/// f, f', f'', ... (`count` values) from the power series of f: f^(k) is k! times the coefficient
+/// of z^k.
+std::vector<Ball> derivatives(const BallSeries& f, std::size_t count) {
     std::vector<Ball> all;
-    Ball factorial(1, bits_);
-    // b^(k)(a) is k! times the coefficient of z^k.
+    Ball factorial(1, f.bits());
     for (std::size_t k = 0; k < count; ++k) {
         factorial *= static_cast<long>(std::max<std::size_t>(k, 1));
-        all.push_back(b[k] * factorial);
+        all.push_back(f[k] * factorial);
     }
     return all;
+}
+
+} // namespace
+
+std::vector<Ball> BallContact::left_edge_derivatives(std::size_t count) const {
+    return derivatives(left_edge_series(count), count);
 }
 
 BallSeries BallContact::total_rate_series(std::size_t order) const {
@@ -194,12 +202,8 @@ BallSeries BallContact::total_rate_series(std::size_t order) const {
 std::vector<Ball> BallContact::force_derivatives(std::size_t count) const {
     std::vector<Ball> all{force()};
     if (count > 1) {
-        const BallSeries rate = total_rate_series(count - 1);
-        Ball factorial(1, bits_);
-        for (std::size_t k = 0; k + 1 < count; ++k) {
-            factorial *= static_cast<long>(std::max<std::size_t>(k, 1));
-            all.push_back(rate[k] * factorial);
-        }
+        std::ranges::copy(derivatives(total_rate_series(count - 1), count - 1),
+                          std::back_inserter(all));
     }
     return all;
 }
@@ -225,39 +229,133 @@ std::vector<Ball> BallContact::expansion(Edge edge, std::size_t terms) const {
                                                        : mirrored().right_expansion(terms);
 }
 
-std::vector<Ball> enclosed_expansion(const Profile& profile, const formula::Exact& contact_modulus,
-                                     const Load& load, Edge edge, std::size_t terms,
-                                     unsigned digits) {
-    const long wanted = static_cast<long>(static_cast<double>(digits + 2) * 3.3219281) + 2;
-    for (long bits = wanted + 64 + 4 * static_cast<long>(terms);; bits *= 2) {
-        try {
-            const BallContact contact(profile, contact_modulus, load, bits);
-            std::vector<Ball> c = contact.expansion(edge, terms);
-            const Ball length = contact.a() + contact.b();
-            Ball natural = terms > 0 ? abs(c[0]) : Ball(0, bits);
-            bool enough = true;
-            for (const Ball& coefficient : c) {
-                const bool relative = coefficient.relative_accuracy_bits() >= wanted;
-                // A coefficient that vanishes is compared with the natural size of its neighbours.
-                const Ball small =
-                    natural /
-                    Ball(Rational(Integer(Integer(1) << static_cast<unsigned>(wanted))), bits);
-                const bool vanishing =
-                    contains_zero(coefficient) && certainly_less(abs(coefficient), small);
-                enough = enough && coefficient.is_finite() && (relative || vanishing);
-                natural /= length;
-            }
-            if (enough) {
-                return c;
-            }
-        } catch (const BudgetError&) {
-            // too few bits to isolate an edge
+namespace {
+
+BallSeries integral(const BallSeries& s, const Ball& constant) {
+    BallSeries r(constant, s.order());
+    for (std::size_t k = 0; k + 1 < s.order(); ++k) {
+        r.set(k + 1, s[k] / static_cast<long>(k + 1));
+    }
+    return r;
+}
+
+} // namespace
+
+BallSeries BallContact::pressure_series(Edge edge, const Ball& u, std::size_t order) const {
+    const Ball D = a_ + b_;
+    const BallSeries from = BallSeries::variable(u.with_bits(bits_), order);
+    const BallSeries other = -from + D;
+    if (!certainly_positive(u) || !certainly_positive(other[0])) {
+        return unknown_series(order, bits_);
+    }
+    if (power_) {
+        const Ball x = a_ - u;
+        if (contains_zero(x)) {
+            return unknown_series(order, bits_);
         }
-        if (bits > (1L << 17)) {
-            throw BudgetError("the enclosures of the expansion are still too wide at " +
-                              std::to_string(bits) + " bits");
+        const Ball q = abs(x) / a_;
+        const Ball y = u * other[0] / (a_ * a_);
+        // q I' = m I - 1/sqrt(1 - q^2) (docs/pressure.md, "Closed form: power laws"), term by term.
+        const BallSeries at = BallSeries::variable(q, order);
+        BallSeries s = -(at * at) + Ball(1, bits_);
+        s.set(0, y);
+        s = BallSeries(Ball(1, bits_), order) / sqrt(s);
+        std::vector<Ball> I{(*power_law_integral_)(q, y)};
+        for (std::size_t k = 0; k + 1 < order; ++k) {
+            const long n = static_cast<long>(k);
+            I.push_back(((power_->exponent - n) * I[k] - s[k]) / (q * (n + 1)));
+        }
+        const Ball rate = certainly_positive(x) ? -(1 / a_) : 1 / a_;
+        Ball scale = fixed_.factor;
+        for (Ball& c : I) {
+            c *= scale;
+            scale *= rate;
+        }
+        return BallSeries(I);
+    }
+    const bool right = edge == Edge::right;
+    const Ball& right_x = right ? u : other[0];
+    const Ball& left_x = right ? other[0] : u;
+    const BallSeries w_x = sqrt(from * other);
+    const BallSeries zero(Ball(0, bits_), order);
+    struct Green {
+        BallSeries value;
+        BallSeries moment;
+    };
+    bool on_knot = false;
+    const BallSeries sum = logarithmic_sum(
+        slope_, slope_.knots.size(), w_x * fixed_.arc,
+        [&](std::size_t i) { return fixed_.bends[i] && !on_knot; },
+        [&](std::size_t i) {
+            const Ball& knot = slope_.knots[i];
+            const BallSeries offset = right ? from + (knot - a_) : -from + (b_ + knot); // v - x
+            if (contains_zero(offset[0])) {
+                on_knot = true;
+                return Green{zero, zero};
+            }
+            // dG/du = w(v)/(w(x) (distance of v - u)) (docs/pressure.md, "Closed form: piecewise
+            // linear slopes").
+            const Mark<Ball>& v = fixed_.marks[i];
+            const BallSeries rate = BallSeries(v.w, order) / (w_x * (right ? -offset : offset));
+            BallSeries G =
+                integral(rate, ball_green(v, right_x, left_x, w_x[0], D, offset[0]).value);
+            BallSeries moment = offset * G;
+            return Green{std::move(G), std::move(moment)};
+        });
+    return on_knot ? unknown_series(order, bits_) : sum * fixed_.factor;
+}
+
+Ball BallContact::reach(Edge edge) const {
+    Ball least = a_ + b_;
+    if (power_) {
+        // docs/extents.md: the majorant of a power law holds for rho < a/(m + 4)
+        return a_ / (power_->exponent + 4);
+    }
+    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
+        const Mark<Ball>& m = fixed_.marks[i];
+        if (fixed_.bends[i]) {
+            least = min(least, edge == Edge::right ? m.right : m.left);
         }
     }
+    return least;
+}
+
+Ball BallContact::majorant(Edge edge, const Ball& rho) const {
+    // docs/extents.md: the size of each coefficient is at most that of the majorant, so that |c_k|
+    // rho^k <= M.
+    const Ball D = a_ + b_;
+    const Ball pi = Ball::pi(bits_);
+    if (power_) {
+        // p/sqrt(u) = (P'/(pi a)) sqrt(2a - u) 2F1(1, (1 - m)/2; 3/2; y) is bounded with 2 sqrt(2a)
+        // for the root and (1 - Y)^(-|1 - m|/2) for 2F1, Y = 2 rho/a + (rho/a)^2.
+        const Ball eta = rho / a_;
+        const Ball rate = power_->force_rate(a_);
+        return rate / (pi * a_) * sqrt(a_ * 2) * 2 *
+               pow(1 - eta * 2 - eta * eta, -(abs(1 - power_->exponent) / 2));
+    }
+    // With z = u (D - u_v)/((D - u) u_v), G = 2 artanh sqrt(z) = 2 (z^(1/2) + z^(3/2)/3 + ...), and
+    // G/sqrt(u) has no negative coefficient. The sizes of the coefficients of sqrt(D - u), times
+    // rho^k, sum to less than 2 sqrt(D).
+    const bool right = edge == Edge::right;
+    const Ball other = D - rho;
+    const Ball w_x = Field<Ball>::root(rho * other);
+    Ball sum(0, bits_);
+    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
+        if (!fixed_.bends[i]) {
+            continue;
+        }
+        const Mark<Ball>& v = fixed_.marks[i];
+        const Ball distance = right ? v.right : v.left;
+        const Ball offset = right ? rho - distance : distance - rho;
+        const Ball G =
+            ball_green(v, right ? rho : other, right ? other : rho, w_x, D, offset).value /
+            sqrt(rho);
+        sum += abs(slope_.rate_drop(i)) * (rho + distance) * G;
+        if (profile_.has_corner(i)) {
+            sum += abs(slope_.jump(i)) * G;
+        }
+    }
+    return modulus_ / (pi * 2) * (sum + abs(fixed_.arc) * sqrt(D) * 2);
 }
 
 } // namespace edgeproof::contact

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
-#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
@@ -45,14 +45,14 @@ RelativeError::RelativeError(const ProvedContact& contact, Edge edge, std::size_
     }
 }
 
-Side RelativeError::side(const Ball& f) const {
+Side side_of(const Ball& f, const Ball& tolerance) {
     if (!f.is_finite()) {
         return Side::unknown;
     }
-    return certainly_less(tolerance_, f)        ? Side::above
-           : certainly_less(f, -tolerance_)     ? Side::below
-           : certainly_less(abs(f), tolerance_) ? Side::within
-                                                : Side::unknown;
+    return certainly_less(tolerance, f)        ? Side::above
+           : certainly_less(f, -tolerance)     ? Side::below
+           : certainly_less(abs(f), tolerance) ? Side::within
+                                               : Side::unknown;
 }
 Ball RelativeError::at(const Rational& u) const {
     const Ball x(u, bits_);
@@ -116,13 +116,7 @@ Rational RelativeError::safe_distance() const {
     throw BudgetError(std::to_string(bits_) + " bits do not separate the edge from a knot");
 }
 
-Ball RelativeError::local(const Ball& u) const {
-    Ball sum = c_.back();
-    for (std::size_t k = c_.size() - 1; k-- > 0;) {
-        sum = sum * u + c_[k];
-    }
-    return sum * sqrt(u);
-}
+Ball RelativeError::local(const Ball& u) const { return horner(c_, u) * sqrt(u); }
 BallSeries RelativeError::series(const Ball& u, std::size_t order) const {
     const BallSeries at = BallSeries::variable(u, order);
     BallSeries sum(c_.back(), order);

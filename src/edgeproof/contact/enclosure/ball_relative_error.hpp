@@ -11,6 +11,11 @@ namespace edgeproof::contact {
 
 /// The side of the tolerance on which f = p_local/p - 1 lies.
 enum class Side { below, within, above, unknown };
+/// The side on which an enclosure f lies.
+[[nodiscard]] Side side_of(const Ball& f, const Ball& tolerance);
+[[nodiscard]] inline bool is_beyond(Side side) {
+    return side == Side::above || side == Side::below;
+}
 
 /// The rational number that is equal to x.
 [[nodiscard]] Rational exact_value(const Real& x);
@@ -30,7 +35,7 @@ public:
     [[nodiscard]] const Ball& tolerance() const { return tolerance_; }
     [[nodiscard]] Ball length() const { return contact_.a() + contact_.b(); }
     /// The side on which an enclosure f lies.
-    [[nodiscard]] Side side(const Ball& f) const;
+    [[nodiscard]] Side side(const Ball& f) const { return side_of(f, tolerance_); }
     [[nodiscard]] Ball at(const Rational& u) const;
     /// f and f' at the distance u from the edge.
     [[nodiscard]] std::pair<Ball, Ball> tangent(const Rational& u) const;

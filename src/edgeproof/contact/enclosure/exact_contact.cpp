@@ -2,9 +2,9 @@
 #include "edgeproof/contact/enclosure/exact_contact.hpp"
 
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
 #include "edgeproof/contact/law/logarithmic_pressure.hpp"
-#include "edgeproof/precision/ball/arb_values.hpp"
 #include "edgeproof/series/functions.hpp"
 
 #include <algorithm>
@@ -25,10 +25,7 @@ std::optional<Rational> simplest_rational(const Ball& x) {
     if (contains_zero(x)) { // any integer may be the result of FLINT there
         return Rational(0);
     }
-    FmpqValue simplest;
-    fmpq_simplest_between(simplest, to_fmpq(exact_value(x.lower())),
-                          to_fmpq(exact_value(x.upper())));
-    return from_fmpq(simplest);
+    return simplest_between(exact_value(x.lower()), exact_value(x.upper()));
 }
 
 ExactContact::ExactContact(const Profile& profile, const formula::Exact& contact_modulus,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/exact_edges.hpp"
 
+#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/law/linear_measure.hpp"
 #include "edgeproof/formula/exact/identity.hpp"
@@ -60,41 +62,16 @@ private:
     std::vector<Mark<formula::Expr>> marks_;
 };
 
-/// The midpoint of x as a rational number.
-Rational rational_middle(const Ball& x) {
-    const Real m = x.midpoint();
-    Rational q;
-    mpfr_get_q(q.backend().data(), m.backend().data());
-    return q;
-}
-
 /// The simplest rational within the relative distance 2^-(bits/3) of q; nothing if it is not
 /// simple.
 std::optional<Rational> simple_rational(const Rational& q, long bits) {
     if (q <= 0) {
         return std::nullopt;
     }
-    const Rational slack = q / Rational(Integer(1) << static_cast<unsigned>(bits / 3));
-    // The convergents of the continued fraction (DLMF 1.12(ii)).
-    Integer p0 = 0;
-    Integer q0 = 1;
-    Integer p1 = 1;
-    Integer q1 = 0;
-    Rational rest = q;
-    for (;;) {
-        const Integer floor = numerator(rest) / denominator(rest);
-        p0 = std::exchange(p1, Integer(floor * p1 + p0));
-        q0 = std::exchange(q1, Integer(floor * q1 + q0));
-        const Rational near(p1, q1);
-        if (abs(Rational(near - q)) <= slack) {
-            return near;
-        }
-        const Rational left = rest - Rational(floor);
-        if ((q1 >> static_cast<unsigned>(bits / 8)) > 0 || left == 0) {
-            return std::nullopt;
-        }
-        rest = 1 / left;
-    }
+    const Rational slack = q * power_of_two(-(bits / 3));
+    const Rational near = simplest_between(Rational(q - slack), Rational(q + slack));
+    const Integer smaller = std::min(numerator(near), denominator(near));
+    return smaller >> static_cast<unsigned>(bits / 7) == 0 ? std::optional(near) : std::nullopt;
 }
 
 /// The exact numbers that an edge may be equal to: a knot, a simple rational, pi times one, or the
@@ -102,9 +79,8 @@ std::optional<Rational> simple_rational(const Rational& q, long bits) {
 std::vector<formula::Expr> candidates(const Ball& near, const std::vector<formula::Expr>& knots,
                                       long bits) {
     std::vector<formula::Expr> found;
-    const Rational at = rational_middle(near);
-    const Rational slack =
-        abs(at) / Rational(Integer(1) << static_cast<unsigned>(std::max(8L, bits / 4)));
+    const Rational at = exact_value(near.midpoint());
+    const Rational slack = abs(at) * power_of_two(-std::max(8L, bits / 4));
     for (const formula::Expr& knot : knots) {
         if (decided_sign(knot - formula::Expr::number(Rational(at - slack))) == 1 &&
             decided_sign(formula::Expr::number(Rational(at + slack)) - knot) == 1) {
@@ -114,7 +90,7 @@ std::vector<formula::Expr> candidates(const Ball& near, const std::vector<formul
     if (const auto q = simple_rational(at, bits)) {
         found.push_back(formula::Expr::number(*q));
     }
-    if (const auto q = simple_rational(rational_middle(near / Ball::pi(bits)), bits)) {
+    if (const auto q = simple_rational(exact_value((near / Ball::pi(bits)).midpoint()), bits)) {
         found.push_back(formula::Expr::number(*q) * formula::Expr::pi());
     }
     if (const auto q = simple_rational(at * at, bits)) {

@@ -2,6 +2,7 @@
 #include "edgeproof/contact/enclosure/power_law_integral.hpp"
 
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -11,12 +12,6 @@ namespace {
 
 constexpr double most_terms = 4e6;
 constexpr double most_m = 1e12;
-
-Ball unknown(long bits) {
-    Ball x(0, bits);
-    arb_indeterminate(x.data());
-    return x;
-}
 
 /// The interval from 0 to the upper end of x.
 Ball from_zero(const Ball& x) { return Ball::from_interval(Real(0), x.upper(), x.bits()); }
@@ -40,8 +35,6 @@ void to_next_term(Ball& x, const Ball& first, const std::optional<Rational>& n, 
     const Ball factor = (first + k) / (k + 1);
     arb_mul(x.data(), x.data(), factor.data(), bits);
 }
-
-double approximate(const Ball& x) { return arf_get_d(arb_midref(x.data()), ARF_RND_NEAR); }
 
 /// m - 2 steps, if m is rational.
 std::optional<Rational> less(const formula::Exact& m, long steps) {
@@ -122,7 +115,7 @@ Ball PowerLawIntegral::edge_sum(const Exponent& of, const Ball& q, const Ball& y
             break;
         }
     }
-    return unknown(bits);
+    return unknown_ball(bits);
 }
 
 /// q^n (sqrt(pi)/2) Gamma(-n/2)/Gamma((1 - n)/2) (DLMF 15.8.4; docs/pressure.md, "Closed form:
@@ -180,7 +173,7 @@ Ball PowerLawIntegral::rest(const Ball& q, const Ball& y, const Ball& root) cons
     if ((approximate(y) <= most_y || !by_apex) && certainly_less(y, most_)) {
         return edge_sum(left_, q, y, root);
     }
-    return by_apex ? apex_sum(q) : unknown(q.bits());
+    return by_apex ? apex_sum(q) : unknown_ball(q.bits());
 }
 
 /// m I_m = sqrt(y) + (m - 1) q^2 I_{m-2} (docs/pressure.md, "Closed form: power laws"), from the
@@ -232,7 +225,7 @@ Ball PowerLawIntegral::by_parts(const Ball& q, const Ball& y, const Ball& root) 
 Ball PowerLawIntegral::operator()(const Ball& q, const Ball& y) const {
     const long bits = std::max(q.bits(), y.bits());
     if (about_m_ > most_m) {
-        return unknown(bits);
+        return unknown_ball(bits);
     }
     const Ball root = Field<Ball>::root(y);
     if (steps_ == 0) {
@@ -245,7 +238,7 @@ Ball PowerLawIntegral::operator()(const Ball& q, const Ball& y) const {
         about_y < 1 ? digits + (1.6 * about_m_ * about_y + 1.5 * digits) / (1 - about_y) : 1e300;
     const double downwards = std::min(static_cast<double>(steps_), 0.7 * digits / about_y);
     if (std::min(near_edge, downwards) > most_terms) {
-        return unknown(bits);
+        return unknown_ball(bits);
     }
     if (near_edge < downwards && certainly_less(y, Ball(1, bits))) {
         return edge_sum(whole_, q, y, root);

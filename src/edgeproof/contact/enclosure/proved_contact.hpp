@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/enclosure/fields.hpp"
+#include "edgeproof/contact/law/linear_measure.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
+#include "edgeproof/contact/profile/profile.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/ball_series.hpp"
@@ -21,13 +25,21 @@ class ProvedContact {
 public:
     virtual ~ProvedContact() = default;
 
-    [[nodiscard]] virtual long bits() const = 0;
-    [[nodiscard]] virtual const Ball& a() const = 0;
-    [[nodiscard]] virtual const Ball& b() const = 0;
-    /// The distance of an edge from the origin (length), if it is given or proved exactly.
-    [[nodiscard]] virtual std::optional<formula::Exact> known(Edge edge) const = 0;
+    [[nodiscard]] long bits() const { return bits_; }
+    [[nodiscard]] const Ball& a() const { return a_; }
+    [[nodiscard]] const Ball& b() const { return b_; }
+    [[nodiscard]] Ball length() const { return a_ + b_; }
+    /// E* (stress).
+    [[nodiscard]] const Ball& modulus() const { return modulus_; }
+    /// The distance of an edge from the origin (length), if it is given, or proved by exact algebra
+    /// (exact_edges.hpp).
+    [[nodiscard]] std::optional<formula::Exact> known(Edge edge) const {
+        return edge == Edge::right || profile_.symmetric() ? known_a_ : known_b_;
+    }
     /// True if an edge that is not known exactly may lie on a knot at this number of bits.
-    [[nodiscard]] virtual bool edge_may_be_on_knot() const = 0;
+    [[nodiscard]] bool edge_may_be_on_knot() const;
+    /// The distances of the corners from the edge. There p is infinite.
+    [[nodiscard]] std::vector<Ball> corners(Edge edge) const;
     /// The normal force P per unit length.
     [[nodiscard]] virtual Ball force() const = 0;
     /// The moment of p about the origin (moore-hills EQ22).
@@ -43,14 +55,14 @@ public:
     /// bounds Taylor's remainder over it. Not finite if the ball of x contains a knot.
     [[nodiscard]] virtual BallSeries pressure_series(Edge edge, const Ball& u,
                                                      std::size_t order) const = 0;
-    /// The distances of the corners from the edge. There p is infinite.
-    [[nodiscard]] virtual std::vector<Ball> corners(Edge edge) const = 0;
     /// A distance from the edge up to which p/sqrt(u) is proved to have a power series; zero if
     /// there is no proof.
     [[nodiscard]] virtual Ball reach(Edge edge) const = 0;
-    /// M with |c_k| <= M/rho^k for all k, 0 < rho < reach.
+    /// M with |c_k| <= M/rho^k for all k, 0 < rho < reach (docs/extents.md).
     [[nodiscard]] virtual Ball majorant(Edge edge, const Ball& rho) const = 0;
-    /// c_0 ... c_{terms-1} at an edge, each enclosed; not finite if the edge may lie on a knot.
+    /// c_0 ... c_{terms-1} at an edge, each enclosed. An edge that lies on a knot exactly, as given
+    /// or as proved, is expanded from inside the contact. If an edge may lie on a knot at this
+    /// number of bits, the coefficients are not finite.
     [[nodiscard]] virtual std::vector<Ball> expansion(Edge edge, std::size_t terms) const = 0;
 
     /// The contact as one with a closed form; null for a curved slope.
@@ -60,11 +72,39 @@ public:
     [[nodiscard]] virtual std::size_t cost() const { return 1; }
 
 protected:
-    ProvedContact() = default;
+    ProvedContact(const Profile& profile, const Ball& modulus, long bits);
     ProvedContact(const ProvedContact&) = default;
     ProvedContact(ProvedContact&&) = default;
     ProvedContact& operator=(const ProvedContact&) = default;
     ProvedContact& operator=(ProvedContact&&) = default;
+
+    /// True if a knot is inside the contact, as far as the bits decide.
+    [[nodiscard]] virtual bool inside(std::size_t knot) const = 0;
+    /// False at a knot where the formula of g' does not change (the origin of a parabola).
+    [[nodiscard]] virtual bool bends(std::size_t) const { return true; }
+    [[nodiscard]] Ball constant(const formula::Expr& e) const {
+        return formula::enclosed_constant(e, bits_);
+    }
+    /// Finds the knots that are exactly a known edge.
+    void find_knots_on_edges();
+    /// Makes this the zone -b < x < a, no edge of which is known exactly.
+    void move_edges(const Ball& a, const Ball& b);
+    /// Makes this the mirror image.
+    void mirror();
+
+    Profile profile_;
+    long bits_;
+    Ball modulus_;
+    LinearSlope<Ball> slope_; ///< for a slope that is not piecewise linear only its knots
+    /// The edge on which a knot lies exactly, if this is known; balls cannot decide it.
+    std::vector<std::optional<Edge>> on_edge_;
+    std::optional<formula::Exact> known_a_;
+    std::optional<formula::Exact> known_b_;
+    Ball a_;
+    Ball b_;
 };
+
+/// True if a constant is proved to be zero.
+[[nodiscard]] bool certainly_zero(const formula::Expr& e);
 
 } // namespace edgeproof::contact

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/slip/ball_slip.hpp"
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
-#include "edgeproof/contact/enclosure/isolate_zero.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
@@ -70,10 +70,9 @@ Ball BallSlip::tension_limit(Edge edge) const {
     const auto zone_to = [&](const Ball& other) {
         return edge == Edge::left ? BallZone{other, whole_.b} : BallZone{whole_.a, other};
     };
-    const auto middle = [](const Ball& x) { return Ball(x.midpoint(), x.bits()); };
     Ball x = middle(whole_.at(opposite(edge)));
     const long bits = zones_.bits();
-    const Ball tiny(Rational(1, Integer(1) << static_cast<unsigned>(bits - 24)), bits);
+    const Ball tiny = power_of_two(24 - bits, bits);
     for (int k = 0; k < most_limit_steps; ++k) {
         const ZoneValues v = zones_.values(zone_to(x));
         Ball step = middle((v.force - P) / v.rate(opposite(edge)) * 2);
@@ -90,11 +89,9 @@ Ball BallSlip::tension_limit(Edge edge) const {
         }
     }
     for (long lost = 24; lost < bits; lost += 24) {
-        const Ball slack =
-            whole_.length() *
-            Ball(Rational(1, Integer(1) << static_cast<unsigned>(bits - lost)), bits);
-        const Ball lo(Ball(x - slack).lower(), bits);
-        const Ball hi(Ball(x + slack).upper(), bits);
+        const Ball slack = whole_.length() * power_of_two(lost - bits, bits);
+        const Ball lo = lower_end(x - slack);
+        const Ball hi = upper_end(x + slack);
         if (certainly_less(zones_.values(zone_to(lo)).force, P) &&
             certainly_less(P, zones_.values(zone_to(hi)).force)) {
             const Ball tilt = -zones_.values(zone_to(Ball::hull(lo, hi))).mean_slope;
@@ -167,15 +164,13 @@ public:
           least_(slip.force() * (1 - slip.load_ratio())), inner_{slip.stick().a, least_},
           outer_{slip.whole().a, most_}, terms_(2 * (static_cast<std::size_t>(bits_) / 8) + 1) {
         const Ball range = most_ - least_;
-        const Ball part(
-            Rational(Integer(1), Integer(Integer(1) << static_cast<unsigned>(bits_ - bits_ / 8))),
-            bits_);
-        enough_ = middle(range * range * stretch(inner_, outer_) * part);
+        enough_ = middle(range * range * stretch(inner_, outer_) *
+                         power_of_two(bits_ / 8 - bits_, bits_));
     }
 
     [[nodiscard]] Ball total() const {
-        const Inner lo = at(Ball(inner_.a.upper(), bits_));
-        const Inner hi = at(Ball(outer_.a.lower(), bits_));
+        const Inner lo = at(upper_end(inner_.a));
+        const Inner hi = at(lower_end(outer_.a));
         if (!certainly_less(lo.a, hi.a)) {
             throw BudgetError("too few bits to distinguish the stick zone from the contact");
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/slip/slip_reach.hpp"
 
-#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/contact/enclosure/isolate_zero.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
@@ -18,10 +18,6 @@ constexpr int most_scans = 4;
 constexpr int narrowest_step = 44; ///< bits to which load ratios are distinguished
 constexpr int nearest_to_zero = 400;
 constexpr int nearest_to_sliding = 60;
-
-Rational two_to_the_minus(int k) {
-    return {Integer(1), Integer(Integer(1) << static_cast<unsigned>(k))};
-}
 
 } // namespace
 
@@ -63,13 +59,7 @@ public:
     /// d_n.
     [[nodiscard]] Ball terms(const Ball& tau) const { return slip_sum(kappa_, n_, tau); }
     /// d_n/tau.
-    [[nodiscard]] Ball terms_over(const Ball& tau) const {
-        Ball sum = kappa_[n_ - 1];
-        for (std::size_t k = n_ - 1; k-- > 0;) {
-            sum = sum * tau + kappa_[k];
-        }
-        return sum;
-    }
+    [[nodiscard]] Ball terms_over(const Ball& tau) const { return horner(kappa_, tau); }
     /// d_n'.
     [[nodiscard]] Ball terms_rate(const Ball& tau) const {
         Ball sum = kappa_[n_ - 1] * static_cast<long>(n_);
@@ -92,13 +82,8 @@ public:
                                : Ball::hull(1 - twice, 1 + twice);
         return (terms_rate(tau) - ratio * slip_.rate_between(lo.zone, hi.zone, edge_)) / d;
     }
-    [[nodiscard]] bool within(const Ball& E) const {
-        return E.is_finite() && certainly_less(abs(E), tolerance_);
-    }
-    /// 1: above the tolerance, -1: below minus the tolerance, 0: neither is certain.
-    [[nodiscard]] int beyond(const Ball& E) const {
-        return certainly_less(tolerance_, E) ? 1 : certainly_less(E, -tolerance_) ? -1 : 0;
-    }
+    [[nodiscard]] Side side(const Ball& E) const { return side_of(E, tolerance_); }
+    [[nodiscard]] bool within(const Ball& E) const { return side(E) == Side::within; }
     [[nodiscard]] bool within_to_sliding(const Place& p) const {
         const Ball d = slip_.sizes_to_sliding(p.zone, edge_);
         return within(terms(hull(p.tau, Rational(1))) / d - 1);
@@ -149,7 +134,7 @@ void SlipReachSearch::scan() {
             }
             Place lo = f.place(tau, f.slip().whole());
             Rational step(1, 4); // relative to lo, at first
-            const Rational last = 1 - two_to_the_minus(nearest_to_sliding);
+            const Rational last = 1 - power_of_two(-nearest_to_sliding);
             for (;;) {
                 count(f.cost());
                 if (f.within_to_sliding(lo)) {
@@ -180,15 +165,15 @@ void SlipReachSearch::scan() {
                     step = std::min(Rational(1, 2), Rational(step * Rational(3, 2)));
                     continue;
                 }
-                if (monotone && f.within(at_lo) && f.beyond(at_hi) != 0) {
+                if (monotone && f.within(at_lo) && f.side(at_hi) != Side::unknown) {
                     lo_ = lo.tau;
                     hi_ = to;
-                    side_ = f.beyond(at_hi);
+                    side_ = f.side(at_hi) == Side::above ? 1 : -1;
                     scanned_ = true;
                     return;
                 }
                 step = (to - lo.tau) / lo.tau / 2;
-                if (step < two_to_the_minus(narrowest_step)) {
+                if (step < power_of_two(-narrowest_step)) {
                     throw BudgetError("the error of the slip zone touches the tolerance");
                 }
             }
@@ -209,44 +194,21 @@ EnclosedReach SlipReachSearch::at(long bits) {
     }
     const Error f(slip_(bits), edge_, n_, tolerance_);
     const Ball level = side_ > 0 ? f.tolerance() : -f.tolerance();
-    // Newton's method between lo and hi, which proves nothing.
-    Rational lo = lo_;
-    Rational hi = hi_;
-    Place p = f.place(lo, f.slip().whole());
-    Rational tau = (lo + hi) / 2;
-    for (int k = 0; k < 400; ++k) {
+    Place p = f.place(lo_, f.slip().whole());
+    const auto gap_at = [&](const Rational& tau) {
         count(f.cost());
         p = f.place(tau, p.zone);
-        const Ball gap = f.at(p) - level;
-        if (contains_zero(gap)) {
-            break;
-        }
-        (certainly_positive(gap) == (side_ > 0) ? hi : lo) = tau;
-        const Ball step = gap / f.rate(p, p);
-        Rational next = (lo + hi) / 2;
-        if (step.is_finite()) {
-            const Rational newton = exact_value(Ball(f.ball(tau) - step).midpoint());
-            next = newton > lo && newton < hi ? newton : next;
-        }
-        const bool refined =
-            abs(Rational(next - tau)) < tau * two_to_the_minus(static_cast<int>(bits) - 24);
-        tau = next;
-        if (refined) {
-            break;
-        }
-    }
-    // The proof: the signs on both sides.
-    for (long k = bits - 24; k > 8; k -= 16) {
-        count(2 * f.cost());
-        const Rational slack = tau * two_to_the_minus(static_cast<int>(k));
-        const Rational left = std::max(lo_, Rational(tau - slack));
-        const Rational right = std::min(hi_, Rational(tau + slack));
-        const Ball at_left = f.at(f.place(left, p.zone)) - level;
-        const Ball at_right = f.at(f.place(right, p.zone)) - level;
-        if (side_ > 0 ? certainly_negative(at_left) && certainly_positive(at_right)
-                      : certainly_positive(at_left) && certainly_negative(at_right)) {
-            return {Ball::hull(f.ball(left), f.ball(right)), true};
-        }
+        return f.at(p) - level;
+    };
+    const auto ratio = enclosed_crossing(
+        {lo_, hi_, side_ > 0}, bits, 24,
+        [&](const Rational& tau) {
+            const Ball gap = gap_at(tau);
+            return std::pair(gap, f.rate(p, p));
+        },
+        gap_at);
+    if (ratio) {
+        return {*ratio, true};
     }
     throw BudgetError("too few bits to enclose the load at which the tolerance is exceeded");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/slip/stick_zone.hpp"
 
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <optional>
@@ -12,12 +13,6 @@ namespace {
 constexpr int most_zone_steps = 400;
 constexpr int most_growing_steps = 60;
 constexpr long bits_of_a_zone_step = 12; ///< bits lost when Newton's steps have converged
-
-Ball middle_of(const Ball& x) { return {x.midpoint(), x.bits()}; }
-
-Ball two_to_minus(long bits, long working) {
-    return {Rational(Integer(1), Integer(Integer(1) << static_cast<unsigned>(bits))), working};
-}
 
 /// Returns (E*/4) times the integral of (g' + tilt)/w (docs/partial-slip.md, "Enclosed").
 Ball turn_of(const ZoneSolver& zones, const ZoneValues& v, const Ball& tilt) {
@@ -77,11 +72,11 @@ private:
 } // namespace
 
 BallZone ZoneSolver::search(const Ball& force, const Ball& tilt, const BallZone& near) const {
-    BallZone at{middle_of(near.a), middle_of(near.b)};
-    const Ball P = middle_of(force);
-    const Ball turned = middle_of(tilt);
-    const Ball tiny = two_to_minus(bits() - bits_of_a_zone_step, bits());
-    const Ball half_the_bits = two_to_minus(bits() / 2, bits());
+    BallZone at{middle(near.a), middle(near.b)};
+    const Ball P = middle(force);
+    const Ball turned = middle(tilt);
+    const Ball tiny = power_of_two(bits_of_a_zone_step - bits(), bits());
+    const Ball half_the_bits = power_of_two(-(bits() / 2), bits());
     std::optional<Ball> before;
     std::optional<BallZone> last; // where the values were finite
     int growing = 0;
@@ -92,20 +87,20 @@ BallZone ZoneSolver::search(const Ball& force, const Ball& tilt, const BallZone&
         // alone (docs/partial-slip.md, "The corrective contact").
         const Ball missing = v.force - P;
         const Ball turn = D * turn_of(*this, v, turned);
-        Ball da = middle_of((missing + turn) / v.right_rate);
-        Ball db = middle_of((missing - turn) / v.left_rate);
+        Ball da = middle((missing + turn) / v.right_rate);
+        Ball db = middle((missing - turn) / v.left_rate);
         if (!da.is_finite() || !db.is_finite()) {
             if (!last && k > 0) {
                 break;
             }
             if (!last) { // a start with an edge on a corner
-                const Ball inwards = D * two_to_minus(10, bits());
-                at = {middle_of(at.a - inwards), middle_of(at.b - inwards)};
+                const Ball inwards = D * power_of_two(-10, bits());
+                at = {middle(at.a - inwards), middle(at.b - inwards)};
                 continue;
             }
             // The step went beyond the knots that carry the zone, such as the one corner of a
             // wedge.
-            at = {middle_of((at.a + last->a) / 2), middle_of((at.b + last->b) / 2)};
+            at = {middle((at.a + last->a) / 2), middle((at.b + last->b) / 2)};
             continue;
         }
         last = at;
@@ -116,7 +111,7 @@ BallZone ZoneSolver::search(const Ball& force, const Ball& tilt, const BallZone&
             da *= limit / most;
             db *= limit / most;
         }
-        at = {middle_of(at.a - da), middle_of(at.b - db)};
+        at = {middle(at.a - da), middle(at.b - db)};
         const Ball size = abs(da) + abs(db);
         if (!certainly_less(tiny * (abs(at.a) + abs(at.b)), size)) {
             return at;
@@ -143,7 +138,7 @@ BallZone ZoneSolver::zone(const Ball& force, const Ball& tilt, const BallZone& n
     const ZoneValues at = values(m);
     const Ball missing = at.force - force;
     const Ball turn = m.length() * turn_of(*this, at, tilt);
-    const Ball least = two_to_minus(bits() - 4, bits()) * m.length();
+    const Ball least = power_of_two(4 - bits(), bits()) * m.length();
     Ball radius_a = abs((missing + turn) / at.right_rate) * 2 + least;
     Ball radius_b = abs((missing - turn) / at.left_rate) * 2 + least;
     for (long k = 0; 5 * k < bits() && radius_a.is_finite() && radius_b.is_finite(); ++k) {
@@ -157,8 +152,8 @@ BallZone ZoneSolver::zone(const Ball& force, const Ball& tilt, const BallZone& n
             contains(box.b, image.b)) {
             return image;
         }
-        radius_a = middle_of(radius_a * 32);
-        radius_b = middle_of(radius_b * 32);
+        radius_a = middle(radius_a * 32);
+        radius_b = middle(radius_b * 32);
     }
     throw BudgetError("ball arithmetic at " + std::to_string(bits()) +
                       " bits does not isolate the stick zone");

@@ -78,13 +78,23 @@ public:
     [[nodiscard]] Real solve(const Branch& branch, const formula::Exact& target, unsigned digits) {
         const Real rough = [&] {
             const PrecisionScope scope(rough_digits + 30);
-            return rough_root(branch, target);
+            const Real end = log(branch.v_end.to<Real>());
+            const auto f = gap(branch, target, rough_digits);
+            Real hi = end;
+            Real f_hi = f(hi);
+            for (int decades = 1; decades <= most_decades * 2; decades *= 2) {
+                const Real lo = end - log(Real(10)) * decades;
+                const Real f_lo = f(lo);
+                if (brackets(f_lo, f_hi)) {
+                    return root(f, lo, f_lo, hi, f_hi, pow(Real(10), -13));
+                }
+                hi = lo;
+                f_hi = f_lo;
+            }
+            throw BudgetError("the moment lies within 1e-1000 of the end of its range");
         }();
         const PrecisionScope scope(digits + 20);
-        const Real log_target = log(target.to<Real>());
-        const auto f = [&](const Real& log_v) {
-            return Real(log(y(branch, Real(exp(log_v)), digits + 10)) - log_target);
-        };
+        const auto f = gap(branch, target, digits + 10);
         const Real middle = log(rough);
         for (int width = 8; width > 0; width -= 4) {
             const Real slack = pow(Real(10), -width);
@@ -92,9 +102,9 @@ public:
             const Real hi = middle + slack;
             const Real f_lo = f(lo);
             const Real f_hi = f(hi);
-            if ((f_lo > 0) != (f_hi > 0) || f_lo == 0 || f_hi == 0) {
+            if (brackets(f_lo, f_hi)) {
                 const Real relative = pow(Real(10), -static_cast<int>(digits)) / (1 + abs(middle));
-                return exp(roots::bracketed_root<Real>(f, lo, f_lo, hi, f_hi, relative).x);
+                return root(f, lo, f_lo, hi, f_hi, relative);
             }
         }
         throw BudgetError("the search for the tilt did not converge");
@@ -102,24 +112,20 @@ public:
     [[nodiscard]] std::size_t contacts() const { return contacts_; }
 
 private:
-    Real rough_root(const Branch& branch, const formula::Exact& target) {
-        const Real log_target = log(target.to<Real>());
-        const auto f = [&](const Real& log_v) {
-            return Real(log(y(branch, Real(exp(log_v)), rough_digits)) - log_target);
+    using RealFunction = std::function<Real(const Real& log_v)>;
+    /// ln(y/target) as a function of ln(v), to `digits` digits.
+    [[nodiscard]] RealFunction gap(const Branch& branch, const formula::Exact& target,
+                                   unsigned digits) {
+        return [this, &branch, digits, log_target = Real(log(target.to<Real>()))](const Real& x) {
+            return Real(log(y(branch, Real(exp(x)), digits)) - log_target);
         };
-        Real hi = log(branch.v_end.to<Real>());
-        Real f_hi = f(hi);
-        for (int decades = 1; decades <= most_decades * 2; decades *= 2) {
-            const Real lo = log(branch.v_end.to<Real>()) - log(Real(10)) * decades;
-            const Real f_lo = f(lo);
-            if ((f_lo > 0) != (f_hi > 0) || f_lo == 0 || f_hi == 0) {
-                return exp(
-                    roots::bracketed_root<Real>(f, lo, f_lo, hi, f_hi, pow(Real(10), -13)).x);
-            }
-            hi = lo;
-            f_hi = f_lo;
-        }
-        throw BudgetError("the moment lies within 1e-1000 of the end of its range");
+    }
+    [[nodiscard]] static bool brackets(const Real& f_lo, const Real& f_hi) {
+        return (f_lo > 0) != (f_hi > 0) || f_lo == 0 || f_hi == 0;
+    }
+    [[nodiscard]] static Real root(const RealFunction& f, const Real& lo, const Real& f_lo,
+                                   const Real& hi, const Real& f_hi, const Real& relative) {
+        return exp(roots::bracketed_root<Real>(f, lo, f_lo, hi, f_hi, relative).x);
     }
 
     const TiltedPunch& punch_;

@@ -64,19 +64,21 @@ ParametricSlope flat_and_rounded(const DesignFormulas& of) {
     const Expr rate = whole(1) / of.number("profile", "R");
     const Expr rise = t / of.number("profile", "R");
     const Expr zero = whole(0);
-    return {.knots = {-t, zero, t},
-            .pieces = {{rise, rate}, {zero, zero}, {zero, zero}, {-rise, rate}},
-            .corner = {false, false, false},
-            .origin = 1,
-            .symmetric = true};
+    return {{.knots = {-t, zero, t},
+             .pieces = {{rise, rate}, {zero, zero}, {zero, zero}, {-rise, rate}},
+             .corners = {false, false, false},
+             .jumps = {},
+             .origin = 1},
+            true};
 }
 
 ParametricSlope tilted_wedge(const DesignFormulas& of) {
     const Expr phi = of.number("profile", "phi");
     const Expr alpha = of.number("profile", "alpha");
-    return {.knots = {whole(0)},
-            .pieces = {{-(phi + alpha), whole(0)}, {phi - alpha, whole(0)}},
-            .corner = {true}};
+    return {{.knots = {whole(0)},
+             .pieces = {{-(phi + alpha), whole(0)}, {phi - alpha, whole(0)}},
+             .corners = {true},
+             .jumps = {}}};
 }
 
 ParametricSlope tilted_flat_and_rounded(const DesignFormulas& of) {
@@ -86,10 +88,11 @@ ParametricSlope tilted_flat_and_rounded(const DesignFormulas& of) {
     const Expr rate = whole(1) / R;
     const Expr end = -(alpha * R);
     const Expr zero = whole(0);
-    return {.knots = {end - two_t, end, zero},
-            .pieces = {{two_t / R, rate}, {-alpha, zero}, {zero, rate}, {zero, rate}},
-            .corner = {false, false, false},
-            .origin = 2};
+    return {{.knots = {end - two_t, end, zero},
+             .pieces = {{two_t / R, rate}, {-alpha, zero}, {zero, rate}, {zero, rate}},
+             .corners = {false, false, false},
+             .jumps = {},
+             .origin = 2}};
 }
 
 /// Upper bounds of the degrees of a quotient of polynomials in each parameter.
@@ -226,7 +229,7 @@ std::optional<ParametricSlope> piecewise(const DesignFormulas& of,
         const auto value = [&](const ParametricSlope::Piece& p) {
             return p.at_origin + p.rate * s.knots[i];
         };
-        s.corner.push_back(
+        s.corners.push_back(
             !identically_zero(value(s.pieces[i + 1]) - value(s.pieces[i]), parameters));
     }
     return s;

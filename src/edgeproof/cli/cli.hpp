@@ -20,9 +20,9 @@
 namespace edgeproof::cli {
 
 using AddCommand = void(CLI::App& app, int& code);
-AddCommand add_pressure, add_expand, add_extent, add_slip, add_plot, add_slip_table, add_explain,
-    add_relations, add_design, add_table, add_points, add_check, add_compare, add_pack, add_certify,
-    add_verify;
+AddCommand add_pressure, add_expand, add_extent, add_slip, add_stress, add_displacement, add_plot,
+    add_slip_table, add_explain, add_relations, add_design, add_table, add_points, add_check,
+    add_compare, add_pack, add_certify, add_verify;
 
 /// A subcommand and the values of its options, which live as long as the command line.
 template <class Options> struct Command {

@@ -49,10 +49,12 @@ int main(int argc, char** argv) {
         "Exit status: 0 done, and nothing differs or fails; 1 something does; 2 the input was "
         "bad; 130, 143 interrupted (SIGINT, SIGTERM)");
     for (const auto add :
-         {cli::add_pressure, cli::add_expand, cli::add_extent, cli::add_slip, cli::add_plot,
-          cli::add_slip_table, cli::add_explain, cli::add_relations, cli::add_design,
-          cli::add_table, cli::add_points, cli::add_check, cli::add_compare, cli::add_pack,
-          cli::add_mutate, cli::add_certify, cli::add_bounds, cli::add_cost, cli::add_verify}) {
+         {cli::add_pressure, cli::add_expand,       cli::add_extent,  cli::add_slip,
+          cli::add_stress,   cli::add_displacement, cli::add_plot,    cli::add_slip_table,
+          cli::add_explain,  cli::add_relations,    cli::add_design,  cli::add_table,
+          cli::add_points,   cli::add_check,        cli::add_compare, cli::add_pack,
+          cli::add_mutate,   cli::add_certify,      cli::add_bounds,  cli::add_cost,
+          cli::add_verify}) {
         add(app, code);
     }
     try {

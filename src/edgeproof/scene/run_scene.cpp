@@ -77,6 +77,21 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
             }
         }
     }
+    const auto of_bodies = [&](QuantityRow::Place place, std::size_t point, AskedValue asked) {
+        for (const QuantityRow& row : quantity_rows()) {
+            asked.quantity = row.quantity;
+            if (row.place == place && scene.ask.wants(row.group) && !lack_of(scene, asked)) {
+                rows.push_back({asked, {}, point});
+            }
+        }
+    };
+    for (std::size_t i = 0; plan.stress && i < scene.ask.in_bodies.size(); ++i) {
+        of_bodies(QuantityRow::Place::body, i, {.in_body = scene.ask.in_bodies[i]});
+    }
+    for (std::size_t i = 0; plan.displacement && i < scene.ask.u.size(); ++i) {
+        of_bodies(QuantityRow::Place::surface, i,
+                  {.place = scene.ask.u[i].distance(contact::Edge::right)});
+    }
     for (const contact::Edge edge : plan.edges) {
         for (std::size_t k = 0; scene.ask.wants(QuantityGroup::coefficients) && k < plan.terms;
              ++k) {
@@ -162,7 +177,14 @@ private:
             if (def.may_be_missing) {
                 return;
             }
-            if (const auto* domain = dynamic_cast<const DomainError*>(&error)) {
+            const auto* domain = dynamic_cast<const DomainError*>(&error);
+            if (domain != nullptr && def.place == QuantityRow::Place::surface) {
+                return; // the gap exists outside the contact, the slip inside
+            }
+            if (def.of_bodies() && dynamic_cast<const InputError*>(&error) == nullptr) {
+                refuse_in_body(row, error);
+            }
+            if (domain != nullptr) {
                 refuse(row, *domain);
             }
             throw;
@@ -191,6 +213,12 @@ private:
             }
         }
         std::ranges::move(found, std::back_inserter(result_.rows));
+    }
+    [[noreturn]] void refuse_in_body(const Row& row, const Error& error) const {
+        const std::string what =
+            row.asked.in_body ? text_of(row.asked) : scene_.ask.u[row.point].text();
+        throw InputError(what + ": " + error.what(), "leave this point out")
+            .at(scene_.file, scene_.ask_line);
     }
     [[noreturn]] void refuse(const Row& row, const DomainError& error) const {
         if (!row_of(row.asked.quantity).at_point()) {
@@ -245,6 +273,11 @@ std::vector<RowsAt> SceneResult::points() const {
     return by_place(rows, [](const Row& row) { return row_of(row.asked.quantity).at_point(); });
 }
 
+std::vector<RowsAt> SceneResult::at_places(QuantityRow::Place place) const {
+    return by_place(rows,
+                    [&](const Row& row) { return row_of(row.asked.quantity).place == place; });
+}
+
 std::vector<RowsAt> SceneResult::at_edges(QuantityGroup group) const {
     return by_place(rows, [&](const Row& row) {
         const QuantityRow& def = row_of(row.asked.quantity);
@@ -282,6 +315,11 @@ Scene asking(const Scene& scene, const std::vector<AskedValue>& values, const Di
         if (v.u) {
             s.ask.u.push_back({*v.u, 0});
         }
+        if (v.in_body) {
+            s.ask.in_bodies.push_back(*v.in_body);
+        }
+        // A stress or displacement depends on the shear, if there is one.
+        shear = shear || row.of_bodies();
         if (v.tolerance) {
             s.ask.tolerance = v.tolerance;
         }

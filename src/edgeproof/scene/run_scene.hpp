@@ -25,6 +25,7 @@ struct SceneResult {
     }
     /// The rows of each point, and the rows of a group at each edge. They refer to `rows`.
     [[nodiscard]] std::vector<RowsAt> points() const;
+    [[nodiscard]] std::vector<RowsAt> at_places(QuantityRow::Place place) const;
     [[nodiscard]] std::vector<RowsAt> at_edges(QuantityGroup group) const;
 };
 

@@ -24,7 +24,7 @@ Scene sheared_hertz(const std::string& length = "1", const std::string& modulus 
     const std::string force = modulus + "*" + length;
     return parsed("[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1/" + length +
                   "\"\n[load]\na = \"" + length + "\"\ncontact_modulus = \"" + modulus +
-                  "\"\n[shear]\nQ = \"3/10*" + force + "\"\n" + more);
+                  "\"\nnu = \"1/4\"\n[shear]\nQ = \"3/10*" + force + "\"\n" + more);
 }
 
 /// Adds friction, Q/(f P) = 3/4, so that half of each half slips.
@@ -46,16 +46,23 @@ bool is_made_of_others(const QuantityRow& row) { return !row.searched && row.bal
 /// True if only balls give the quantity: there is no estimate to compare with.
 bool only_in_balls(const QuantityRow& row) {
     return row.quantity == Quantity::least_tension || row.quantity == Quantity::most_tension ||
-           row.quantity == Quantity::slip_load;
+           row.quantity == Quantity::slip_load || row.of_bodies();
 }
 
 /// Returns a row's quantity at the right edge, u = 1/5, with a tolerance of 1% and k = 1 if it has
-/// these.
+/// these; a stress at x = 0, z = 3/4, the gap at x = 5/4, the slip at x = 1/5.
 AskedValue asked_of(const QuantityRow& row, const std::string& length = "1") {
     AskedValue asked{row.quantity};
     asked.k = row.index == Index::none ? 0 : 1;
     if (row.at_point()) {
         asked.u = Exact::parse("1/5*" + length);
+    }
+    if (row.place == QuantityRow::Place::body) {
+        asked.in_body = {Exact(), Exact::parse("3/4*" + length)};
+    }
+    if (row.place == QuantityRow::Place::surface) {
+        const std::string x = row.quantity == Quantity::gap ? "5/4*" : "1/5*";
+        asked.place = Place::parse(x + length, Place::From::origin, {}).distance(asked.edge);
     }
     if (row.tolerance) {
         asked.tolerance = parse_tolerance("1%");
@@ -117,6 +124,9 @@ TEST_CASE("each quantity is evaluated in balls and in Real: Hertz and a wedge by
     constexpr long bits = 200;
     const Ball pi = acos(Ball(-1, bits));
     const Ball root = sqrt(Ball(2, bits));
+    // On the axis of a cylinder, p_0 = 1/2, a = 1, z = 3/4 (johnson1985, eq. 4.46): sxx = -1/10,
+    // szz = -2/5. There q gives sxz = -(Q/pi) (1 + z^2)^(-3/2) alone.
+    const Ball sxz = Ball(Rational(-96, 625), bits) / pi;
     const std::map<Quantity, Ball> by_hand{
         {Quantity::p, Ball(Rational(3, 10), bits)},
         {Quantity::q, 1 / (2 * pi)},
@@ -153,6 +163,15 @@ TEST_CASE("each quantity is evaluated in balls and in Real: Hertz and a wedge by
         {Quantity::slip_terms, Ball(Rational(3, 8), bits)},
         {Quantity::slip_rel, Ball(Rational(1, 4), bits)},
         {Quantity::slip_load, Ball(Rational(99, 2500), bits)},
+        {Quantity::sxx, Ball(Rational(-1, 10), bits)},
+        {Quantity::szz, Ball(Rational(-2, 5), bits)},
+        {Quantity::sxz, sxz},
+        // syy = -1/8 with nu = 1/4: (3/10)^2 + (11/40)^2 + (1/40)^2 = 133/800
+        {Quantity::mises, sqrt(Ball(Rational(133, 1600), bits) + sxz * sxz * 3)},
+        {Quantity::tau_max, sqrt(Ball(Rational(9, 400), bits) + sxz * sxz)},
+        // (1/2) (x sqrt(x^2 - 1) - arcosh x) at x = 5/4 (johnson1985, sec. 5.4)
+        {Quantity::gap, (Ball(Rational(15, 16), bits) - log(Ball(2, bits))) / 2},
+        {Quantity::slip_displacement, Ball(0, bits)},
     };
     for (const QuantityRow& row : quantity_rows()) {
         CAPTURE(row.name);
@@ -221,7 +240,7 @@ TEST_CASE("a name that is not a quantity: how to write one, and which one was li
         FAIL("accepted");
     } catch (const InputError& error) {
         CHECK(error.instead() == "did you mean pressure? write one of pressure, coefficients, "
-                                 "shear, extent, slip, contact, peak");
+                                 "shear, extent, slip, contact, peak, stress, displacement");
     }
     for (const GroupRow& row : group_rows()) {
         const std::string asked = "u = \"1/2\"\nterms = 1\ntolerance = \"1%\"\nquantities = [\"" +

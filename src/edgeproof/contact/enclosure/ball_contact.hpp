@@ -43,6 +43,8 @@ public:
     [[nodiscard]] static bool has_closed_form(const Profile& profile);
 
     [[nodiscard]] bool piecewise_linear() const { return !power_; }
+    /// The law of a profile that is a power law and not linear.
+    [[nodiscard]] const std::optional<PowerLaw<Ball>>& power_law() const { return power_; }
     /// The distance from the origin at which the minimum, which may be a flat, ends on that side.
     [[nodiscard]] Ball minimum_end(Edge edge) const;
     [[nodiscard]] Ball force() const override;

@@ -20,6 +20,8 @@ struct Counts {
     std::size_t extents = 0;          ///< edges and numbers of terms whose extent was searched for
     std::size_t stick_zones = 0;      ///< stick zones solved
     std::size_t slip_sizes = 0;       ///< edges at which the size of the slip zone was computed
+    std::size_t stresses = 0;         ///< points at which the stresses were computed
+    std::size_t displacements = 0;    ///< places at which the gap and the slip were computed
 
     friend bool operator==(const Counts&, const Counts&) = default;
 };

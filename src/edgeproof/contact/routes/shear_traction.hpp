@@ -23,6 +23,9 @@ struct ShearSpec {
     LoadingPath path = LoadingPath::normal_first;
     /// The coefficient of friction; without one nothing slips.
     std::optional<formula::Exact> friction = {};
+    /// The bulk stress of body A; that of body B is bulk_A + bulk_tension. Only stresses depend on
+    /// it.
+    formula::Exact bulk_A = {};
 };
 
 /// A value with its absolute error, estimated from the digits that cancelled; not a proved bound.

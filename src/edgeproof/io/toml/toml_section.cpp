@@ -396,6 +396,26 @@ std::vector<TomlSection::Written> TomlSection::numbers_written(std::string_view 
         return Written{access.scalar(n, name), access.line_of(n)};
     });
 }
+std::vector<std::array<TomlSection::Item, 2>> TomlSection::pairs(std::string_view key) const {
+    const Access access{*this};
+    const toml::array* list = access.node(key).as_array();
+    const auto is_pair = [](const toml::node& n) {
+        return n.is_array() && n.as_array()->size() == 2;
+    };
+    if (list == nullptr || list->empty() || !std::all_of(list->begin(), list->end(), is_pair)) {
+        reject(key, std::string(key) + " is no list of pairs",
+               "write " + std::string(key) + " = [[\"0\", \"1/2\"], [\"1\", \"2\"]]");
+    }
+    std::vector<std::array<Item, 2>> pairs;
+    for (const toml::node& n : *list) {
+        const auto item = [&](std::size_t i) {
+            const toml::node& number = *n.as_array()->get(i);
+            return Item{access.exact(number, key), access.line_of(number)};
+        };
+        pairs.push_back({item(0), item(1)});
+    }
+    return pairs;
+}
 std::vector<std::size_t> TomlSection::counts(std::string_view key, long least, long most) const {
     return Access{*this}.list(key, [&](const Access& access, const toml::node& n, auto name) {
         return access.count(n, name, least, most);

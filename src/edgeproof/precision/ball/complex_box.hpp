@@ -84,6 +84,41 @@ public:
         return std::move(x) + whole;
     }
     friend Box operator-(const Ball& x, const Box& y) { return -(y - x); }
+    friend Box operator/(Box x, const Ball& y) {
+        acb_div_arb(x.z_, x.z_, y.data(), x.widen(y.bits()));
+        return x;
+    }
+
+    /// i x, without rounding.
+    friend Box times_i(Box x) {
+        acb_mul_onei(x.z_, x.z_);
+        return x;
+    }
+    friend Box conj(Box x) {
+        acb_conj(x.z_, x.z_);
+        return x;
+    }
+    /// The principal square root (DLMF 4.2.29); a negative number counts as above the cut.
+    friend Box sqrt(Box x) {
+        acb_sqrt(x.z_, x.z_, x.bits_);
+        return x;
+    }
+    /// The principal logarithm of 1 + x (DLMF 4.2.2).
+    friend Box log1p(Box x) {
+        acb_log1p(x.z_, x.z_, x.bits_);
+        return x;
+    }
+    friend Ball abs(const Box& x) {
+        Ball r(0, x.bits_);
+        acb_abs(r.data(), x.z_, x.bits_);
+        return r;
+    }
+    /// Gauss's 2F1(a, b; c; z), principal branch (DLMF 15.2.1).
+    friend Box hypergeometric_2f1(const Ball& a, const Ball& b, const Ball& c, const Box& z) {
+        Box r(z.bits_);
+        acb_hypgeom_2f1(r.z_, Box(a).z_, Box(b).z_, Box(c).z_, z.z_, 0, z.bits_);
+        return r;
+    }
 
 private:
     long widen(long bits) { return bits_ = bits_ < bits ? bits : bits_; }

@@ -64,6 +64,9 @@ std::string text_of(const AskedValue& asked) {
                              : row.label.empty() ? symbol_of(asked)
                                                  : std::string(row.label);
     const std::string edge = edge_name(asked.edge) + " edge";
+    if (asked.in_body) {
+        return what + " at x = " + asked.in_body->x.text() + ", z = " + asked.in_body->z.text();
+    }
     return row.at_point()  ? what + " at u = " + asked.u->text() + " from the " + edge
            : row.at_edge() ? what + " at the " + edge
                            : what;
@@ -121,6 +124,9 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
         none.instead += " of the quantities";
         return none;
     }
+    if (needs == Needs::poisson && !scene.poisson(asked.in_body ? asked.in_body->body : Body::A)) {
+        return lack("there is no Poisson's ratio", "add nu to [load]");
+    }
     if (!row_of(asked.quantity).of_friction()) {
         return {};
     }
@@ -143,6 +149,24 @@ std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
     }
     if (group.friction && !scene.slips()) {
         return Lack{problem + "friction", "add friction = \"0.6\" to [shear]"};
+    }
+    if (!group.closed_form) {
+        return {};
+    }
+    if (scene.profile && !scene.profile->has_closed_form()) {
+        return Lack{std::string(group.name) + " is not computed for curved slopes",
+                    "give a power law or a piecewise linear g'"};
+    }
+    if (scene.ask.route != contact::Route::automatic &&
+        scene.ask.route != contact::Route::closed_form) {
+        return Lack{std::string(group.name) + " has no route " + route_name(scene.ask.route),
+                    "write route = \"automatic\""};
+    }
+    if (scene.slips() && scene.shear->bulk_tension.sign() != 0 && scene.profile &&
+        !scene.profile->piecewise_linear()) {
+        return Lack{std::string(group.name) +
+                        " is not computed for a power law with partial slip under a bulk tension",
+                    "leave bulk_tension or friction out, or give a piecewise linear g'"};
     }
     return {};
 }

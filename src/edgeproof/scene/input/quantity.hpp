@@ -58,10 +58,17 @@ enum class Quantity {
     load_ratio,       ///< |Q|/(f P)
     /// The least bulk tension, for the given Q and P, that keeps the stick zone in the contact.
     least_tension,
-    most_tension, ///< the greatest one
-    slip_terms,   ///< the size of the slip zone by the first k terms
-    slip_rel,     ///< |1 - slip_terms/slip|
-    slip_load,    ///< the load ratio up to which slip_rel stays within the tolerance
+    most_tension,      ///< the greatest one
+    slip_terms,        ///< the size of the slip zone by the first k terms
+    slip_rel,          ///< |1 - slip_terms/slip|
+    slip_load,         ///< the load ratio up to which slip_rel stays within the tolerance
+    sxx,               ///< normal stress along the surface, at a point of a body
+    szz,               ///< normal stress across the surface
+    sxz,               ///< shear stress
+    mises,             ///< equivalent stress of von Mises, in plane strain
+    tau_max,           ///< greatest shear stress in the plane
+    gap,               ///< gap between the bodies outside the contact
+    slip_displacement, ///< u_A - u_B along the surface, inside the contact
 };
 
 /// Quantities that are planned and computed together; `quantities` of a scene file names them.
@@ -73,6 +80,18 @@ enum class QuantityGroup {
     slip,         ///< slip zones: their sizes, and the sizes by n terms
     contact,      ///< a, b, P and M
     peak,         ///< the greatest pressure
+    stress,       ///< stresses at points of the bodies
+    displacement, ///< the gap outside the contact, and the slip inside
+};
+
+/// A is the body on which Q and q act; B is the other one.
+enum class Body { A, B };
+/// A point of a body: x from the origin, z >= 0 the depth into that body (lengths).
+struct BodyPoint {
+    formula::Exact x;
+    formula::Exact z;
+    Body body = Body::A;
+    friend bool operator==(const BodyPoint&, const BodyPoint&) = default;
 };
 
 struct AskedValue {
@@ -83,16 +102,18 @@ struct AskedValue {
     std::optional<formula::Exact> tolerance = {}; ///< if the row has `tolerance`
     std::optional<Distance> place = {}; ///< used instead of u, if the distance depends on the edges
     std::size_t j = 0;                  ///< the index of a crossing
+    std::optional<BodyPoint> in_body = {}; ///< for Place::body
 
     [[nodiscard]] Distance distance() const { return place ? *place : Distance(*u); }
 };
 
 struct QuantityRow {
-    /// The places of the values: one per contact, one at each edge, one at each point.
-    enum class Place { contact, edge, point };
+    /// The places of the values: one per contact, one at each edge, one at each point of the
+    /// contact, one at each point of a body, one at each place x of the surface.
+    enum class Place { contact, edge, point, body, surface };
     /// The meaning of k of an AskedValue.
     enum class Index { none, order, terms };
-    enum class Needs { nothing, shear, friction, friction_alone, unknown_tilt };
+    enum class Needs { nothing, shear, friction, friction_alone, unknown_tilt, poisson };
 
     Quantity quantity;
     /// The name in recipes, questions, answers and headers of columns, without the index ("c" of
@@ -148,7 +169,9 @@ struct QuantityRow {
     [[nodiscard]] bool by_its_own_name() const {
         return at_point() && group != QuantityGroup::pressure && group != QuantityGroup::shear;
     }
-    [[nodiscard]] bool at_edge() const { return place != Place::contact; }
+    [[nodiscard]] bool at_edge() const { return place == Place::edge || at_point(); }
+    /// True for a quantity at a point of a body or of the surface.
+    [[nodiscard]] bool of_bodies() const { return place == Place::body || place == Place::surface; }
 };
 
 [[nodiscard]] std::span<const QuantityRow> quantity_rows();
@@ -192,6 +215,7 @@ struct GroupRow {
     bool friction = false;
     bool terms = false;
     bool tolerance = false;
+    bool closed_form = false;         ///< only contacts with a closed form have it
     std::string_view incomplete = {}; ///< the message if terms or tolerance are not given
     std::string_view instead = {};
 };

@@ -244,8 +244,8 @@ void require_positive(const io::TomlSection& section, std::string_view key,
 }
 
 void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene& scene) {
-    ask.allow({"edges", "terms", "u", "x", "quantities", "tolerance", "process_zone", "part",
-               "route", "digits"});
+    ask.allow({"edges", "terms", "u", "x", "points", "quantities", "tolerance", "process_zone",
+               "part", "route", "digits"});
     Ask& result = scene.ask;
     scene.ask_line = ask.line();
     if (ask.has("edges")) {
@@ -259,6 +259,16 @@ void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene&
     }
     if (ask.has("u") || ask.has("x")) {
         result.u = read_places(ask, names_of(profile, scene));
+    }
+    if (ask.has("points")) {
+        result.in_bodies.clear();
+        for (const auto& [x, z] : ask.pairs("points")) {
+            if (sign_of(ask, "points", z.value) < 0) {
+                ask.reject(z.line, "the depth z = " + z.value.text() + " is negative",
+                           "give points [x, z] with z >= 0, the depth into the body");
+            }
+            result.in_bodies.push_back({x.value, z.value});
+        }
     }
     if (ask.has("tolerance")) {
         result.tolerance =
@@ -322,6 +332,9 @@ void default_quantities(Ask& ask, bool shear, bool friction) {
     }
     if (friction) {
         ask.quantities.insert(QuantityGroup::slip);
+    }
+    if (!ask.in_bodies.empty()) {
+        ask.quantities.insert(QuantityGroup::stress);
     }
     if (ask.quantities.empty()) {
         ask.quantities.insert(QuantityGroup::coefficients);

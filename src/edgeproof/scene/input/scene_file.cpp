@@ -15,16 +15,20 @@
 namespace edgeproof::scene {
 namespace {
 
+void check_poisson(const io::TomlSection& load, const char* key, const formula::Exact& nu) {
+    if (sign_of(load, key, formula::Exact(nu.expr() + whole(1))) <= 0 ||
+        sign_of(load, key, formula::Exact(whole(1) - whole(2) * nu.expr())) < 0) {
+        load.reject(key, std::string(key) + " = " + nu.text() + " is no Poisson's ratio",
+                    "give -1 < nu <= 1/2");
+    }
+}
+
 formula::Exact modulus_of_bodies(const io::TomlSection& load, Scene& scene) {
     const auto body = [&](const char* E_key, const char* nu_key) {
         const formula::Exact E = contact_constant(load, E_key);
         const formula::Exact nu = contact_constant(load, nu_key);
         require_positive(load, E_key, E, "give Young's modulus > 0");
-        if (sign_of(load, nu_key, formula::Exact(nu.expr() + whole(1))) <= 0 ||
-            sign_of(load, nu_key, formula::Exact(whole(1) - whole(2) * nu.expr())) < 0) {
-            load.reject(nu_key, std::string(nu_key) + " = " + nu.text() + " is no Poisson's ratio",
-                        "give -1 < nu <= 1/2");
-        }
+        check_poisson(load, nu_key, nu);
         return std::pair{E, nu};
     };
     const auto [E1, nu1] = body("E1", "nu1");
@@ -42,7 +46,15 @@ formula::Exact read_modulus(const io::TomlSection& load, Scene& scene) {
         }
         formula::Exact modulus = contact_constant(load, "contact_modulus");
         require_positive(load, "contact_modulus", modulus, "give E* > 0");
+        if (load.has("nu")) {
+            scene.nu = contact_constant(load, "nu");
+            check_poisson(load, "nu", *scene.nu);
+        }
         return modulus;
+    }
+    if (load.has("nu")) {
+        load.reject("nu", "nu is given in addition to nu1 and nu2",
+                    "leave nu out; it belongs to a contact_modulus");
     }
     if (!by_bodies) {
         load.reject(load.line(), "there is no contact_modulus",
@@ -52,7 +64,7 @@ formula::Exact read_modulus(const io::TomlSection& load, Scene& scene) {
 }
 
 void read_load(const io::TomlSection& load, Scene& scene) {
-    load.allow({"a", "width", "P", "M", "contact_modulus", "E1", "nu1", "E2", "nu2"});
+    load.allow({"a", "width", "P", "M", "contact_modulus", "nu", "E1", "nu1", "E2", "nu2"});
     scene.load_line = load.line();
     scene.contact_modulus = read_modulus(load, scene);
     std::string given;
@@ -158,7 +170,7 @@ void check_materials(const io::TomlSection& shear, const contact::ShearSpec& spe
 }
 
 void read_shear(const io::TomlSection& shear, Scene& scene) {
-    shear.allow({"Q", "bulk_tension", "path", "friction"});
+    shear.allow({"Q", "bulk_tension", "bulk_A", "path", "friction"});
     if (!shear.has("Q") && !shear.has("bulk_tension")) {
         shear.reject(shear.line(), "the shear section has no load",
                      "add Q = \"...\" or bulk_tension = \"...\", or leave [shear] out");
@@ -169,6 +181,7 @@ void read_shear(const io::TomlSection& shear, Scene& scene) {
     contact::ShearSpec spec;
     spec.Q = or_zero("Q");
     spec.bulk_tension = or_zero("bulk_tension");
+    spec.bulk_A = or_zero("bulk_A");
     if (sign_of(shear, "Q", spec.Q) == 0 &&
         sign_of(shear, "bulk_tension", spec.bulk_tension) == 0) {
         shear.reject(shear.line(), "the shear section has no load: Q and bulk_tension are zero",

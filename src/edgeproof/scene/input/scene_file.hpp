@@ -41,6 +41,8 @@ struct Ask {
     bool edges_given = false;       ///< by the file, so that they override a command's default
     std::vector<std::size_t> terms; ///< numbers of terms, in the order of the request
     std::vector<AskedPoint> u;      ///< in the order of the request; those of x come last
+    std::vector<BodyPoint>
+        in_bodies; ///< points of the bodies, of body A until a command asks for B
     std::set<QuantityGroup> quantities;
     std::optional<formula::Exact> tolerance;
     std::optional<formula::Exact> process_zone; ///< a length from the edge
@@ -77,6 +79,7 @@ struct Scene {
     std::optional<Radii> radii; ///< if the profile follows from both
     formula::Exact contact_modulus;
     std::optional<Bodies> bodies;         ///< if contact_modulus follows from them
+    std::optional<formula::Exact> nu;     ///< Poisson's ratio of both, if it is given alone
     contact::Load load;                   ///< a or P
     std::optional<formula::Exact> moment; ///< M, with `punch`
     std::optional<contact::ShearSpec> shear;
@@ -93,6 +96,10 @@ struct Scene {
     /// True if P and Q grow in proportion, so that q = (Q/P) p.
     [[nodiscard]] bool together() const {
         return shear && shear->path == contact::LoadingPath::together;
+    }
+    /// Poisson's ratio of a body, if it is given.
+    [[nodiscard]] std::optional<formula::Exact> poisson(Body body) const {
+        return !bodies ? nu : body == Body::A ? bodies->nu1 : bodies->nu2;
     }
     /// True if b = a without solving.
     [[nodiscard]] bool symmetric() const { return profile && profile->symmetric(); }

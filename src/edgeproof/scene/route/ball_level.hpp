@@ -6,6 +6,7 @@
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
+#include "edgeproof/contact/stress/plane_stress.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/scene/route/plan.hpp"
@@ -197,12 +198,30 @@ public:
             (singular(shear) ? Ball(left_out / sqrt(at)) : Ball(left_out * sqrt(at))) / value;
         return error.is_finite() ? error : difference;
     }
+    // Values at a point of a body, and at a place x of the surface (ball_fields.cpp), of contacts
+    // with a closed form.
+    [[nodiscard]] Ball sxx(const AskedValue& at) { return stress(at).sxx; }
+    [[nodiscard]] Ball szz(const AskedValue& at) { return stress(at).szz; }
+    [[nodiscard]] Ball sxz(const AskedValue& at) { return stress(at).sxz; }
+    [[nodiscard]] Ball tau_max(const AskedValue& at) { return stress(at).tau_max(); }
+    [[nodiscard]] Ball mises(const AskedValue& at);
+    /// Throws DomainError inside the contact.
+    [[nodiscard]] Ball gap(const AskedValue& at);
+    /// u_A - u_B. Throws DomainError outside the contact.
+    [[nodiscard]] Ball slip_displacement(const AskedValue& at);
     /// The sum of n terms of p, or of q.
     [[nodiscard]] Ball sum(contact::Edge edge, const Distance& u, std::size_t n, bool shear) {
         return sum_of_terms(shear ? s(edge) : c(edge), n, distance(u), singular(shear));
     }
 
 private:
+    /// Keeps the last value.
+    [[nodiscard]] const contact::StressState& stress(const AskedValue& at);
+    /// The Cauchy integral of q on body A; `p` is that of p.
+    [[nodiscard]] contact::CauchyIntegral shear_integral(const contact::CauchyIntegral& p,
+                                                         const Box& zeta);
+    /// The stick zone as a contact, with the tilt of the corrective problem.
+    [[nodiscard]] std::optional<contact::BallContact> stick_contact();
     /// A value of the slip; not finite if these bits do not suffice.
     template <class F> [[nodiscard]] Ball of_slip(const F& f) {
         try {
@@ -315,6 +334,8 @@ private:
     std::optional<contact::BallSlip> slip_;
     std::optional<contact::SlipSeries<Ball>> slip_series_;
     std::optional<Last> last_;
+    std::optional<std::pair<BodyPoint, contact::StressState>> last_stress_;
+    std::optional<contact::BallContact> stick_contact_;
     std::optional<Ball> ratio_;
     std::map<contact::Edge, std::vector<Ball>> c_;
     std::map<contact::Edge, std::vector<Ball>> s_;

@@ -73,7 +73,7 @@ BoundedValue BallRoute::value(const AskedValue& asked) {
     if (asked.quantity == Quantity::cycle_energy && !encloses_cycle_energy(scene_)) {
         return others().value(asked);
     }
-    if (row.of_friction() || (scene_.slips() && row.quantity == Quantity::q)) {
+    if (row.of_friction() || (scene_.slips() && (row.quantity == Quantity::q || row.of_bodies()))) {
         check_slip();
     }
     count(asked);
@@ -99,6 +99,11 @@ BoundedValue BallRoute::value(const AskedValue& asked) {
     auto found = refine([&](BallLevel& level) { return row.ball(level, asked); }, exactly,
                         row.short_error ? plan_.error_digits() : plan_.digits,
                         row.cancels_little ? plan_.narrow_bits : plan_.bits);
+    if (!found && row.of_bodies()) {
+        throw BudgetError(
+            "no number of bits encloses the value, which may be infinite there: at an "
+            "edge under full stick, or at a corner");
+    }
     if (!found) {
         return others().value(asked);
     }
@@ -248,6 +253,12 @@ void BallRoute::count(const AskedValue& asked) {
         break;
     case Quantity::slip:
         ++counts.slip_sizes;
+        break;
+    case Quantity::sxx: // the other stresses use the same Cauchy integrals
+        ++counts.stresses;
+        break;
+    case Quantity::slip_displacement: // asked for with the gap
+        ++counts.displacements;
         break;
     default:
         break;

@@ -79,7 +79,10 @@ public:
         plan_.resultants = ask_.wants(QuantityGroup::contact);
         plan_.slip = ask_.wants(QuantityGroup::slip);
         plan_.peak = ask_.wants(QuantityGroup::peak);
-        plan_.partial_slip = scene_.slips() && (plan_.shear || plan_.slip);
+        plan_.stress = ask_.wants(QuantityGroup::stress);
+        plan_.displacement = ask_.wants(QuantityGroup::displacement);
+        plan_.partial_slip =
+            scene_.slips() && (plan_.shear || plan_.slip || plan_.stress || plan_.displacement);
         const bool similar = scene_.together();
         plan_.pressure = plan_.print_pressure || (plan_.shear && similar);
         const bool others = std::ranges::any_of(quantity_rows(), [&](const QuantityRow& row) {
@@ -215,6 +218,14 @@ private:
         add("extent", plan_.extents,
             plan_.extents ? "within " + ask_.tolerance->text() + " of p" : "not asked for",
             &Counts::extents, ask_.terms.size() * edges_of_p_);
+        if (plan_.stress) {
+            add("stress", true, count_of(ask_.in_bodies.size(), "point"), &Counts::stresses,
+                ask_.in_bodies.size());
+        }
+        if (plan_.displacement) {
+            add("displacement", true, count_of(ask_.u.size(), "place"), &Counts::displacements,
+                ask_.u.size());
+        }
         add("peak pressure", plan_.peak, plan_.peak ? "the greatest one" : "not asked for");
         // The tilt solver, and a load given as P, need P internally; that is not counted here.
         const bool for_shear = scene_.together() && (plan_.shear || plan_.expand_shear);

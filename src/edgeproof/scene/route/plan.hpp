@@ -42,6 +42,8 @@ struct Plan {
     bool slip = false;         ///< the sizes of slip zones are requested
     bool resultants = false;   ///< P and M are requested
     bool peak = false;         ///< the greatest pressure
+    bool stress = false;       ///< stresses at points of the bodies
+    bool displacement = false; ///< the gap outside the contact, and the slip inside
     contact::Counts counts;    ///< predicted counts
     std::vector<Effect> effects;
 

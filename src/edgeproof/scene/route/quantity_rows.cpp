@@ -81,6 +81,8 @@ template <Def::Place place, auto member, bool listed> consteval auto evaluator()
         return [](auto& level, [[maybe_unused]] const AskedValue& v) {
             if constexpr (listed) {
                 return (level.*member)(v.edge).at(v.k);
+            } else if constexpr (place == Def::Place::body || place == Def::Place::surface) {
+                return (level.*member)(v);
             } else if constexpr (place == Def::Place::contact) {
                 return (level.*member)();
             } else if constexpr (place == Def::Place::edge) {
@@ -175,6 +177,23 @@ constexpr Made of_stick(Quantity quantity, std::string_view symbol, std::string_
     return of_contact<ball, nullptr, real>(quantity, symbol, name, Group::slip, unit)
         .needing(Needs::friction)
         .by("stick zone");
+}
+
+const char* way_of_stress(const Scene& s, const Plan& /*plan*/) {
+    return !s.shear ? "closed-form" : s.slips() ? "superposition" : full_stick_or_similar(s, {});
+}
+/// A stress at a point of a body; its name is that of the column.
+template <auto ball> constexpr Made stress(Quantity quantity, std::string_view name) {
+    return value<Def::Place::body, ball, nullptr, nullptr>(quantity, "", name, Group::stress,
+                                                           units::stress)
+        .labelled(name)
+        .by(way_of_stress);
+}
+template <auto ball> constexpr Made on_surface(Quantity quantity, std::string_view name) {
+    return value<Def::Place::surface, ball, nullptr, nullptr>(quantity, "", name,
+                                                              Group::displacement, units::length)
+        .labelled(name)
+        .by("closed-form");
 }
 
 /// The rows are in the order of Quantity.
@@ -289,6 +308,13 @@ constexpr auto quantity_table = std::to_array<Def>({
     searched(Quantity::slip_terms, "", "slip-zone-by-terms", Group::slip, units::length),
     searched(Quantity::slip_rel, "", "relative-error-of-slip-zone", Group::slip, units::number),
     searched(Quantity::slip_load, "", "slip-load", Group::slip, units::number),
+    stress<&BallLevel::sxx>(Quantity::sxx, "sxx"),
+    stress<&BallLevel::szz>(Quantity::szz, "szz"),
+    stress<&BallLevel::sxz>(Quantity::sxz, "sxz"),
+    stress<&BallLevel::mises>(Quantity::mises, "mises").needing(Needs::poisson),
+    stress<&BallLevel::tau_max>(Quantity::tau_max, "tau_max"),
+    on_surface<&BallLevel::gap>(Quantity::gap, "gap"),
+    on_surface<&BallLevel::slip_displacement>(Quantity::slip_displacement, "slip"),
 });
 
 /// The rows are in the order of QuantityGroup.
@@ -309,6 +335,8 @@ constexpr std::array group_table{
     GroupRow{.group = QuantityGroup::slip, .name = "slip", .friction = true},
     GroupRow{.group = QuantityGroup::contact, .name = "contact"},
     GroupRow{.group = QuantityGroup::peak, .name = "peak"},
+    GroupRow{.group = QuantityGroup::stress, .name = "stress", .closed_form = true},
+    GroupRow{.group = QuantityGroup::displacement, .name = "displacement", .closed_form = true},
 };
 
 template <class Table> consteval bool is_in_order(const Table& table, auto key) {

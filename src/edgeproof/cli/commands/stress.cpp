@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/scene_command.hpp"
+
+#include <array>
+
+namespace edgeproof::cli {
+namespace {
+
+using scene::Quantity;
+using scene::RowsAt;
+
+struct StressOptions : SceneOptions {
+    std::string body = "A";
+    std::vector<std::string> points; ///< "X,Z"
+};
+
+scene::Body body_of(const std::string& name) {
+    if (name != "A" && name != "B") {
+        throw InputError("--body " + name + ": there is no such body",
+                         "write A (on which Q acts) or B");
+    }
+    return name == "A" ? scene::Body::A : scene::Body::B;
+}
+
+scene::BodyPoint point_of(const std::string& text) {
+    const std::vector<std::string> parts = parts_of(text);
+    if (parts.size() != 2) {
+        throw InputError("--point " + text + " is no point", "write X,Z, such as --point 0,1/2");
+    }
+    scene::BodyPoint point{formula::Exact::parse(parts[0]), formula::Exact::parse(parts[1])};
+    if (point.z.sign() < 0) {
+        throw InputError("--point " + text + ": the depth is negative",
+                         "give z >= 0, the depth into the body");
+    }
+    return point;
+}
+
+int stress(const StressOptions& o) {
+    const scene::Body body = body_of(o.body);
+    scene::Scene scene = asked_scene(o);
+    if (!o.points.empty()) {
+        scene.ask.in_bodies.clear();
+        for (const std::string& text : o.points) {
+            scene.ask.in_bodies.push_back(point_of(text));
+        }
+    }
+    if (scene.ask.in_bodies.empty()) {
+        throw InputError("no points are asked for",
+                         "add points = [[\"0\", \"1/2\"]] (x, z) to [ask], or give --point 0,1/2")
+            .at(scene.file, scene.ask_line);
+    }
+    for (scene::BodyPoint& point : scene.ask.in_bodies) {
+        point.body = body;
+    }
+    ask_for(scene, o, scene::QuantityGroup::stress, {scene::QuantityGroup::contact});
+    const scene::SceneResult result = done(scene);
+    report::Table table = values_table(scene, result);
+    table.notes = {"sxx, szz, sxz: stresses at the depth z in body " + o.body +
+                       ", tension positive; tau_max: the greatest shear stress in the plane",
+                   scene.poisson(body)
+                       ? "mises: the equivalent stress of von Mises in plane strain"
+                       : "mises is left out: the scene has no Poisson's ratio (nu in [load])"};
+    if (result.plan.partial_slip) {
+        add_slip_facts(table.facts, scene, result);
+    }
+    table.notes.push_back(bound_note(result.plan));
+    using Kind = report::Column::Kind;
+    Columns<RowsAt> columns(scene);
+    const auto point = [&scene](const RowsAt& at) -> const scene::BodyPoint& {
+        return scene.ask.in_bodies[at.point()];
+    };
+    columns.add("body", Kind::text, [&o](const RowsAt&) { return o.body; });
+    columns.add("x", Kind::number, [point](const RowsAt& at) { return point(at).x.text(); });
+    columns.add("z", Kind::number, [point](const RowsAt& at) { return point(at).z.text(); });
+    constexpr std::array quantities{Quantity::sxx, Quantity::szz, Quantity::sxz, Quantity::mises,
+                                    Quantity::tau_max};
+    for (const Quantity quantity : quantities) {
+        if (quantity != Quantity::mises || scene.poisson(body)) {
+            columns.add_value(std::string(row_of(quantity).name), "",
+                              [quantity](const RowsAt& at) { return at.row(quantity).value; });
+        }
+    }
+    columns.add("route", Kind::text,
+                [](const RowsAt& at) { return at.row(Quantity::sxx).value->how(); });
+    columns.write(table, result.at_places(scene::QuantityRow::Place::body));
+    emit(table, o);
+    return 0;
+}
+
+/// Returns the cell of a quantity that exists on one side of the edge only.
+std::optional<scene::BoundedValue> value_of(const RowsAt& at, Quantity quantity) {
+    const scene::Row* row = at.find(quantity);
+    return row != nullptr ? row->value : std::nullopt;
+}
+
+int displacement(const SceneOptions& o) {
+    scene::Scene scene = asked_scene(o);
+    for (const scene::AskedPoint& point : scene.ask.u) {
+        if (!point.place || point.place->from() != scene::Place::From::origin) {
+            throw InputError("displacements are asked for at distances u from an edge",
+                             "give places x, from the origin")
+                .at(scene.file, scene.ask_line);
+        }
+    }
+    if (scene.ask.u.empty()) {
+        throw InputError("no places are asked for",
+                         "add x = [\"0\", \"2\"] to [ask], or give --x 0,2")
+            .at(scene.file, scene.ask_line);
+    }
+    scene.ask.edges = {contact::Edge::right};
+    ask_for(scene, o, scene::QuantityGroup::displacement, {scene::QuantityGroup::contact});
+    const scene::SceneResult result = done(scene);
+    report::Table table = values_table(scene, result);
+    table.notes = {"gap: the distance between the surfaces outside the contact; slip: u_A - u_B "
+                   "along the surface inside, 0 where the contact sticks"};
+    if (result.plan.partial_slip) {
+        add_slip_facts(table.facts, scene, result);
+    }
+    table.notes.push_back(bound_note(result.plan));
+    using Kind = report::Column::Kind;
+    Columns<RowsAt> columns(scene);
+    columns.add("x", Kind::number, [&scene](const RowsAt& at) {
+        const auto number = scene.ask.u[at.point()].place->number();
+        return number ? number->text() : scene.ask.u[at.point()].text();
+    });
+    columns.add_value("gap", "", [](const RowsAt& at) { return value_of(at, Quantity::gap); });
+    columns.add_value("slip", "",
+                      [](const RowsAt& at) { return value_of(at, Quantity::slip_displacement); });
+    columns.add("route", Kind::text, [](const RowsAt& at) { return at.begin()->value->how(); });
+    columns.write(table, result.at_places(scene::QuantityRow::Place::surface));
+    emit(table, o);
+    return 0;
+}
+
+} // namespace
+
+void add_stress(CLI::App& app, int& code) {
+    auto [sub, o] = add_command<StressOptions>(
+        app, code, "stress", "stresses at points of a body, each with a bound", stress);
+    add_scene_options(sub, o);
+    sub.add_option("--body", o.body, "A, on which Q acts, or B")->capture_default_str();
+    sub.add_option("--point", o.points,
+                   "X,Z: place and depth (default: points of [ask]); repeatable");
+    sub.footer(
+        "z is the depth into the body. [shear] bulk_A is the bulk stress of body A, and B has\n"
+        "bulk_A + bulk_tension. See docs/stress.md.");
+}
+
+void add_displacement(CLI::App& app, int& code) {
+    auto [sub, o] = add_command<SceneOptions>(
+        app, code, "displacement",
+        "the gap outside the contact and the slip inside, each with a bound", displacement);
+    add_scene_options(sub, o);
+    sub.footer("See docs/stress.md.");
+}
+
+} // namespace edgeproof::cli

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/stress/cauchy_integral.hpp"
+
+#include <cstddef>
+
+namespace edgeproof::contact {
+namespace {
+
+/// A place in the variable omega, |omega| <= 1, of zeta = c + (D/4)(omega + 1/omega): it is 0 far
+/// from the contact, and on the unit circle on the contact.
+struct Outside {
+    Outside(const Extent<Ball>& e, const Box& zeta)
+        : half(e.length() / 2), root(root_outside(e, zeta)),
+          // omega = (zeta - c - W)/(D/2), without cancellation
+          omega(Box(half) / (zeta - (e.a - e.b) / 2 + root)) {}
+    Ball half; ///< D/2
+    Box root;  ///< W
+    Box omega;
+};
+
+Box unit_vector(const Mark<Ball>& v, const Ball& half) { return {v.y / half, v.w / half}; }
+
+/// k(zeta, v) = -i ln((1 - omega e^(-ih))/(1 - omega e^(ih))): 2/E* times the Cauchy integral of
+/// the pressure for a unit jump of g' at v (docs/stress.md, "A jump of the slope").
+Box kernel(const Outside& at, const Mark<Ball>& v) {
+    const Box e = unit_vector(v, at.half);
+    if (arb_is_zero(at.omega.imaginary().data()) != 0) { // outside the contact: exactly real
+        const Ball omega = at.omega.real();
+        return Box(atan2(omega * v.w / at.half, 1 - omega * v.y / at.half) * 2);
+    }
+    return -times_i(log1p(-(at.omega * conj(e))) - log1p(-(at.omega * e)));
+}
+
+/// Bounds |(v - zeta) k| where the box of v - zeta contains zero: there |1 - omega e^(ih)| >=
+/// 2 |omega| |v - zeta|/D, so that |k| <= pi + ln 2 - ln(2 |omega| r/D), r = |v - zeta|; the
+/// product with r increases in r up to D/(2 e |omega|).
+Box small_moment(const Outside& at, const Box& offset) {
+    const long bits = offset.bits();
+    const Ball r(abs(offset).upper(), bits);
+    const Ball part = abs(at.omega) * r / at.half;
+    Ball most(0, bits);
+    if (certainly_less(part * 3, Ball(1, bits))) {
+        most = certainly_positive(part)
+                   ? r * (Ball::pi(bits) + log(Ball(2, bits)) - log(Ball(part.lower(), bits)))
+                   : most;
+    } else {
+        arb_indeterminate(most.data());
+    }
+    const Ball all = Ball::hull(-most, most);
+    return {all, all};
+}
+
+// docs/stress.md, "Piecewise linear slopes"
+CauchyIntegral linear(const BallContact& contact, const Box& zeta) {
+    const Outside at({contact.a(), contact.b()}, zeta);
+    const LinearSlope<Ball>& slope = contact.slope();
+    // For the whole contact: (D/2) omega times the integral of g'' dh.
+    const Ball arc = contact.arc() * at.half;
+    Box value = at.omega * arc;
+    Box by_root = -(at.omega * arc); // W times the derivative, without the terms in k
+    Box derivative(zeta.bits());
+    for (std::size_t i = 0; i < slope.knots.size(); ++i) {
+        if (!contact.bends_inside(i)) {
+            continue;
+        }
+        const Mark<Ball>& v = contact.knot_marks()[i];
+        const Box offset = slope.knots[i] - zeta;
+        const Box k = kernel(at, v);
+        if (slope.has_corner(i)) {
+            value = value + k * slope.jump(i);
+            by_root = by_root + Box(slope.jump(i) * v.w) / offset;
+        }
+        const Ball drop = slope.rate_drop(i);
+        const Box moment = offset.contains_zero() ? small_moment(at, offset) : offset * k;
+        value = value + (moment + v.w) * drop;
+        by_root = by_root + drop * v.w;
+        derivative = derivative - k * drop;
+    }
+    const Ball factor = contact.modulus() / 2;
+    return {value * factor, (derivative + by_root / at.root) * factor};
+}
+
+// P(a) = K a^(m+1), so that the Cauchy integral is that of the flat punches by which the contact
+// grows: the integral of P'(s)/sqrt(zeta^2 - s^2) ds over 0 < s < a (docs/stress.md, "Power laws").
+CauchyIntegral power_law(const BallContact& contact, const Box& zeta) {
+    const long bits = zeta.bits();
+    const Ball& a = contact.a();
+    const Ball force = contact.force();
+    const Ball growth = contact.force_rate() * a; // a P'(a)
+    // Exact where m is: 2F1 is degenerate for even m.
+    const Ball power = contact.power_law()->exponent + 1;
+    const Box root = root_outside({a, a}, zeta);
+    const Ball x = abs(zeta.real());
+    const bool surface = arb_is_zero(zeta.imaginary().data()) != 0;
+    Box value(bits);
+    if (surface && !certainly_less(a, x)) {
+        // Re = (pi E*/2) |g'| = P'(a) (x/a)^m times the integral of t^m/sqrt(1 - t^2) (DLMF 5.12.2)
+        const Ball m = power - 1;
+        const Ball quarter = gamma(power / 2) / gamma(m / 2 + 1) * sqrt(Ball::pi(bits)) / 2;
+        const Ball slope = growth / a * pow(x / a, m) * quarter;
+        value = Box(slope, -Ball::pi(bits) * contact.pressure(Edge::right, a - x));
+    } else {
+        // Where Re zeta > 0 the branch of 2F1 is the principal one.
+        const Box right = certainly_negative(zeta.real()) ? -conj(zeta) : zeta;
+        const Ball half = Ball(Rational(1, 2), bits);
+        value = hypergeometric_2f1(half, power / 2, power / 2 + 1, Box(a * a) / (right * right)) *
+                force / right;
+    }
+    if (certainly_negative(zeta.real())) {
+        value = -conj(value);
+    }
+    // value is homogeneous in zeta and a, of degree m.
+    return {value, (value * (power - 1) - Box(growth) / root) / zeta};
+}
+
+} // namespace
+
+Box root_outside(const Extent<Ball>& e, const Box& zeta) {
+    return sqrt(zeta - e.a) * sqrt(zeta + e.b);
+}
+
+CauchyIntegral cauchy_integral(const BallContact& contact, const Box& zeta) {
+    return contact.piecewise_linear() ? linear(contact, zeta) : power_law(contact, zeta);
+}
+
+// docs/stress.md, "Full stick": T = Q/W + (pi sigma_0/4)((zeta - c)/W - 1)
+CauchyIntegral cauchy_integral(const Extent<Ball>& e, const ShearLoad<Ball>& load,
+                               const Box& zeta) {
+    const Outside at(e, zeta);
+    const Ball tension = load.bulk_tension * Ball::pi(zeta.bits()) / 4;
+    const Box lead = zeta - (e.a - e.b) / 2;
+    return {(at.omega * (tension * at.half) + load.Q) / at.root,
+            -(lead * load.Q + tension * at.half * at.half) / (at.root * at.root * at.root)};
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/stress/cauchy_integral.hpp"
+
+namespace edgeproof::contact {
+
+/// The stress at a point of a body in the plane of the contact, tension positive (stress). z is the
+/// depth into that body; on its surface szz = -p, and sxz = -q with the traction q on that body.
+struct StressState {
+    Ball sxx;
+    Ball szz;
+    Ball sxz;
+
+    /// The greatest shear stress in the plane.
+    [[nodiscard]] Ball tau_max() const { return hypot((sxx - szz) / 2, sxz); }
+    /// The normal stress across the plane, in plane strain, for Poisson's ratio `nu`.
+    [[nodiscard]] Ball syy(const Ball& nu) const { return nu * (sxx + szz); }
+    /// The equivalent stress of von Mises in plane strain, for Poisson's ratio `nu`.
+    [[nodiscard]] Ball mises(const Ball& nu) const;
+};
+
+/// The stress at zeta = x + i z of a half-plane whose surface carries the pressure with the Cauchy
+/// integral `p`, the shear traction with the Cauchy integral `q`, and the bulk stress `bulk`
+/// (stress)
+/// (`johnson1985`, eq. 2.23; docs/stress.md, "Stresses").
+[[nodiscard]] StressState stress_of(const CauchyIntegral& p, const CauchyIntegral& q,
+                                    const Box& zeta, const Ball& bulk);
+
+} // namespace edgeproof::contact

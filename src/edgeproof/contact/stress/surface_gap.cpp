@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/stress/surface_gap.hpp"
+
+#include "edgeproof/contact/stress/cauchy_integral.hpp"
+
+#include <cstddef>
+
+namespace edgeproof::contact {
+namespace {
+
+/// The integral of g'(y) - g'(a) over a < y < a + beyond: each bend of the slope beyond the edge
+/// contributes its jump times the distance from it, and its change of g'' times half the square.
+Ball gap_of_profile(const BallContact& contact, const Ball& beyond) {
+    const LinearSlope<Ball>& slope = contact.slope();
+    const Ball zero(0, beyond.bits());
+    Ball rate = slope.rate(slope.knots.size());
+    Ball sum = zero;
+    for (std::size_t i = slope.knots.size(); i-- > 0;) {
+        const Ball outside = slope.knots[i] - contact.a();
+        if (contact.knot_marks()[i].end != Edge::right && !certainly_positive(outside)) {
+            break;
+        }
+        const Ball distance = max(zero, beyond - max(zero, outside));
+        sum += slope.jump(i) * distance - slope.rate_drop(i) * distance * distance / 2;
+        rate = slope.rate(i);
+    }
+    return sum + rate * beyond * beyond / 2;
+}
+
+// docs/displacement.md, "Piecewise linear slopes": h' = g' - (2/(pi E*)) P_1, integrated from the
+// edge, with g'(a) = (1/pi) integral of (pi - h) dg' by the consistency condition.
+Ball linear_gap(const BallContact& contact, const Ball& beyond) {
+    const LinearSlope<Ball>& slope = contact.slope();
+    const Extent<Ball> e{contact.a(), contact.b()};
+    const Ball half = e.length() / 2;
+    const Ball pi = Ball::pi(beyond.bits());
+    const Ball W = sqrt(beyond * (e.length() + beyond));
+    const Ball log_omega = log1p((beyond + W) / half); // -ln omega = arcosh((x - c)/(D/2))
+    const Ball omega = half / (half + beyond + W);
+    const Ball at_edge = over_linear_measure<LeftBalanceKernel>(slope, e, contact.knot_marks());
+    Ball lost = contact.arc() * half * half / 2 * (log_omega + (omega * omega - 1) / 2);
+    for (std::size_t i = 0; i < slope.knots.size(); ++i) {
+        if (!contact.bends_inside(i)) {
+            continue;
+        }
+        const Mark<Ball>& v = contact.knot_marks()[i];
+        const Ball far = v.right + beyond; // x - v
+        // k(x, v) = 2 arg(1 - omega e^(-ih))
+        const Ball k = atan2(omega * v.w / half, 1 - omega * v.y / half) * 2;
+        const Ball k_edge = pi - v.h;
+        if (slope.has_corner(i)) {
+            lost += slope.jump(i) * (far * k - v.right * k_edge + v.w * log_omega);
+        }
+        lost += slope.rate_drop(i) *
+                ((v.right * v.right * k_edge - far * far * k - v.w * (W - v.y * log_omega)) / 2 +
+                 v.w * beyond);
+    }
+    return gap_of_profile(contact, beyond) + (at_edge * beyond - lost) / pi;
+}
+
+// docs/displacement.md, "Power laws": h = C x^(m+1)/(m+1) - (2/(pi E* (m+1))) (a P'(a) arcosh(x/a)
+// + x P_1(x)), where C follows from P'(a) = E* C a^m sqrt(pi) Gamma(m/2 + 1)/Gamma((m + 1)/2).
+Ball power_law_gap(const BallContact& contact, const Ball& beyond) {
+    const long bits = beyond.bits();
+    const Ball& a = contact.a();
+    const Ball growth = contact.force_rate() * a;
+    const Ball power = contact.power_law()->exponent + 1;
+    const Ball m = power - 1;
+    const Ball x = a + beyond;
+    const Ball pi = Ball::pi(bits);
+    const Ball scaled = beyond / a;
+    const Ball arcosh = log1p(scaled + sqrt(scaled * (scaled + 2)));
+    const Ball slope =
+        growth / a * gamma(power / 2) / gamma(m / 2 + 1) / sqrt(pi) * pow(x / a, m); // E* C x^m
+    const Ball lift = cauchy_integral(contact, Box(x, Ball(0, bits))).value.real();
+    return (slope * x - (growth * arcosh + x * lift) * 2 / pi) / power / contact.modulus();
+}
+
+} // namespace
+
+Ball gap_beyond(const BallContact& contact, Edge edge, const Ball& beyond) {
+    if (!contact.piecewise_linear()) {
+        return power_law_gap(contact, beyond);
+    }
+    return edge == Edge::right ? linear_gap(contact, beyond)
+                               : linear_gap(contact.mirrored(), beyond);
+}
+
+} // namespace edgeproof::contact

@@ -288,5 +288,5 @@ TEST_CASE("every command that examples/README.md names runs") {
         CHECK(o.err.empty());
         ++commands;
     }
-    CHECK(commands == 11);
+    CHECK(commands == 12);
 }

@@ -49,7 +49,7 @@ std::vector<report::Fact> facts_of(const scene::Scene& scene, const scene::Scene
     facts.push_back({"digits", std::to_string(digits.count)});
     facts.push_back({"rounding", std::string(rounding_name(digits.rounding))});
     if (scene.units) {
-        facts.push_back({"units", scene.units->text()});
+        facts.push_back({"units", scene.units->text(scene.round.has_value())});
     }
     using scene::Quantity;
     const auto add = [&](Quantity quantity) {

@@ -22,7 +22,7 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
     const auto add = [&](const AskedValue& asked) { rows.push_back({asked}); };
     for (const QuantityRow& row : quantity_rows()) {
         const bool wanted = row.quantity == Quantity::a || row.quantity == Quantity::b ||
-                            row.quantity == Quantity::alpha ||
+                            row.quantity == Quantity::alpha || row.quantity == Quantity::delta ||
                             (row.group == QuantityGroup::peak ? plan.peak : plan.resultants);
         if ((row.group == QuantityGroup::contact || row.group == QuantityGroup::peak) && wanted &&
             !row.at_edge() && !lack_of(scene, {row.quantity})) {

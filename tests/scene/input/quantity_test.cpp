@@ -41,6 +41,12 @@ Scene loaded_wedge(const std::string& M, const std::string& length = "1",
                   "\"\ncontact_modulus = \"" + modulus + "\"\n");
 }
 
+/// Returns a sphere with a = 1, R = 1, E* = 1.
+Scene sphere_scene(const std::string& length = "1", const std::string& modulus = "1") {
+    return parsed("[profile]\nkind = \"hertz\"\ngeometry = \"axisymmetric\"\nR = \"" + length +
+                  "\"\n[load]\na = \"" + length + "\"\ncontact_modulus = \"" + modulus + "\"\n");
+}
+
 bool is_made_of_others(const QuantityRow& row) { return !row.searched && row.ball == nullptr; }
 
 /// True if only balls give the quantity: there is no estimate to compare with.
@@ -111,7 +117,7 @@ TEST_CASE("each quantity that has a symbol is read by it and written with it") {
             CHECK(quantity_named(symbol + "_0").has_value() == (row.index == Index::order));
         }
     }
-    CHECK(symbols == 16);
+    CHECK(symbols == 17);
     CHECK_FALSE(quantity_named(""));
     CHECK_FALSE(quantity_named("heat"));
     CHECK_FALSE(quantity_named("p_1"));
@@ -172,10 +178,12 @@ TEST_CASE("each quantity is evaluated in balls and in Real: Hertz and a wedge by
         // (1/2) (x sqrt(x^2 - 1) - arcosh x) at x = 5/4 (johnson1985, sec. 5.4)
         {Quantity::gap, (Ball(Rational(15, 16), bits) - log(Ball(2, bits))) / 2},
         {Quantity::slip_displacement, Ball(0, bits)},
+        {Quantity::delta, Ball(1, bits)}, // a^2/R of a sphere
     };
     for (const QuantityRow& row : quantity_rows()) {
         CAPTURE(row.name);
         const Scene scene = row.needs == QuantityRow::Needs::unknown_tilt ? loaded_wedge("0")
+                            : row.needs == QuantityRow::Needs::round      ? sphere_scene()
                             : row.of_friction()                           ? slipping_hertz_scene()
                                                                           : sheared_hertz();
         const AskedValue asked = asked_of(row);
@@ -207,12 +215,15 @@ TEST_CASE("the dimension of each quantity: lengths doubled, moduli three times a
         const bool tilt = row.needs == QuantityRow::Needs::unknown_tilt;
         const AskedValue asked = asked_of(row);
         const bool slips = row.of_friction();
+        const bool round = row.needs == QuantityRow::Needs::round;
         const Ball one = in_balls(tilt    ? loaded_wedge("1/100")
+                                  : round ? sphere_scene()
                                   : slips ? slipping_hertz_scene()
                                           : sheared_hertz(),
                                   asked)
                              .value;
         const Ball other = in_balls(tilt    ? loaded_wedge("1/100", "2", "3")
+                                    : round ? sphere_scene("2", "3")
                                     : slips ? slipping_hertz_scene("2", "3")
                                             : sheared_hertz("2", "3"),
                                     asked_of(row, "2"))
@@ -227,8 +238,9 @@ TEST_CASE("the dimension of each quantity: lengths doubled, moduli three times a
 }
 
 TEST_CASE("a name that is not a quantity: how to write one, and which one was likely meant") {
-    const std::string all = "write p, q, c_0, c_1, ..., s_0, s_1, ..., a, b, P, M, alpha, "
-                            "extent_1, measure_1, slip, stick_a, stick_b, p_max or cycle_energy";
+    const std::string all =
+        "write p, q, c_0, c_1, ..., s_0, s_1, ..., a, b, P, M, alpha, "
+        "extent_1, measure_1, slip, stick_a, stick_b, p_max, cycle_energy or delta";
     CHECK(quantity_advice("temperature") == all);
     CHECK(quantity_advice("c1") == "did you mean c_1? " + all);
     CHECK(quantity_advice("alhpa") == "did you mean alpha? " + all);

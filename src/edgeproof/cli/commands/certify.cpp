@@ -79,6 +79,7 @@ int certify_scene(const CertifyOptions& o, const std::string& text) {
                          "leave it out, and ask in [ask] for what you want");
     }
     scene::Scene scene = scene::parse_scene(text, io::input_name(o.file));
+    require_plane(scene, "certify");
     ask_terms(scene);
     scene.ask.digits.rounding = Rounding::nearest;
     scene.ask.quantities = {scene::QuantityGroup::contact, scene::QuantityGroup::coefficients};

@@ -93,6 +93,7 @@ struct ExactContact::Solved {
 };
 
 ExactContact::ExactContact(const scene::Scene& scene) {
+    require_plane(scene, "compare");
     io::at_place(scene.file, scene.load_line, [&] { solve(scene); });
     scale_ = {force_.value / length(), 0, true};
     if (std::ranges::none_of(knots_, &ContactKnot::corner)) {

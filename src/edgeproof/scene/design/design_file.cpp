@@ -234,6 +234,7 @@ Scene DesignScene::at(const std::vector<Rational>& values) const {
         return range == texts.end() ? std::nullopt : std::optional(range->second);
     };
     Scene scene = scene_of(top_->changed({"profile", "load", "shear"}, change));
+    require_plane(scene, "design");
     scene.ask = {};
     scene.ask.edges = edges;
     scene.ask.terms = {terms};

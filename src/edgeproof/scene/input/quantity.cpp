@@ -124,6 +124,12 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
         none.instead += " of the quantities";
         return none;
     }
+    if (needs == Needs::plane && scene.round) {
+        return lack("the contact is axisymmetric", "");
+    }
+    if (needs == Needs::round && !scene.round) {
+        return lack("the contact is plane, where the approach is undetermined", "");
+    }
     if (needs == Needs::poisson && !scene.poisson(asked.in_body ? asked.in_body->body : Body::A)) {
         return lack("there is no Poisson's ratio", "add nu to [load]");
     }
@@ -152,6 +158,10 @@ std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
     }
     if (!group.closed_form) {
         return {};
+    }
+    if (scene.round) {
+        return Lack{std::string(group.name) + " is not computed for axisymmetric contacts",
+                    "leave geometry out for a plane contact"};
     }
     if (scene.profile && !scene.profile->has_closed_form()) {
         return Lack{std::string(group.name) + " is not computed for curved slopes",

@@ -69,6 +69,7 @@ enum class Quantity {
     tau_max,           ///< greatest shear stress in the plane
     gap,               ///< gap between the bodies outside the contact
     slip_displacement, ///< u_A - u_B along the surface, inside the contact
+    delta,             ///< approach of the bodies of an axisymmetric contact
 };
 
 /// Quantities that are planned and computed together; `quantities` of a scene file names them.
@@ -113,7 +114,16 @@ struct QuantityRow {
     enum class Place { contact, edge, point, body, surface };
     /// The meaning of k of an AskedValue.
     enum class Index { none, order, terms };
-    enum class Needs { nothing, shear, friction, friction_alone, unknown_tilt, poisson };
+    enum class Needs {
+        nothing,
+        shear,
+        friction,
+        friction_alone,
+        unknown_tilt,
+        poisson,
+        plane,
+        round
+    };
 
     Quantity quantity;
     /// The name in recipes, questions, answers and headers of columns, without the index ("c" of

@@ -194,11 +194,13 @@ Place::Names names_of(const io::TomlSection& profile, const Scene& scene) {
         }
     }
     for (const std::string& key : profile.keys()) {
-        if (key != "kind" && key != "knots" && key != "slopes" && key != "symmetric") {
+        if (key != "kind" && key != "geometry" && key != "knots" && key != "slopes" &&
+            key != "symmetric") {
             names.insert_or_assign(key, profile.exact(key).expr());
         }
     }
-    if (scene.load.kind == contact::Load::Kind::right_edge) {
+    if (scene.load.kind == contact::Load::Kind::right_edge &&
+        (!scene.round || scene.load.value.is_rational())) {
         names.insert_or_assign("a", scene.load.value.expr());
     }
     if (scene.symmetric()) {

@@ -20,8 +20,8 @@ namespace {
 /// negative radius is that of a hollow; the sum of the curvatures must be positive.
 contact::Profile read_cylinders(const io::TomlSection& section, bool two,
                                 std::optional<Radii>& radii) {
-    section.allow(two ? std::vector<std::string_view>{"kind", "R", "R1", "R2"}
-                      : std::vector<std::string_view>{"kind", "R"});
+    section.allow(two ? std::vector<std::string_view>{"kind", "geometry", "R", "R1", "R2"}
+                      : std::vector<std::string_view>{"kind", "geometry", "R"});
     const auto curvature = [&](std::string_view key) {
         const formula::Exact R = contact_constant(section, key);
         if (io::at_place(section.file(), section.line(key), [&] { return R.sign(); }) == 0) {
@@ -91,7 +91,7 @@ auto located(const io::TomlSection& section, const std::vector<std::string_view>
 }
 
 contact::Profile read_piecewise(const io::TomlSection& section) {
-    section.allow({"kind", "knots", "slopes", "symmetric"});
+    section.allow({"kind", "geometry", "knots", "slopes", "symmetric"});
     const bool symmetric = section.has("symmetric") && section.flag("symmetric");
     std::vector<formula::Exact> knots;
     if (section.has("knots")) {
@@ -206,7 +206,7 @@ void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scen
         (void)sign_of(section, key, value); // every parameter is compared with zero
         return half ? formula::Exact(value.expr() / whole(2)) : value;
     };
-    std::vector<std::string_view> keys{"kind"};
+    std::vector<std::string_view> keys{"kind", "geometry"};
     keys.insert(keys.end(), parameters.begin(), parameters.end());
     section.allow(keys);
     located(section, parameters, [&] {

@@ -17,6 +17,12 @@ void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scen
 /// `profile` as names, in addition to a and b.
 void read_ask(const io::TomlSection& section, const io::TomlSection& profile, Scene& scene);
 
+/// True if [profile] says geometry = "axisymmetric".
+[[nodiscard]] bool is_axisymmetric(const io::TomlSection& profile);
+/// Replaces the profile and the load by those of the plane contact with the same pressure, and sets
+/// Scene::round.
+void make_axisymmetric(const io::TomlSection& profile, const io::TomlSection& load, Scene& scene);
+
 /// Sets the quantities of a scene that does not name them: all for which it gives the data.
 void default_quantities(Ask& ask, bool shear, bool friction);
 

@@ -64,11 +64,12 @@ formula::Exact read_modulus(const io::TomlSection& load, Scene& scene) {
 }
 
 void read_load(const io::TomlSection& load, Scene& scene) {
-    load.allow({"a", "width", "P", "M", "contact_modulus", "nu", "E1", "nu1", "E2", "nu2"});
+    load.allow(
+        {"a", "width", "P", "delta", "M", "contact_modulus", "nu", "E1", "nu1", "E2", "nu2"});
     scene.load_line = load.line();
     scene.contact_modulus = read_modulus(load, scene);
     std::string given;
-    for (const char* const key : {"a", "width", "P"}) {
+    for (const char* const key : {"a", "width", "P", "delta"}) {
         if (load.has(key) && !given.empty()) {
             load.reject(key, "both " + given + " and " + key + " are given",
                         "give one of a = \"...\" and P = \"...\"");
@@ -82,7 +83,7 @@ void read_load(const io::TomlSection& load, Scene& scene) {
     const formula::Exact value = contact_constant(load, given);
     require_positive(load, given, value, "give " + given + " > 0");
     scene.load = given == "P" ? contact::Load::force(value)
-                 : given == "a"
+                 : given == "a" || given == "delta" // make_axisymmetric
                      ? contact::Load::right_edge(value)
                      : contact::Load::right_edge(formula::Exact(value.expr() / whole(2)));
     scene.load_line = load.line(given);
@@ -219,6 +220,19 @@ void read_sections(const io::TomlSection& top, Scene& scene) {
     reading(top.section("profile"), [](const io::TomlSection& profile, Scene& s) {
         read_profile(profile, s.moment.has_value(), s);
     });
+    const io::TomlSection profile = top.section("profile");
+    if (is_axisymmetric(profile)) {
+        reading(profile, [&](const io::TomlSection& section, Scene& s) {
+            make_axisymmetric(section, load, s);
+        });
+        if (top.has("shear")) {
+            top.reject("shear", "the shear of axisymmetric contacts is not computed",
+                       "leave [shear] out");
+        }
+    } else if (load.has("delta")) {
+        load.reject("delta", "the approach delta of a plane contact is undetermined",
+                    "give a or P, or write geometry = \"axisymmetric\" in [profile]");
+    }
     reading(load, check_reach);
     if (top.has("shear")) {
         reading(top.section("shear"), read_shear);
@@ -250,6 +264,11 @@ Scene read_contact(const io::TomlSection& top) {
     Scene scene;
     scene.file = top.file();
     read_sections(top, scene);
+    if (scene.round) { // its force, its mistakes and its other routes are not those of the plane
+        top.section("profile").reject("geometry",
+                                      "axisymmetric contacts are computed from scenes only",
+                                      "use edgeproof pressure, expand, extent or plot");
+    }
     return scene;
 }
 
@@ -369,6 +388,15 @@ Scene make_scene(const SceneEntries& entries) {
         return scene;
     } catch (const InputError& error) {
         throw InputError(error.problem(), error.instead()); // without the line 0
+    }
+}
+
+void require_plane(const Scene& scene, const std::string& command) {
+    if (scene.round) {
+        throw InputError(command + " computes plane contacts only",
+                         "leave geometry out of [profile], or use edgeproof pressure, expand or "
+                         "extent")
+            .at(scene.file, scene.profile_line);
     }
 }
 

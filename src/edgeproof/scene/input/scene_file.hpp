@@ -68,6 +68,14 @@ struct Radii {
     formula::Exact R2;
 };
 
+/// What an axisymmetric contact has in addition to the plane contact with the same pressure
+/// (docs/axisymmetric.md).
+struct Axisymmetric {
+    formula::Exact force;    ///< P, the total force
+    formula::Exact approach; ///< delta (length)
+    const char* size_from;   ///< the route of a: "given", "from P" or "from delta"
+};
+
 /// A scene as its file gives it: exact, complete, and checked as far as possible without solving
 /// anything.
 struct Scene {
@@ -83,6 +91,9 @@ struct Scene {
     contact::Load load;                   ///< a or P
     std::optional<formula::Exact> moment; ///< M, with `punch`
     std::optional<contact::ShearSpec> shear;
+    /// If the scene is axisymmetric: profile and load are then those of the plane contact that has
+    /// the same edge a and the same pressure, with x for r.
+    std::optional<Axisymmetric> round;
     std::optional<Units> units; ///< labels for all numbers above
     Ask ask;
     std::size_t profile_line = 0;
@@ -142,6 +153,8 @@ struct SceneEntries {
 /// scene that make_scene accepts.
 [[nodiscard]] std::string scene_text(const SceneEntries& entries);
 
+/// Refuses an axisymmetric scene for a command that computes plane contacts only.
+void require_plane(const Scene& scene, const std::string& command);
 /// Refuses a scene with |Q| >= f P, with the line of the friction; `force` is P.
 [[noreturn]] void refuse_sliding(const Scene& scene, const Real& force);
 /// Refuses a scene whose stick zone would extend beyond an edge (or reaches it: `reached`), with

@@ -109,16 +109,18 @@ std::string unit_label(const std::optional<Unit>& unit) {
     return unit ? " [" + unit->name + "]" : "";
 }
 
-std::string Units::text() const {
+std::string Units::text(bool axisymmetric) const {
     std::string out;
     const auto add = [&out](const std::string& what) { out += (out.empty() ? "" : ", ") + what; };
     if (length) {
         add("lengths in " + length->name);
     }
-    if (force && length) {
+    if (force && axisymmetric) {
+        add("P in " + force->name);
+    } else if (force && length) {
         add("P in " + force->name + "/" + length->name);
     }
-    if (force) {
+    if (force && !axisymmetric) {
         add("M in " + force->name);
     }
     if (pressure) {

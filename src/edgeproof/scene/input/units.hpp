@@ -30,7 +30,7 @@ struct Units {
     std::optional<Unit> pressure;
 
     /// Returns "lengths in mm, P in N/mm, M in N, pressures in MPa", as far as the units are known.
-    [[nodiscard]] std::string text() const;
+    [[nodiscard]] std::string text(bool axisymmetric = false) const;
 };
 
 /// Returns " [mm]", or nothing: for the name of a column or an axis.

@@ -62,6 +62,12 @@ public:
     [[nodiscard]] const Ball& alpha() const { return tilt_->alpha; }
     [[nodiscard]] Ball length() const { return a() + b(); }
     [[nodiscard]] Ball force() const { return contact_->force(); }
+    /// P as it is printed: of an axisymmetric contact the total force.
+    [[nodiscard]] Ball whole_force() const {
+        return scene_.round ? ball_of(scene_.round->force, bits_) : force();
+    }
+    /// delta of an axisymmetric contact.
+    [[nodiscard]] Ball approach() const { return ball_of(scene_.round->approach, bits_); }
     [[nodiscard]] Ball moment() const { return contact_->moment(); }
     /// Keeps the last value if it is used more than once.
     [[nodiscard]] Ball p(contact::Edge edge, const Distance& u) {

@@ -230,10 +230,14 @@ private:
         // The tilt solver, and a load given as P, need P internally; that is not counted here.
         const bool for_shear = scene_.together() && (plan_.shear || plan_.expand_shear);
         add("force and moment", plan_.resultants || for_shear,
-            plan_.resultants ? "P and M"
+            plan_.resultants ? (scene_.round ? "P" : "P and M")
             : for_shear      ? "P, since q = (Q/P) p"
                              : "not asked for",
-            &Counts::resultants, (plan_.resultants ? 2U : 0U) + (for_shear ? 1U : 0U));
+            &Counts::resultants,
+            (!plan_.resultants ? 0U
+             : scene_.round    ? 1U
+                               : 2U) +
+                (for_shear ? 1U : 0U));
     }
 
     const Scene& scene_;

@@ -21,7 +21,7 @@ using formula::ExactNumber;
 
 bool is_force_given(const Scene& s) { return s.load.kind == contact::Load::Kind::force; }
 const char* by_load(const Scene& s, const Plan& /*plan*/) {
-    return is_force_given(s) ? "from P" : "given";
+    return s.round ? s.round->size_from : is_force_given(s) ? "from P" : "given";
 }
 const char* full_stick_or_similar(const Scene& s, const Plan& /*plan*/) {
     return s.together() ? "similar" : "full-stick";
@@ -228,10 +228,13 @@ constexpr auto quantity_table = std::to_array<Def>({
         })
         .with(&Def::distance_of, std::optional(contact::Edge::left))
         .with(&Def::cancels_little, true),
-    of_contact<&BallLevel::force, &ExactValues::force, &RealLevel::force>(
+    of_contact<&BallLevel::whole_force, &ExactValues::whole_force, &RealLevel::force>(
         Quantity::P, "P", "load", Group::contact, units::force)
         .by([](const Scene& s, const Plan& /*plan*/) {
-            return is_force_given(s) ? "given" : "contact-law";
+            return is_force_given(s) || (s.round && by_load(s, {}) == std::string_view("from P"))
+                       ? "given"
+                   : s.round ? "closed-form"
+                             : "contact-law";
         })
         .with(
             &Def::given,
@@ -239,6 +242,7 @@ constexpr auto quantity_table = std::to_array<Def>({
                 -> const formula::Exact* { return is_force_given(s) ? &s.load.value : nullptr; }),
     of_contact<&BallLevel::moment, &ExactValues::moment, &RealLevel::moment>(
         Quantity::M, "M", "moment", Group::contact, units::moment)
+        .needing(Needs::plane)
         .by([](const Scene& s, const Plan& /*plan*/) { return s.moment ? "given" : "contact-law"; })
         .with(
             &Def::given,
@@ -315,6 +319,11 @@ constexpr auto quantity_table = std::to_array<Def>({
     stress<&BallLevel::tau_max>(Quantity::tau_max, "tau_max"),
     on_surface<&BallLevel::gap>(Quantity::gap, "gap"),
     on_surface<&BallLevel::slip_displacement>(Quantity::slip_displacement, "slip"),
+    of_contact<&BallLevel::approach, &ExactValues::approach, &RealLevel::approach>(
+        Quantity::delta, "delta", "approach", Group::contact, units::length)
+        .needing(Needs::round)
+        .explained("approach of the bodies")
+        .by("closed-form"),
 });
 
 /// The rows are in the order of QuantityGroup.

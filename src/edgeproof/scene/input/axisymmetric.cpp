@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/input/readers.hpp"
+
+namespace edgeproof::scene {
+namespace {
+
+using formula::Expr;
+
+/// Gamma((m + 1)/2)/Gamma(m/2 + 1); for whole m up to 100 without the gamma function, from
+/// sqrt(pi) and 2/sqrt(pi) by Gamma(x + 1) = x Gamma(x) (DLMF 5.5.1).
+Expr gamma_ratio(const Expr& m) {
+    const Rational* q = m.rational();
+    if (q == nullptr || denominator(*q) != 1 || *q > 100) {
+        return Expr::call("gamma", {(m + whole(1)) / whole(2)}) /
+               Expr::call("gamma", {m / whole(2) + whole(1)});
+    }
+    const long n = q->convert_to<long>();
+    const Expr root = Expr::call("sqrt", {Expr::pi()});
+    Expr ratio = n % 2 == 0 ? root : whole(2) / root;
+    for (long k = n % 2 + 2; k <= n; k += 2) {
+        ratio = ratio * whole(k - 1) / whole(k);
+    }
+    return ratio;
+}
+
+} // namespace
+
+bool is_axisymmetric(const io::TomlSection& profile) {
+    if (!profile.has("geometry")) {
+        return false;
+    }
+    const std::string geometry = profile.text("geometry");
+    if (geometry != "plane" && geometry != "axisymmetric") {
+        profile.reject("geometry", "unknown geometry '" + geometry + "'",
+                       "write plane or axisymmetric");
+    }
+    return geometry == "axisymmetric";
+}
+
+// docs/axisymmetric.md: with h(s) = s integral_0^s g'(r)/sqrt(s^2 - r^2) dr = kappa s^(m+1), the
+// pressure is that of a plane contact whose P'(s) is E* h'(s).
+void make_axisymmetric(const io::TomlSection& profile, const io::TomlSection& load, Scene& scene) {
+    if (!scene.profile || scene.profile->kind() != contact::Profile::Kind::power_law) {
+        profile.reject("geometry", "only power laws are computed as axisymmetric contacts",
+                       "write kind = \"power-law\" (sphere: m = 1, C = 1/R; cone: m = 0) or hertz");
+    }
+    const Expr m = scene.profile->parameters().at("m").expr();
+    const Expr C = scene.profile->parameters().at("C").expr();
+    const Expr E = scene.contact_modulus.expr();
+    const Expr ratio = gamma_ratio(m);
+    const Expr kappa = C * Expr::call("sqrt", {Expr::pi()}) * ratio / whole(2);
+    const Expr per_size = whole(2) * E * (m + whole(1)) * kappa / (m + whole(2)); // P/a^(m+2)
+    const Expr given = scene.load.value.expr();
+    const Expr a = load.has("P")       ? pow(given / per_size, whole(1) / (m + whole(2)))
+                   : load.has("delta") ? pow(given / kappa, whole(1) / (m + whole(1)))
+                                       : given;
+    scene.round = Axisymmetric{
+        load.has("P") ? scene.load.value : formula::Exact(per_size * pow(a, m + whole(2))),
+        load.has("delta") ? scene.load.value : formula::Exact(kappa * pow(a, m + whole(1))),
+        load.has("P")       ? "from P"
+        : load.has("delta") ? "from delta"
+                            : "given"};
+    scene.load = contact::Load::right_edge(formula::Exact(a));
+    scene.profile = contact::Profile::power_law(
+        formula::Exact(C * (m + whole(1)) * ratio * ratio / whole(2)), formula::Exact(m));
+}
+
+} // namespace edgeproof::scene

@@ -7,6 +7,7 @@
 
 #include <flint/flint.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <utility>
@@ -65,25 +66,32 @@ int compared(const std::pair<Rational, Rational>& x, const std::pair<Rational, R
     refuse_comparison();
 }
 
-/// Returns the ends of the other side of a comparison; no value if it is not a number.
-std::optional<std::pair<Rational, Rational>> ends_of(const py::object& other) {
-    if (py::isinstance<Value>(other)) {
-        return ends(other.cast<const Value&>());
-    }
-    if (py::isinstance<py::str>(other) || py::isinstance<py::bytes>(other)) {
-        return {};
+/// Returns the exact value of a Python number; no value for anything else.
+std::optional<Rational> number_of(const py::object& other) {
+    if (py::isinstance<py::str>(other) || py::isinstance<py::bytes>(other) ||
+        (py::hasattr(other, "shape") && py::isinstance<py::tuple>(other.attr("shape")) &&
+         py::len(other.attr("shape")) > 0)) {
+        return {}; // numpy calls the operator for each element
     }
     try {
         const py::object text =
             py::module_::import("edgeproof._numbers").attr("exact_text")(other, "a number");
-        const Rational q = parse_decimal(text.cast<std::string>());
-        return std::pair{q, q};
+        return parse_decimal(text.cast<std::string>());
     } catch (py::error_already_set& error) {
         if (error.matches(PyExc_TypeError)) {
             return {};
         }
         throw;
     }
+}
+
+/// Returns the ends of the other side of a comparison; no value if it is not a number.
+std::optional<std::pair<Rational, Rational>> ends_of(const py::object& other) {
+    if (py::isinstance<Value>(other)) {
+        return ends(other.cast<const Value&>());
+    }
+    const auto q = number_of(other);
+    return q ? std::optional(std::pair{*q, *q}) : std::nullopt;
 }
 
 template <class Test> auto comparison(const Test& test) {
@@ -137,9 +145,174 @@ Value from_state(const py::tuple& state) {
     return {std::move(value), state[5].cast<unsigned>()};
 }
 
+enum class Operation { add, subtract, multiply, divide };
+
+template <class T> T applied(Operation operation, const T& x, const T& y) {
+    switch (operation) {
+    case Operation::add:
+        return T(x + y);
+    case Operation::subtract:
+        return T(x - y);
+    case Operation::multiply:
+        return T(x * y);
+    case Operation::divide:
+        break;
+    }
+    return T(x / y);
+}
+
+[[noreturn]] void refuse_division_by_zero() {
+    PyErr_SetString(PyExc_ZeroDivisionError, "division by zero");
+    throw py::error_already_set();
+}
+
+/// Longer exact numbers are kept as enclosures only: repeated products would fill the memory.
+constexpr std::size_t most_bits_of_exact = 100'000;
+/// Results are refused if their size is not between 2^-limit and 2^limit: their texts and exact
+/// ends would be as long as this exponent.
+constexpr long limit_of_exponent = 400'000;
+
+bool is_short(const Rational& q) {
+    return mpz_sizeinbase(numerator(q).backend().data(), 2) +
+               mpz_sizeinbase(denominator(q).backend().data(), 2) <
+           most_bits_of_exact;
+}
+
+void require_size(const Ball& x) {
+    const Ball most = abs(x);
+    static const Ball scale = pow_int(Ball(2, 64), limit_of_exponent);
+    if (most.is_exact() && contains_zero(most)) {
+        return;
+    }
+    if (!certainly_less(most, scale) || certainly_less(most, 1 / scale)) {
+        throw InputError("the result is beyond the range of numbers",
+                         "compute with numbers within 2^(+-" + std::to_string(limit_of_exponent) +
+                             ")");
+    }
+}
+
+/// Returns the digits of a result: those requested, or fewer if only these are certain, for example
+/// after a difference of nearly equal values.
+unsigned certain_digits(const Ball& x, unsigned digits) {
+    constexpr unsigned fewest = 2;
+    if (contains_zero(x) || rounds_alike(x, digits, Rounding::nearest)) {
+        return digits;
+    }
+    const Rounded r = round_ball(x, digits);
+    return r.complete ? digits : std::max(fewest, std::min(r.digits, digits));
+}
+
+/// Returns x op y in ball arithmetic: the enclosure of all results for numbers in the two balls.
+Value computed(Operation operation, const scene::BoundedValue& x, const scene::BoundedValue& y,
+               unsigned digits) {
+    const long bits = std::max(x.value.bits(), y.value.bits());
+    const auto ball = [bits](const scene::BoundedValue& v) {
+        return v.exactly ? Ball(*v.exactly, bits) : v.value;
+    };
+    const Ball divisor = ball(y);
+    if (operation == Operation::divide && contains_zero(divisor)) {
+        if (divisor.is_exact()) {
+            refuse_division_by_zero();
+        }
+        throw UndecidedError("the divisor may be zero", "ask for it with more digits");
+    }
+    scene::BoundedValue result{applied(operation, ball(x), divisor), x.proved && y.proved,
+                               "arithmetic"};
+    require_size(result.value);
+    if (x.exactly && y.exactly) {
+        Rational q = applied(operation, *x.exactly, *y.exactly);
+        if (is_short(q)) {
+            result.value = Ball(q, bits);
+            result.exactly = std::move(q);
+        }
+    }
+    if (!result.exactly) {
+        digits = certain_digits(result.value, digits);
+    }
+    return {std::move(result), digits};
+}
+
+/// Returns the digits of a result: those of the values that are not exact, or else of both.
+unsigned digits_of_result(const Value& x, const Value& y) {
+    return x.value().exactly && !y.value().exactly   ? y.digits()
+           : y.value().exactly && !x.value().exactly ? x.digits()
+                                                     : std::min(x.digits(), y.digits());
+}
+
+/// The operator x op y of Python; `reflected`: the method belongs to y.
+auto arithmetic(Operation operation, bool reflected) {
+    return [operation, reflected](const Value& self, const py::object& other) -> py::object {
+        const auto result = [&](const scene::BoundedValue& theirs, unsigned digits) {
+            return py::cast(reflected ? computed(operation, theirs, self.value(), digits)
+                                      : computed(operation, self.value(), theirs, digits));
+        };
+        if (py::isinstance<Value>(other)) {
+            const auto& theirs = other.cast<const Value&>();
+            return result(theirs.value(), digits_of_result(self, theirs));
+        }
+        const auto q = number_of(other);
+        if (!q) {
+            return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+        }
+        return result({Ball(*q, self.value().value.bits()), true, "given", *q}, self.digits());
+    };
+}
+
+Value negative(const Value& v) {
+    scene::BoundedValue x = v.value();
+    x.value = -x.value;
+    if (x.exactly) {
+        *x.exactly = Rational(-*x.exactly);
+    }
+    return {std::move(x), v.digits()};
+}
+
+Value absolute(const Value& v) {
+    scene::BoundedValue x = v.value();
+    x.value = abs(x.value);
+    if (x.exactly) {
+        *x.exactly = Rational(abs(*x.exactly));
+    }
+    return {std::move(x), v.digits()};
+}
+
+/// Returns the text with its first digits only, followed by "...", if it is long.
+std::string shortened(const std::string& text) {
+    constexpr std::size_t most_characters = 30;
+    if (text.size() <= most_characters || text.front() == '[') {
+        return text;
+    }
+    const std::size_t power = text.find('e');
+    const std::string tail = power == std::string::npos ? "" : text.substr(power);
+    const std::size_t dot = text.find('.');
+    if (dot == std::string::npos || dot > most_characters) {
+        return text; // a whole number
+    }
+    return text.substr(0, std::min(most_characters - 4, power)) + "..." + tail;
+}
+
+/// Returns "bound 1e-50, closed-form", or "exact, given".
+std::string accuracy(const Value& v) {
+    const std::string route = how(v.value(), v.printed());
+    if (v.value().exactly && v.printed().bound == "0") {
+        return "exact, " + route;
+    }
+    return (v.value().proved ? "bound " : "estimated bound ") + v.printed().bound + ", " + route;
+}
+
 std::string shown(const Value& v) {
-    return "<edgeproof.Value " + v.printed().text + ", " + (v.value().proved ? "" : "estimated ") +
-           "bound " + v.printed().bound + ", " + how(v.value(), v.printed()) + ">";
+    const std::string text = shortened(v.printed().text);
+    const std::string digits =
+        text == v.printed().text ? "" : " (" + std::to_string(v.digits()) + " digits)";
+    return "<edgeproof.Value " + text + digits + ", " + accuracy(v) + ">";
+}
+
+/// Returns the value for a notebook: the text, and the whole of it where it is shortened.
+std::string html(const Value& v) {
+    const py::object escape = py::module_::import("html").attr("escape");
+    const auto escaped = [&](const std::string& text) { return escape(text).cast<std::string>(); };
+    return "<span title=\"" + escaped(v.printed().text) + "\"><code>" +
+           escaped(shortened(v.printed().text)) + "</code> (" + escaped(accuracy(v)) + ")</span>";
 }
 
 py::object mpmath_of(const Value& v) {
@@ -193,7 +366,13 @@ void bind_value(py::module_& module) {
 float(v) is the binary64 nearest to the exact value. v.fraction(), v.decimal() and v.mpmath() are
 the number that .text states, exactly; v.interval() is what encloses the exact value. Comparisons
 (with values and with int, float, Fraction, Decimal, mpmath.mpf, exactly) raise UndecidedError where
-the bounds overlap, so that an answer is certain as far as the bounds are.)");
+the bounds overlap, so that an answer is certain as far as the bounds are.
+
+x + y, x - y, x*y, x/y, -x and abs(x) are Values with bounds, computed in ball arithmetic from the
+enclosures of x and y; x or y may be a number, which is exact. The result is proved if both are. It
+has the digits of the less precise of the two, or fewer if only these are certain. The operands are
+treated as independent: x - x is an enclosure of 0, not 0. Raises ZeroDivisionError for the divisor
+0, UndecidedError for one that may be 0.)");
     value
         .def_property_readonly(
             "text", [](const Value& v) { return v.printed().text; },
@@ -247,6 +426,18 @@ the bounds overlap, so that an answer is certain as far as the bounds are.)");
         .def("__float__", &Value::nearest)
         .def("__str__", [](const Value& v) { return v.printed().text; })
         .def("__repr__", &shown)
+        .def("_repr_html_", &html)
+        .def("__add__", arithmetic(Operation::add, false))
+        .def("__radd__", arithmetic(Operation::add, true))
+        .def("__sub__", arithmetic(Operation::subtract, false))
+        .def("__rsub__", arithmetic(Operation::subtract, true))
+        .def("__mul__", arithmetic(Operation::multiply, false))
+        .def("__rmul__", arithmetic(Operation::multiply, true))
+        .def("__truediv__", arithmetic(Operation::divide, false))
+        .def("__rtruediv__", arithmetic(Operation::divide, true))
+        .def("__neg__", &negative)
+        .def("__pos__", [](const Value& v) { return v; })
+        .def("__abs__", &absolute)
         .def("__format__",
              [](const Value& v, const std::string& spec) {
                  return spec.empty()

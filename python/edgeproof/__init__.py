@@ -9,7 +9,8 @@
 Scenes      read_scene(file), Scene(profile=..., a=... or P=..., contact_modulus=..., ...)
 Profiles    hertz, wedge, power_law, flat_and_rounded, tilted_wedge, tilted_flat_and_rounded,
             piecewise
-Values      Value: .text, .bound, .proved, .route, float(v), v.fraction(), v.decimal(), v.mpmath()
+Values      Value: .text, .bound, .proved, .route, float(v), v.fraction(), v.decimal(), v.mpmath();
+            + - * / and comparisons keep the bounds
 Formulas    verify(ledger): compares printed claims with the mechanics
 Programs    check(answers, recipe=...): compares other programs' numbers with the exact values
 Meshes      compare(scene, result): compares x and p of a mesh with the exact contact
@@ -22,7 +23,12 @@ mpmath.mpf or numpy scalars, and are exact. A float is exactly its binary64 numb
 0.1000000000000000055511151231257827..., "0.1" is one tenth.
 """
 
-from ._edgeproof import Value, __version__
+try:
+    from ._edgeproof import Value, __version__
+except ImportError as error:
+    from ._missing import explanation
+
+    raise ImportError(explanation(error)) from None
 from .audit import Audit, Claim, verify
 from .comparison import Comparison, Cause, Held, Limit, MeshErrors, MeshResult, compare
 from .conformance import Agreement, Case, Convention, check, questions
@@ -44,21 +50,24 @@ from .results import (
     Approximation,
     Coefficients,
     Contact,
+    Displacement,
     Extent,
     Point,
     Result,
+    Rows,
     Slip,
     SlipTerms,
     StickZone,
+    Stress,
 )
 from .scene import Scene, read_scene
 
 __all__ = [
     "Agreement", "Approximation", "Audit", "BudgetError", "Case", "Cause", "Claim", "Coefficients",
-    "Comparison", "Contact", "Convention", "Design", "DomainError", "Error", "Extent", "Held",
-    "InputError", "Limit", "MeshErrors", "MeshResult", "Number", "Point", "Profile", "Relation",
-    "Relations", "Result", "Scene", "Slip", "SlipTerms", "StickZone", "UndecidedError", "Value",
-    "__version__", "check", "compare", "design", "flat_and_rounded", "hertz", "piecewise",
+    "Comparison", "Contact", "Convention", "Design", "Displacement", "DomainError", "Error",
+    "Extent", "Held", "InputError", "Limit", "MeshErrors", "MeshResult", "Number", "Point",
+    "Profile", "Relation", "Relations", "Result", "Rows", "Scene", "Slip", "SlipTerms", "StickZone",
+    "Stress", "UndecidedError", "Value", "__version__", "check", "compare", "design", "flat_and_rounded", "hertz", "piecewise",
     "power_law", "questions", "read_scene", "relations", "tilted_flat_and_rounded", "tilted_wedge",
     "verify", "wedge",
 ]

@@ -86,7 +86,17 @@ class NativeScene:
     def pressures(
         self, edge: str, u: numpy.typing.NDArray[numpy.float64]
     ) -> numpy.typing.NDArray[numpy.float64]: ...
+    def binary64(
+        self,
+        quantity: str,
+        terms: int,
+        edge: str,
+        by_x: bool,
+        places: numpy.typing.NDArray[numpy.float64],
+    ) -> numpy.typing.NDArray[numpy.float64]: ...
 
+def nearest_to(text: str) -> float: ...
+def given(text: str, digits: int) -> Value: ...
 def read_text(file: str, what: str) -> str: ...
 def verify(
     ledger: str,

@@ -6,12 +6,14 @@ from __future__ import annotations
 import dataclasses
 import itertools
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
+from ._columns import columns
 from ._edgeproof import Value
+from .errors import InputError
 
-__all__ = ["Approximation", "Contact", "Coefficients", "Extent", "Point", "Result", "Slip",
-           "SlipTerms", "StickZone"]
+__all__ = ["Approximation", "Contact", "Coefficients", "Displacement", "Extent", "Point", "Result",
+           "Rows", "Slip", "SlipTerms", "StickZone", "Stress"]
 
 
 def plain(value: Any) -> Any:
@@ -35,6 +37,25 @@ class _Plain:
         return result
 
 
+_Kind = TypeVar("_Kind", covariant=True)
+
+
+class Rows(tuple[_Kind, ...]):
+    """Results of one kind, a tuple. columns() makes a data frame of them."""
+
+    __slots__ = ()
+
+    def columns(self) -> dict[str, Any]:
+        """The rows as a dict of numpy arrays of the same length: pandas.DataFrame(rows.columns()).
+
+        A value is the binary64 nearest to it, in a column of its name, and |that number - exact| is
+        at most the number in the column NAME_bound. A missing value is NaN. Coefficients are c_0,
+        c_1, ..., the sums of n terms local_n, their relative errors rel_n (of q: q_local_n,
+        q_rel_n), as in the tables of the program. Raises ImportError if numpy is missing.
+        """
+        return columns(self)
+
+
 @dataclasses.dataclass(frozen=True)
 class Approximation(_Plain):
     """The sum of the first `terms` terms of an expansion at a point.
@@ -56,6 +77,9 @@ class Contact(_Plain):
     P      normal force per unit length
     M      moment about the origin per unit length
     alpha  radians; None if the tilt is given, or there is none
+
+    Of an axisymmetric contact, P is the total force, M is None, and delta is the approach of the
+    bodies (a length).
     """
 
     a: Value
@@ -63,6 +87,7 @@ class Contact(_Plain):
     P: Value
     M: Value
     alpha: Value | None
+    delta: Value | None = None
 
 
 @dataclasses.dataclass(frozen=True)
@@ -84,6 +109,41 @@ class Point(_Plain):
     q_local: tuple[Approximation, ...]
     state: str | None = None
     others: Mapping[str, Value] = dataclasses.field(default_factory=dict)
+
+
+@dataclasses.dataclass(frozen=True)
+class Stress(_Plain):
+    """The stresses at the depth z into a body, in the unit of the contact modulus; tension positive.
+
+    x, z           exact lengths, as texts: x from the origin along the surface
+    body           "A", on which Q acts, or "B"
+    sxx, szz, sxz  the components in the plane
+    tau_max        the greatest shear stress in the plane
+    mises          the equivalent stress of von Mises in plane strain; None without a Poisson's ratio
+    """
+
+    body: str
+    x: str
+    z: str
+    sxx: Value
+    szz: Value
+    sxz: Value
+    mises: Value | None
+    tau_max: Value
+
+
+@dataclasses.dataclass(frozen=True)
+class Displacement(_Plain):
+    """The gap between the surfaces outside the contact, or the slip u_A - u_B inside; lengths.
+
+    x     the place, from the origin: a text; a Value if the place was given by its distance u
+    gap   None inside the contact
+    slip  None outside the contact, and for a scene without shear
+    """
+
+    x: str | Value
+    gap: Value | None
+    slip: Value | None
 
 
 @dataclasses.dataclass(frozen=True)
@@ -191,18 +251,32 @@ class Result(_Plain):
     """
 
     contact: Mapping[str, Value | None]
-    points: tuple[Point, ...]
-    coefficients: tuple[Coefficients, ...]
-    extents: tuple[Extent, ...]
-    slips: tuple[Slip, ...]
+    points: Rows[Point]
+    coefficients: Rows[Coefficients]
+    extents: Rows[Extent]
+    slips: Rows[Slip]
     proved: bool
     why: str
+    stresses: Rows[Stress] = Rows()
+    displacements: Rows[Displacement] = Rows()
+
+    def columns(self, of: str = "points") -> dict[str, Any]:
+        """The rows of "points", "coefficients", "extents", "slips", "stresses" or "displacements".
+
+        The result is a dict of numpy arrays; see Rows.columns().
+        """
+        rows = getattr(self, of, None)
+        if not isinstance(rows, Rows):
+            raise InputError(f"a result has no rows '{of}'",
+                             "write points, coefficients, extents, slips, stresses or displacements")
+        return rows.columns()
 
 
 class Row(NamedTuple):
     """One asked value with its result, as the compiled module returns it.
 
     k, j      the order or the number of terms, and the index of a crossing
+    place     "contact", "edge", "point", "body" (a point of a body) or "surface" (a place x)
     point     the index of the place in the request, and u its distance from the edge if that is a
               number; None if the quantity has no place
     reached   of a search for a tolerance: False if the error stays within it
@@ -211,6 +285,7 @@ class Row(NamedTuple):
     quantity: str
     k: int
     j: int
+    place: str
     edge: str
     point: int | None
     u: str | None
@@ -231,7 +306,7 @@ class _Place:
         self.rows = list(rows)
         self._row: dict[tuple[str, int, int], Row] = {}
         for row in self.rows:
-            self._row.setdefault(row[:3], row)
+            self._row.setdefault((row.quantity, row.k, row.j), row)
 
     def value(self, quantity: str, k: int = 0, j: int = 0) -> Any:
         """The value, or None if there is none."""
@@ -283,8 +358,15 @@ def _slip(at: _Place, stick: StickZone) -> Slip:
 
 def result_of(found: dict[str, Any]) -> Result:
     """Makes the objects of a result from its rows."""
-    rows = [Row(*row) for row in found["rows"]]
+    every = [Row(*row) for row in found["rows"]]
+    rows = [row for row in every if row.place not in ("body", "surface")]
     whole = _Place(rows)
+
+    def at_places(place: str) -> Iterator[tuple[int, _Place]]:
+        asked = (row for row in every if row.place == place)
+        for point, group in itertools.groupby(asked, lambda row: row.point):
+            assert point is not None
+            yield point, _Place(group)
 
     def edges(*quantities: str) -> list[_Place]:
         asked = [row for row in rows if row.quantity in quantities]
@@ -296,18 +378,28 @@ def result_of(found: dict[str, Any]) -> Result:
         whole.value("load-ratio"), whole.value("stick_a"), whole.value("stick_b"),
         whole.value("least-bulk-tension"), whole.value("most-bulk-tension"),
         whole.value("cycle_energy"), found["in_proportion"])
+    contact = {name: whole.value(name) for name in ("a", "b", "P", "M", "alpha")}
+    contact |= {name: whole.value(name) for name in ("delta", "p_max") if whole.value(name)
+                is not None}
+    in_bodies = found["points"]
     return Result(
-        contact={name: whole.value(name) for name in ("a", "b", "P", "M", "alpha")},
-        points=tuple(_point(_Place(group)) for _, group in points),
-        coefficients=tuple(
+        contact=contact,
+        points=Rows(_point(_Place(group)) for _, group in points),
+        coefficients=Rows(
             Coefficients(at.rows[0].edge, at.values("c"), at.values("s"), found["s_half_powers"])
             for at in edges("c", "s")),
-        extents=tuple(
+        extents=Rows(
             _extent(at, row) for at in edges("extent", "measure", "extent-fraction",
                                              "measure-fraction", "crossing")
             for row in at.of("extent")),
-        slips=tuple(_slip(at, stick) for at in edges(
+        slips=Rows(_slip(at, stick) for at in edges(
             "slip", "slip-zone-by-terms", "relative-error-of-slip-zone", "slip-load")),
         proved=found["proved"],
         why=found["why"],
+        stresses=Rows(
+            Stress(*in_bodies[i], *(at.value(name) for name in ("sxx", "szz", "sxz", "mises",
+                                                                "tau_max")))
+            for i, at in at_places("body")),
+        displacements=Rows(Displacement(found["places"][i], at.value("gap"), at.value("slip"))
+                           for i, at in at_places("surface")),
     )

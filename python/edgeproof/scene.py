@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import dataclasses
 import os
-from collections.abc import Iterable, Sequence
+import tomllib
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, overload
 
 from . import _apart, _edgeproof
@@ -13,7 +15,18 @@ from ._numbers import exact_text, whole, wholes
 from ._shipped import file_or_shipped
 from .errors import InputError
 from .profiles import Number, Profile
-from .results import Coefficients, Contact, Extent, Point, Result, Slip, result_of
+from .results import (
+    Coefficients,
+    Contact,
+    Displacement,
+    Extent,
+    Point,
+    Result,
+    Rows,
+    Slip,
+    Stress,
+    result_of,
+)
 
 if TYPE_CHECKING:
     import matplotlib.figure
@@ -23,17 +36,70 @@ if TYPE_CHECKING:
 __all__ = ["Scene", "read_scene"]
 
 _MOST_DIGITS = 100_000
-_LOAD = ("a", "P", "M", "contact_modulus", "E1", "nu1", "E2", "nu2")
+_LOAD = ("a", "P", "M", "contact_modulus", "E1", "nu1", "E2", "nu2", "nu")
 
 
 def _is_many(u: Any) -> bool:
     return not isinstance(u, (str, bytes)) and hasattr(u, "__iter__") and getattr(u, "shape", None) != ()
 
 
-def _places(u: Any) -> list[str]:
-    if hasattr(u, "ravel"):  # an array
-        u = u.ravel()
-    return [exact_text(x, f"u[{i}]") for i, x in enumerate(u)]
+def _texts(places: Any, name: str) -> list[str]:
+    if not _is_many(places):
+        return [exact_text(places, name)]
+    if hasattr(places, "ravel"):  # an array
+        places = places.ravel()
+    return [exact_text(x, f"{name}[{i}]") for i, x in enumerate(places)]
+
+
+def _given_places(u: Any, x: Any) -> tuple[str, Any]:
+    """Returns the name and the places of the one argument that is given."""
+    if (u is None) == (x is None):
+        raise TypeError("give places by u, the distances from the edge, or by x: one of the two")
+    return ("x", x) if u is None else ("u", u)
+
+
+def _like(places: Any, values: Sequence[Any]) -> Any:
+    """Returns the values in the form of the places: one, a list, or a numpy array."""
+    if not _is_many(places):
+        return values[0]
+    if not hasattr(places, "ravel") or not hasattr(places, "shape"):
+        return list(values)
+    import numpy
+
+    found = numpy.empty(len(values), dtype=object)
+    found[:] = values
+    return found.reshape(places.shape)
+
+
+def _binary64(places: Any, name: str) -> numpy.typing.NDArray[numpy.float64]:
+    """Returns the places as an array of float64. Raises TypeError if that would change them."""
+    import numpy
+
+    if numpy.ma.is_masked(places):  # type: ignore[no-untyped-call]
+        raise InputError(f"{name} is an array with masked elements", f"give {name}.compressed(), "
+                         f"or put numbers in their place by {name}.filled(0.1)")
+    array = numpy.asarray(places)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name} is an array of {array.dtype}: give float64, or ask pressure(), "
+                        "shear() or approximation(), which take exact numbers")
+    if array.dtype.itemsize > 8:
+        exact = array.astype(numpy.float64)
+        if not (exact == array).all():
+            raise TypeError(f"{name} is an array of {array.dtype} with numbers that float64 does "
+                            "not hold: give float64")
+        array = exact
+    elif array.dtype.kind in "iu" and array.size and (abs(array.astype(object)) > 2**53).any():
+        raise TypeError(f"{name} has whole numbers that float64 does not hold: give float64")
+    return array.astype(numpy.float64, copy=False)
+
+
+def _shown(value: Any) -> str:
+    """Returns a value of a scene file as it is written, without quotes."""
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{k}={_shown(v)}" for k, v in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_shown, value)) + "]"
+    return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def read_scene(file: str | os.PathLike[str]) -> Scene:
@@ -54,7 +120,9 @@ class Scene:
     M                moment about the origin per unit length, with P and a tilted profile without
                      alpha: the tilt is then found
     contact_modulus  E*, or E1, nu1, E2, nu2: Young's moduli and Poisson's ratios of both bodies
+    nu               with contact_modulus: Poisson's ratio of both bodies, for stresses of von Mises
     Q, bulk_tension  shear force per unit length, and differential bulk tension
+    bulk_A           the bulk stress of body A; B has bulk_A + bulk_tension
     friction         the coefficient of friction: zones at the edges slip; None: full stick
     path             "normal-first" (P, then Q at constant P) or "together" (P and Q in proportion)
 
@@ -77,16 +145,18 @@ class Scene:
     def __init__(self, profile: Profile, *, a: Number | None = None, P: Number | None = None,
                  M: Number | None = None, contact_modulus: Number | None = None,
                  E1: Number | None = None, nu1: Number | None = None, E2: Number | None = None,
-                 nu2: Number | None = None, Q: Number | None = None,
-                 bulk_tension: Number | None = None, friction: Number | None = None,
-                 path: str | None = None, title: str = "") -> None:
+                 nu2: Number | None = None, nu: Number | None = None, Q: Number | None = None,
+                 bulk_tension: Number | None = None, bulk_A: Number | None = None,
+                 friction: Number | None = None, path: str | None = None,
+                 title: str = "") -> None:
         if not isinstance(profile, Profile):
             raise TypeError(f"profile is {type(profile).__name__}, not a Profile: give "
                             "edgeproof.hertz(R=...), edgeproof.power_law(m=..., C=...), ...")
-        given = dict(zip(_LOAD, (a, P, M, contact_modulus, E1, nu1, E2, nu2)))
+        given = dict(zip(_LOAD, (a, P, M, contact_modulus, E1, nu1, E2, nu2, nu)))
         load = [(k, exact_text(v, k)) for k, v in given.items() if v is not None]
         shear = [(k, exact_text(v, k))
-                 for k, v in (("Q", Q), ("bulk_tension", bulk_tension), ("friction", friction))
+                 for k, v in (("Q", Q), ("bulk_tension", bulk_tension), ("bulk_A", bulk_A),
+                              ("friction", friction))
                  if v is not None]
         if path is not None:
             shear.append(("path", str(path)))
@@ -144,7 +214,18 @@ class Scene:
         return self._native.slips
 
     def __repr__(self) -> str:
-        return "<edgeproof.Scene " + (self.title or self.file or "of a profile and a load") + ">"
+        if not hasattr(self, "_native"):
+            return "<edgeproof.Scene, not made>"
+        sections = tomllib.loads(self.text, parse_float=str)
+        profile = sections["profile"]
+        parts = [" ".join([str(profile["kind"])] +
+                          [f"{k}={_shown(v)}" for k, v in profile.items() if k != "kind"])]
+        parts += [" ".join(f"{k}={_shown(v)}" for k, v in sections[name].items())
+                  for name in ("load", "shear", "units") if sections.get(name)]
+        parts += [" ".join(f"{k}={_shown(v)}" for k, v in step.items())
+                  for step in sections.get("step", [])]
+        name = self.title or self.file
+        return "<edgeproof.Scene " + (f"{name!r}: " if name else "") + "; ".join(parts) + ">"
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Scene):
@@ -176,7 +257,8 @@ class Scene:
         wanted = self.digits if digits is None else digits
         if wanted not in self._contacts:
             found: Any = self._run(wanted, quantities=["contact"]).contact
-            self._contacts[wanted] = Contact(**found)
+            self._contacts[wanted] = Contact(*(found.get(f.name)
+                                               for f in dataclasses.fields(Contact)))
         return self._contacts[wanted]
 
     @property
@@ -206,95 +288,222 @@ class Scene:
 
     # At points.
 
-    def _points(self, u: Any, edge: str, quantity: str, terms: Sequence[int],
-                digits: int | None) -> tuple[Point, ...]:
-        places = _places(u) if _is_many(u) else [exact_text(u, "u")]
-        if not places:
-            return ()
-        return self._run(digits, edges=[edge], u=places, quantities=[quantity],
-                         terms=list(terms)).points
+    def _points(self, u: Any, x: Any, edge: str, quantity: str, terms: Sequence[int],
+                digits: int | None) -> tuple[Any, tuple[Point, ...]]:
+        """Returns the places that are given, and a Point for each."""
+        name, places = _given_places(u, x)
+        texts = _texts(places, name)
+        if not texts:
+            return places, ()
+        asked: dict[str, Any] = {name: texts}
+        return places, self._run(digits, edges=[edge], quantities=[quantity], terms=list(terms),
+                                 **asked).points
 
     @overload
-    def pressure(self, u: Number, edge: str = ...,  # type: ignore[misc]
-                     digits: int | None = ...) -> Value: ...
+    def pressure(  # type: ignore[misc]
+            self, u: numpy.typing.NDArray[Any], edge: str = ..., digits: int | None = ..., *,
+            x: None = ...) -> numpy.typing.NDArray[numpy.object_]: ...
     @overload
-    def pressure(self, u: Iterable[Number], edge: str = ...,
-                     digits: int | None = ...) -> list[Value]: ...
+    def pressure(  # type: ignore[misc]
+            self, u: Number, edge: str = ..., digits: int | None = ..., *,
+            x: None = ...) -> Value: ...
+    @overload
+    def pressure(self, u: Iterable[Number], edge: str = ..., digits: int | None = ..., *,
+                 x: None = ...) -> list[Value]: ...
+    @overload
+    def pressure(self, u: None = ..., edge: str = ..., digits: int | None = ..., *,
+                 x: Any) -> Any: ...
 
-    def pressure(self, u: Any, edge: str = "right", digits: int | None = None) -> Any:
-        """The pressure p at the distance u from an edge ("right" or "left"), a Value.
+    def pressure(self, u: Any = None, edge: str = "right", digits: int | None = None, *,
+                 x: Any = None) -> Any:
+        """The pressure p at the distance u from an edge ("right" or "left"), or at the place x.
 
-        p is in the unit of the contact modulus. A list of places gives a list of Values, and the
-        contact is solved once. For numpy arrays of float see pressures().
+        p is in the unit of the contact modulus, a Value. A list of places gives a list of Values, a
+        numpy array an array of Values, and the contact is solved once. x is a number, or a formula
+        in a, b and the parameters of the profile ("a/2"). For arrays of float see pressures().
         """
-        values = [row.p for row in self._points(u, edge, "pressure", (), digits)]
-        return values if _is_many(u) else values[0]
+        places, points = self._points(u, x, edge, "pressure", (), digits)
+        return _like(places, [row.p for row in points])
 
     @overload
-    def shear(self, u: Number, edge: str = ...,  # type: ignore[misc]
-                  digits: int | None = ...) -> Value: ...
+    def shear(  # type: ignore[misc]
+            self, u: numpy.typing.NDArray[Any], edge: str = ..., digits: int | None = ..., *,
+            x: None = ...) -> numpy.typing.NDArray[numpy.object_]: ...
     @overload
-    def shear(self, u: Iterable[Number], edge: str = ...,
-                  digits: int | None = ...) -> list[Value]: ...
+    def shear(  # type: ignore[misc]
+            self, u: Number, edge: str = ..., digits: int | None = ..., *,
+            x: None = ...) -> Value: ...
+    @overload
+    def shear(self, u: Iterable[Number], edge: str = ..., digits: int | None = ..., *,
+              x: None = ...) -> list[Value]: ...
+    @overload
+    def shear(self, u: None = ..., edge: str = ..., digits: int | None = ..., *,
+              x: Any) -> Any: ...
 
-    def shear(self, u: Any, edge: str = "right", digits: int | None = None) -> Any:
-        """The shear traction q at the distance u from an edge, a Value; a list gives a list.
+    def shear(self, u: Any = None, edge: str = "right", digits: int | None = None, *,
+              x: Any = None) -> Any:
+        """The shear traction q at the distance u from an edge, or at x, as pressure() does.
 
         q is in the unit of the contact modulus, under full stick or, with friction, partial slip.
-        Raises InputError for a scene without shear.
+        Raises InputError for a scene without shear. For arrays of float see shears().
         """
-        values = [row.q for row in self._points(u, edge, "shear", (), digits)]
-        return values if _is_many(u) else values[0]
+        places, points = self._points(u, x, edge, "shear", (), digits)
+        return _like(places, [row.q for row in points])
 
-    def slip_state(self, u: Any, edge: str = "right", digits: int | None = None) -> Any:
+    def slip_state(self, u: Any = None, edge: str = "right", digits: int | None = None, *,
+                   x: Any = None) -> Any:
         """The state of the place at the distance u from an edge: "slip", "stick" or "undecided".
 
         A list of places gives a list. "undecided": the place is too near the end of the stick zone
         to decide. Raises InputError for a scene without friction.
         """
         self._needs_friction()
-        states = [row.state for row in self._points(u, edge, "shear", (), digits)]
-        return states if _is_many(u) else states[0]
+        places, points = self._points(u, x, edge, "shear", (), digits)
+        return _like(places, [row.state for row in points])
 
-    def approximation(self, u: Number, terms: int | Sequence[int] = 1, edge: str = "right",
-                      digits: int | None = None) -> Point:
+    def approximation(self, u: Any = None, terms: int | Sequence[int] = 1, edge: str = "right",
+                      digits: int | None = None, *, x: Any = None) -> Any:
         """p at one place, and the sums of the first `terms` terms with their errors.
 
-        The result is a Point: .p, and .p_local, an Approximation for each number of terms.
+        The result is a Point: .p, and .p_local, an Approximation for each number of terms. Several
+        places give Rows of Points; for arrays of float see local_pressures(), relative_errors().
         """
-        return self._points(u, edge, "pressure", wholes(terms, "terms"), digits)[0]
+        places, points = self._points(u, x, edge, "pressure", wholes(terms, "terms"), digits)
+        return Rows(points) if _is_many(places) else points[0]
 
-    def pressures(self, u: numpy.typing.ArrayLike,
-                  edge: str = "right") -> numpy.typing.NDArray[numpy.float64]:
-        """Pressures at a whole numpy array of distances from an edge, as an array of its shape.
+    def peak(self, digits: int | None = None) -> Value:
+        """The greatest pressure, in the unit of the contact modulus.
 
-        Each is the binary64 nearest to the exact pressure at exactly that binary64 u. This is
-        proved if the pressure has a closed form (power laws, piecewise linear g'); otherwise it
-        relies on the error that the quadrature estimates at 25 digits. The value is 0 at the edges
-        and outside the contact (also for infinite u), and inf on a corner of the profile. Raises
-        InputError, with the index, for NaN.
+        Raises InputError if it is infinite (at a corner of the profile).
         """
-        import numpy
+        found = self._run(digits, quantities=["peak"]).contact["p_max"]
+        assert found is not None
+        return found
 
-        if numpy.ma.is_masked(u):  # type: ignore[no-untyped-call]
-            raise InputError("u is an array with masked elements",
-                             "give u.compressed(), or put numbers in their place by u.filled(0.1)")
-        places = numpy.asarray(u)
-        if places.dtype.kind not in "fiu":
-            raise TypeError(f"u is an array of {places.dtype}: give float64, or ask pressure(), "
-                            "which takes exact numbers")
-        if places.dtype.itemsize > 8:
-            exact = places.astype(numpy.float64)
-            if not (exact == places).all():
-                raise TypeError(f"u is an array of {places.dtype} with numbers that float64 does "
-                                "not hold: give float64")
-            places = exact
-        elif places.dtype.kind in "iu" and places.size and (abs(places.astype(object)) >
-                                                           2**53).any():
-            raise TypeError("u has whole numbers that float64 does not hold: give float64")
-        values: numpy.typing.NDArray[numpy.float64] = self._native.pressures(
-            edge, places.astype(numpy.float64, copy=False))
-        return values
+    def _coordinates(self, u: Any, edge: str) -> tuple[list[str], Callable[[int], Value] | None]:
+        """Returns the places x at these distances: numbers, or formulas if the edge is not exact.
+
+        With formulas, also the function that gives x as a Value.
+        """
+        if edge not in ("right", "left"):
+            raise InputError(f"there is no edge '{edge}'", 'write "right" or "left"')
+        contact = self.contact()
+        right = edge == "right"
+        end = contact.a if right else contact.b
+        distances = _texts(u, "u")
+        if end.exact is not None:
+            return [f"{end.exact} - ({d})" if right else f"({d}) - {end.exact}"
+                    for d in distances], None
+        return ([f"a - ({d})" if right else f"({d}) - b" for d in distances],
+                lambda i: end - _edgeproof.given(distances[i], self.digits) if right else
+                _edgeproof.given(distances[i], self.digits) - end)
+
+    def stress(self, x: Any = None, z: Any = 0, body: str = "A", digits: int | None = None, *,
+               u: Any = None, edge: str = "right") -> Any:
+        """The stresses at the depth z into a body below the place x: a Stress, tension positive.
+
+        x, z  lengths; x from the origin. Lists, or arrays, of the same length (or one of them a
+              number) give Rows of Stress
+        body  "A", on which Q acts, or "B"
+        u     in place of x: distances inwards from the edge, if that is an exact number
+
+        Stresses are in the unit of the contact modulus. Raises InputError for z < 0, for points at
+        which a stress is infinite (under full stick the edges; corners of the profile), for curved
+        slopes and for axisymmetric contacts.
+        """
+        name, places = _given_places(u, x)
+        if name == "x":
+            across = _texts(x, "x")
+        else:
+            across, formulas = self._coordinates(u, edge)
+            if formulas is not None:
+                raise InputError(f"the {edge} edge is not a number that is known exactly",
+                                 "give the places by x")
+        depths = _texts(z, "z")
+        count = max(len(across), len(depths))
+        for texts, argument in ((across, name), (depths, "z")):
+            if len(texts) not in (1, count):
+                raise InputError(f"{argument} has {len(texts)} numbers, not {count}",
+                                 f"give as many x as z, or one {argument}")
+        across, depths = (texts * count if len(texts) == 1 else texts for texts in (across, depths))
+        many = _is_many(places) or _is_many(z)
+        if many and not count:
+            return Rows()
+        found = self._run(digits, quantities=["stress"], points_x=across, points_z=depths,
+                          body=body).stresses
+        return found if many else found[0]
+
+    def displacement(self, x: Any = None, digits: int | None = None, *, u: Any = None,
+                     edge: str = "right") -> Any:
+        """The gap between the surfaces at x outside the contact, or the slip inside.
+
+        x is a length from the origin, or a formula in a and b ("a + 1/10"); in place of it, u is a
+        distance inwards from an edge. The result is a Displacement; several places give Rows of
+        them. Raises InputError for curved slopes and axisymmetric contacts.
+        """
+        name, places = _given_places(u, x)
+        texts, x_of = self._coordinates(u, edge) if name == "u" else (_texts(x, "x"), None)
+        if not texts:
+            return Rows()
+        found = self._run(digits, edges=["right"], quantities=["displacement"],
+                          x=texts).displacements
+        if x_of is not None:
+            found = Rows(dataclasses.replace(row, x=x_of(i)) for i, row in enumerate(found))
+        return found if _is_many(places) else found[0]
+
+    # At points, in binary64.
+
+    def _many(self, quantity: str, terms: int, u: Any, x: Any, edge: str) -> Any:
+        name, places = _given_places(u, x)
+        return self._native.binary64(quantity, terms, edge, name == "x", _binary64(places, name))
+
+    def pressures(self, u: numpy.typing.ArrayLike | None = None, edge: str = "right", *,
+                  x: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float64]:
+        """Pressures at a whole numpy array of distances from an edge, or of places x.
+
+        The result has the shape of the array. Each is the binary64 nearest to the exact pressure at
+        exactly that binary64 u or x. This is proved if the pressure has a closed form (power laws,
+        piecewise linear g'); otherwise it relies on the error that the quadrature estimates at 25
+        digits (by x: as for pressure()). The value is 0 at the edges and outside the contact (also
+        for infinite u), and inf on a corner of the profile. Raises InputError, with the index, for
+        NaN.
+        """
+        if x is not None:
+            found: numpy.typing.NDArray[numpy.float64] = self._many("p", 0, u, x, edge)
+            return found
+        return self._native.pressures(edge, _binary64(_given_places(u, x)[1], "u"))
+
+    def shears(self, u: numpy.typing.ArrayLike | None = None, edge: str = "right", *,
+               x: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float64]:
+        """Shear tractions at a whole numpy array of places, as pressures() does.
+
+        Raises InputError for a scene without shear, and for places at which q is infinite: the
+        edges under full stick, and corners of the profile.
+        """
+        found: numpy.typing.NDArray[numpy.float64] = self._many("q", 0, u, x, edge)
+        return found
+
+    def local_pressures(self, u: numpy.typing.ArrayLike | None = None, terms: int = 1,
+                        edge: str = "right", *, x: numpy.typing.ArrayLike | None = None
+                        ) -> numpy.typing.NDArray[numpy.float64]:
+        """Sums of the first `terms` terms of p at an edge, as pressures() does.
+
+        Raises InputError for places that are not inside the contact.
+        """
+        found: numpy.typing.NDArray[numpy.float64] = self._many(
+            "local", whole(terms, "terms"), u, x, edge)
+        return found
+
+    def relative_errors(self, u: numpy.typing.ArrayLike | None = None, terms: int = 1,
+                        edge: str = "right", *, x: numpy.typing.ArrayLike | None = None
+                        ) -> numpy.typing.NDArray[numpy.float64]:
+        """|1 - p_n/p| of the sums p_n of the first `terms` terms, as pressures() does.
+
+        Raises InputError for places that are not inside the contact.
+        """
+        found: numpy.typing.NDArray[numpy.float64] = self._many(
+            "rel", whole(terms, "terms"), u, x, edge)
+        return found
 
     # At edges.
 

@@ -35,6 +35,17 @@ if(status OR NOT printed STREQUAL expected)
     message(FATAL_ERROR "consumer (exit ${status}) printed\n${printed}instead of\n${expected}")
 endif()
 
+# The same without naming modules.
+run(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR}/whole -B ${WORK}/whole
+    -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=${COMPILE_OPTIONS}
+    -D CMAKE_PREFIX_PATH=${WORK}/installed)
+run(${CMAKE_COMMAND} --build ${WORK}/whole)
+execute_process(COMMAND ${WORK}/whole/whole OUTPUT_VARIABLE printed RESULT_VARIABLE status)
+file(READ ${CMAKE_CURRENT_LIST_DIR}/whole/expected.txt expected)
+if(status OR NOT printed STREQUAL expected)
+    message(FATAL_ERROR "whole (exit ${status}) printed\n${printed}instead of\n${expected}")
+endif()
+
 file(GLOB_RECURSE examples ${WORK}/installed/*/proved_pressure.cpp)
 cmake_path(GET examples PARENT_PATH examples)
 run(${CMAKE_COMMAND} -G Ninja -S ${examples} -B ${WORK}/examples

@@ -8,6 +8,7 @@
 ///   arithmetic.hpp  the same functions for double, long double, Float128 and Real
 ///   text.hpp        exact text in (decimals become rationals), rounded text out
 ///   ball.hpp        Ball (Arb): a midpoint and a proved radius
+///   print.hpp       balls printed to a stream
 ///   ball_series.hpp BallSeries: truncated power series with balls as coefficients
 ///   interval.hpp    Interval: both ends of a range, whose signs are exact
 ///   digits_right.hpp  the number of digits of a number that an enclosure proves right
@@ -27,4 +28,5 @@
 #include "edgeproof/precision/real.hpp"
 #include "edgeproof/precision/rounding/digits_right.hpp"
 #include "edgeproof/precision/rounding/escalate.hpp"
+#include "edgeproof/precision/rounding/print.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

@@ -3,6 +3,7 @@
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/python/bindings.hpp"
+#include "edgeproof/scene/input/readers.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -35,12 +36,30 @@ formula::Exact positive(const std::string& name, const std::string& text, const 
     return x;
 }
 
-std::size_t number_of_terms(long n) {
-    if (n < 1 || n > most_terms) {
-        throw InputError("terms = " + std::to_string(n) + " is out of range",
-                         "give a number from 1 to " + std::to_string(most_terms));
+scene::Place place_at(const std::string& text, const scene::Place::Names& names) {
+    try {
+        return scene::Place::parse(text, scene::Place::From::origin, names);
+    } catch (const InputError& error) {
+        throw InputError("x = \"" + text + "\": " + error.problem(), error.instead());
     }
-    return static_cast<std::size_t>(n);
+}
+
+std::vector<scene::BodyPoint> points_of(const Texts& x, const Texts& z, const std::string& body) {
+    if (body != "A" && body != "B") {
+        throw InputError("there is no body '" + body + "'",
+                         "write \"A\" (on which Q acts) or \"B\"");
+    }
+    std::vector<scene::BodyPoint> points;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        formula::Exact depth = exact_named("z", z.at(i));
+        if (depth.sign() < 0) {
+            throw InputError("the depth z = " + z[i] + " is negative",
+                             "give z >= 0, the depth into the body");
+        }
+        points.push_back({exact_named("x", x[i]), std::move(depth),
+                          body == "A" ? scene::Body::A : scene::Body::B});
+    }
+    return points;
 }
 
 contact::ExtentRange part_named(const Texts& part) {
@@ -61,6 +80,14 @@ contact::ExtentRange part_named(const Texts& part) {
 }
 
 } // namespace
+
+std::size_t number_of_terms(long n) {
+    if (n < 1 || n > most_terms) {
+        throw InputError("terms = " + std::to_string(n) + " is out of range",
+                         "give a number from 1 to " + std::to_string(most_terms));
+    }
+    return static_cast<std::size_t>(n);
+}
 
 contact::Edge edge_named(const std::string& name) {
     if (const auto edge = scene::edge_named(name)) {
@@ -88,6 +115,17 @@ scene::Scene NativeScene::asking(const AskedByName& asked) const {
                                       "give distances from the edge, 0 < u < a + b"),
                              0});
         }
+    }
+    if (const auto* places = answer<Texts>(asked, "x")) {
+        ask.u.clear();
+        const scene::Place::Names names = names_of(scene);
+        for (const std::string& text : *places) {
+            ask.u.push_back({formula::Exact(), 0, place_at(text, names)});
+        }
+    }
+    if (const auto* x = answer<Texts>(asked, "points_x")) {
+        ask.in_bodies =
+            points_of(*x, *answer<Texts>(asked, "points_z"), *answer<std::string>(asked, "body"));
     }
     if (const auto* terms = answer<std::vector<long>>(asked, "terms")) {
         ask.terms.clear();

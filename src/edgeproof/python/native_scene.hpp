@@ -3,6 +3,7 @@
 #include "edgeproof/scene/binary64_pressures.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -43,6 +44,9 @@ private:
     scene::Scene scene_;
     std::shared_ptr<Pool> pool_;
 };
+
+/// Returns n as a number of terms. Throws InputError outside 1 ... 400.
+[[nodiscard]] std::size_t number_of_terms(long n);
 
 /// Returns the edge "right" or "left". Throws InputError for other names.
 [[nodiscard]] contact::Edge edge_named(const std::string& name);

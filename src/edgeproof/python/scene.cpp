@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/python/bindings.hpp"
 #include "edgeproof/python/native_scene.hpp"
 #include "edgeproof/python/without_gil.hpp"
+#include "edgeproof/scene/binary64_values.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
@@ -12,8 +14,11 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -58,13 +63,29 @@ py::tuple row_of(const scene::Scene& scene, const scene::Plan& plan, const scene
     const scene::QuantityRow& def = scene::row_of(asked.quantity);
     const scene::Digits digits = def.short_error ? plan.error_digits() : scene.ask.digits;
     const bool covers = asked.quantity == scene::Quantity::extent && scene.ask.process_zone;
+    using Place = scene::QuantityRow::Place;
+    static constexpr std::array places{"contact", "edge", "point", "body", "surface"};
+    static_assert(static_cast<std::size_t>(Place::surface) + 1 == places.size());
     return py::make_tuple(
-        def.symbol.empty() ? def.name : def.symbol, asked.k, asked.j, scene::edge_name(asked.edge),
-        def.at_point() ? py::object(py::int_(row.point)) : py::none(),
+        def.symbol.empty() ? def.name : def.symbol, asked.k, asked.j,
+        places.at(static_cast<std::size_t>(def.place)), scene::edge_name(asked.edge),
+        def.at_point() || def.of_bodies() ? py::object(py::int_(row.point)) : py::none(),
         asked.u ? py::object(py::str(asked.u->text())) : py::none(),
         row.value ? py::cast(Value(*row.value, digits.count)) : py::none(), row.reached,
         slip_state(row),
         covers ? py::object(py::bool_(covers_zone(scene, *row.value))) : py::none());
+}
+
+template <class List, class Text> Texts texts_of(const List& list, const Text& text) {
+    Texts all;
+    std::ranges::transform(list, std::back_inserter(all), text);
+    return all;
+}
+
+/// Returns a place x as a number if it is one, else as it was written.
+std::string place_text(const scene::AskedPoint& point) {
+    const auto number = point.place ? point.place->number() : std::nullopt;
+    return number ? number->text() : point.text();
 }
 
 /// Returns the rows of a result, from which edgeproof/results.py makes its objects.
@@ -78,8 +99,15 @@ py::dict run(const NativeScene& self, const AskedByName& asked) {
     for (const scene::Row& row : result.rows) {
         rows.append(row_of(*scene, result.plan, row));
     }
+    py::list points;
+    for (const scene::BodyPoint& point : scene->ask.in_bodies) {
+        points.append(py::make_tuple(point.body == scene::Body::A ? "A" : "B", point.x.text(),
+                                     point.z.text()));
+    }
     py::dict d;
     d["rows"] = rows;
+    d["points"] = points;
+    d["places"] = texts_of(scene->ask.u, place_text);
     d["s_half_powers"] = scene::shear_half_powers(*scene);
     d["in_proportion"] = result.in_proportion;
     d["proved"] = result.plan.proved;
@@ -89,48 +117,75 @@ py::dict run(const NativeScene& self, const AskedByName& asked) {
 
 /// Returns the questions of a scene's file: quantities, edges, terms, u, digits.
 py::dict asked_of(const scene::Scene& scene) {
-    const auto texts = [](const auto& list, const auto& text) {
-        Texts all;
-        std::ranges::transform(list, std::back_inserter(all), text);
-        return all;
-    };
     const auto& tolerance = scene.ask.tolerance;
     py::dict d;
-    d["quantities"] = texts(scene.ask.quantities, scene::group_name);
-    d["edges"] = texts(scene.ask.edges, scene::edge_name);
+    d["quantities"] = texts_of(scene.ask.quantities, scene::group_name);
+    d["edges"] = texts_of(scene.ask.edges, scene::edge_name);
     d["terms"] = scene.ask.terms;
-    d["u"] = texts(scene.ask.u, &scene::AskedPoint::text);
+    d["u"] = texts_of(scene.ask.u, &scene::AskedPoint::text);
     d["tolerance"] = text_or_none(tolerance ? tolerance->text() : "");
     d["digits"] = scene.ask.digits.count;
     return d;
 }
 
 /// Returns the name of the element at a place in memory: "u[3]", "u[0, 2]".
-std::string element_name(const py::array& u, py::ssize_t place) {
+std::string element_name(const py::array& u, const std::string& name, py::ssize_t place) {
     std::string indices;
     for (py::ssize_t k = u.ndim(); k-- > 0;) {
         indices = std::to_string(place % u.shape(k)) + (indices.empty() ? "" : ", ") + indices;
         place /= u.shape(k);
     }
-    return indices.empty() ? "u" : "u[" + indices + "]";
+    return indices.empty() ? name : name + "[" + indices + "]";
 }
 
-py::array_t<double>
-pressures(NativeScene& self, const std::string& edge,
-          const py::array_t<double, py::array::c_style | py::array::forcecast>& u) {
-    const contact::Edge at = edge_named(edge);
-    py::array_t<double> p(std::vector<py::ssize_t>(u.shape(), u.shape() + u.ndim()));
-    const auto count = static_cast<std::size_t>(u.size());
-    const double* const from = u.data();
-    double* const to = p.mutable_data();
-    const double* const wrong =
-        std::find_if(from, from + count, [](double x) { return std::isnan(x); });
-    if (wrong != from + count) {
-        throw InputError(element_name(u, wrong - from) + " is not a number",
-                         "give distances from the edge");
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Calls `compute` with the places and the array of the values, without the GIL.
+template <class Compute>
+py::array_t<double> for_each_place(const Doubles& places, const char* name,
+                                   const Compute& compute) {
+    py::array_t<double> values(
+        std::vector<py::ssize_t>(places.shape(), places.shape() + places.ndim()));
+    const std::span<const double> from(places.data(), static_cast<std::size_t>(places.size()));
+    const std::span<double> to(values.mutable_data(), from.size());
+    const auto wrong = std::ranges::find_if(from, [](double x) { return std::isnan(x); });
+    if (wrong != from.end()) {
+        throw InputError(element_name(places, name, wrong - from.begin()) + " is not a number",
+                         "give places as numbers");
     }
-    without_gil([&] { self.pressures(at, {from, count}, {to, count}); });
-    return p;
+    without_gil([&] { compute(from, to); });
+    return values;
+}
+
+py::array_t<double> pressures(NativeScene& self, const std::string& edge, const Doubles& u) {
+    const contact::Edge at = edge_named(edge);
+    return for_each_place(u, "u", [&](std::span<const double> from, std::span<double> to) {
+        self.pressures(at, from, to);
+    });
+}
+
+/// Returns "p", "q", "local" or "rel" at many places: coordinates x, or distances from the edge.
+py::array_t<double> binary64(const NativeScene& self, const std::string& quantity, long terms,
+                             const std::string& edge, bool by_x, const Doubles& places) {
+    using scene::Quantity;
+    static const std::map<std::string, Quantity> named{
+        {"p", Quantity::p}, {"q", Quantity::q}, {"local", Quantity::local}, {"rel", Quantity::rel}};
+    const scene::Binary64Question question{
+        named.at(quantity), terms == 0 ? 0 : number_of_terms(terms), edge_named(edge), by_x};
+    return for_each_place(places, by_x ? "x" : "u",
+                          [&](std::span<const double> from, std::span<double> to) {
+                              compute_binary64(self.scene(), question, from, to);
+                          });
+}
+
+/// Returns the binary64 nearest to a number as the library reads it ("pi/16").
+double nearest_to(const std::string& text) { return formula::Exact::parse(text).to<double>(); }
+
+/// Returns a number as a Value.
+Value given(const std::string& text, unsigned digits) {
+    const formula::Exact x = formula::Exact::parse(text);
+    const long bits = formula::bits_for(digits) + 64;
+    return {{ball_of(x, bits), true, "given", rational_of(x)}, digits};
 }
 
 } // namespace
@@ -160,7 +215,11 @@ void bind_scene(py::module_& module) {
                                })
         .def_property_readonly("asked", [](const NativeScene& s) { return asked_of(s.scene()); })
         .def("run", &run, py::arg("asked"))
-        .def("pressures", &pressures, py::arg("edge"), py::arg("u"));
+        .def("pressures", &pressures, py::arg("edge"), py::arg("u"))
+        .def("binary64", &binary64, py::arg("quantity"), py::arg("terms"), py::arg("edge"),
+             py::arg("by_x"), py::arg("places"));
+    module.def("nearest_to", &nearest_to, py::arg("text"));
+    module.def("given", &given, py::arg("text"), py::arg("digits"));
     module.def(
         "read_text",
         [](const std::string& file, const std::string& what) { return io::read_text(file, what); },

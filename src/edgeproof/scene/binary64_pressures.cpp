@@ -4,12 +4,12 @@
 #include "edgeproof/contact/batch/batch_pressure.hpp"
 #include "edgeproof/contact/double_word/double_word_pressure.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/scene/closed_form_contact.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>
@@ -57,37 +57,18 @@ struct Binary64Pressures::Contact {
         if (exact_a && exact_b) {
             exact_length = *exact_a + *exact_b;
         }
-        if (!scene.profile || contact::BallContact::has_closed_form(*scene.profile)) {
-            enclose();
+        if (const auto closed = closed_form_contact(scene, 2 * first_bits)) {
+            profile = closed->profile;
+            solved = closed->at;
+            balls = solved(first_bits);
+            if (contact::DoubleWordPressure::has_form(*profile)) {
+                words.emplace(*profile, solved(contact::DoubleWordPressure::contact_bits));
+            }
         } else {
             make_batch();
         }
     }
 
-    void enclose() {
-        if (scene.punch) {
-            const contact::EnclosedTilt tilt =
-                enclose_tilt(*scene.punch, scene.contact_modulus, scene.load.value, *scene.moment,
-                             2 * first_bits);
-            profile = tilt.near;
-            if (tilt.exactly_zero) {
-                make(tilt.near, scene.contact_modulus, scene.load);
-            } else {
-                make(tilt.near, tilt.alpha, scene.contact_modulus, scene.load);
-            }
-        } else {
-            profile = scene.profile;
-            make(*scene.profile, scene.contact_modulus, scene.load);
-        }
-    }
-    template <class... Contact> void make(const contact::Profile& of, const Contact&... rest) {
-        balls.emplace(of, rest..., first_bits);
-        solved = [of, rest...](long bits) { return contact::BallContact(of, rest..., bits); };
-        if (contact::DoubleWordPressure::has_form(of)) {
-            words.emplace(
-                of, contact::BallContact(of, rest..., contact::DoubleWordPressure::contact_bits));
-        }
-    }
     void make_batch() {
         profile = scene.profile;
         const contact::NormalContact edges(*scene.profile, scene.contact_modulus, scene.load,

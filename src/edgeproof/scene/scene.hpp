@@ -12,12 +12,15 @@
 ///   bounded_value.hpp  BoundedValue: a value, its error, its route; printing
 ///   run_scene.hpp    run_scene: carries out the plan and counts the work
 ///   run_scene.hpp SceneValues: single numbers of a scene
+///   binary64_pressures.hpp, binary64_values.hpp  many values, rounded to binary64
+///   print.hpp      values printed to a stream
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
 #include "edgeproof/scene/input/points.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 #include "edgeproof/scene/input/units.hpp"
+#include "edgeproof/scene/print.hpp"
 #include "edgeproof/scene/route/plan.hpp"
 #include "edgeproof/scene/route/value_route.hpp"
 #include "edgeproof/scene/run_scene.hpp"

@@ -184,28 +184,14 @@ void read_range(const io::TomlSection& ask, std::string_view key, Place::From fr
     });
 }
 
-/// The names that places of a scene may use in addition to a and b: the parameters of its profile,
-/// a and b themselves if they are given, and b as a if the two are equal.
+/// The same with the keys of the section of the profile.
 Place::Names names_of(const io::TomlSection& profile, const Scene& scene) {
-    Place::Names names;
-    if (scene.profile) {
-        for (const auto& [name, value] : scene.profile->parameters()) {
-            names.insert_or_assign(name, value.expr());
-        }
-    }
+    Place::Names names = names_of(scene);
     for (const std::string& key : profile.keys()) {
         if (key != "kind" && key != "geometry" && key != "knots" && key != "slopes" &&
             key != "symmetric") {
             names.insert_or_assign(key, profile.exact(key).expr());
         }
-    }
-    if (scene.load.kind == contact::Load::Kind::right_edge &&
-        (!scene.round || scene.load.value.is_rational())) {
-        names.insert_or_assign("a", scene.load.value.expr());
-    }
-    if (scene.symmetric()) {
-        const auto a = names.find("a");
-        names.insert_or_assign("b", a != names.end() ? a->second : formula::Expr::symbol("a"));
     }
     return names;
 }
@@ -231,6 +217,24 @@ std::vector<AskedPoint> read_places(const io::TomlSection& ask, const Place::Nam
 }
 
 } // namespace
+
+Place::Names names_of(const Scene& scene) {
+    Place::Names names;
+    if (scene.profile) {
+        for (const auto& [name, value] : scene.profile->parameters()) {
+            names.insert_or_assign(name, value.expr());
+        }
+    }
+    if (scene.load.kind == contact::Load::Kind::right_edge &&
+        (!scene.round || scene.load.value.is_rational())) {
+        names.insert_or_assign("a", scene.load.value.expr());
+    }
+    if (scene.symmetric()) {
+        const auto a = names.find("a");
+        names.insert_or_assign("b", a != names.end() ? a->second : formula::Expr::symbol("a"));
+    }
+    return names;
+}
 
 int sign_of(const io::TomlSection& section, std::string_view key, const formula::Exact& value) {
     return io::at_place(

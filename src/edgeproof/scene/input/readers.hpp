@@ -17,6 +17,10 @@ void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scen
 /// `profile` as names, in addition to a and b.
 void read_ask(const io::TomlSection& section, const io::TomlSection& profile, Scene& scene);
 
+/// The names that places of a scene may use in addition to a and b: the parameters of its profile,
+/// a and b themselves if they are given, and b as a if the two are equal.
+[[nodiscard]] Place::Names names_of(const Scene& scene);
+
 /// True if [profile] says geometry = "axisymmetric".
 [[nodiscard]] bool is_axisymmetric(const io::TomlSection& profile);
 /// Replaces the profile and the load by those of the plane contact with the same pressure, and sets

@@ -6,6 +6,7 @@
 # edgeproof_python_module() adds the module.
 option(EDGEPROOF_PYTHON "Build the Python module (where Python's headers and pybind11 are)"
     ${PROJECT_IS_TOP_LEVEL})
+option(EDGEPROOF_PYTHON_REQUIRED "Fail if the Python module cannot be built" OFF)
 # The system's Python, which has the system's packages numpy and pytest, even if a version manager
 # or a virtual environment has put another one before it.
 if(EXISTS /usr/bin/python3)
@@ -24,10 +25,26 @@ if(EDGEPROOF_PYTHON AND NOT EDGEPROOF_SANITIZE AND NOT EDGEPROOF_FUZZ)
     find_package(Python3 3.11 QUIET COMPONENTS Interpreter Development.Module)
     find_path(PYBIND11_INCLUDE_DIR pybind11/pybind11.h)
     mark_as_advanced(PYBIND11_INCLUDE_DIR)
-    if(Python3_Development.Module_FOUND AND PYBIND11_INCLUDE_DIR)
-        set(EDGEPROOF_PYTHON_BUILT TRUE)
+    set(pybind11 0)
+    if(PYBIND11_INCLUDE_DIR)
+        file(STRINGS ${PYBIND11_INCLUDE_DIR}/pybind11/detail/common.h pybind11
+            REGEX "define PYBIND11_VERSION_(MAJOR|MINOR) ")
+        list(TRANSFORM pybind11 REPLACE ".* " "")
+        list(JOIN pybind11 "." pybind11)
+    endif()
+    if(NOT Python3_Development.Module_FOUND OR NOT PYBIND11_INCLUDE_DIR)
+        set(problem "no pybind11, or no headers of Python 3.11 or later (${Python3_EXECUTABLE})")
+    elseif(Python3_VERSION VERSION_GREATER_EQUAL 3.12 AND pybind11 VERSION_LESS 2.11)
+        set(problem "pybind11 ${pybind11} does not support Python ${Python3_VERSION}")
     else()
-        message(STATUS "No pybind11 or no headers of Python 3.11 or later: no Python module")
+        set(EDGEPROOF_PYTHON_BUILT TRUE)
+    endif()
+    if(NOT EDGEPROOF_PYTHON_BUILT AND EDGEPROOF_PYTHON_REQUIRED)
+        message(FATAL_ERROR "The Python module cannot be built: ${problem}. Install Debian's "
+            "python3-dev and pybind11-dev and use /usr/bin/python3, or give another Python by "
+            "-DEDGEPROOF_PYTHON_EXECUTABLE=...")
+    elseif(NOT EDGEPROOF_PYTHON_BUILT)
+        message(STATUS "No Python module: ${problem}")
     endif()
 endif()
 set(EDGEPROOF_PYTHON_FOLDER ${PROJECT_BINARY_DIR}/python)

@@ -10,7 +10,8 @@ set_property(SOURCE src/edgeproof/cli/installed.cpp APPEND PROPERTY
 
 foreach(folder verify reference examples)
     install(DIRECTORY ${folder} DESTINATION ${data_folder} COMPONENT program
-        PATTERN "__pycache__" EXCLUDE)
+        USE_SOURCE_PERMISSIONS
+        PATTERN "__pycache__" EXCLUDE PATTERN "third-party/solvers" EXCLUDE)
 endforeach()
 install(DIRECTORY share/edgeproof/schemas DESTINATION ${data_folder} COMPONENT program)
 foreach(file README.md CHANGELOG.md CONTRIBUTING.md LICENSE CITATION.cff)
@@ -18,6 +19,10 @@ foreach(file README.md CHANGELOG.md CONTRIBUTING.md LICENSE CITATION.cff)
 endforeach()
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation
     PATTERN Doxyfile EXCLUDE)
+# A script in Python with the page that describes it: the program's package does not need Python.
+install(DIRECTORY examples/third-party/solvers
+    DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples/third-party COMPONENT documentation
+    USE_SOURCE_PERMISSIONS PATTERN "__pycache__" EXCLUDE)
 # The pages to which the documents link.
 foreach(page examples/README.md examples/third-party/README.md verify/README.md reference/README.md
         bench/README.md)
@@ -51,14 +56,14 @@ if(PROJECT_IS_TOP_LEVEL AND TARGET edgeproof)
         ${compress}
         DEPENDS edgeproof VERBATIM COMMENT "Manual pages and completions")
     add_custom_target(edgeproof_manual ALL DEPENDS ${manual}/edgeproof.bash)
-    install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT documentation
+    install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program
         OPTIONAL)
     install(FILES ${manual}/edgeproof.bash
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME edgeproof
-        COMPONENT documentation OPTIONAL)
+        COMPONENT program OPTIONAL)
     install(FILES ${manual}/_edgeproof DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
-        COMPONENT documentation OPTIONAL)
+        COMPONENT program OPTIONAL)
     install(FILES ${manual}/edgeproof.fish
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT documentation
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT program
         OPTIONAL)
 endif()

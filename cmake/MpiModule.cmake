@@ -15,14 +15,16 @@ if(MPI_CXX_FOUND AND EDGEPROOF_MPI AND NOT EDGEPROOF_SANITIZE)
     target_link_libraries(edgeproof_mpi PRIVATE MPI::MPI_CXX)
     cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_LIBDIR BASE_DIRECTORY ${CMAKE_INSTALL_FULL_BINDIR}
         OUTPUT_VARIABLE libraries)
-    cmake_path(APPEND libraries edgeproof)
+    # Not directly below a folder of libraries: it is no library for others, and a package of it
+    # needs no ldconfig.
+    cmake_path(APPEND libraries edgeproof mpi)
     set(module_definition ${libraries}/edgeproof_mpi.so)
     if(CMAKE_RUNTIME_OUTPUT_DIRECTORY)
         set_target_properties(edgeproof_mpi PROPERTIES
             LIBRARY_OUTPUT_DIRECTORY ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${libraries})
     endif()
-    install(TARGETS edgeproof_mpi LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/edgeproof
-        COMPONENT program)
+    install(TARGETS edgeproof_mpi LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/edgeproof/mpi
+        COMPONENT mpi)
 else()
     message(STATUS "No MPI: edgeproof table runs on one machine")
 endif()

@@ -12,11 +12,11 @@ namespace {
 /// True if Open MPI is installed, and the program was built with it.
 bool can_run() {
     const bool here = std::system("mpirun --version 2>/dev/null | grep -q 'Open MPI'") == 0;
-    const bool built =
-        std::filesystem::exists(program().parent_path() / "../lib/edgeproof/edgeproof_mpi.so") ||
-        std::system(("find '" + program().parent_path().parent_path().string() +
-                     "' -maxdepth 4 -name edgeproof_mpi.so | grep -q .")
-                        .c_str()) == 0;
+    const bool built = std::filesystem::exists(program().parent_path() /
+                                               "../lib/edgeproof/mpi/edgeproof_mpi.so") ||
+                       std::system(("find '" + program().parent_path().parent_path().string() +
+                                    "' -maxdepth 4 -name edgeproof_mpi.so | grep -q .")
+                                       .c_str()) == 0;
     if (!here || !built) {
         const std::string why = here ? "built without MPI" : "no mpirun of Open MPI";
         MESSAGE("skipped: ", why);

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -D BUILD=<build> -D WORK=<scratch> -D PYTHON=<python3, or empty> -P packages.cmake
+# cmake -D BUILD=<build> -D WORK=<scratch> -D PYTHON=<python3, or empty> -D MPI=<true if built>
+#       -P packages.cmake
 # Makes the Debian packages of a build, checks them with lintian if it is installed, unpacks them
 # together, and runs their programs.
 function(run)
@@ -26,6 +27,9 @@ set(expected edgeproof_ libedgeproof-dev_ edgeproof-doc_)
 if(PYTHON)
     list(APPEND expected python3-edgeproof_)
 endif()
+if(MPI)
+    list(APPEND expected edgeproof-mpi_)
+endif()
 list(LENGTH packages count)
 list(LENGTH expected wanted)
 if(NOT count EQUAL wanted)
@@ -38,6 +42,34 @@ foreach(name IN LISTS expected)
 endforeach()
 foreach(package IN LISTS packages)
     run(dpkg-deb -x ${package} root)
+endforeach()
+
+# What each package contains and needs.
+foreach(package IN LISTS packages)
+    cmake_path(GET package FILENAME name)
+    string(REGEX REPLACE "_.*" "" name ${name})
+    run(dpkg-deb -c ${package})
+    set(contents "${output}")
+    run(dpkg-deb -f ${package} Depends)
+    set(depends "${output}")
+    run(dpkg-deb -I ${package})
+    if(output MATCHES "postinst|postrm|triggers")
+        message(FATAL_ERROR "${name} has a maintainer script or a trigger")
+    endif()
+    foreach(file "/usr/bin/edgeproof\n" "/man1/edgeproof-verify.1" "bash-completion" "vendor-completions"
+            "vendor_completions.d")
+        string(FIND "${contents}" "${file}" found)
+        if((name STREQUAL "edgeproof") STREQUAL (found EQUAL -1))
+            message(FATAL_ERROR "${name} and '${file}': all of the program belongs to edgeproof")
+        endif()
+    endforeach()
+    if(NOT name STREQUAL "edgeproof-mpi" AND "${contents}${depends}" MATCHES "openmpi|edgeproof_mpi")
+        message(FATAL_ERROR "${name} needs MPI, or contains it: ${depends}")
+    endif()
+    if(name STREQUAL "edgeproof-mpi" AND NOT (depends MATCHES "libopenmpi" AND contents MATCHES
+            "/edgeproof/mpi/edgeproof_mpi.so"))
+        message(FATAL_ERROR "edgeproof-mpi: ${depends}\n${contents}")
+    endif()
 endforeach()
 
 # Only their own folders are used, without environment variables.
@@ -70,7 +102,7 @@ endforeach()
 
 find_program(LINTIAN lintian)
 if(LINTIAN)
-    run(${LINTIAN} --fail-on error --allow-root ${packages})
+    run(${LINTIAN} --fail-on error,warning --allow-root ${packages})
     message(STATUS "lintian:\n${output}")
 else()
     message(STATUS "lintian is not installed: not asked")

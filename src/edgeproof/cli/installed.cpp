@@ -71,7 +71,9 @@ std::unique_ptr<parallel::Processes> launched_together() {
     if (launched_count() < 2) {
         return nullptr;
     }
-    const std::string alone = "start it alone, or build it where MPI is installed";
+    const std::string alone =
+        "start it alone, or install its MPI part (Debian package edgeproof-mpi, or a build where "
+        "Open MPI is installed)";
     if (module_path.empty()) {
         cannot_share("this edgeproof was built without MPI", alone);
     }

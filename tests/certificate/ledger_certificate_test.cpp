@@ -18,7 +18,7 @@ certificate::Certificate only_certificate(const std::string& family, const std::
     audit::AuditOptions options;
     options.digits = 30;
     const audit::AuditResult result = audit::run_audit(ledger, options);
-    return certify(result.claims.at(0), ledger);
+    return certificate::certify(result.claims.at(0), ledger);
 }
 
 const std::string wedges =

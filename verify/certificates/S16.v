@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Unique Scaling Tactics.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Scaling Symmetric Unique Tactics.
 Open Scope R_scope.
 
 Definition Es : R := 210000000000.
@@ -38,11 +38,11 @@ Print Assumptions S16_extent.
 (* The same at every scale: for all slopes h1 that are scaled copies, and all moduli. *)
 Theorem S16_extent_similar : forall Fs lam mu h1, 0 < Fs -> 0 < lam -> 0 < mu ->
   (forall x, h1 (lam * x) = mu * (slope punch) x) ->
-  is_first_exit sum_2 Fs h1 (lam * a) (1 / 100) (lam * (492328854 / 10 ^ 9)) (lam * (492408853 / 10 ^ 9)).
+  is_first_exit Scaling.sum_2 Fs h1 (lam * a) (1 / 100) (lam * (492328854 / 10 ^ 9)) (lam * (492408853 / 10 ^ 9)).
 Proof.
   intros Fs lam mu h1 HFs Hlam Hmu Hh.
   destruct S16_extent as (r0 & r1 & r2 & Hr & Hwithin & Hbeyond & _).
-  apply (first_exit_scaled sum_2 Es Fs (slope punch) h1 lam mu);
+  apply (first_exit_scaled Scaling.sum_2 Es Fs (slope punch) h1 lam mu);
     [apply homogeneous_2 | sides constants | assumption | assumption | assumption
     | assumption | sides constants | exists r0, r1, r2; exact (conj Hr (conj Hwithin Hbeyond))].
 Qed.

@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Unique Scaling Tactics.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Scaling Symmetric Unique Tactics.
 Open Scope R_scope.
 
 Definition Es : R := 210000000000.
@@ -38,11 +38,11 @@ Print Assumptions S23_extent.
 (* The same at every scale: for all slopes h1 that are scaled copies, and all moduli. *)
 Theorem S23_extent_similar : forall Fs lam mu h1, 0 < Fs -> 0 < lam -> 0 < mu ->
   (forall x, h1 (lam * x) = mu * (slope punch) x) ->
-  is_first_exit sum_1 Fs h1 (lam * a) (1 / 100) (lam * (599231243 / 10 ^ 11)) (lam * (607231242 / 10 ^ 11)).
+  is_first_exit Scaling.sum_1 Fs h1 (lam * a) (1 / 100) (lam * (599231243 / 10 ^ 11)) (lam * (607231242 / 10 ^ 11)).
 Proof.
   intros Fs lam mu h1 HFs Hlam Hmu Hh.
   destruct S23_extent as (r0 & r1 & r2 & Hr & Hwithin & Hbeyond & _).
-  apply (first_exit_scaled sum_1 Es Fs (slope punch) h1 lam mu);
+  apply (first_exit_scaled Scaling.sum_1 Es Fs (slope punch) h1 lam mu);
     [apply homogeneous_1 | sides constants | assumption | assumption | assumption
     | assumption | sides constants | exists r0, r1, r2; exact (conj Hr (conj Hwithin Hbeyond))].
 Qed.

@@ -135,10 +135,11 @@ std::string similar_theorem(const std::string& name, const StatedEdge& edge,
         "(* The same at every scale: for all slopes h1 that are scaled copies, and all moduli. *)\n"
         "Theorem {0}_similar : forall Fs lam mu h1, 0 < Fs -> 0 < lam -> 0 < mu ->\n"
         "  (forall x, h1 (lam * x) = mu * {1} x) ->\n"
-        "  is_first_exit sum_{2} Fs h1 (lam * {3}) {4} (lam * ({5})) (lam * ({6})).\nProof.\n"
+        "  is_first_exit Scaling.sum_{2} Fs h1 (lam * {3}) {4} (lam * ({5})) (lam * "
+        "({6})).\nProof.\n"
         "  intros Fs lam mu h1 HFs Hlam Hmu Hh.\n"
         "  destruct {0} as (r0 & r1 & r2 & Hr & Hwithin & Hbeyond & _).\n"
-        "  apply (first_exit_scaled sum_{2} Es Fs {1} h1 lam mu);\n"
+        "  apply (first_exit_scaled Scaling.sum_{2} Es Fs {1} h1 lam mu);\n"
         "    [apply homogeneous_{2} | sides constants | assumption | assumption | assumption\n"
         "    | assumption | sides constants | exists r0, r1, r2; exact (conj Hr (conj Hwithin "
         "Hbeyond))].\nQed.\nPrint Assumptions {0}_similar.\n\n",

@@ -62,8 +62,9 @@ std::vector<Part> parts_of(const contact::Profile& profile, double a) {
 
 StatedContact symmetric_contact(const contact::Profile& profile, const Exact& a) {
     StatedContact c;
-    c.imports = {"Contact",   "Coefficients", "Edges",   "ClosedForm",
-                 "Symmetric", "Unique",       "Scaling", "Tactics"};
+    // Scaling.v comes before Symmetric.v, because both have a lemma pressure_scaled.
+    c.imports = {"Contact", "Coefficients", "Edges",  "ClosedForm",
+                 "Scaling", "Symmetric",    "Unique", "Tactics"};
     std::string list = "nil";
     StatedEdge& edge = c.right;
     edge.edge = "a";

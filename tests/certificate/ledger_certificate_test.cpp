@@ -74,8 +74,8 @@ TEST_CASE("refutations are about the only coefficient, and corrections are relat
     CHECK(c.whole_verdict);
 }
 
-// The paper quotes 2 % of a for t/a = 2/5 and 0.5 % for 4/5 (S20, S23; 0.60 % is exact). Of both, "2 %"
-// is right for the first and one unit off for the second.
+// The paper quotes 2 % of a for t/a = 2/5 and 0.5 % for 4/5 (S20, S23; 0.60 % is exact). Of both,
+// "2 %" is right for the first and one unit off for the second.
 TEST_CASE("the theorem of an extent is about the contact on which the verdict rests") {
     const auto both =
         only_certificate(flat("[\"a*2/5\", \"a*4/5\"]", "[\"1\", \"2\"]"), first_exit("2 %"));

@@ -43,7 +43,7 @@ TEST_CASE("values of a parabola as theorems") {
     const auto& pressure = named(all, "pressure.right");
     CHECK(pressure.file == "pressure_right.v");
     CHECK(has(pressure.text, "Definition punch : list part := cons (Part 0 0 1) nil."));
-    CHECK(has(pressure.text, "is_pressure Es (slope punch) a (a - (2 / 5)) p0 /\\\n"));
+    CHECK(has(pressure.text, "is_the_pressure Es (slope punch) a (a - (2 / 5)) p0 /\\\n"));
     CHECK(has(pressure.text, "Rabs (p0 - (4 / 10 ^ 1)) <= 5 / 10 ^ "));
     CHECK(has(named(all, "load").theorems.at(0).states, "P = 0.7853981634, rounded"));
     CHECK(has(named(all, "coefficients.right").theorems.at(0).states, "c_0 = 0.7071067812"));
@@ -61,7 +61,8 @@ TEST_CASE("what cannot be stated about a scene has no theorem, but a reason") {
     const auto within = certified("kind = \"flat-and-rounded\"\nt = \"1/2\"\nR = \"1\"",
                                   "a = \"1\"", "u = [\"0.1\", \"0.6\"]\nedges = [\"left\"]\n");
     CHECK(named(within, "pressure.left").theorems.size() == 1);
-    CHECK(has(named(within, "pressure.left").text, "is_pressure Es (mirrored (slope punch)) a"));
+    CHECK(
+        has(named(within, "pressure.left").text, "is_the_pressure Es (mirrored (slope punch)) a"));
     const auto& inside = named(within, "pressure.left: u = 0.6");
     CHECK(inside.theorems.empty());
     CHECK(has(inside.leaves_out, "nearer to the origin than a knot"));

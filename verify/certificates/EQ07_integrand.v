@@ -5,7 +5,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Tactics Expansions HalfPowers PressureExpansions.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Unique Tactics Expansions HalfPowers PressureExpansions.
 Open Scope R_scope.
 
 Theorem EQ07_integrand_refuted (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) :
@@ -39,12 +39,14 @@ Proof.
 Qed.
 Print Assumptions EQ07_integrand_corrected.
 
-Theorem EQ07_integrand_instance : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R),
+Theorem EQ07_integrand_instance : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) (y : R),
   is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) /\
+  (rises_at g1 y /\ y < a) /\
   exists S X : R, (((S + X) * (P1 a) - S * a * (P2 a)) / a) - (((S + X) * (P1 a) - 4 * S * a * (P2 a)) / (4 * a)) <> 0.
 Proof.
-  exists 1, (slope wedge), 1, (load 1 wedge), (rate 1 wedge), (rate_2 1 wedge), (rate_3 1 wedge).
+  exists 1, (slope wedge), 1, (load 1 wedge), (rate 1 wedge), (rate_2 1 wedge), (rate_3 1 wedge), (first wedge).
   split; [apply (smooth_contact 1 wedge (1 / 2) 1); sides ltac:(unfold wedge) |].
+  split; [split; [apply punch_rises; convex ltac:(unfold wedge) | before ltac:(unfold wedge)] |].
   exists 1, 1. apply apart. numbers ltac:(unfold wedge).
 Qed.
 Print Assumptions EQ07_integrand_instance.

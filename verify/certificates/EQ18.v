@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Tactics FlatAndRounded.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Unique Tactics FlatAndRounded.
 Open Scope R_scope.
 
 Definition Es : R := 1.
@@ -16,27 +16,27 @@ Definition punch : list part := cons (Part t 0 (1 / R0)) nil.
 Ltac constants := unfold punch, x, a, R0, t, Es in *.
 Ltac positive := constants; repeat split; lra.
 
-Theorem EQ18_refuted : exists p0 l0,
-  is_pressure Es (slope punch) a x p0 /\
+Theorem EQ18_refuted : exists l0 p0,
   is_improper_integral (fun s => (PI / 2 - asin (t / s)) * s / sqrt (s ^ 2 - x ^ 2)) (Rmax x t) (a) l0 /\
+  is_the_pressure Es (slope punch) a x p0 /\
   306 / 10 ^ 2 <= Rabs ((Es * a / (PI * R0) * l0) - (p0)).
 Proof.
   eexists. eexists. 
-  split. { apply (pressure Es punch ((t + x) / 2)); sides constants. }
   split. { apply rounded_integral; positive. }
+  split. { apply (the_pressure _ _ (first punch)); [apply punch_rises; convex constants | before constants | apply (pressure Es punch ((t + x) / 2)); sides constants]. }
   numbers constants.
 Qed.
 Print Assumptions EQ18_refuted.
 
-Theorem EQ18_corrected : exists p0 l0,
-  is_pressure Es (slope punch) a x p0 /\
+Theorem EQ18_corrected : exists l0 p0,
   is_improper_integral (fun s => (PI / 2 - asin (t / s)) * s / sqrt (s ^ 2 - x ^ 2)) (Rmax x t) (a) l0 /\
-  Rabs ((Es / (PI * R0) * l0) - (p0)) <= 1 / 10 ^ 12.
+  is_the_pressure Es (slope punch) a x p0 /\
+  Rabs ((Es / (PI * R0) * l0) - (p0)) <= 1 / 10 ^ 12 * Rabs (p0).
 Proof.
   eexists. eexists. 
-  split. { apply (pressure Es punch ((t + x) / 2)); sides constants. }
   split. { apply rounded_integral; positive. }
-  numbers constants.
+  split. { apply (the_pressure _ _ (first punch)); [apply punch_rises; convex constants | before constants | apply (pressure Es punch ((t + x) / 2)); sides constants]. }
+  apply Rminus_le. numbers constants.
 Qed.
 Print Assumptions EQ18_corrected.
 

@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Tactics FlatAndRounded.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Unique Tactics FlatAndRounded.
 Open Scope R_scope.
 
 Definition Es : R := 1.
@@ -17,12 +17,12 @@ Ltac constants := unfold punch, x, a, R0, t, Es in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem EQ19_M_agrees : exists r0 r1 r2,
-  right_edge_series Es (slope punch) a r0 r1 r2 /\
-  Rabs ((- Es / (2 * sqrt (2 * a) * PI * R0) * (PI / 2 - asin (t / a) + 8 * t / (3 * sqrt (a ^ 2 - t ^ 2)))) - (r1)) <= 1 / 10 ^ 12.
+  is_the_right_series Es (slope punch) a r0 r1 r2 /\
+  Rabs ((- Es / (2 * sqrt (2 * a) * PI * R0) * (PI / 2 - asin (t / a) + 8 * t / (3 * sqrt (a ^ 2 - t ^ 2)))) - (r1)) <= 1 / 10 ^ 12 * Rabs (r1).
 Proof.
   eexists. eexists. eexists. 
-  split. { apply right_edge with (1 := smooth_contact Es punch ((t + x) / 2) a ltac:(sides constants) ltac:(sides constants)). }
-  numbers constants.
+  split. { apply (the_right_series _ _ (first punch)); [apply punch_rises; convex constants | before constants | apply right_edge with (1 := smooth_contact Es punch ((t + x) / 2) a ltac:(sides constants) ltac:(sides constants))]. }
+  apply Rminus_le. numbers constants.
 Qed.
 Print Assumptions EQ19_M_agrees.
 

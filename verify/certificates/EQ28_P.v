@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges ClosedForm Tactics TiltedWedge.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Tactics TiltedWedge Unique.
 Open Scope R_scope.
 
 Definition Es : R := 1.
@@ -16,12 +16,12 @@ Ltac constants := unfold x, a, gam, phi, Es in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem EQ28_P_agrees : exists P0,
-  is_load Es (slope phi (tilt phi gam)) a (gam * a) P0 /\
-  Rabs ((Es * phi * sqrt gam * a) - (P0)) <= 1 / 10 ^ 12.
+  is_the_load Es (slope phi (tilt phi gam)) a (gam * a) P0 /\
+  Rabs ((Es * phi * sqrt gam * a) - (P0)) <= 1 / 10 ^ 12 * Rabs (P0).
 Proof.
   eexists. 
-  split. { apply wedge_load; positive. }
-  numbers constants.
+  split. { apply (the_load _ _ 0); [apply wedge_rises, tilt_range; positive | positive | positive | apply wedge_consistent; positive | apply wedge_load; positive]. }
+  apply Rminus_le. numbers constants.
 Qed.
 Print Assumptions EQ28_P_agrees.
 

@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges ClosedForm Tactics TiltedWedge.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Tactics TiltedWedge Unique.
 Open Scope R_scope.
 
 Definition Es : R := 1.
@@ -16,22 +16,22 @@ Ltac constants := unfold x, a, gam, phi, Es in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem EQ30_N_refuted : exists r0 r1 r2,
-  right_edge_series Es (slope phi (tilt phi gam)) a r0 r1 r2 /\
+  is_the_right_series Es (slope phi (tilt phi gam)) a r0 r1 r2 /\
   581 / 10 ^ 6 <= Rabs (((15 + 20 * gam + 8 * gam ^ 2) * (Es * phi) / (20 * PI * Rpower (1 + gam) (5 / 2) * Rpower a (5 / 2))) - (r2)).
 Proof.
   eexists. eexists. eexists. 
-  split. { eapply right_edge, smooth_contact; positive. }
+  split. { apply (the_right_series _ _ 0); [apply wedge_rises, tilt_range; positive | positive | eapply right_edge, smooth_contact; positive]. }
   numbers constants.
 Qed.
 Print Assumptions EQ30_N_refuted.
 
 Theorem EQ30_N_corrected : exists r0 r1 r2,
-  right_edge_series Es (slope phi (tilt phi gam)) a r0 r1 r2 /\
-  Rabs ((sqrt gam * ((15 + 20 * gam + 8 * gam ^ 2) * (Es * phi) / (20 * PI * Rpower (1 + gam) (5 / 2) * Rpower a (5 / 2)))) - (r2)) <= 1 / 10 ^ 12.
+  is_the_right_series Es (slope phi (tilt phi gam)) a r0 r1 r2 /\
+  Rabs ((sqrt gam * ((15 + 20 * gam + 8 * gam ^ 2) * (Es * phi) / (20 * PI * Rpower (1 + gam) (5 / 2) * Rpower a (5 / 2)))) - (r2)) <= 1 / 10 ^ 12 * Rabs (r2).
 Proof.
   eexists. eexists. eexists. 
-  split. { eapply right_edge, smooth_contact; positive. }
-  numbers constants.
+  split. { apply (the_right_series _ _ 0); [apply wedge_rises, tilt_range; positive | positive | eapply right_edge, smooth_contact; positive]. }
+  apply Rminus_le. numbers constants.
 Qed.
 Print Assumptions EQ30_N_corrected.
 

@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges ClosedForm Tactics TiltedWedge.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Tactics TiltedWedge Unique.
 Open Scope R_scope.
 
 Definition Es : R := 1.
@@ -16,22 +16,22 @@ Ltac constants := unfold x, a, gam, phi, Es in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem EQ32_N_refuted : exists l0 l1 l2,
-  left_edge_series Es (slope phi (tilt phi gam)) (gam * a) l0 l1 l2 /\
+  is_the_left_series Es (slope phi (tilt phi gam)) (gam * a) l0 l1 l2 /\
   254 / 10 ^ 3 <= Rabs (((8 + 20 * gam + 15 * gam ^ 2) * (Es * phi) / (20 * PI * gam ^ 3 * Rpower (1 + gam) (5 / 2) * Rpower a (5 / 2))) - (l2)).
 Proof.
   eexists. eexists. eexists. 
-  split. { refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive. }
+  split. { apply (the_left_series _ _ 0); [apply mirrored_wedge_rises, tilt_range; positive | positive | refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive]. }
   numbers constants.
 Qed.
 Print Assumptions EQ32_N_refuted.
 
 Theorem EQ32_N_corrected : exists l0 l1 l2,
-  left_edge_series Es (slope phi (tilt phi gam)) (gam * a) l0 l1 l2 /\
-  Rabs (((8 + 20 * gam + 15 * gam ^ 2) * (Es * phi) / (20 * PI * Rpower gam (5 / 2) * Rpower (1 + gam) (5 / 2) * Rpower a (5 / 2))) - (l2)) <= 1 / 10 ^ 12.
+  is_the_left_series Es (slope phi (tilt phi gam)) (gam * a) l0 l1 l2 /\
+  Rabs (((8 + 20 * gam + 15 * gam ^ 2) * (Es * phi) / (20 * PI * Rpower gam (5 / 2) * Rpower (1 + gam) (5 / 2) * Rpower a (5 / 2))) - (l2)) <= 1 / 10 ^ 12 * Rabs (l2).
 Proof.
   eexists. eexists. eexists. 
-  split. { refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive. }
-  numbers constants.
+  split. { apply (the_left_series _ _ 0); [apply mirrored_wedge_rises, tilt_range; positive | positive | refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive]. }
+  apply Rminus_le. numbers constants.
 Qed.
 Print Assumptions EQ32_N_corrected.
 

@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics Shear.
+From Edgeproof Require Import Contact Coefficients Edges Tactics Shear Unique.
 Open Scope R_scope.
 
 Definition a : R := 4.
@@ -16,22 +16,22 @@ Ltac constants := unfold sig0, b, x, Q, a in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem EQ38_Lminus_refuted : exists v0 v1 v2,
-  left_shear_series (full_stick Q sig0 a b) b v0 v1 v2 /\
+  is_the_left_shear_series (full_stick Q sig0 a b) b v0 v1 v2 /\
   311 / 10 ^ 4 <= Rabs ((v1 * sqrt ((a + b) / 2 - (x - (a - b) / 2))) - (v1 * sqrt (b + x))).
 Proof.
   eexists. eexists. eexists. 
-  split. { apply left_shear; positive. }
+  split. { apply the_left_shear_series, left_shear; positive. }
   numbers constants.
 Qed.
 Print Assumptions EQ38_Lminus_refuted.
 
 Theorem EQ38_Lminus_corrected : exists v0 v1 v2,
-  left_shear_series (full_stick Q sig0 a b) b v0 v1 v2 /\
-  Rabs ((v1 * sqrt ((a + b) / 2 + (x - (a - b) / 2))) - (v1 * sqrt (b + x))) <= 1 / 10 ^ 12.
+  is_the_left_shear_series (full_stick Q sig0 a b) b v0 v1 v2 /\
+  Rabs ((v1 * sqrt ((a + b) / 2 + (x - (a - b) / 2))) - (v1 * sqrt (b + x))) <= 1 / 10 ^ 12 * Rabs (v1 * sqrt (b + x)).
 Proof.
   eexists. eexists. eexists. 
-  split. { apply left_shear; positive. }
-  numbers constants.
+  split. { apply the_left_shear_series, left_shear; positive. }
+  apply Rminus_le. numbers constants.
 Qed.
 Print Assumptions EQ38_Lminus_corrected.
 

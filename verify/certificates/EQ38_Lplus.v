@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics Shear.
+From Edgeproof Require Import Contact Coefficients Edges Tactics Shear Unique.
 Open Scope R_scope.
 
 Definition a : R := 4.
@@ -16,22 +16,22 @@ Ltac constants := unfold sig0, b, x, Q, a in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem EQ38_Lplus_refuted : exists s0 s1 s2,
-  right_shear_series (full_stick Q sig0 a b) a s0 s1 s2 /\
+  is_the_right_shear_series (full_stick Q sig0 a b) a s0 s1 s2 /\
   221 / 10 ^ 4 <= Rabs ((s1 * sqrt ((a + b) / 2 + (x - (a - b) / 2))) - (s1 * sqrt (a - x))).
 Proof.
   eexists. eexists. eexists. 
-  split. { apply right_shear; positive. }
+  split. { apply the_right_shear_series, right_shear; positive. }
   numbers constants.
 Qed.
 Print Assumptions EQ38_Lplus_refuted.
 
 Theorem EQ38_Lplus_corrected : exists s0 s1 s2,
-  right_shear_series (full_stick Q sig0 a b) a s0 s1 s2 /\
-  Rabs ((s1 * sqrt ((a + b) / 2 - (x - (a - b) / 2))) - (s1 * sqrt (a - x))) <= 1 / 10 ^ 12.
+  is_the_right_shear_series (full_stick Q sig0 a b) a s0 s1 s2 /\
+  Rabs ((s1 * sqrt ((a + b) / 2 - (x - (a - b) / 2))) - (s1 * sqrt (a - x))) <= 1 / 10 ^ 12 * Rabs (s1 * sqrt (a - x)).
 Proof.
   eexists. eexists. eexists. 
-  split. { apply right_shear; positive. }
-  numbers constants.
+  split. { apply the_right_shear_series, right_shear; positive. }
+  apply Rminus_le. numbers constants.
 Qed.
 Print Assumptions EQ38_Lplus_corrected.
 

@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics Shear.
+From Edgeproof Require Import Contact Coefficients Edges Tactics Shear Unique.
 Open Scope R_scope.
 
 Definition a : R := 4.
@@ -16,12 +16,12 @@ Ltac constants := unfold sig0, b, x, Q, a in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem EQ39_Kminus_agrees : exists v0 v1 v2,
-  left_shear_series (full_stick Q sig0 a b) b v0 v1 v2 /\
-  Rabs ((1 / sqrt (2 * ((a + b) / 2)) * (Q / PI - sig0 * ((a + b) / 2) / 4)) - (v0)) <= 1 / 10 ^ 12.
+  is_the_left_shear_series (full_stick Q sig0 a b) b v0 v1 v2 /\
+  Rabs ((1 / sqrt (2 * ((a + b) / 2)) * (Q / PI - sig0 * ((a + b) / 2) / 4)) - (v0)) <= 1 / 10 ^ 12 * Rabs (v0).
 Proof.
   eexists. eexists. eexists. 
-  split. { apply left_shear; positive. }
-  numbers constants.
+  split. { apply the_left_shear_series, left_shear; positive. }
+  apply Rminus_le. numbers constants.
 Qed.
 Print Assumptions EQ39_Kminus_agrees.
 

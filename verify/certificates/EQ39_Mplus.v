@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics Shear.
+From Edgeproof Require Import Contact Coefficients Edges Tactics Shear Unique.
 Open Scope R_scope.
 
 Definition a : R := 4.
@@ -16,12 +16,12 @@ Ltac constants := unfold sig0, b, x, Q, a in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem EQ39_Mplus_agrees : exists s0 s1 s2,
-  right_shear_series (full_stick Q sig0 a b) a s0 s1 s2 /\
-  Rabs ((1 / sqrt (2 * ((a + b) / 2)) * (3 * Q / (32 * PI * ((a + b) / 2) ^ 2) - 5 * sig0 / (128 * ((a + b) / 2)))) - (s2)) <= 1 / 10 ^ 12.
+  is_the_right_shear_series (full_stick Q sig0 a b) a s0 s1 s2 /\
+  Rabs ((1 / sqrt (2 * ((a + b) / 2)) * (3 * Q / (32 * PI * ((a + b) / 2) ^ 2) - 5 * sig0 / (128 * ((a + b) / 2)))) - (s2)) <= 1 / 10 ^ 12 * Rabs (s2).
 Proof.
   eexists. eexists. eexists. 
-  split. { apply right_shear; positive. }
-  numbers constants.
+  split. { apply the_right_shear_series, right_shear; positive. }
+  apply Rminus_le. numbers constants.
 Qed.
 Print Assumptions EQ39_Mplus_agrees.
 

@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Tactics.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Unique Tactics.
 Open Scope R_scope.
 
 Definition Es : R := 1.
@@ -17,17 +17,17 @@ Ltac constants := unfold parabola, wedge, x, a, C, Es in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem S03_N_refuted : exists r0 r1 r2,
-  right_edge_series Es (slope wedge) a r0 r1 r2 /\
+  is_the_right_series Es (slope wedge) a r0 r1 r2 /\
   exists r0' r1' r2',
-  right_edge_series Es (slope parabola) a r0' r1' r2' /\
+  is_the_right_series Es (slope parabola) a r0' r1' r2' /\
   143 / 10 ^ 3 <= (r2) - (r2') /\
   988 / 10 ^ 4 <= (Rabs r2) - (Rabs r2') /\
   237 / 10 ^ 3 <= (Rabs (r2 / r0) * a ^ 2) - (Rabs (r2' / r0') * a ^ 2).
 Proof.
   eexists. eexists. eexists. 
-  split. { apply right_edge with (1 := smooth_contact Es wedge (x / 2) a ltac:(sides constants) ltac:(sides constants)). }
+  split. { apply (the_right_series _ _ (first wedge)); [apply punch_rises; convex constants | before constants | apply right_edge with (1 := smooth_contact Es wedge (x / 2) a ltac:(sides constants) ltac:(sides constants))]. }
     eexists. eexists. eexists. 
-  split. { apply right_edge with (1 := smooth_contact Es parabola (x / 2) a ltac:(sides constants) ltac:(sides constants)). }
+  split. { apply (the_right_series _ _ (first parabola)); [apply punch_rises; convex constants | before constants | apply right_edge with (1 := smooth_contact Es parabola (x / 2) a ltac:(sides constants) ltac:(sides constants))]. }
   repeat split; numbers constants.
 Qed.
 Print Assumptions S03_N_refuted.

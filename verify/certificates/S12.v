@@ -4,21 +4,22 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics.
+From Edgeproof Require Import Contact Coefficients Edges Unique Tactics.
 Open Scope R_scope.
 
-Theorem S12 (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) (factor : R) :
+Theorem S12 (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) (y factor : R) :
   is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) ->
   (forall s, 0 < s -> P s = factor * Rpower s (13 / 8)) ->
+  rises_at g1 y /\ y < a ->
   exists r0 r1 r2,
-  right_edge_series Es g1 a r0 r1 r2 /\
+  is_the_right_series Es g1 a r0 r1 r2 /\
   forall x, x < a ->
   r0 * sqrt (a - x) =
   r0 * sqrt (a - x) + r1 * Rpower (a - x) (3 / 2).
 Proof.
-  intros contact load.
+  intros contact load convex.
   eexists. eexists. eexists. 
-  split. { exact (right_edge _ _ _ _ _ _ _ _ _ _ contact). }
+  split. { apply (the_right_series _ _ y); [apply convex | apply convex | exact (right_edge _ _ _ _ _ _ _ _ _ _ contact)]. }
   intros x Hx. identity_of_power contact load a P1 P2 P3.
 Qed.
 Print Assumptions S12.

@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Tactics.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Scaling Symmetric Unique Tactics.
 Open Scope R_scope.
 
 Definition Es : R := 210000000000.
@@ -14,24 +14,37 @@ Ltac constants := unfold punch, a, Es in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem S13_extent : exists r0 r1 r2,
-  right_edge_series Es (slope punch) a r0 r1 r2 /\
-  (forall u, 0 < u <= 23800024 / 10 ^ 9 -> exists p0, is_pressure Es (slope punch) a (a - u) p0 /\
+  is_the_right_series Es (slope punch) a r0 r1 r2 /\
+  (forall u, 0 < u <= 238283971 / 10 ^ 10 -> exists p0, is_the_pressure Es (slope punch) a (a - u) p0 /\
     Rabs (p0 - (r0 * sqrt u)) <= (1 / 100) * p0) /\
-  (forall u, u = 23899976 / 10 ^ 9 -> exists p0, is_pressure Es (slope punch) a (a - u) p0 /\
+  (forall u, u = 23908397 / 10 ^ 9 -> exists p0, is_the_pressure Es (slope punch) a (a - u) p0 /\
     (1 / 100) * p0 < Rabs (p0 - (r0 * sqrt u))) /\
-  (238 / 10000 <= (23800024 / 10 ^ 9) / a /\ (23899976 / 10 ^ 9) / a <= 239 / 10000).
+  ((1 / 50) - (1 / 200) < (238283971 / 10 ^ 10) / a /\ (23908397 / 10 ^ 9) / a < (1 / 50) + (1 / 200)).
 Proof.
-  eexists. eexists. eexists. split. { apply right_edge with (1 := smooth_contact Es punch (499999999999999 / 10 ^ 15) a ltac:(sides constants) ltac:(sides constants)). }
+  eexists. eexists. eexists. split. { apply (the_right_series _ _ (first punch)); [apply punch_rises; convex constants | before constants | apply right_edge with (1 := smooth_contact Es punch (499999999999999 / 10 ^ 15) a ltac:(sides constants) ltac:(sides constants))]. }
   split; [| split].
-  - intros u Hu. eexists. split. { apply (pressure Es punch (488050011999999 / 10 ^ 15)); sides constants. }
+  - intros u Hu. eexists. split. { apply (the_pressure _ _ (first punch)); [apply punch_rises; convex constants | before constants | apply (pressure Es punch (488045801499999 / 10 ^ 15)); sides constants]. }
     destruct (Rle_lt_dec u (2 / 10 ^ 4)) as [Hn | Hn].
-    + rewrite (pressure_scaled Es a u (488050011999999 / 10 ^ 15)); [| sides constants | sides constants | lra].
+    + rewrite (pressure_scaled Es a u (488045801499999 / 10 ^ 15)); [| sides constants | sides constants | lra].
       near_the_edge constants u (2 / 10 ^ 4) (2 / 10 ^ 3). interval with (i_prec 90).
-    + assert (H : 2 / 10 ^ 4 <= u <= 23800024 / 10 ^ 9) by lra. clear Hu Hn. plain constants. unfold atanh.
+    + assert (H : 2 / 10 ^ 4 <= u <= 238283971 / 10 ^ 10) by lra. clear Hu Hn. plain constants. unfold atanh.
       apply Rminus_le. interval with (i_bisect u, i_taylor u, i_prec 90, i_depth 60).
-  - intros u ->. eexists. split. { apply (pressure Es punch (488050011999999 / 10 ^ 15)); sides constants. }
+  - intros u ->. eexists. split. { apply (the_pressure _ _ (first punch)); [apply punch_rises; convex constants | before constants | apply (pressure Es punch (488045801499999 / 10 ^ 15)); sides constants]. }
     plain constants. unfold atanh. apply Rminus_lt. interval with (i_prec 90).
-  - plain constants. split; interval with (i_prec 90).
+  - plain constants. repeat split; interval with (i_prec 90).
 Qed.
 Print Assumptions S13_extent.
+
+(* The same at every scale: for all slopes h1 that are scaled copies, and all moduli. *)
+Theorem S13_extent_similar : forall Fs lam mu h1, 0 < Fs -> 0 < lam -> 0 < mu ->
+  (forall x, h1 (lam * x) = mu * (slope punch) x) ->
+  is_first_exit Scaling.sum_1 Fs h1 (lam * a) (1 / 100) (lam * (238283971 / 10 ^ 10)) (lam * (23908397 / 10 ^ 9)).
+Proof.
+  intros Fs lam mu h1 HFs Hlam Hmu Hh.
+  destruct S13_extent as (r0 & r1 & r2 & Hr & Hwithin & Hbeyond & _).
+  apply (first_exit_scaled Scaling.sum_1 Es Fs (slope punch) h1 lam mu);
+    [apply homogeneous_1 | sides constants | assumption | assumption | assumption
+    | assumption | sides constants | exists r0, r1, r2; exact (conj Hr (conj Hwithin Hbeyond))].
+Qed.
+Print Assumptions S13_extent_similar.
 

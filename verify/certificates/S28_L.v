@@ -4,15 +4,16 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics.
+From Edgeproof Require Import Contact Coefficients Edges Unique Tactics.
 Open Scope R_scope.
 
-Theorem S28_L (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) :
+Theorem S28_L (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) (y : R) :
   is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) ->
-    2 * (P1 a) / (PI * sqrt (a + a)) =
+  rises_at g1 y /\ y < a ->
+  2 * (P1 a) / (PI * sqrt (a + a)) =
   1 / PI * sqrt (2 / a) * (P1 a).
 Proof.
-  intros contact.
+  intros contact convex.
   identity_symmetric contact a P1 P2 P3.
 Qed.
 Print Assumptions S28_L.

@@ -4,15 +4,16 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics.
+From Edgeproof Require Import Contact Coefficients Edges Unique Tactics.
 Open Scope R_scope.
 
-Theorem S28_N (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) :
+Theorem S28_N (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) (y : R) :
   is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) ->
-    1 / (60 * PI * Rpower (a + a) (5 / 2)) * ((45 - 16 * 0 * (a + a) + 24 * 1 ^ 2 + 60 * 1) * (P1 a) - 8 * (a + a) * (4 * 1 + 5) * (P2 a) + 32 * (a + a) ^ 2 * (P3 a)) =
+  rises_at g1 y /\ y < a ->
+  1 / (60 * PI * Rpower (a + a) (5 / 2)) * ((45 - 16 * 0 * (a + a) + 24 * 1 ^ 2 + 60 * 1) * (P1 a) - 8 * (a + a) * (4 * 1 + 5) * (P2 a) + 32 * (a + a) ^ 2 * (P3 a)) =
   sqrt 2 / (480 * Rpower a (5 / 2) * PI) * (129 * (P1 a) - 144 * a * (P2 a) + 128 * a ^ 2 * (P3 a)).
 Proof.
-  intros contact.
+  intros contact convex.
   identity_symmetric contact a P1 P2 P3.
 Qed.
 Print Assumptions S28_N.

@@ -4,15 +4,16 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics.
+From Edgeproof Require Import Contact Coefficients Edges Unique Tactics.
 Open Scope R_scope.
 
-Theorem S29_M (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) :
+Theorem S29_M (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) (y : R) :
   is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) ->
-    1 / (3 * PI * 1 ^ 3 * Rpower (a + a) (3 / 2)) * ((3 * 1 ^ 2 + 2 * 1 + 4 * 0 * (a + a)) * (P1 a) - 4 * (a + a) * 1 * (P2 a)) =
+  rises_at g1 y /\ y < a ->
+  1 / (3 * PI * 1 ^ 3 * Rpower (a + a) (3 / 2)) * ((3 * 1 ^ 2 + 2 * 1 + 4 * 0 * (a + a)) * (P1 a) - 4 * (a + a) * 1 * (P2 a)) =
   2 * sqrt 2 / (3 * Rpower a (3 / 2) * PI) * (5 * (P1 a) / 8 - a * (P2 a)).
 Proof.
-  intros contact.
+  intros contact convex.
   identity_symmetric contact a P1 P2 P3.
 Qed.
 Print Assumptions S29_M.

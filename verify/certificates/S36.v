@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges ClosedForm TiltedWedge Tactics.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm TiltedWedge Unique Scaling Tactics.
 Open Scope R_scope.
 
 Definition Es : R := 1.
@@ -20,24 +20,24 @@ Lemma tilted : 0 < gam /\ tilt phi gam = alpha.
 Proof. apply tilt_of_ratio. sides constants. Qed.
 
 Theorem S36_extent : exists r0 r1 r2,
-  right_edge_series Es (slope phi alpha) a r0 r1 r2 /\
-  (forall u, 0 < u <= 16000016 / 10 ^ 8 -> exists p0, is_pressure Es (slope phi alpha) a (a - u) p0 /\
+  is_the_right_series Es (slope phi alpha) a r0 r1 r2 /\
+  (forall u, 0 < u <= 160004732 / 10 ^ 9 -> exists p0, is_the_pressure Es (slope phi alpha) a (a - u) p0 /\
     Rabs (p0 - (r0 * sqrt u + r1 * (u * sqrt u))) <= (1 / 100) * p0) /\
-  (forall u, u = 16009983 / 10 ^ 8 -> exists p0, is_pressure Es (slope phi alpha) a (a - u) p0 /\
+  (forall u, u = 160084731 / 10 ^ 9 -> exists p0, is_the_pressure Es (slope phi alpha) a (a - u) p0 /\
     (1 / 100) * p0 < Rabs (p0 - (r0 * sqrt u + r1 * (u * sqrt u)))) /\
-  (1600 / 10000 <= (16000016 / 10 ^ 8) / a /\ (16009983 / 10 ^ 8) / a <= 1601 / 10000).
+  ((17 / 100) - (3 / 200) < (160004732 / 10 ^ 9) / a /\ (160084731 / 10 ^ 9) / a < (17 / 100) - (1 / 200)).
 Proof.
-  eexists. eexists. eexists. split. { rewrite <- (proj2 tilted); eapply right_edge, smooth_contact; sides constants. }
+  eexists. eexists. eexists. split. { apply (the_right_series _ _ 0); [apply wedge_rises; sides constants | sides constants | rewrite <- (proj2 tilted); eapply right_edge, smooth_contact; sides constants]. }
   split; [| split].
-  - intros u Hu. eexists. split. { rewrite <- (proj2 tilted); apply pressure_right_of_apex; sides constants. }
+  - intros u Hu. eexists. split. { apply (the_pressure _ _ 0); [apply wedge_rises; sides constants | sides constants | rewrite <- (proj2 tilted); apply pressure_right_of_apex; sides constants]. }
     destruct (Rle_lt_dec u (2 / 10 ^ 4)) as [Hn | Hn].
     + rewrite proportional_near; [| sides constants | sides constants].
       near_the_edge constants u (2 / 10 ^ 4) (2 / 10 ^ 3). interval with (i_prec 90).
-    + assert (H : 2 / 10 ^ 4 <= u <= 16000016 / 10 ^ 8) by lra. clear Hu Hn. plain constants. unfold atanh.
+    + assert (H : 2 / 10 ^ 4 <= u <= 160004732 / 10 ^ 9) by lra. clear Hu Hn. plain constants. unfold atanh.
       apply Rminus_le. interval with (i_bisect u, i_taylor u, i_prec 90, i_depth 60).
-  - intros u ->. eexists. split. { rewrite <- (proj2 tilted); apply pressure_right_of_apex; sides constants. }
+  - intros u ->. eexists. split. { apply (the_pressure _ _ 0); [apply wedge_rises; sides constants | sides constants | rewrite <- (proj2 tilted); apply pressure_right_of_apex; sides constants]. }
     plain constants. unfold atanh. apply Rminus_lt. interval with (i_prec 90).
-  - plain constants. split; interval with (i_prec 90).
+  - plain constants. repeat split; interval with (i_prec 90).
 Qed.
 Print Assumptions S36_extent.
 

@@ -7,7 +7,7 @@ i.e. at the left hand contact edge when
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics Shear.
+From Edgeproof Require Import Contact Coefficients Edges Tactics Shear Unique.
 Open Scope R_scope.
 
 Definition a : R := 4.
@@ -20,22 +20,22 @@ Ltac constants := unfold sig0_corrected, sig0, b, x, Q, a in *.
 Ltac positive := constants; repeat split; lra.
 
 Theorem S49_refuted : exists v0 v1 v2,
-  left_shear_series (full_stick Q sig0 a b) b v0 v1 v2 /\
+  is_the_left_shear_series (full_stick Q sig0 a b) b v0 v1 v2 /\
   284 / 10 ^ 4 <= Rabs (v1).
 Proof.
   eexists. eexists. eexists. 
-  split. { apply left_shear; positive. }
+  split. { apply the_left_shear_series, left_shear; positive. }
   numbers constants.
 Qed.
 Print Assumptions S49_refuted.
 
 Theorem S49_corrected : exists v0 v1 v2,
-  left_shear_series (full_stick Q sig0_corrected a b) b v0 v1 v2 /\
-  Rabs (v1) <= 1 / 10 ^ 12.
+  is_the_left_shear_series (full_stick Q sig0_corrected a b) b v0 v1 v2 /\
+  v1 = 0.
 Proof.
   eexists. eexists. eexists. 
-  split. { apply left_shear; positive. }
-  numbers constants.
+  split. { apply the_left_shear_series, left_shear; positive. }
+  vanishes constants.
 Qed.
 Print Assumptions S49_corrected.
 

@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics Expansions Uniform.
+From Edgeproof Require Import Contact Coefficients Edges Unique Tactics Expansions Uniform.
 Open Scope R_scope.
 
 Theorem S55_refuted (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) :

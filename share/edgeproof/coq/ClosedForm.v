@@ -27,7 +27,9 @@ Lemma improper_by_antiderivative (f H : R -> R) (x a : R) : x < a ->
   (forall s, x < s <= a -> is_derive H s (f s) /\ continuous f s) ->
   filterlim H (at_right x) (locally 0) -> is_improper_integral f x a (H a).
 Proof.
-  intros Hxa Hf Hx. unfold is_improper_integral.
+  intros Hxa Hf Hx. split.
+  { intros e He. apply (@ex_RInt_continuous R_CompleteNormedModule). intros z Hz. apply Hf.
+    rewrite Rmin_left in Hz by lra. rewrite Rmax_right in Hz by lra. lra. }
   apply (filterlim_ext_loc (fun e => H a - H e)).
   - exists (mkposreal (a - x) ltac:(lra)). intros e He Hxe.
     unfold ball in He; simpl in He. unfold AbsRing_ball, abs, minus, plus, opp in He; simpl in He.

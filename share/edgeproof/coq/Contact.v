@@ -3,8 +3,10 @@ From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 Open Scope R_scope.
 
-(* The integral of f over (x, a], f being unbounded at x: the limit of the integrals over [e, a]. *)
+(* The integral of f over (x, a], f being unbounded at x: the limit of the integrals over [e, a],
+   which exist. *)
 Definition is_improper_integral (f : R -> R) (x a l : R) : Prop :=
+  (forall e, x < e <= a -> ex_RInt f e a) /\
   filterlim (fun e => RInt f e a) (at_right x) (locally l).
 
 Lemma improper_by_square (f g : R -> R) (x a : R) :
@@ -18,7 +20,9 @@ Proof.
   assert (Hc : 0 < sqrt (a - x)) by (apply sqrt_lt_R0; lra).
   set (c := sqrt (a - x)) in *.
   assert (Hcc : c ^ 2 = a - x) by (unfold c; simpl; rewrite Rmult_1_r; apply sqrt_sqrt; lra).
-  unfold is_improper_integral.
+  split.
+  { intros e He. apply (@ex_RInt_continuous R_CompleteNormedModule). intros z Hz. apply Hf.
+    rewrite Rmin_left in Hz by lra. rewrite Rmax_right in Hz by lra. lra. }
   apply filterlim_ext_loc with (f := fun e => RInt g (sqrt (e - x)) c).
   - exists (mkposreal (a - x) ltac:(lra)). intros e He Hxe.
     assert (Hea : e < a).

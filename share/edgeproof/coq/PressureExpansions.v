@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Edgeproof Require Import Contact Coefficients Edges Symmetric Tactics Expansions HalfPowers.
+From Edgeproof Require Import Contact Coefficients Edges Symmetric Tactics Expansions HalfPowers Unique.
 Open Scope R_scope.
 
 (* p is the pressure near the right edge a, near the left edge -b0. *)
@@ -9,6 +9,22 @@ Definition are_pressures_right (Es : R) (g1 : R -> R) (a : R) (p : R -> R) : Pro
   exists d, 0 < d /\ forall x, a - d < x < a -> is_pressure Es g1 a x (p x).
 Definition are_pressures_left (Es : R) (g1 : R -> R) (b0 : R) (p : R -> R) : Prop :=
   are_pressures_right Es (mirrored g1) b0 (fun x => p (- x)).
+
+(* The same with the statement that there are no other pressures there. *)
+Definition are_the_pressures_right (Es : R) (g1 : R -> R) (a : R) (p : R -> R) : Prop :=
+  exists d, 0 < d /\ forall x, a - d < x < a -> is_the_pressure Es g1 a x (p x).
+Definition are_the_pressures_left (Es : R) (g1 : R -> R) (b0 : R) (p : R -> R) : Prop :=
+  are_the_pressures_right Es (mirrored g1) b0 (fun x => p (- x)).
+Lemma the_pressures_right Es g1 y a p : rises_at g1 y -> y < a ->
+  are_pressures_right Es g1 a p -> are_the_pressures_right Es g1 a p.
+Proof.
+  intros Hg Hy (d & Hd & H). exists (Rmin d (a - y)). split; [apply Rmin_pos; lra |]. intros x Hx.
+  generalize (Rmin_l d (a - y)) (Rmin_r d (a - y)). intros.
+  apply (the_pressure _ _ y); [exact Hg | lra | apply H; lra].
+Qed.
+Lemma the_pressures_left Es g1 z b0 p : rises_at (mirrored g1) z -> z < b0 ->
+  are_pressures_left Es g1 b0 p -> are_the_pressures_left Es g1 b0 p.
+Proof. exact (the_pressures_right Es (mirrored g1) z b0 (fun x => p (- x))). Qed.
 
 Lemma pressures_of_series Es g1 a k0 k1 k2 : right_edge_series Es g1 a k0 k1 k2 ->
   exists p K, are_pressures_right Es g1 a p /\ (forall x, p x = sqrt (a - x) * K (a - x)) /\

@@ -2,7 +2,7 @@
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges ClosedForm TiltedWedge Symmetric Shear.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm TiltedWedge Symmetric Shear Unique.
 Open Scope R_scope.
 
 Lemma power_3_2 x : 0 < x -> Rpower x (3 / 2) = x * sqrt x.
@@ -42,7 +42,15 @@ Ltac identity contact left a b b1 :=
   assert (E : a + b a = sqrt (a + b a) * sqrt (a + b a)) by (symmetry; apply sqrt_sqrt; lra);
   set (r := sqrt (a + b a)) in *; clearbody r; rewrite ?E; field; lra.
 
-(* The same with b = a: over the rationals in r, a = r r, and q = sqrt 2. *)
+(* A root of x by its power. *)
+Lemma root_power x e n m : 0 < x -> e * INR n = INR m -> Rpower x e ^ n = x ^ m.
+Proof.
+  intros Hx E. rewrite <- !Rpower_pow by (try exact Hx; apply exp_pos).
+  rewrite Rpower_mult, E. reflexivity.
+Qed.
+
+(* The same with b = a: over the rationals in r, a = r r, and q = sqrt 2. A remaining root of a, of
+   another order than 2, is replaced by a number c with c ^ n = a ^ m. *)
 Ltac identity_symmetric contact a P1 P2 P3 :=
   let Hw := fresh "Hw" in let Ha := fresh "Ha" in let Hr := fresh "Hr" in let E := fresh "E" in
   let Hpi := fresh "Hpi" in let Hq := fresh "Hq" in let E2 := fresh "E2" in
@@ -56,8 +64,17 @@ Ltac identity_symmetric contact a P1 P2 P3 :=
   assert (E : a = sqrt a * sqrt a) by (symmetry; apply sqrt_sqrt; lra);
   assert (Hq : 0 < sqrt 2) by (apply sqrt_lt_R0; lra);
   assert (E2 : sqrt 2 ^ 2 = 2) by (apply pow2_sqrt; lra);
-  set (q := sqrt 2) in *; set (r := sqrt a) in *; clearbody r q; rewrite ?E;
-  field_simplify_eq; [ring [E2] | repeat split; lra].
+  set (q := sqrt 2) in *; set (r := sqrt a) in *; clearbody r q;
+  lazymatch goal with
+  | |- context [Rpower a (IZR ?p / IZR ?n)] =>
+    let n' := eval compute in (Z.to_nat n) in let m' := eval compute in (Z.to_nat p) in
+    let c := fresh "c" in let Ec := fresh "Ec" in let Hc := fresh "Hc" in
+    assert (Ec := root_power a (IZR p / IZR n) n' m' Ha ltac:(simpl; field));
+    assert (Hc : 0 < Rpower a (IZR p / IZR n)) by apply exp_pos;
+    set (c := Rpower a (IZR p / IZR n)) in *; clearbody c; rewrite ?E in Ec; rewrite ?E;
+    field_simplify_eq; [ring [E2 Ec] | repeat split; lra]
+  | |- _ => rewrite ?E; field_simplify_eq; [ring [E2] | repeat split; lra]
+  end.
 
 (* What a load in proportion to a power of a says of its derivatives. *)
 Lemma derive_power f q s : 0 < s -> is_derive (fun s => f * Rpower s q) s (f * q * Rpower s (q - 1)).
@@ -112,10 +129,21 @@ Ltac integrals :=
   end.
 Ltac numbers constants := plain constants; integrals; interval with (i_prec 90).
 
+(* That a number made of fractions, pi and roots is zero. *)
+Ltac vanishes constants :=
+  plain constants; field; repeat split; first [lra | apply Rgt_not_eq; interval | apply Rlt_not_eq; interval].
+
 (* That numbers are in order, knots before places before edges. *)
 Ltac sides constants :=
   unfold beyond; constants; repeat apply List.Forall_cons; try apply List.Forall_nil; cbn [from];
   repeat split; first [lra | interval with (i_prec 200)].
+
+(* That a punch is convex, and that it rises at a place before x. *)
+Ltac convex constants :=
+  constants; hnf; split; repeat apply List.Forall_cons; try apply List.Forall_nil; unfold is_convex_part;
+  cbn [from corner curvature]; repeat split; first [lra | interval with (i_prec 200)].
+Ltac before constants :=
+  constants; unfold first; cbn [from]; repeat split; first [lra | interval with (i_prec 200)].
 
 (* ---- Extents ---- *)
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/certificate/certificate.hpp"
+#include "edgeproof/audit/symbolic/symbolic.hpp"
+#include "edgeproof/certificate/accepted.hpp"
 #include "edgeproof/certificate/coq_files.hpp"
 #include "edgeproof/certificate/parts.hpp"
 #include "edgeproof/io/output_file.hpp"
@@ -81,6 +83,26 @@ std::string coq_name(const std::string& id) {
     return letter && !is_taken ? name : "claim_" + name;
 }
 
+bool is_same_for_all(const formula::Expr& x, const formula::Expr& y, contact::Edge edge) {
+    const formula::Expr a = formula::Expr::symbol("a");
+    const formula::Expr b = formula::Expr::symbol("b");
+    const formula::Expr at = formula::Expr::symbol("x");
+    const formula::Expr u = edge == contact::Edge::right ? a - at : b + at;
+    const auto free = [&](formula::Expr e) {
+        for (const std::string& name : free_symbols(e)) {
+            if (name.starts_with("right_") || name.starts_with("left_")) {
+                e = substitute(e, name, formula::Expr::symbol("k_" + name));
+            }
+        }
+        return substitute(e, "u", u);
+    };
+    try {
+        return audit::proved_equal(free(x), free(y), {});
+    } catch (const Error&) {
+        return false; // a part has no symbolic meaning
+    }
+}
+
 std::vector<std::string> profiles_of(const audit::Ledger& ledger, std::string_view family) {
     const audit::Family& f = ledger.family(family);
     if (f.union_of.empty()) {
@@ -101,6 +123,11 @@ std::string file_comment(const audit::Claim& claim, const audit::Ledger& ledger)
         "   Says: {} *)\n",
         in_comment(claim.id), in_comment(ledger.name), claim.lines.first, claim.lines.second,
         in_comment(claim.printed), claim.has("says") ? in_comment(claim.text("says")) : "in words");
+}
+
+std::string convex_hypothesis(bool symmetric) {
+    return symmetric ? "  rises_at g1 y /\\ y < a ->\n"
+                     : "  rises_at g1 y /\\ y < a /\\ rises_at (mirrored g1) z /\\ z < b a ->\n";
 }
 
 std::string imports_text(const std::vector<std::string>& files) {
@@ -178,16 +205,26 @@ std::string makefile(const std::vector<Certificate>& certificates) {
             claims += fmt::format(" \\\n    {}o", c.file);
         }
     }
-    return fmt::format("# Checks every certificate: make -j2. Needs Coq and Coq-Interval\n"
-                       "# (Debian: coq, libcoq-interval).\n"
-                       "COQC ?= coqc\nCOQFLAGS = -q -R . Edgeproof -w -ambiguous-paths\n"
-                       "SHELL = bash\nTHEORY ={}\nCLAIMS ={}\n\nall: $(CLAIMS)\n\n"
-                       "# With the processor time of each, in seconds.\n"
-                       "%.vo: %.v\n\t@TIMEFORMAT='$<: %U s'; time $(COQC) $(COQFLAGS) $<\n\n"
-                       "{}$(CLAIMS): $(THEORY)\n\n"
-                       "clean:\n\trm -f *.vo *.vok *.vos *.glob .*.aux .lia.cache .nia.cache\n\n"
-                       ".PHONY: all clean\n",
-                       theory, claims, needs);
+    return fmt::format(
+        "# Checks every certificate: make -j2. Needs Coq and Coq-Interval\n"
+        "# (Debian: coq, libcoq-interval).\n"
+        "COQC ?= coqc\nCOQFLAGS = -q -R . Edgeproof -w -ambiguous-paths\n"
+        "SHELL = bash\nTHEORY ={}\nCLAIMS ={}\n\nall: $(CLAIMS)\n\n"
+        "# Prints the processor time of each, in seconds.\n"
+        "# NAME.accepted states which files coqc has compiled; certify --record "
+        "reads it.\n"
+        "%.vo: %.v\n"
+        "\t@rm -f $@ $*.accepted; inputs=$$(sha256sum $< $(filter %.vo,$^)) && \\\n"
+        "\t{{ TIMEFORMAT='$<: %U s'; time $(COQC) $(COQFLAGS) $<; }} && \\\n"
+        "\t[ \"$$inputs\" = \"$$(sha256sum $< $(filter %.vo,$^))\" ] && \\\n"
+        "\toutput=$$(sha256sum $@) && version=$$($(COQC) --print-version) && \\\n"
+        "\tprintf 'Coq %s\\n%s\\n%s\\n' \"$${{version%% *}}\" \"$$inputs\" \"$$output\" \\\n"
+        "\t    > $*.accepted\n\n"
+        "{}$(CLAIMS): $(THEORY)\n\n"
+        "clean:\n"
+        "\trm -f *.vo *.vok *.vos *.glob *.accepted .*.aux .lia.cache .nia.cache\n\n"
+        ".PHONY: all clean\n",
+        theory, claims, needs);
 }
 
 std::string readme(const std::vector<Certificate>& certificates, const FolderTitle& title) {
@@ -199,9 +236,11 @@ Theorems about {1} of {2} {5}, for Coq to check. Made by edgeproof {3}:
 
     {4}
 
-Check them with Coq and Coq-Interval (Debian: `coq`, `libcoq-interval`):
+Check them with Coq and Coq-Interval (Debian: `coq`, `libcoq-interval`), and record which theorems
+Coq has accepted in `accepted.csv`:
 
     make -j2
+    {4} --record
 
 `index.csv` says what each theorem states and what it leaves out, and of the other {5} why they
 have none.
@@ -221,8 +260,10 @@ have none.
 Not trusted: the program that wrote the files. A theorem that is false, for any error in the
 program, is not accepted.
 
-A theorem says that a pressure or coefficient exists which is as defined, and which differs from the
-one that is printed, or agrees with it. That there is no other (uniqueness) is not stated.
+A theorem says that there is one pressure or coefficient as defined, and no other (`is_the_...` in
+`Unique.v`), and that it differs from the one that is printed, or agrees with it. Where `index.csv` says
+so, this is stated for one contact, and not for all. Theorems about the pressures or coefficients of all
+contacts take the punch to be convex.
 )",
                        title.of, with, certificates.size(), title.version, title.command,
                        title.things);
@@ -266,11 +307,13 @@ void attach_certificates(audit::AuditResult& result, const audit::Ledger& ledger
             return;
         }
     }
+    const AcceptedTheorems accepted = AcceptedTheorems::read(folder);
     for (audit::ClaimResult& claim : result.claims) {
         const Certificate today = certify(claim, ledger);
         if (!today.theorems.empty() && holds(today.file, today.text)) {
             claim.certificate = {(std::filesystem::path(shown) / today.file).generic_string(),
-                                 today.whole_verdict, (folder / today.file).string()};
+                                 today.whole_verdict, accepted.contain(today),
+                                 (folder / today.file).string()};
         }
     }
 }
@@ -285,7 +328,9 @@ const std::vector<TheoryFile>& theory_files() {
         {"TiltedWedge", coq_files::TiltedWedge_v, "Edges.vo ClosedForm.vo"},
         {"FlatAndRounded", coq_files::FlatAndRounded_v, "Contact.vo"},
         {"Shear", coq_files::Shear_v, ""},
-        {"Tactics", coq_files::Tactics_v, "Symmetric.vo TiltedWedge.vo Shear.vo"},
+        {"Unique", coq_files::Unique_v, "Symmetric.vo TiltedWedge.vo Shear.vo"},
+        {"Scaling", coq_files::Scaling_v, "Unique.vo"},
+        {"Tactics", coq_files::Tactics_v, "Unique.vo"},
         {"Expansions", coq_files::Expansions_v, "Tactics.vo"},
         {"HalfPowers", coq_files::HalfPowers_v, "Expansions.vo"},
         {"PressureExpansions", coq_files::PressureExpansions_v, "HalfPowers.vo"},

@@ -49,8 +49,8 @@ void write_certificates(const std::vector<Certificate>& certificates,
 
 /// Adds to each result its certificate from `folder`, if the claim's file and the Coq files that it
 /// imports are byte for byte those that write_certificates would write now. A claim whose text or
-/// verdict has changed since gets no certificate. `shown` is the folder's name in
-/// TheoremFile::path.
+/// verdict has changed since gets no certificate. The certificate is `accepted` if accepted.csv in
+/// the folder records all its theorems. `shown` is the folder's name in TheoremFile::path.
 void attach_certificates(audit::AuditResult& result, const audit::Ledger& ledger,
                          const std::filesystem::path& folder, const std::string& shown);
 

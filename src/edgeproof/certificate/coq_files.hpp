@@ -17,6 +17,8 @@ extern const std::string_view Symmetric_v;      ///< symmetric punches, piecewis
 extern const std::string_view TiltedWedge_v;    ///< tilted wedges
 extern const std::string_view FlatAndRounded_v; ///< a printed integral of this profile
 extern const std::string_view Shear_v;          ///< full stick
+extern const std::string_view Unique_v;         ///< pressures and coefficients are unique
+extern const std::string_view Scaling_v;        ///< contacts of the same form and another size
 extern const std::string_view Tactics_v;        ///< proofs of identities and of inequalities
 extern const std::string_view Expansions_v;     ///< Taylor polynomials in a small eps
 extern const std::string_view HalfPowers_v;     ///< expansions in half powers of eps

@@ -45,12 +45,12 @@ constexpr std::array<Expanded, 8> expanded{
       "0 < sigma < 1 ->", " Hs"},
      {"p(-b+eps*X)/(a-binv(b-eps*X))", "3/2", "p (- b a + eps * X) / (a - alpha (b a - eps * X))",
       "left_quotient_through_2 _ _ _ _ _ _ _ _ _ _ _ _ X contact left HX", 2, false, "X", true,
-      "0 < X ->", " HX", "are_pressures_left Es g1 (b a) p"},
+      "0 < X ->", " HX", "are_the_pressures_left Es g1 (b a) p"},
      {"p(-b+eps)/(a-binv(b-eps))", "3/2", "p (- b a + eps) / (a - alpha (b a - eps))",
       "left_quotient_at_1 _ _ _ _ _ _ _ _ _ _ _ _ contact left", 2, false, "", true, "", "",
-      "are_pressures_left Es g1 (b a) p"},
+      "are_the_pressures_left Es g1 (b a) p"},
      {"p(a-eps*X)", "5/2", "p (a - eps * X)", "right_pressure_through_3 _ _ _ _ _ _ _ X contact HX",
-      3, true, "X", true, "0 < X ->", " HX", "are_pressures_right Es g1 a p"}}};
+      3, true, "X", true, "0 < X ->", " HX", "are_the_pressures_right Es g1 a p"}}};
 
 const Expanded& expanded_of(const audit::Claim& claim) {
     for (const Expanded& e : expanded) {
@@ -154,12 +154,16 @@ Coefficients coefficients_of(const audit::Outcome& outcome, const Expanded& e, W
 }
 
 std::string hypotheses(const Expanded& e) {
-    return e.symmetric ? "(Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) :\n"
-                         "  is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ "
-                         "=> 0) ->\n"
-                       : "(Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) :\n"
-                         "  is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 ->\n"
-                         "  is_left_edge a b b1 b2 b3 alpha ->\n";
+    const std::string places = e.pressures.empty() ? "" : e.symmetric ? " (y : R)" : " (y z : R)";
+    return "(Es : R) (g1 : R -> R) (a : R) " +
+           (e.symmetric
+                ? "(P P1 P2 P3 : R -> R)" + places +
+                      " :\n  is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ "
+                      "=> 0) ->\n"
+                : "(P P1 P2 P3 b b1 b2 b3 alpha : R -> R)" + places +
+                      " :\n  is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 ->\n"
+                      "  is_left_edge a b b1 b2 b3 alpha ->\n") +
+           (e.pressures.empty() ? "" : convex_hypothesis(e.symmetric));
 }
 
 /// The statement of a theorem between its hypotheses and its proof, and how the proof begins.
@@ -187,14 +191,17 @@ struct Claimed {
             e.halves ? "agrees_in_halves" : "agrees_through", e.order, e.exact, polynomial);
     }
     [[nodiscard]] std::string begin_of_proof(std::string_view more) const {
-        return fmt::format("  intros contact{}{}{}{}{}.\n  {}.\n{}{}", e.symmetric ? "" : " left",
-                           e.variables.empty() ? "" : " ", e.variables, e.names_of_conditions, more,
+        return fmt::format("  intros contact{}{}{}{}{}{}.\n  {}.\n{}{}", e.symmetric ? "" : " left",
+                           e.pressures.empty() ? "" : " convex", e.variables.empty() ? "" : " ",
+                           e.variables, e.names_of_conditions, more,
                            e.symmetric ? "symmetric_facts contact" : "edge_facts contact left",
                            e.pressures.empty()
                                ? fmt::format("  pose proof ({}) as derived.\n", e.lemma)
                                : fmt::format("  destruct ({}) as (p & Hp & derived).\n"
-                                             "  exists p. split; [exact Hp |].\n",
-                                             e.lemma),
+                                             "  exists p. split; [apply (the_pressures_{} _ _ {}); "
+                                             "[apply convex | apply convex | exact Hp] |].\n",
+                                             e.lemma, e.symmetric ? "right" : "left",
+                                             e.symmetric ? "y" : "z"),
                            integral.empty() ? "" : "  intros I HI.\n");
     }
 };
@@ -245,12 +252,15 @@ std::string instance_theorem(const std::string& name, const Claimed& claimed,
                              const Coefficients& all) {
     const Expanded& e = claimed.e;
     return fmt::format(
-        "Theorem {0} : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R),\n"
+        "Theorem {0} : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) (y : R),\n"
         "  is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) /\\\n"
+        "  (rises_at g1 y /\\ y < a) /\\\n"
         "  exists {1} : R, {2}({3}) - ({4}) <> 0.\nProof.\n"
         "  exists 1, (slope wedge), 1, (load 1 wedge), (rate 1 wedge), (rate_2 1 wedge), "
-        "(rate_3 1 wedge).\n  split; [apply (smooth_contact 1 wedge (1 / 2) 1); "
-        "sides ltac:(unfold wedge) |].\n  {5}.{6} apply apart. numbers ltac:(unfold wedge).\n"
+        "(rate_3 1 wedge), (first wedge).\n  split; [apply (smooth_contact 1 wedge (1 / 2) 1); "
+        "sides ltac:(unfold wedge) |].\n"
+        "  split; [split; [apply punch_rises; convex ltac:(unfold wedge) | before ltac:(unfold "
+        "wedge)] |].\n  {5}.{6} apply apart. numbers ltac:(unfold wedge).\n"
         "Qed.\nPrint Assumptions {0}.\n\n",
         name, e.variables, e.conditions.empty() ? "" : "0 < X /\\\n  ", all.printed[*all.departs],
         all.derived[*all.departs], e.variables == "X" ? "exists 1" : "exists 1, 1",
@@ -311,8 +321,8 @@ void certify_expansion(const audit::ClaimResult& result, const audit::Ledger& le
         throw NotStated("only expansions that are refuted or proved are stated");
     }
     Theory theory;
-    theory.imports = {"Contact", "Coefficients", "Edges",      "ClosedForm",        "Symmetric",
-                      "Tactics", "Expansions",   "HalfPowers", "PressureExpansions"};
+    theory.imports = {"Contact", "Coefficients", "Edges",      "ClosedForm", "Symmetric",
+                      "Unique",  "Tactics",      "Expansions", "HalfPowers", "PressureExpansions"};
     certificate.text = file_head(claim, ledger, theory);
     certificate.whole_verdict =
         !claim.readings.empty() || state(claim, result.outcome, refuted, "", certificate);
@@ -323,6 +333,9 @@ void certify_expansion(const audit::ClaimResult& result, const audit::Ledger& le
     }
     certificate.leaves_out = "the load and the left edge are taken to be smooth functions of the "
                              "right edge; the remainder is o(eps^n), not O(eps^(n+1))";
+    if (certificate.text.find("rises_at") != std::string::npos) {
+        certificate.leaves_out = "the punch is taken to be convex; " + certificate.leaves_out;
+    }
     if (!certificate.whole_verdict) {
         certificate.leaves_out += "; that there are contacts at which the coefficients differ";
     }

@@ -8,7 +8,7 @@
 namespace edgeproof::certificate {
 
 // States a confirmed figure that is quoted for one place of a wedge or a parabola: the exact value
-// is within half a unit of the last quoted digit.
+// is less than half a unit of the last quoted digit away from the figure, so that there is no tie.
 void certify_figure(const audit::ClaimResult& result, const audit::Ledger& ledger,
                     Certificate& certificate) {
     const audit::Claim& claim = result.claim;
@@ -35,15 +35,16 @@ void certify_figure(const audit::ClaimResult& result, const audit::Ledger& ledge
     const Rational half = figure.within_units(Rational(1, 2)).second - figure.value();
     Statement statement(contact.theory);
     const std::string conclusion =
-        fmt::format("Rabs (({}) - {}) <= {}", statement(claim.formula("of")),
+        fmt::format("Rabs (({}) - {}) < {}", statement(claim.formula("of")),
                     coq_number(figure.value()), coq_number(half));
     const std::string name = coq_name(claim.id) + "_figure";
     certificate.text =
         file_head(claim, ledger, contact.theory) + constants(contact.theory.constants) +
         theorem_text(name, statement.text(conclusion), statement.proof("numbers constants"));
-    certificate.theorems = {
-        {name, fmt::format("it rounds to what is quoted, {}", claim.text("quoted"))}};
-    certificate.whole_verdict = true;
+    certificate.theorems = {{name, fmt::format("at one contact it rounds to what is quoted, {}",
+                                               claim.text("quoted"))}};
+    certificate.whole_verdict =
+        scenes.size() == 1 && scenes.front().parameters == contact.sample.scene.parameters;
     certificate.leaves_out = "that it is the same at every scale";
 }
 

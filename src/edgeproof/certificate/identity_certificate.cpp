@@ -44,6 +44,10 @@ void certify_identity(const audit::ClaimResult& result, const audit::Ledger& led
     if (given && !symmetric) {
         throw NotStated("an assumption on the load is stated for symmetric contacts only");
     }
+    if (is_same_for_all(claim.formula("says"), claim.formula("of"), claim.edge())) {
+        throw NotStated("both sides are the same, whatever the coefficients are: a theorem would "
+                        "contain no mechanics");
+    }
     Theory theory = smooth_contact(symmetric);
     const bool at_x = free_symbols(claim.formula("says")).contains("x");
     if (at_x) {
@@ -57,17 +61,14 @@ void certify_identity(const audit::ClaimResult& result, const audit::Ledger& led
         given ? fmt::format("  (forall s, 0 < s -> P s = factor * Rpower s {}) ->\n",
                             exponent_of_load(claim))
               : "";
-    const std::string contact =
-        given
-            ? "(P P1 P2 P3 : R -> R) (factor : R) :\n"
-              "  is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) ->\n" +
-                  load
-        : symmetric
-            ? "(P P1 P2 P3 : R -> R) :\n"
-              "  is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) ->\n"
-            : "(P P1 P2 P3 b b1 b2 b3 alpha : R -> R) :\n"
-              "  is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 ->\n"
-              "  is_left_edge a b b1 b2 b3 alpha ->\n";
+    const std::string contact = (symmetric ? "(P P1 P2 P3 : R -> R) (y" +
+                                                 std::string(given ? " factor" : "") + " : R) :\n" +
+                                                 "  is_smooth_contact Es g1 a P P1 P2 P3 (fun s => "
+                                                 "s) (fun _ => 1) (fun _ => 0) ->\n"
+                                           : "(P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R) :\n"
+                                             "  is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 ->\n"
+                                             "  is_left_edge a b b1 b2 b3 alpha ->\n") +
+                                load + convex_hypothesis(symmetric);
     certificate.text =
         file_head(claim, ledger, theory) +
         fmt::format(
@@ -75,9 +76,9 @@ void certify_identity(const audit::ClaimResult& result, const audit::Ledger& led
             "contact{3}.\n{4}Qed.\nPrint Assumptions {0}.\n",
             name, contact,
             statement.text((at_x ? "forall x, x < a ->\n  " : "") + printed + " =\n  " + exact),
-            given       ? " load"
-            : symmetric ? ""
-                        : " left",
+            given       ? " load convex"
+            : symmetric ? " convex"
+                        : " left convex",
             statement.proof((at_x ? "intros x Hx. " : "") +
                             std::string(given       ? "identity_of_power contact load a P1 P2 P3"
                                         : symmetric ? "identity_symmetric contact a P1 P2 P3"
@@ -88,8 +89,7 @@ void certify_identity(const audit::ClaimResult& result, const audit::Ledger& led
                : symmetric ? "for all symmetric contacts, printed = derived"
                            : "for all contacts, printed = derived"}};
     certificate.whole_verdict = true;
-    certificate.leaves_out = "the load and the left edge are taken to be smooth functions of the "
-                             "right edge, as the expansion needs";
+    certificate.leaves_out = "the punch is taken to be convex; " + std::string(smoothness);
 }
 
 } // namespace edgeproof::certificate

@@ -4,6 +4,7 @@
 #include "edgeproof/certificate/theory/theory.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace edgeproof::certificate {
@@ -30,6 +31,13 @@ void certify_uniformity(const audit::ClaimResult& result, const audit::Ledger& l
 /// Returns the text changed so that it can stand inside a Coq comment: it opens and closes no
 /// comment and begins no string.
 [[nodiscard]] std::string in_comment(std::string text);
+/// The assumption of theorems about all contacts.
+inline constexpr std::string_view smoothness = "the load and the left edge are taken to be smooth "
+                                               "functions of the right edge, as the expansion "
+                                               "needs";
+/// Returns the hypothesis, for theorems about all contacts, that the punch is convex: its slope
+/// does not decrease, and rises at a place y within the contact (for the left edge: z, mirrored).
+[[nodiscard]] std::string convex_hypothesis(bool symmetric);
 /// Returns the comment at the beginning of a file: the claim, its place in the source, its text.
 [[nodiscard]] std::string file_comment(const audit::Claim& claim, const audit::Ledger& ledger);
 /// Returns the commands that import Coq's libraries and `files`.
@@ -37,6 +45,10 @@ void certify_uniformity(const audit::ClaimResult& result, const audit::Ledger& l
 /// Returns the comment, then the imports.
 [[nodiscard]] std::string file_head(const audit::Claim& claim, const audit::Ledger& ledger,
                                     const Theory& theory);
+/// Whether two formulas are proved to be equal for any values of the coefficients, the load and the
+/// edges in them. A theorem that they are equal is then not about a contact.
+[[nodiscard]] bool is_same_for_all(const formula::Expr& x, const formula::Expr& y,
+                                   contact::Edge edge);
 /// Returns the profiles of a family; for a union, those of its members in their order.
 [[nodiscard]] std::vector<std::string> profiles_of(const audit::Ledger& ledger,
                                                    std::string_view family);

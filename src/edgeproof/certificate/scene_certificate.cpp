@@ -148,7 +148,7 @@ private:
                          "exists P0,\n  " + fact.statement + " /\\\n  " + value.conclusion,
                          "  eexists. split. { " + fact.proof + ". }\n  " + proof_by_bits() + ".\n");
         c.theorems = {{"load_rounded", "P = " + value.text + ", rounded"}};
-        c.leaves_out = "that there is no other load";
+        c.leaves_out = "that there is no other contact with this right edge";
     }
 
     void coefficients(Certificate& c, const scene::RowsAt& values) {
@@ -169,6 +169,10 @@ private:
                                   ". }\n  repeat split; " + proof_by_bits() + ".\n");
         c.theorems = {{name, states + ", rounded"}};
         c.leaves_out = count < result_.plan.terms ? "coefficients beyond the third" : "";
+        if (contact().at(values.edge()).rises.empty()) {
+            c.leaves_out += (c.leaves_out.empty() ? "" : "; ") +
+                            std::string("that there are no other coefficients");
+        }
     }
 
     void pressures(contact::Edge edge) {
@@ -194,7 +198,8 @@ private:
                 names.push_back(theorem.name);
             }
             all.text = contact().head(comment()) + all.text + assumptions(names);
-            all.leaves_out = "that there is no other pressure";
+            all.leaves_out =
+                contact().at(edge).rises.empty() ? "that there is no other pressure" : "";
             certificates_.push_back(std::move(all));
         }
     }

@@ -62,14 +62,18 @@ std::vector<Part> parts_of(const contact::Profile& profile, double a) {
 
 StatedContact symmetric_contact(const contact::Profile& profile, const Exact& a) {
     StatedContact c;
-    c.imports = {"Contact", "Coefficients", "Edges", "ClosedForm", "Symmetric", "Tactics"};
+    // Scaling.v comes before Symmetric.v, because both have a lemma pressure_scaled.
+    c.imports = {"Contact", "Coefficients", "Edges",  "ClosedForm",
+                 "Scaling", "Symmetric",    "Unique", "Tactics"};
     std::string list = "nil";
     StatedEdge& edge = c.right;
     edge.edge = "a";
     edge.distance = a.to<double>();
     double logarithms = 0;
     double rest = 0;
+    bool convex = true; // part by part
     for (const Part& part : parts_of(profile, edge.distance)) {
+        convex = convex && part.corner.sign() >= 0 && part.curvature.sign() >= 0;
         const auto t = part.from.to<double>();
         const auto d = part.corner.to<double>();
         const auto k = part.curvature.to<double>();
@@ -85,27 +89,42 @@ StatedContact symmetric_contact(const contact::Profile& profile, const Exact& a)
     edge.cancelling = std::max(1.0, logarithms / rest);
     c.constants = {{"punch", list, "list part"}};
     edge.slope = "(slope punch)";
+    if (convex) {
+        edge.rises_at = "(first punch)";
+        edge.rises = "apply punch_rises; convex constants";
+        edge.inside = "before constants";
+    }
     c.load = {{"P0"}, "is_load Es (slope punch) a a P0", "apply load_total; sides constants"};
     c.left = edge;
     c.left.slope = "(mirrored (slope punch))";
     c.left.mirrored = true;
+    if (convex) {
+        c.left.rises = "apply mirrored_punch_rises; convex constants";
+    }
     const std::string beyond = coq_decimal((edge.innermost + edge.distance) / 2, 15, false).text;
     const std::string series =
         fmt::format("apply right_edge with (1 := smooth_contact Es punch ({}) a ltac:(sides "
                     "constants) ltac:(sides constants))",
                     beyond);
-    c.right.series = {{"r0", "r1", "r2"}, "right_edge_series Es (slope punch) a r0 r1 r2", series};
+    c.right.series = {{"r0", "r1", "r2"},
+                      (convex ? "is_the_right_series" : "right_edge_series") +
+                          std::string(" Es (slope punch) a r0 r1 r2"),
+                      c.right.unique("the_right_series", series)};
     c.left.series = {
         {"r0", "r1", "r2"},
-        "left_edge_series Es (slope punch) a r0 r1 r2",
-        fmt::format("apply (left_edge_series_of Es punch ({})); [sides constants | {}]", beyond,
-                    series)};
+        (convex ? "is_the_left_series" : "left_edge_series") +
+            std::string(" Es (slope punch) a r0 r1 r2"),
+        c.left.unique(
+            "the_left_series",
+            fmt::format("apply (left_edge_series_of Es punch ({})); [sides constants | {}]", beyond,
+                        series))};
     return c;
 }
 
 StatedContact tilted_wedge(const contact::Profile& profile, const Exact& a) {
     StatedContact c;
-    c.imports = {"Contact", "Coefficients", "Edges", "ClosedForm", "TiltedWedge", "Tactics"};
+    c.imports = {"Contact",     "Coefficients", "Edges",   "ClosedForm",
+                 "TiltedWedge", "Unique",       "Scaling", "Tactics"};
     const Exact& phi = profile.parameters().at("phi");
     const Exact& alpha = profile.parameters().at("alpha");
     c.constants = {{"phi", in_coq(phi)}, {"alpha", in_coq(alpha)}, {"gam", "ratio_of phi alpha"}};
@@ -125,13 +144,20 @@ StatedContact tilted_wedge(const contact::Profile& profile, const Exact& a) {
     c.left.distance = gam * c.right.distance;
     c.right.steepness = gam / ((1 + gam) * c.right.distance);
     c.left.steepness = (1 / gam) / ((1 + 1 / gam) * c.left.distance);
+    c.right.rises_at = c.left.rises_at = "0";
+    c.right.rises = "apply wedge_rises; sides constants";
+    c.left.rises = "apply mirrored_wedge_rises; sides constants";
+    c.right.inside = c.left.inside = "sides constants";
     c.right.series = {{"r0", "r1", "r2"},
-                      "right_edge_series Es (slope phi alpha) a r0 r1 r2",
-                      tilt + "eapply right_edge, smooth_contact; sides constants"};
-    c.left.series = {{"r0", "r1", "r2"},
-                     "left_edge_series Es (slope phi alpha) (gam * a) r0 r1 r2",
-                     tilt + "refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ "
-                            "_); [apply smooth_contact | apply left_of_a]; sides constants"};
+                      "is_the_right_series Es (slope phi alpha) a r0 r1 r2",
+                      c.right.unique("the_right_series",
+                                     tilt + "eapply right_edge, smooth_contact; sides constants")};
+    c.left.series = {
+        {"r0", "r1", "r2"},
+        "is_the_left_series Es (slope phi alpha) (gam * a) r0 r1 r2",
+        c.left.unique("the_left_series",
+                      tilt + "refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ "
+                             "_); [apply smooth_contact | apply left_of_a]; sides constants")};
     c.load = {{"P0"},
               "is_load Es (slope phi alpha) a (gam * a) P0",
               tilt + "apply wedge_load; sides constants"};
@@ -189,7 +215,14 @@ CoqDecimal coq_decimal(double number, int digits, bool upwards) {
 }
 
 std::string StatedEdge::pressure_at(const std::string& u, const std::string& p) const {
-    return fmt::format("is_pressure Es {} {} ({} - {}) {}", slope, edge, edge, u, p);
+    return fmt::format("{} Es {} {} ({} - {}) {}",
+                       rises.empty() ? "is_pressure" : "is_the_pressure", slope, edge, edge, u, p);
+}
+
+std::string StatedEdge::unique(const std::string& lemma, const std::string& proof) const {
+    return rises.empty() ? proof
+                         : fmt::format("apply ({} _ _ {}); [{} | {} | {}]", lemma, rises_at, rises,
+                                       inside, proof);
 }
 
 StatedEdge::Proofs StatedEdge::at(double u, const std::string& what) const {
@@ -200,16 +233,19 @@ StatedEdge::Proofs StatedEdge::at(double u, const std::string& what) const {
                                     what));
     }
     if (wedge) {
-        return {fmt::format("rewrite <- (proj2 tilted); apply pressure_{}_of_apex; sides constants",
-                            mirrored ? "left" : "right"),
+        return {unique("the_pressure", fmt::format("rewrite <- (proj2 tilted); apply "
+                                                   "pressure_{}_of_apex; sides constants",
+                                                   mirrored ? "left" : "right")),
                 "rewrite proportional_near; [| sides constants | sides constants]"};
     }
     const std::string beyond = coq_decimal((innermost + place) / 2, 15, false).text;
     const std::string pressure =
         fmt::format("apply (pressure Es punch ({})); sides constants", beyond);
-    return {mirrored ? fmt::format("apply (left_pressure Es punch ({})); [sides constants | {}]",
-                                   beyond, pressure)
-                     : pressure,
+    return {unique("the_pressure",
+                   mirrored
+                       ? fmt::format("apply (left_pressure Es punch ({})); [sides constants | {}]",
+                                     beyond, pressure)
+                       : pressure),
             fmt::format("rewrite (pressure_scaled Es a u ({})); [| sides constants | sides "
                         "constants | lra]",
                         beyond)};
@@ -272,7 +308,8 @@ std::string extent_theorem(const std::string& name, const StatedEdge& edge,
         name, edge.series.statement, extent.within.text, p, sum, e, extent.beyond.text,
         extent.more.empty() ? "" : " /\\\n  " + extent.more, edge.series.proof, pressure, near.text,
         root, squares.text,
-        extent.more.empty() ? "" : "  - plain constants. split; interval with (i_prec 90).\n",
+        extent.more.empty() ? ""
+                            : "  - plain constants. repeat split; interval with (i_prec 90).\n",
         extent.more.empty() ? "|" : "| split");
 }
 

@@ -37,11 +37,19 @@ struct StatedEdge {
     };
     /// Throws NotStated for a place at a knot, or between a knot and the origin.
     [[nodiscard]] Proofs at(double u, const std::string& what) const;
-    /// Returns "is_pressure Es (slope punch) a (a - u) p0".
+    /// Returns "is_the_pressure Es (slope punch) a (a - u) p0".
     [[nodiscard]] std::string pressure_at(const std::string& u, const std::string& p) const;
 
     bool wedge = false;
     bool mirrored = false;
+    /// The place at which the slope rises, and the proof of it and of that it lies within the
+    /// contact. From these Coq concludes that there are no other pressures and coefficients. Empty
+    /// for a slope that is not convex part by part: then only `is_pressure` is stated.
+    std::string rises_at;
+    std::string rises;
+    std::string inside;
+    /// Returns the proof that a value is the only one, from the proof that it is one.
+    [[nodiscard]] std::string unique(const std::string& lemma, const std::string& proof) const;
 };
 
 /// A punch for which the Coq files have a theory: symmetric and piecewise linear, or a tilted
@@ -66,8 +74,8 @@ struct StatedContact {
                                            const formula::Exact& contact_modulus);
 
 /// The statement that n terms stay within `tolerance` of the pressure for all u up to `within`, and
-/// do not at `beyond`. `more` is a further conclusion, or empty. extent_theorem throws NotStated
-/// for more than three terms.
+/// do not at `beyond`. `more` is a further conclusion about these numbers, or empty. extent_theorem
+/// throws NotStated for more than three terms.
 struct ExtentStatement {
     std::size_t terms = 1;
     formula::Exact tolerance;

@@ -47,8 +47,7 @@ void certify_uniformity(const audit::ClaimResult& result, const audit::Ledger& l
     certificate.theorems = {
         {name, "for all contacts, what is left is at most M eps^2, for all sigma between 0 and 1"}};
     certificate.whole_verdict = true;
-    certificate.leaves_out = "the load and the left edge are taken to be smooth functions of the "
-                             "right edge, as the expansion needs";
+    certificate.leaves_out = std::string(smoothness);
 }
 
 } // namespace edgeproof::certificate

@@ -16,11 +16,15 @@ using formula::Expr;
 std::string theorem(const std::string& name, const Theory& theory, const Expr& formula,
                     const Expr& exact, const std::optional<std::string>& least) {
     Statement statement(theory);
-    const std::string difference =
-        fmt::format("Rabs (({}) - ({}))", statement(formula), statement(exact));
-    const std::string conclusion = least ? fmt::format("{} <= {}", *least, difference)
-                                         : fmt::format("{} <= {}", difference, agreement);
-    return theorem_text(name, statement.text(conclusion), statement.proof("numbers constants"));
+    const std::string stated = statement(formula);
+    const std::string value = statement(exact);
+    const std::string difference = fmt::format("Rabs (({}) - ({}))", stated, value);
+    const std::string conclusion =
+        least ? fmt::format("{} <= {}", *least, difference)
+              : fmt::format("{} <= {} * Rabs ({})", difference, agreement, value);
+    return theorem_text(
+        name, statement.text(conclusion),
+        statement.proof(least ? "numbers constants" : "apply Rminus_le. numbers constants"));
 }
 
 std::optional<Expr> correction(const audit::ClaimResult& result) {
@@ -70,6 +74,11 @@ void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger
     }
     const Expr printed = claim.formula("says");
     const Expr exact = claim.formula("of");
+    if (is_same_for_all(printed, exact, claim.edge())) {
+        throw NotStated(
+            "the formula is the quantity itself, whatever the coefficients are: a theorem "
+            "would contain no mechanics");
+    }
     std::vector<SampledTheory> theories;
     if (is_of_shear(printed) || is_of_shear(exact)) {
         theories.push_back(
@@ -88,7 +97,8 @@ void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger
         const Theory& theory = theories.front().theory;
         certificate.text = file_head(claim, ledger, theory) + constants(theory.constants) +
                            theorem(name + "_agrees", theory, printed, exact, std::nullopt);
-        certificate.theorems = {{name + "_agrees", "at one contact, |printed - exact| <= 1e-12"}};
+        certificate.theorems = {
+            {name + "_agrees", "at one contact, |printed - exact| <= 1e-12 |exact|"}};
         certificate.leaves_out = "all other contacts";
         return;
     }
@@ -106,9 +116,9 @@ void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger
     if (const auto corrected = correction(result)) {
         certificate.text += theorem(name + "_corrected", theory, *corrected, exact, std::nullopt);
         certificate.theorems.push_back(
-            {name + "_corrected", "at the same contact, |corrected - exact| <= 1e-12"});
+            {name + "_corrected", "at the same contact, |corrected - exact| <= 1e-12 |exact|"});
     }
-    certificate.whole_verdict = true;
+    certificate.whole_verdict = true; // for which one contact suffices
     certificate.leaves_out = "that the correction holds for all contacts";
 }
 

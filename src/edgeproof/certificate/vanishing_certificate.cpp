@@ -30,11 +30,11 @@ SampledTheory contact_of_ratio(const audit::Claim& claim, const std::string& nam
 std::string size_theorem(const std::string& name, const SampledTheory& t, const formula::Expr& e,
                          const std::optional<std::string>& least) {
     Statement statement(t.theory);
-    const std::string size = fmt::format("Rabs ({})", statement(e));
-    return theorem_text(
-        name,
-        statement.text(least ? *least + " <= " + size : fmt::format("{} <= {}", size, agreement)),
-        statement.proof("numbers constants"));
+    const std::string value = statement(e);
+    const std::string conclusion =
+        least ? fmt::format("{} <= Rabs ({})", *least, value) : value + " = 0";
+    return theorem_text(name, statement.text(conclusion),
+                        statement.proof(least ? "numbers constants" : "vanishes constants"));
 }
 
 } // namespace
@@ -72,8 +72,7 @@ void certify_vanishing(const audit::ClaimResult& result, const audit::Ledger& le
     if (ratio) {
         certificate.theorems.push_back(
             {name + "_corrected",
-             fmt::format("at the corrected ratio of the same contact, |{}| <= 1e-12",
-                         claim.text("of"))});
+             fmt::format("at the corrected ratio of the same contact, {} = 0", claim.text("of"))});
     }
     certificate.whole_verdict = true;
     certificate.leaves_out = "that the correction holds for all contacts";

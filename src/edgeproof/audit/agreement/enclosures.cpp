@@ -194,7 +194,7 @@ std::string_view name_of(Basis basis) {
 
 Basis basis_of(const ClaimResult& result) {
     const Verdict verdict = result.outcome.verdict;
-    if (result.certificate && result.certificate->whole_verdict) {
+    if (result.certificate && result.certificate->whole_verdict && result.certificate->accepted) {
         return Basis::theorem;
     }
     if (verdict == Verdict::proved) {

@@ -64,6 +64,7 @@ enum class ClaimErrors { thrown, kept };
 struct TheoremFile {
     std::string path;           ///< as shown, in the ledger's folder: "certificates/EQ18.v"
     bool whole_verdict = false; ///< the theorems prove all of the verdict
+    bool accepted = false;      ///< it is recorded that Coq has accepted the theorems
     std::string file;           ///< the path of the file
 };
 

@@ -35,19 +35,33 @@ SampledTheory sampled(Theory theory, const std::string& profile, const Parameter
 
 Theory tilted_wedge() {
     Theory theory;
-    theory.imports = {"Contact", "Coefficients", "Edges", "ClosedForm", "Tactics", "TiltedWedge"};
+    theory.imports = {"Contact", "Coefficients", "Edges", "ClosedForm",
+                      "Tactics", "TiltedWedge",  "Unique"};
     theory.names = {{"b", "(gam * a)"}};
     const std::string slope = "(slope phi (tilt phi gam))";
+    const std::string rises = "apply wedge_rises, tilt_range; positive";
     theory.right = {{"r0", "r1", "r2"},
-                    "right_edge_series Es " + slope + " a r0 r1 r2",
-                    "eapply right_edge, smooth_contact; positive"};
+                    "is_the_right_series Es " + slope + " a r0 r1 r2",
+                    "apply (the_right_series _ _ 0); [" + rises +
+                        " | positive | eapply right_edge, smooth_contact; positive]"};
     theory.left = {{"l0", "l1", "l2"},
-                   "left_edge_series Es " + slope + " (gam * a) l0 l1 l2",
-                   "refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); "
-                   "[apply smooth_contact | apply left_of_a]; positive"};
-    theory.load = {{"P0"}, "is_load Es " + slope + " a (gam * a) P0", "apply wedge_load; positive"};
-    theory.pressure = {
-        {"p0"}, "is_pressure Es " + slope + " a x p0", "apply pressure_right_of_apex; positive"};
+                   "is_the_left_series Es " + slope + " (gam * a) l0 l1 l2",
+                   "apply (the_left_series _ _ 0); [apply mirrored_wedge_rises, tilt_range; "
+                   "positive | positive | refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) "
+                   "_ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive]"};
+    theory.left_position = {{},
+                            "is_the_left_edge " + slope + " a (gam * a)",
+                            "apply (the_left_edge _ 0); [" + rises +
+                                " | positive | positive | apply wedge_consistent; positive]"};
+    theory.load = {{"P0"},
+                   "is_the_load Es " + slope + " a (gam * a) P0",
+                   "apply (the_load _ _ 0); [" + rises +
+                       " | positive | positive | apply wedge_consistent; positive | apply "
+                       "wedge_load; positive]"};
+    theory.pressure = {{"p0"},
+                       "is_the_pressure Es " + slope + " a x p0",
+                       "apply (the_pressure _ _ 0); [" + rises +
+                           " | positive | apply pressure_right_of_apex; positive]"};
     return theory;
 }
 
@@ -64,20 +78,32 @@ Theory flat_and_rounded() {
 Theory symmetric_punch(const std::string& punch, const std::string& parts,
                        const std::string& beyond, const std::string& mark) {
     Theory theory;
-    theory.imports = {"Contact", "Coefficients", "Edges", "ClosedForm", "Symmetric", "Tactics"};
+    theory.imports = {"Contact",   "Coefficients", "Edges",  "ClosedForm",
+                      "Symmetric", "Unique",       "Tactics"};
     theory.names = {{"b", "a"}};
+    const std::string rises = fmt::format("(first {0})); [apply punch_rises; convex constants | "
+                                          "before constants | ",
+                                          punch);
     const std::string r = fmt::format("r0{0} r1{0} r2{0}", mark);
     theory.right = {{"r0" + mark, "r1" + mark, "r2" + mark},
-                    fmt::format("right_edge_series Es (slope {}) a {}", punch, r),
-                    fmt::format("apply right_edge with (1 := smooth_contact Es {} {} a "
-                                "ltac:(sides constants) ltac:(sides constants))",
-                                punch, beyond)};
+                    fmt::format("is_the_right_series Es (slope {}) a {}", punch, r),
+                    fmt::format("apply (the_right_series _ _ {}apply right_edge with (1 := "
+                                "smooth_contact Es {} {} a ltac:(sides constants) ltac:(sides "
+                                "constants))]",
+                                rises, punch, beyond)};
+    const std::string consistent = "before constants | apply consistent_total; sides constants";
+    theory.left_position = {{},
+                            fmt::format("is_the_left_edge (slope {}) a a", punch),
+                            "apply (the_left_edge _ " + rises + consistent + "]"};
     theory.load = {{"P0" + mark},
-                   fmt::format("is_load Es (slope {}) a a P0{}", punch, mark),
-                   "apply load_total; sides constants"};
+                   fmt::format("is_the_load Es (slope {}) a a P0{}", punch, mark),
+                   "apply (the_load _ _ " + rises + consistent +
+                       " | apply load_total; sides constants]"};
     theory.pressure = {{"p0" + mark},
-                       fmt::format("is_pressure Es (slope {}) a x p0{}", punch, mark),
-                       fmt::format("apply (pressure Es {} {}); sides constants", punch, beyond)};
+                       fmt::format("is_the_pressure Es (slope {}) a x p0{}", punch, mark),
+                       fmt::format("apply (the_pressure _ _ {}apply (pressure Es {} {}); sides "
+                                   "constants]",
+                                   rises, punch, beyond)};
     theory.constants = {{punch, fmt::format("cons ({}) nil", parts), "list part"}};
     return theory;
 }
@@ -108,16 +134,16 @@ std::vector<SampledTheory> sampled_theories(std::string_view profile) {
 
 SampledTheory sheared_contact(contact::Edge edge, const Tension& tension) {
     Theory theory;
-    theory.imports = {"Contact", "Coefficients", "Edges", "Tactics", "Shear"};
+    theory.imports = {"Contact", "Coefficients", "Edges", "Tactics", "Shear", "Unique"};
     const bool right = edge == contact::Edge::right;
     theory.names = {{"u", right ? "(a - x)" : "(b + x)"}, {"sig0", tension.name}, {"b", "b"}};
     const std::string traction = fmt::format("(full_stick Q {} a b)", tension.name);
     theory.right_shear = {{"s0", "s1", "s2"},
-                          fmt::format("right_shear_series {} a s0 s1 s2", traction),
-                          "apply right_shear; positive"};
+                          fmt::format("is_the_right_shear_series {} a s0 s1 s2", traction),
+                          "apply the_right_shear_series, right_shear; positive"};
     theory.left_shear = {{"v0", "v1", "v2"},
-                         fmt::format("left_shear_series {} b v0 v1 v2", traction),
-                         "apply left_shear; positive"};
+                         fmt::format("is_the_left_shear_series {} b v0 v1 v2", traction),
+                         "apply the_left_shear_series, left_shear; positive"};
     // A wedge with these edges, so that the enclosures have the positions of the edges.
     SampledTheory s = sampled(std::move(theory), "tilted-wedge", {{"a", "4"}, {"Q", "1"}}, "2",
                               right ? "2/5" : "3/5");
@@ -144,7 +170,8 @@ SampledTheory power_law_contact(long m, const std::string& mark, const Rational&
 
 Theory smooth_contact(bool symmetric) {
     Theory theory;
-    theory.imports = {"Contact", "Coefficients", "Edges", "Tactics"};
+    theory.assumes_contact = true;
+    theory.imports = {"Contact", "Coefficients", "Edges", "Unique", "Tactics"};
     theory.names = {{"a", "a"}, {"Es", "Es"}, {"P1", "(P1 a)"}, {"P2", "(P2 a)"}, {"P3", "(P3 a)"}};
     if (symmetric) {
         theory.names.insert({{"b", "a"}, {"b1", "1"}, {"b2", "0"}, {"b3", "0"}});
@@ -152,12 +179,14 @@ Theory smooth_contact(bool symmetric) {
         theory.names.insert({{"b", "(b a)"}, {"b1", "(b1 a)"}, {"b2", "(b2 a)"}, {"b3", "(b3 a)"}});
     }
     theory.right = {{"r0", "r1", "r2"},
-                    "right_edge_series Es g1 a r0 r1 r2",
-                    "exact (right_edge _ _ _ _ _ _ _ _ _ _ contact)"};
+                    "is_the_right_series Es g1 a r0 r1 r2",
+                    "apply (the_right_series _ _ y); [apply convex | apply convex | exact "
+                    "(right_edge _ _ _ _ _ _ _ _ _ _ contact)]"};
     if (!symmetric) {
         theory.left = {{"l0", "l1", "l2"},
-                       "left_edge_series Es g1 (b a) l0 l1 l2",
-                       "exact (left_edge_of_a _ _ _ _ _ _ _ _ _ _ _ _ contact left)"};
+                       "is_the_left_series Es g1 (b a) l0 l1 l2",
+                       "apply (the_left_series _ _ z); [apply convex | apply convex | exact "
+                       "(left_edge_of_a _ _ _ _ _ _ _ _ _ _ _ _ contact left)]"};
     }
     return theory;
 }

@@ -87,6 +87,9 @@ std::string Statement::operator()(const formula::Expr& e) {
                 }
             }
         }
+        if (name == "b" && !theory_.left_position.statement.empty()) {
+            need(theory_.left_position, "the left edge");
+        }
         if (name == "P") {
             need(theory_.load, "the load");
             names.insert_or_assign(name, theory_.load.unknowns.at(0));
@@ -96,6 +99,9 @@ std::string Statement::operator()(const formula::Expr& e) {
 }
 
 std::string Statement::text(const std::string& conclusion) const {
+    if (facts_.empty() && !theory_.assumes_contact) {
+        throw NotStated("the formulas contain no quantity that the mechanics defines");
+    }
     std::string unknowns;
     std::string all;
     for (const Fact& fact : facts_) {
@@ -104,7 +110,9 @@ std::string Statement::text(const std::string& conclusion) const {
         }
         all += "  " + fact.statement + " /\\\n";
     }
-    return (unknowns.empty() ? "" : "exists" + unknowns + ",\n") + all + "  " + conclusion;
+    const std::string begin =
+        unknowns.empty() ? (all.empty() ? "" : "\n") : "exists" + unknowns + ",\n";
+    return begin + all + (all.empty() ? "" : "  ") + conclusion;
 }
 
 std::string Statement::proof(const std::string& last) const {

@@ -19,7 +19,8 @@ public:
     /// Returns the formula in Coq. Coefficients, the load and the pressure become unknowns of their
     /// facts. Throws NotStated.
     [[nodiscard]] std::string operator()(const formula::Expr& e);
-    /// Returns `conclusion` after the facts: "exists r0 r1 r2, right_edge_series ... /\ ".
+    /// Returns `conclusion` after the facts: "exists r0 r1 r2, is_the_right_series ... /\ ". Throws
+    /// NotStated if there are no facts: such a theorem is not about a contact.
     [[nodiscard]] std::string text(const std::string& conclusion) const;
     /// Returns the proof of the facts, then `last`, the proof of the conclusion.
     [[nodiscard]] std::string proof(const std::string& last) const;
@@ -35,7 +36,7 @@ private:
 };
 
 /// Common parts of theorems about one contact with given numbers.
-/// The tolerance for statements of agreement.
+/// The tolerance for statements of agreement, relative to the exact value.
 inline constexpr std::string_view agreement = "1 / 10 ^ 12";
 
 /// A lower bound of |first - second| at a sample, and the same relative to the larger of both.

@@ -33,10 +33,13 @@ struct Theory {
     std::vector<Constant> constants;  ///< parameters with their values
     Fact right;                       ///< coefficients r0, r1, r2 at the right edge
     Fact left;                        ///< coefficients l0, l1, l2 at the left edge
-    Fact right_shear; ///< the square-root terms of the shear traction at the right edge
-    Fact left_shear;  ///< the same at the left edge
-    Fact load;        ///< the load P0
-    Fact pressure;    ///< the pressure p0 at x
+    Fact right_shear;   ///< the square-root terms of the shear traction at the right edge
+    Fact left_shear;    ///< the same at the left edge
+    Fact left_position; ///< that the left edge is where the formulas have it; no unknowns
+    Fact load;          ///< the load P0
+    Fact pressure;      ///< the pressure p0 at x
+    /// The theorems assume a contact, which defines all names; they are not about one with numbers.
+    bool assumes_contact = false;
     /// Integrals in printed formulas for which there is a lemma: the integral in the syntax of
     /// ledgers, and the proof that it equals l0.
     std::vector<std::pair<std::string, std::string>> integrals;

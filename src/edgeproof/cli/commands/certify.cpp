@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/certificate/accepted.hpp"
 #include "edgeproof/certificate/certificate.hpp"
 #include "edgeproof/certificate/scene_certificate.hpp"
 #include "edgeproof/cli/scene_command.hpp"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +28,7 @@ struct CertifyOptions {
     std::string out;
     std::string only = "*";
     int threads = 0;
+    bool record = false;
 };
 
 // Statements of theorems depend on verdicts and corrections, for which 30 digits suffice.
@@ -54,13 +57,40 @@ void write_folder(const CertifyOptions& o, io::StagedFolder& staged,
                 with, all.size(), things.c_str(), o.out.c_str());
 }
 
+/// Records which of the theorems in the folder of --out Coq has accepted. Returns 1 if there are
+/// others.
+int record_folder(const CertifyOptions& o, const std::vector<certificate::Certificate>& all) {
+    const certificate::Recording recording = certificate::record_accepted(all, o.out);
+    for (const auto& [file, reason] : recording.refused) {
+        std::printf("%s is not accepted: %s\n", file.c_str(), reason.c_str());
+    }
+    std::printf("%zu theorems that Coq%s accepts are recorded in %s\n", recording.theorems,
+                recording.coq.empty() ? "" : (" " + recording.coq).c_str(),
+                (std::filesystem::path(o.out) / "accepted.csv").string().c_str());
+    return recording.refused.empty() ? 0 : 1;
+}
+
+/// Throws InputError if --record is given and there is no folder to record.
+void require_folder(const CertifyOptions& o) {
+    if (o.record && !std::filesystem::is_directory(o.out)) {
+        throw InputError(
+            fmt::format("--record of {}, which is no folder", o.out),
+            fmt::format("write it first: edgeproof certify {} --out {}, then make -C {}", o.file,
+                        o.out, o.out));
+    }
+}
+
 int certify_ledger(const CertifyOptions& o, const std::string& text) {
     const audit::Ledger ledger =
         audit::parse_ledger(text, io::input_name(o.file), audit::ClaimErrors::kept);
     if (ledger.claims.empty() && !ledger.errors.empty()) {
         return report_claim_errors(ledger.errors);
     }
-    io::StagedFolder staged(o.out);
+    require_folder(o);
+    std::optional<io::StagedFolder> staged; // fails before the work, not after it
+    if (!o.record) {
+        staged.emplace(o.out);
+    }
     const audit::AuditResult result =
         judged_ledger(ledger, {.digits = digits_of_verdicts, .threads = o.threads, .only = o.only});
     std::vector<certificate::Certificate> all;
@@ -68,8 +98,13 @@ int certify_ledger(const CertifyOptions& o, const std::string& text) {
     for (const audit::ClaimResult& claim : result.claims) {
         all.push_back(certificate::certify(claim, ledger));
     }
-    write_folder(o, staged, all, "the ledger " + ledger.name, "claims");
-    return result.errors.empty() ? 0 : report_claim_errors(result.errors);
+    int code = 0;
+    if (staged) {
+        write_folder(o, *staged, all, "the ledger " + ledger.name, "claims");
+    } else {
+        code = record_folder(o, all);
+    }
+    return result.errors.empty() ? code : report_claim_errors(result.errors);
 }
 
 /// Writes theorems about all values that a scene asks for, where they can be stated.
@@ -88,6 +123,10 @@ int certify_scene(const CertifyOptions& o, const std::string& text) {
     }
     if (scene.ask.tolerance) {
         scene.ask.quantities.insert(scene::QuantityGroup::extent);
+    }
+    require_folder(o);
+    if (o.record) {
+        return record_folder(o, certificate::certify_scene(scene, done(scene)));
     }
     io::StagedFolder staged(o.out);
     const std::vector<certificate::Certificate> all =
@@ -121,6 +160,8 @@ void add_certify(CLI::App& app, int& code) {
         ->required();
     sub.add_option("--only", o.only, "claims whose id matches, such as 'EQ2*'");
     add_threads_option(sub, o.threads);
+    sub.add_flag("--record", o.record,
+                 "after make in the folder: write to accepted.csv which theorems Coq accepts");
 }
 
 } // namespace edgeproof::cli

@@ -273,7 +273,7 @@ PageHead head_of(const audit::AuditResult& result, const audit::Ledger& ledger,
     head.command = command;
     head.date = date_text();
     for (const audit::ClaimResult& r : result.claims) {
-        if (r.certificate) {
+        if (r.certificate && r.certificate->accepted) {
             head.certificates.emplace(
                 r.claim.id, std::filesystem::proximate(r.certificate->file, home).generic_string());
         }

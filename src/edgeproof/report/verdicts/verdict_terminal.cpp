@@ -75,7 +75,9 @@ std::string remark(const audit::ClaimResult& r) {
         text += (text.empty() ? "" : "; ") + r.outcome.note;
     }
     if (r.certificate) {
-        text += (text.empty() ? "" : "; ") + std::string("theorem: ") + r.certificate->path;
+        text += (text.empty() ? "" : "; ") +
+                std::string(r.certificate->accepted ? "theorem: " : "not recorded as a theorem: ") +
+                r.certificate->path;
     }
     return printable(text);
 }
@@ -87,6 +89,19 @@ std::string refutations_line(const audit::AuditResult& result) {
             return r.outcome.verdict == audit::Verdict::refuted;
         });
     return refuted ? "all refutations rest on disjoint enclosures\n" : "";
+}
+
+/// States how many certificates do not count, because no acceptance by Coq is recorded.
+std::string unaccepted_line(const audit::AuditResult& result) {
+    const auto count =
+        std::count_if(result.claims.begin(), result.claims.end(), [](const audit::ClaimResult& r) {
+            return r.certificate && !r.certificate->accepted;
+        });
+    return count == 0
+               ? ""
+               : fmt::format("{} of the certificates do not count: it is not recorded that Coq "
+                             "accepts them (make, then certify --record)\n",
+                             count);
 }
 
 /// Returns a row for each verdict that occurs: the number of claims, their bases (audit::Basis),
@@ -114,7 +129,8 @@ std::string bases_table(const audit::AuditResult& result) {
                                 count([&](const ClaimResult& r) { return basis_of(r) == basis; }));
         }
         text += fmt::format("  {:>22}\n", count([](const ClaimResult& r) {
-                                return r.certificate && !r.certificate->whole_verdict;
+                                return r.certificate && r.certificate->accepted &&
+                                       !r.certificate->whole_verdict;
                             }));
     };
     for (const audit::Verdict verdict : audit::all_verdicts) {
@@ -182,7 +198,8 @@ std::string verdicts_terminal(const audit::AuditResult& result, std::size_t widt
     }
     out += "\n" + std::to_string(result.claims.size()) + " claims at " +
            std::to_string(result.digits) + " digits: " + counts_line(result) + "\n";
-    return out + refutations_line(result) + "\nWhat they rest on\n" + bases_table(result);
+    return out + refutations_line(result) + "\nWhat they rest on\n" + bases_table(result) +
+           unaccepted_line(result);
 }
 
 namespace {

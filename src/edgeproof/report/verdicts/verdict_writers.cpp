@@ -59,7 +59,8 @@ std::optional<std::string> quoted(const audit::Claim& claim) {
     return claim.has("quoted") ? std::optional(claim.text("quoted")) : std::nullopt;
 }
 std::optional<std::string> certificate_of(const audit::ClaimResult& r) {
-    return r.certificate ? std::optional(r.certificate->path) : std::nullopt;
+    return r.certificate && r.certificate->accepted ? std::optional(r.certificate->path)
+                                                    : std::nullopt;
 }
 /// Returns "5-7"; nothing for a formula without a source.
 std::optional<std::string> lines_of(const audit::Claim& claim) {

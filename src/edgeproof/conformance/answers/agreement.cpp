@@ -82,6 +82,32 @@ Regime regime_of(const Question& q, const Sizes& sizes) {
     return u > length / 2 ? Regime::far_field : Regime::interior;
 }
 
+Nearness nearness_of(const Question& q, const Sizes& sizes) {
+    const double length = sizes.a + sizes.b;
+    Nearness near;
+    if (q.u) {
+        near.edge = q.u->to<Real>().convert_to<double>() / length;
+        near.other_edge = std::max(1 - near.edge, 0.0);
+        const double x = q.edge == contact::Edge::right ? sizes.a - near.edge * length
+                                                        : near.edge * length - sizes.b;
+        near.knot = std::abs(x) / length; // of the apex
+        for (const double knot : sizes.knots) {
+            near.knot = std::min(near.knot, std::abs(x - knot) / length);
+        }
+    } else if (!sizes.knots.empty()) {
+        near.edge_to_knot = 1;
+        for (const double knot : sizes.knots) {
+            const bool right = !q.at_edge() || q.edge == contact::Edge::right;
+            const bool left = !q.at_edge() || q.edge == contact::Edge::left;
+            for (const double apart :
+                 {right ? sizes.a - knot : length, left ? sizes.b + knot : length}) {
+                near.edge_to_knot = std::min(near.edge_to_knot, std::max(apart, 0.0) / length);
+            }
+        }
+    }
+    return near;
+}
+
 /// True if a point has no reference because it lies outside the contact.
 bool is_outside(const Question& q, const Sizes& sizes) {
     const double u = q.u ? q.u->to<Real>().convert_to<double>() : 0;
@@ -169,6 +195,7 @@ Agreements held_against(std::vector<ReferenceOrWhy> found, const Answers& answer
             held = compared(answers.given[i], result.references[i], target, result.digits,
                             scale_of(q, std::abs(s.force), s.a + s.b));
             held.regime = regime_of(q, s);
+            held.nearness = nearness_of(q, s);
         }
     });
     std::vector<std::size_t> conditioned;

@@ -50,13 +50,18 @@ std::vector<Group> groups_of(const Questions& questions, const std::vector<Faili
     return groups;
 }
 
-/// Returns the rows with wrong values, not only with too few digits.
-std::vector<std::size_t> rows_that_fail(const Answers& answers, const Agreements& agreements) {
+/// Returns the rows with wrong values, not only with too few digits, that none of `known` explains.
+std::vector<std::size_t> rows_that_fail(const Answers& answers, const Agreements& agreements,
+                                        const std::vector<Convention>& known) {
+    std::set<std::size_t> explained;
+    for (const Convention& c : known) {
+        explained.insert(c.which.begin(), c.which.end());
+    }
     std::vector<std::size_t> failing;
     for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
         const CaseAgreement& held = agreements.cases[i];
         if (answers.given[i].state == Answer::State::number && held.no_reference.empty() &&
-            !held.pass && held.digits < same_digits &&
+            !held.pass && held.digits < same_digits && !explained.contains(i) &&
             !contains_zero(agreements.references[i].value.value)) {
             failing.push_back(i);
         }
@@ -94,8 +99,9 @@ std::vector<Convention> merged(const std::vector<Convention>& found) {
 std::vector<Convention> infer_conventions(const Answers& answers, const Agreements& agreements,
                                           const ReferenceOptions& options) {
     const PrecisionScope scope(most_digits + 20);
-    const std::vector<std::size_t> failing = rows_that_fail(answers, agreements);
     std::vector<Convention> found = infer_precision_loss(answers, agreements);
+    std::ranges::move(infer_cancellation(answers, agreements), std::back_inserter(found));
+    const std::vector<std::size_t> failing = rows_that_fail(answers, agreements, found);
     if (failing.size() < least_rows) {
         return merged(found);
     }
@@ -182,7 +188,7 @@ std::vector<std::string> unexplained(const Answers& answers, const Agreements& a
         explained += "; " + c.of;
     }
     std::map<std::string, std::pair<std::size_t, bool>> families; // rows, explained
-    for (const std::size_t i : rows_that_fail(answers, agreements)) {
+    for (const std::size_t i : rows_that_fail(answers, agreements, conventions)) {
         const Question& q = answers.questions.list[i];
         auto& [rows, known] = families[family_of(q)];
         ++rows;

@@ -24,6 +24,8 @@ struct Convention {
     std::string name = {};
     double factor = 1;                            ///< of the answers, where the relation has one
     std::vector<std::string> equally_likely = {}; ///< the names of the relations in `also`
+    bool of_digits = false;                       ///< digits are lost; `relation` says how many
+    std::vector<std::size_t> which = {}; ///< the questions explained, if they are not a whole group
 };
 
 /// Searches the failing rows for numbers of few digits, for questions interpreted differently

@@ -50,6 +50,13 @@ values_read_otherwise(const Answers& answers, const Agreements& agreements, cons
 [[nodiscard]] std::vector<Convention> infer_precision_loss(const Answers& answers,
                                                            const Agreements& agreements);
 
+/// Checks if answers lose digits as a distance decreases: u, the distance from the other edge, from
+/// a knot, or of an edge from a knot. The digits of nearly all rows of a quantity must follow a
+/// line whose value at the distance a + b is the number of digits of binary64 or binary32, and the
+/// errors must scatter as those of rounding do. The rows explained are in `which`.
+[[nodiscard]] std::vector<Convention> infer_cancellation(const Answers& answers,
+                                                         const Agreements& agreements);
+
 /// A failing row: the ratio of the answer to the reference, and to the reference at the other edge.
 struct FailingRow {
     std::size_t question;

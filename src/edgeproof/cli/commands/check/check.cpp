@@ -35,7 +35,7 @@ struct CheckOptions {
     std::string timeout = "600";
     std::string digits;
     std::string ulps;
-    std::string errors = "20";
+    std::string errors = "5";
     std::string junit;
     std::string figure;
     std::string threads;

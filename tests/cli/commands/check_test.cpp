@@ -214,7 +214,7 @@ TEST_CASE(
     CAPTURE(o.out);
     REQUIRE(lines(o.out).size() > 8);
     CHECK(lines(o.out)[0] == "FAIL: 9 answers, 9 failures");
-    CHECK(lines(o.out)[1].starts_with("p, right edge: yours are 2 times ours, to 15."));
+    CHECK(lines(o.out)[1].starts_with("p, right edge: yours are 2 times ours, to 1"));
     CHECK(lines(o.out)[2].empty());
     CHECK(lines(o.out)[3].starts_with("a.csv:2: 1: "));
     CHECK(failing_rows(o) == 5);
@@ -309,6 +309,69 @@ TEST_CASE(
     const Outcome slow = run(folder, "check r.toml --timeout 0.3 --exec 'sleep 60'");
     CHECK(slow.code == 1);
     CHECK(has(slow.out, "the program was stopped: it took longer than --timeout allows"));
+}
+
+TEST_CASE("check --only: a program that knows one profile is asked and judged for it alone") {
+    const Folder folder;
+    const std::string profile = "u = [\"0.25\", \"0.5\", \"1\"]\nquantities = [\"p\"]\n";
+    const std::string load = ".load]\na = \"1\"\ncontact_modulus = \"1\"\n";
+    folder.write("r.toml", "[scenes.h]\n" + profile +
+                               "[scenes.h.profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n"
+                               "[scenes.h" +
+                               load + "[scenes.w]\n" + profile +
+                               "[scenes.w.profile]\nkind = \"tilted-wedge\"\nphi = \"0.2\"\n"
+                               "alpha = \"0\"\n[scenes.w" +
+                               load);
+    // p = sqrt(u (2 - u))/2 for the cylinder; the program ends if it is asked for a wedge.
+    folder.write("hertz.sh", "while read -r row; do case $row in\n"
+                             "*phi*|w:*) echo unknown profile >&2; exit 3;;\n"
+                             "id,*) echo id,value;;\n"
+                             "*u=0.25*) echo h:right:u=0.25:p,0.3307189138830738;;\n"
+                             "*u=0.5*) echo h:right:u=0.5:p,0.4330127018922193;;\n"
+                             "*u=1:*) echo h:right:u=1:p,0.5;;\nesac; done\n");
+    const std::string asked = "check r.toml --digits 15 --exec 'sh hertz.sh'";
+    CHECK(run(folder, asked).code == 1);
+    const Outcome only = run(folder, asked + " --only 'h:*'");
+    CAPTURE(only.out);
+    CHECK(only.code == 0);
+    CHECK(lines(only.out).front() == "pass: 3 answers, 0 failures");
+    const Outcome one = run(folder, asked + " --only '*u=1:p' --only 'h:*=1:p'");
+    CHECK(one.code == 2); // an option is given once
+    CHECK(lines(run(folder, asked + " --only 'h:*u=0.?*'").out).front() ==
+          "pass: 2 answers, 0 failures");
+    // Files of answers: other rows are left out, with a recipe or without.
+    folder.write("a.csv", "id,value\nh:right:u=0.25:p,0.3307189138830738\n"
+                          "h:right:u=0.5:p,0.4330127018922193\nh:right:u=1:p,0.5\n"
+                          "w:right:u=1:p,7\n");
+    CHECK(run(folder, "check a.csv --recipe r.toml --digits 15 --only 'h:*'").code == 0);
+    CHECK(run(folder, "check a.csv --recipe r.toml --digits 15").code == 1);
+    folder.write("b.csv", "# questions: 2\n" + header + "h:1" + hertz_cells +
+                              "p,right,0.2,0.3\nw:1" + hertz_cells + "p,right,0.2,7\n");
+    CHECK(run(folder, "check b.csv --only 'h:*'").code == 0);
+    CHECK(run(folder, "check b.csv").code == 1);
+    for (const std::string none :
+         {asked, std::string("check b.csv"), std::string("check a.csv --recipe r.toml")}) {
+        const Outcome o = run(folder, none + " --only 'x*'");
+        CHECK(o.code == 2);
+        CHECK(has(o.err, "--only x*: no id of "));
+        CHECK(lines(o.err).size() == 1);
+    }
+}
+
+TEST_CASE("check --exec: the standard error of a program that answers nothing is in the report") {
+    const Folder folder;
+    folder.write("r.toml",
+                 "[scenes.h]\nu = [\"0.25\"]\nquantities = [\"p\"]\n[scenes.h.profile]\n"
+                 "kind = \"power-law\"\nm = \"1\"\nC = \"1\"\n[scenes.h.load]\na = \"1\"\n"
+                 "contact_modulus = \"1\"\n");
+    const auto check = [&](const std::string& command) {
+        return run(folder, "check r.toml --exec '" + command + "'");
+    };
+    const Outcome silent = check("echo no module named scipy >&2; exit 1");
+    CHECK(has(silent.out,
+              "the program answers nothing; its standard error begins: no module named scipy"));
+    CHECK_FALSE(has(check("echo hello >&2; echo id,value; echo h:right:u=0.25:p,1").out,
+                    "its standard error begins"));
 }
 
 TEST_CASE("check: a file of many answers is reported as one that is read at once") {

@@ -50,6 +50,7 @@ struct Nearness {
 struct CaseAgreement {
     Regime regime = Regime::interior;
     Nearness nearness = {};
+    double scale = 0;    ///< of the errors, if the reference is zero
     double digits = 0;   ///< -log10|answer/exact - 1|, from 0 to the reference's digits
     double ulps = 0;     ///< |answer - exact| in units in the last place of the binary64 of exact
     double relative = 0; ///< |answer/exact - 1|
@@ -87,5 +88,10 @@ inline constexpr std::size_t most_conditioned = 5000;
 /// the target, and nothing is thrown if none has a reference.
 [[nodiscard]] Agreements compare_block(const Answers& answers, const Target& target,
                                        ReferenceOptions options);
+
+/// Compares other answers to the same questions, with the references of an earlier comparison. The
+/// conditioning is that of the earlier one.
+[[nodiscard]] Agreements compare_again(const Answers& answers, const Target& target,
+                                       const Agreements& known);
 
 } // namespace edgeproof::conformance

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/causes/fit.hpp"
 #include "edgeproof/conformance/causes/readings.hpp"
 
 #include <fmt/format.h>
@@ -15,8 +16,6 @@
 
 namespace edgeproof::conformance {
 namespace {
-
-using namespace convention_rule;
 
 constexpr double least_digits_kept = 5.5;
 constexpr unsigned binary32_digits = 9; // identify every binary32
@@ -37,6 +36,14 @@ unsigned digits_written(const std::string& text) {
     return digits;
 }
 
+/// The significant digits of a decimal as written, or of the shortest decimal that is the same
+/// binary64: a program may round and then write all digits.
+unsigned digits_carried(const Answer& answer) {
+    const unsigned written = digits_written(answer.text);
+    const std::string shortest = fmt::format("{}", answer.value.convert_to<double>());
+    return std::min(written, std::max(digits_written(shortest), 1U));
+}
+
 /// True if the answer is a binary32, or one written with the few digits that identify it.
 bool is_single(const Answer& answer) {
     const auto near = answer.value.convert_to<float>();
@@ -52,11 +59,18 @@ bool is_single(const Answer& answer) {
 /// True if the reference, rounded to the number of digits of the answer, is the answer.
 bool is_cut(const Answer& answer, const Reference& reference, unsigned digits) {
     const Rounded rounded = round_ball(reference.value.value, digits);
-    return rounded.complete && read_answer(rounded.text).value == answer.value;
+    if (!rounded.complete) {
+        return false;
+    }
+    const Rational value = read_answer(rounded.text).value;
+    return value == answer.value ||
+           (digits_written(answer.text) >= full_digits &&
+            value.convert_to<double>() == answer.value.convert_to<double>());
 }
 
 struct Tally {
-    std::size_t failing = 0;
+    std::size_t wrong = 0;
+    std::size_t failing = 0; ///< of these, the rows that are not otherwise wrong
     std::size_t single = 0;
     std::size_t cut = 0;
     unsigned written = 0;
@@ -72,13 +86,17 @@ std::vector<Convention> infer_precision_loss(const Answers& answers, const Agree
         const CaseAgreement& held = agreements.cases[i];
         const bool number =
             answer.state == Answer::State::number && answer.value != 0 && held.no_reference.empty();
-        const unsigned written = number ? digits_written(answer.text) : 0;
+        const unsigned written = number ? digits_carried(answer) : 0;
         const bool cut = number && written > 0 && written < full_digits && !held.pass &&
                          is_cut(answer, agreements.references[i], written);
-        if (!number || held.pass || (held.digits < least_digits_kept && !cut)) {
+        if (!number || held.pass) {
             continue;
         }
         Tally& t = families[family_of(answers.questions.list[i])];
+        ++t.wrong;
+        if (held.digits < least_digits_kept && !cut) {
+            continue;
+        }
         ++t.failing;
         t.single += is_single(answer) ? 1 : 0;
         t.cut += cut ? 1 : 0;
@@ -87,7 +105,7 @@ std::vector<Convention> infer_precision_loss(const Answers& answers, const Agree
     }
     std::vector<Convention> found;
     for (const auto& [family, t] : families) {
-        const bool cut = enough(t.cut, t.failing);
+        const bool cut = enough(t.cut, t.wrong);
         if (!cut && !enough(t.single, t.failing)) {
             continue;
         }
@@ -147,6 +165,7 @@ constexpr std::size_t least_lossy_rows = 4;
 constexpr double least_decades = 2;
 constexpr double least_rate = 0.7; // digits per decade; rounding to a multiple of an ulp costs one
 constexpr double most_rate = 3.3;
+constexpr double most_digits_kept = 40;
 constexpr double near_line = 1; // digits: an error of rounding may be ten times smaller than usual
 constexpr double lucky_share = 0.25; // errors of rounding may vanish
 constexpr double no_digits = 0.3;
@@ -283,7 +302,7 @@ std::optional<Convention> loss_of(const std::string& of, std::vector<LossRow> ro
     c.of = of;
     c.name = "cancellation";
     c.held = line->plateau; // of rows that lose no digits
-    c.digits = most_digits;
+    c.digits = most_digits_kept;
     c.of_digits = true;
     for (const LossRow& row : rows) {
         if (!agreements.cases[row.question].pass) {

@@ -112,6 +112,9 @@ std::string convention_text(const conformance::Convention& k) {
     const std::string to = k.of_digits ? "," : ", to " + digits_text(k.digits, 40) + " digits";
     std::string text = fmt::format("{}: yours are {}{} in {} of {} failing rows: {}", k.of,
                                    k.relation, to, k.rows, k.failing, k.hint);
+    if (k.remains > 1e-4) {
+        text += fmt::format("; {:.1g} % remain, which is something else", 100 * k.remains);
+    }
     for (std::size_t i = 0; i < k.also.size(); ++i) {
         text += (i == 0 ? "; as well: " : ", or ") + k.also[i];
     }

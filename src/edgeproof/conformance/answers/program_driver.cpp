@@ -110,6 +110,7 @@ private:
         call.input = options_.lines == Lines::json ? json_lines(part) : options_.write_csv(part);
         call.seconds = options_.seconds;
         call.most_output = std::min(bytes_of_a_run + bytes_an_answer * batch.size(), most_bytes);
+        messages_.clear();
         call.said = [&](std::string_view text) {
             messages_ += text.substr(0, std::min(text.size(), most_kept - messages_.size()));
             if (options_.said) {
@@ -211,7 +212,7 @@ private:
     std::optional<std::size_t> suspect_;
     bool keeps_back_ = false;
     std::string last_ending_;
-    std::string messages_; ///< the begin of its standard error
+    std::string messages_; ///< the begin of the standard error of the last run
 };
 
 } // namespace

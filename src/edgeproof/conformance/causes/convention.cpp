@@ -300,6 +300,7 @@ private:
         add_factors(all, all_of(all), "ours", nullptr, "", explained);
         add_readings(some, all, {}, explained);
         keep_best(explained);
+        add_doubt(all, explained);
         return explained;
     }
 
@@ -350,6 +351,24 @@ private:
             }
         }
         return explained;
+    }
+
+    /// Adds a constant without a name, if noise leaves room for one that fits better than the
+    /// causes found by more than two standard deviations.
+    void add_doubt(const WrongRows& rows, Explained& to) const {
+        const auto ratio = common_ratio(rows, all_of(rows));
+        if (to.likely.empty() || !ratio || 4 * ratio->error < unlikely_by_chance) {
+            return;
+        }
+        constexpr double two_deviations = 4;
+        auto fit = fit_of_constant(rows, ratio->value);
+        const bool better = fit && std::ranges::all_of(to.likely, [&](const Likely& l) {
+                                const double unit = std::max(fit->scatter, noise_);
+                                return misfit(l.fit, unit) > misfit(*fit, unit) + two_deviations;
+                            });
+        if (better && fit->noise_like.value_or(true)) {
+            to.likely.push_back(constant(*ratio, std::move(*fit)));
+        }
     }
 
     /// Removes the causes that explain the answers less well than the best, and those that right

@@ -174,7 +174,7 @@ double misfit(const Fit& fit, double scatter) {
 }
 
 double indistinguishable_misfit(const Fit& best) {
-    constexpr double of_noise = 12;
+    constexpr double of_noise = 20;
     constexpr double independent_values = 5;
     return best.noise_like.value_or(true)
                ? of_noise

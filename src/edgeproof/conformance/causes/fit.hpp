@@ -75,7 +75,7 @@ inline constexpr FitRule same_as_another{1.5, 2};
 
 /// The sum of squares of what remains, relative to `scatter`; outliers are limited.
 [[nodiscard]] double misfit(const Fit& fit, double scatter);
-/// Causes whose misfit exceeds the least by no more than this are not distinguished: 3.5 standard
+/// Causes whose misfit exceeds the least by no more than this are not distinguished: 4.5 standard
 /// deviations of one parameter. A smooth remainder has few independent values.
 [[nodiscard]] double indistinguishable_misfit(const Fit& best);
 

@@ -24,7 +24,8 @@ void check_causes_named(const MistakeCounts& counts) {
 
 } // namespace
 
-TEST_CASE("the test of the causes: mistakes are named under noise, and none wrongly") {
+TEST_CASE("the test of the causes: mistakes are named under noise, and none wrongly" *
+          doctest::test_suite("slow")) {
     const MistakeCounts counts = test_causes(7, 0, {"two cylinders, P given"});
     check_causes_named(counts);
     const auto row = [&](const std::string& name) {

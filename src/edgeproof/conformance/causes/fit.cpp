@@ -14,6 +14,7 @@ namespace {
 /// A row follows a cause that nine of ten follow to `held` if it does so to three times that.
 constexpr double of_held = 3;
 constexpr double deviations_of_median = 4;
+constexpr std::size_t rows_for_scatter = 6;
 constexpr double rows_for_less_gain = 6;  // with this number of rows, twice the gain is needed
 constexpr double rows_for_less_error = 4; // the scatter of few rows is not well known
 constexpr double of_a_median = 1.25;      // the standard error of a median, over that of a mean
@@ -115,7 +116,8 @@ std::optional<Fit> fit_of(const WrongRows& rows, const std::vector<std::optional
     }
     fit.held = sorted_at(absolute(fit.off), least_share);
     fit.scatter = of_a_deviation * sorted_at(absolute(fit.off), 0.5);
-    if (!(fit.held <= most_scatter)) {
+    // A few rows of much scatter agree with some named factor by chance.
+    if (!(fit.held <= (rows.size() < rows_for_scatter ? most_remainder : most_scatter))) {
         return {};
     }
     fit.noise_like = is_noise_like(rows, fit.off, fit.held);

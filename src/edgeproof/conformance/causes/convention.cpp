@@ -178,6 +178,11 @@ public:
                 Explained explained = named ? by_name(group) : by_constant(group);
                 if (!explained.likely.empty()) {
                     done_.insert(group.rows.begin(), group.rows.end());
+                    std::erase_if(explained_, [&](const Explained& part) { // of this group
+                        return std::ranges::all_of(part.group.rows, [&](std::size_t row) {
+                            return std::ranges::find(group.rows, row) != group.rows.end();
+                        });
+                    });
                     explained_.push_back(std::move(explained));
                 }
             }
@@ -331,7 +336,7 @@ private:
         Explained explained{group, {}};
         const WrongRows all = wrong_rows(answers_, agreements_, group.rows);
         const auto ratio = common_ratio(all, all_of(all));
-        if (!ratio || abs(Real(ratio->value - 1)) < least_constant) {
+        if (!ratio || abs(Real(ratio->value - 1)) < std::max(least_constant, 3 * noise_)) {
             return explained;
         }
         auto fit = fit_of_constant(all, ratio->value);

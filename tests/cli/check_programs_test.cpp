@@ -43,6 +43,10 @@ struct Programs {
 
 const std::string all_pass = "pass: 220 answers, 0 failures";
 
+std::string first_line(const std::string& text) {
+    const auto all = edgeproof::test::lines(text);
+    return all.empty() ? "" : all.front();
+}
 std::string last_line(const std::string& text) {
     const auto all = edgeproof::test::lines(text);
     return all.empty() ? "" : all.back();
@@ -54,7 +58,7 @@ TEST_CASE("third-party programs: C in double") {
     const Programs programs;
     if (have("cc --version")) {
         REQUIRE(programs.shell("cc -std=c99 -O2 -o closed_forms closed_forms.c -lm"));
-        CHECK(last_line(ask(programs.folder, "./closed_forms", "--digits 13").out) == all_pass);
+        CHECK(first_line(ask(programs.folder, "./closed_forms", "--digits 13").out) == all_pass);
         // Doubles do not have 17 digits: the check can fail.
         CHECK(ask(programs.folder, "./closed_forms", "--digits 17").code == 1);
     }
@@ -66,7 +70,7 @@ TEST_CASE("third-party programs: Fortran, quadrature in real*8") {
         REQUIRE(programs.shell("gfortran -O2 -o quadrature quadrature.f90"));
         const Outcome o = ask(programs.folder, "./quadrature", "--digits 13");
         CAPTURE(o.out);
-        CHECK(last_line(o.out) == all_pass);
+        CHECK(first_line(o.out) == all_pass);
     }
 }
 
@@ -75,12 +79,12 @@ TEST_CASE("third-party programs: 30 digits by mpmath and by PARI/GP") {
     if (have("python3 -c 'import mpmath'")) {
         const Outcome o = ask(programs.folder, "python3 thirty_digits.py", "--digits 30");
         CAPTURE(o.out);
-        CHECK(last_line(o.out) == all_pass);
+        CHECK(first_line(o.out) == all_pass);
     }
     if (have("gp --version")) {
         const Outcome o = ask(programs.folder, "gp -q closed_forms.gp", "--digits 30");
         CAPTURE(o.out);
-        CHECK(last_line(o.out) == all_pass);
+        CHECK(first_line(o.out) == all_pass);
     }
 }
 
@@ -91,11 +95,11 @@ TEST_CASE("third-party programs: JSON lines, a pipe of the shell, a figure") {
     }
     const Outcome json =
         ask(programs.folder, "python3 json_lines.py", "--lines json --digits 13 --batch 50");
-    CHECK(last_line(json.out) == all_pass);
+    CHECK(first_line(json.out) == all_pass);
     const std::string program = quoted(edgeproof::test::program());
     CHECK(programs.shell(program + " points questions.toml | python3 closed_forms.py | " + program +
                          " check - --digits 13 --figure f.csv >piped"));
-    CHECK(last_line(file_text(programs.folder.path() / "piped")) == all_pass);
+    CHECK(first_line(file_text(programs.folder.path() / "piped")) == all_pass);
     const std::string figure = file_text(programs.folder.path() / "f.csv");
     CHECK(has(figure, "u,p,q,inputs\n"));
     CHECK(lines(figure).size() > 176);

@@ -6,27 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
-#include <string_view>
+#include <utility>
 
 namespace edgeproof::comparison {
 namespace {
 
 using Make = std::function<std::optional<Program>(const SceneKeys&)>;
 constexpr double pi = std::numbers::pi;
-
-/// Reads "profile.R=2 load.P=3".
-SceneKeys keys_of(const std::string& text) {
-    SceneKeys keys;
-    std::istringstream words(text);
-    for (std::string word; words >> word;) {
-        const std::size_t equals = word.find('=');
-        keys.emplace(word.substr(0, equals), word.substr(equals + 1));
-    }
-    return keys;
-}
-
-double number_in(const SceneKeys& keys, const std::string& key) { return std::stod(keys.at(key)); }
+using scene::keys_of;
 
 /// Changes programs for contacts that have one of the keys; all contacts if no keys are given.
 Make with(const std::vector<std::string>& names, const std::function<void(Program&)>& change) {
@@ -39,32 +26,6 @@ Make with(const std::vector<std::string>& names, const std::function<void(Progra
         change(program);
         return program;
     };
-}
-/// Changes the numbers of those keys that the scene has.
-Make with_key(const std::vector<std::string>& names, const std::function<double(double)>& change) {
-    return with(names, [=](Program& program) {
-        for (const std::string& name : names) {
-            if (program.keys.contains(name)) {
-                program.keys[name] = fmt::format("{:.17g}", change(number_in(program.keys, name)));
-            }
-        }
-    });
-}
-Make times_key(const std::string& name, double k) {
-    return with_key({name}, [k](double x) { return k * x; });
-}
-
-/// Replaces E* by a function of the bodies' constants.
-Make with_modulus(const std::function<double(double, double, double, double)>& modulus) {
-    return with({"load.E1"}, [=](Program& program) {
-        SceneKeys& keys = program.keys;
-        const double E = modulus(number_in(keys, "load.E1"), number_in(keys, "load.nu1"),
-                                 number_in(keys, "load.E2"), number_in(keys, "load.nu2"));
-        for (const char* const key : {"load.E1", "load.nu1", "load.E2", "load.nu2"}) {
-            keys.erase(key);
-        }
-        keys["load.contact_modulus"] = fmt::format("{:.17g}", E);
-    });
 }
 Make factor(double k) {
     return with({}, [k](Program& program) {
@@ -98,7 +59,28 @@ Make digits(int n) {
     return with({}, [n](Program& program) { program.digits = n; });
 }
 
-double first_of(double E1, double nu1) { return E1 / (1 - nu1 * nu1); }
+/// Adds the mistakes in the keys of a scene: those of the pressure before the first that changes
+/// places, those of the shear before the first of the shear.
+std::vector<InjectedMistake> with_those_of_keys(std::vector<InjectedMistake> list) {
+    for (const bool of_shear : {false, true}) {
+        std::vector<InjectedMistake> of_keys;
+        for (const scene::InjectedKeys& mistake : scene::injected_keys()) {
+            if (mistake.of_shear == of_shear) {
+                of_keys.push_back(
+                    {mistake.name, of_shear,
+                     [change = mistake.change](const SceneKeys& keys) -> std::optional<Program> {
+                         auto changed = change(keys);
+                         return changed ? std::optional(Program{std::move(*changed)})
+                                        : std::nullopt;
+                     }});
+            }
+        }
+        const char* const first = of_shear ? "all-slips" : "full-width-for-half";
+        list.insert(std::ranges::find(list, first, &InjectedMistake::name), of_keys.begin(),
+                    of_keys.end());
+    }
+    return list;
+}
 
 void shift_rows(std::vector<ComputedRow>& list) {
     for (std::size_t i = 0; i + 1 < list.size(); ++i) {
@@ -117,19 +99,6 @@ void average_rows(std::vector<ComputedRow>& list) {
 }
 
 } // namespace
-
-scene::Scene scene_of(const SceneKeys& keys) {
-    scene::SceneEntries entries;
-    for (const auto& [key, value] : keys) {
-        const std::size_t dot = key.find('.');
-        const std::string section = key.substr(0, dot);
-        (section == "profile" ? entries.profile
-         : section == "load"  ? entries.load
-                              : entries.shear)
-            .push_back({key.substr(dot + 1), value});
-    }
-    return scene::make_scene(entries);
-}
 
 const std::vector<TestedContact>& tested_contacts() {
     static const std::string like = " load.E1=200e3 load.nu1=0.3 load.E2=200e3 load.nu2=0.3";
@@ -162,10 +131,7 @@ const std::vector<TestedContact>& tested_contacts() {
 }
 
 const std::vector<InjectedMistake>& injected_mistakes() {
-    static const auto tangent = [](double x) { return std::tan(x); };
-    static const auto degrees = [](double x) { return x * 180 / pi; };
-    static const std::vector<std::string> angles{"profile.phi", "profile.alpha"};
-    static const std::vector<InjectedMistake> list{
+    static const std::vector<InjectedMistake> list = with_those_of_keys({
         {"", false, with({}, [](Program&) {})},
         {"", true, with({}, [](Program&) {})},
         {"factor-2", false, factor(2)},
@@ -178,32 +144,7 @@ const std::vector<InjectedMistake>& injected_mistakes() {
         {"unit-psi", false, factor(1 / 6.894757293168)},
         {"unit-psi", false, factor(1 / 0.006894757293168)},
         {"unit-inch", false, x_times(1 / 25.4)},
-        {"e-for-e-star", false, with_modulus([](double E1, double, double, double) { return E1; })},
-        {"one-body-modulus", false,
-         with_modulus([](double E1, double nu1, double, double) { return first_of(E1, nu1); })},
-        {"one-body-modulus", false,
-         with_modulus([](double, double, double E2, double nu2) { return first_of(E2, nu2) / 2; })},
-        {"nu-not-squared", false, with_modulus([](double E1, double nu1, double E2, double nu2) {
-             return 1 / ((1 - nu1) / E1 + (1 - nu2) / E2);
-         })},
-        {"plane-stress", false,
-         with_modulus([](double E1, double, double E2, double) { return 1 / (1 / E1 + 1 / E2); })},
-        {"shear-modulus", false, with_modulus([](double E1, double nu1, double E2, double nu2) {
-             return 1 / ((1 + nu1) / E1 + (1 + nu2) / E2);
-         })},
-        {"radius-as-diameter", false, times_key("profile.R", 2)},
-        {"radius-as-diameter", false,
-         with_key({"profile.R1", "profile.R2"}, [](double R) { return R / 2; })},
-        {"one-body-radius", false, with_key({"profile.R2"}, [](double) { return 1e30; })},
-        {"flat-as-full-width", false, times_key("profile.t", 0.5)},
-        {"half-force", false, times_key("load.P", 0.5)},
-        {"full-width-for-half", false, times_key("load.a", 2)},
         {"full-width-for-half", false, x_times(2)},
-        {"sign-of-moment", false, times_key("load.M", -1)},
-        {"half-moment", false, times_key("load.M", 0.5)},
-        {"tangent-of-angle", false, with_key(angles, tangent)},
-        {"degrees", false, with_key(angles, degrees)},
-        {"no-tilt", false, times_key("profile.alpha", 0)},
         {"mirrored", false,
          unless_symmetric([](const ExactContact& c, double x) { return c.pressure(-x); })},
         {"edges-swapped", false, unless_symmetric([](const ExactContact& c, double x) {
@@ -222,8 +163,8 @@ const std::vector<InjectedMistake>& injected_mistakes() {
         {"shifted-origin", false,
          with({},
               [](Program& program) {
-                  const double length = number_in(
-                      program.keys, program.keys.contains("load.a") ? "load.a" : "load.P");
+                  const double length = std::stod(
+                      program.keys.at(program.keys.contains("load.a") ? "load.a" : "load.P"));
                   program.written_x = [length,
                                        given_a = program.keys.contains("load.a")](double x) {
                       return x + (given_a ? 0.02 * length : 0.01);
@@ -237,20 +178,15 @@ const std::vector<InjectedMistake>& injected_mistakes() {
         {"rounded-to-3", false, digits(3)},
         {"rounded-to-5", false, digits(5)},
         {"binary32", false, digits(-1)},
-        {"half-shear-force", true, times_key("shear.Q", 0.5)},
-        {"half-tension", true, times_key("shear.bulk_tension", 0.5)},
-        {"no-tension", true, times_key("shear.bulk_tension", 0)},
-        {"sign-of-tension", true, times_key("shear.bulk_tension", -1)},
-        {"no-slip", true,
-         with({"shear.friction"}, [](Program& program) { program.keys.erase("shear.friction"); })},
         {"all-slips", true,
          with({"shear.friction"},
               [](Program& program) {
-                  program.rows = [f = number_in(program.keys, "shear.friction")](auto& computed) {
-                      for (ComputedRow& row : computed) {
-                          row.q = f * row.p;
-                      }
-                  };
+                  program.rows =
+                      [f = std::stod(program.keys.at("shear.friction"))](auto& computed) {
+                          for (ComputedRow& row : computed) {
+                              row.q = f * row.p;
+                          }
+                      };
               })},
         // The mirror image of a symmetric contact has the same pressure, so only q shows it.
         {"mirrored", true,
@@ -261,7 +197,7 @@ const std::vector<InjectedMistake>& injected_mistakes() {
                         ? std::nullopt
                         : std::optional(program);
          }},
-    };
+    });
     return list;
 }
 

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/comparison/measures/exact_contact.hpp"
+#include "edgeproof/scene/mistakes/injected_keys.hpp"
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// Mistakes of users, in the text of a scene and in its written pressures, to test the diagnosis,
-/// which has its own suspects.
+/// Mistakes of users, in the text of a scene (scene/mistakes/injected_keys.hpp) and in its written
+/// pressures, to test the diagnosis, which has its own suspects.
 namespace edgeproof::comparison {
 
-/// The keys of a scene file, such as "profile.R" -> "2".
-using SceneKeys = std::map<std::string, std::string>;
-[[nodiscard]] scene::Scene scene_of(const SceneKeys& keys);
+using scene::scene_of;
+using scene::SceneKeys;
 
 struct TestedContact {
     std::string name;

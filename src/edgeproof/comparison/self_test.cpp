@@ -153,39 +153,15 @@ private:
     void trial(const TestedContact& tested, const InjectedMistake& mistake, const Moved& effect,
                const FileComparison& file, std::size_t level) {
         const double noise = noise_levels[level];
-        const bool right = mistake.name.empty();
         const auto& diagnosis = mistake.of_shear ? file.shear_diagnosis : file.diagnosis;
-        const std::vector<std::string> names = names_in(diagnosis);
+        scene::MistakeTrial trial{mistake.name, tested.name, level, names_in(diagnosis)};
+        trial.hidden = !mistake.name.empty() && effect.by < above_noise * noise * effect.noise;
         // With a mistake in q, p is right.
-        const bool misled = mistake.of_shear && !names_in(file.diagnosis).empty();
-        const bool named =
-            right ? names.empty() : std::ranges::find(names, mistake.name) != names.end();
-        const bool hidden = !right && effect.by < above_noise * noise * effect.noise;
-        SelfTestCount& count = row(mistake.name).at[level];
-        const bool found = named && !hidden;
-        const bool alone = std::ranges::all_of(
-            names, [&](const std::string& name) { return name == mistake.name; });
-        count.cases += hidden ? 0 : 1;
-        count.beyond += hidden ? 1 : 0;
-        count.named += found ? 1 : 0;
-        count.alone += found && alone ? 1 : 0;
-        count.wrong += misled || (!named && !names.empty()) ? 1 : 0;
-        if (misled || (!named && (!hidden || !names.empty()))) {
-            result_.misses.push_back(fmt::format(
-                "{} in {}, noise {:g}: {} (it changes {} by {:.2g}, {:.2g} are unexplained)",
-                right ? "right data" : mistake.name, tested.name, noise,
-                names.empty() ? "nothing is named"
-                              : fmt::format("named {}", fmt::join(names, ", ")),
-                mistake.of_shear ? "q" : "p", effect.by, diagnosis ? diagnosis->unexplained : 0));
-        }
-    }
-    SelfTestRow& row(const std::string& name) {
-        const auto found = std::ranges::find(result_.rows, name, &SelfTestRow::name);
-        if (found != result_.rows.end()) {
-            return *found;
-        }
-        result_.rows.push_back({name, {}});
-        return result_.rows.back();
+        trial.misled = mistake.of_shear && !names_in(file.diagnosis).empty();
+        trial.measured = fmt::format("it changes {} by {:.2g}, {:.2g} are unexplained",
+                                     mistake.of_shear ? "q" : "p", effect.by,
+                                     diagnosis ? diagnosis->unexplained : 0);
+        result_.count(trial);
     }
 
     std::uint64_t seed_;
@@ -194,31 +170,9 @@ private:
 
 } // namespace
 
-SelfTestCount SelfTest::total() const {
-    SelfTestCount sum;
-    for (const SelfTestRow& row : rows) {
-        for (const SelfTestCount& count : row.at) {
-            sum.wrong += count.wrong;
-            if (row.name.empty()) {
-                continue;
-            }
-            sum.cases += count.cases;
-            sum.named += count.named;
-            sum.alone += count.alone;
-            sum.beyond += count.beyond;
-        }
-    }
-    return sum;
-}
-
-bool SelfTest::passes() const {
-    const SelfTestCount sum = total();
-    return sum.cases > 0 && sum.wrong == 0 && 100 * sum.named >= 95 * sum.cases;
-}
-
 SelfTest run_self_test(std::uint64_t seed, const std::vector<std::string>& contacts,
                        const std::function<void(std::size_t, std::size_t)>& progress) {
-    SelfTest result;
+    SelfTest result({noise_levels.begin(), noise_levels.end()});
     Trials trials(seed, result);
     std::size_t done = 0;
     for (const TestedContact& contact : tested_contacts()) {
@@ -230,6 +184,7 @@ SelfTest run_self_test(std::uint64_t seed, const std::vector<std::string>& conta
             progress(done, tested_contacts().size());
         }
     }
+    result.contacts = tested_contacts().size();
     return result;
 }
 

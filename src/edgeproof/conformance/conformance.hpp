@@ -9,6 +9,8 @@
 ///   answers/program_driver.hpp asks a program in batches, in CSV or JSON lines
 ///   answers/agreement.hpp      correct digits, ulps, and the position in the contact
 ///   causes/convention.hpp      failures that another convention or interpretation explains
+///   causes/fit.hpp             how well a cause explains failures
+///   causes/self_test.hpp       known mistakes in right answers: which are named
 ///   causes/corruption.hpp      correct answers made wrong, to test that this is detected
 #include "edgeproof/conformance/answers/agreement.hpp"
 #include "edgeproof/conformance/answers/answers.hpp"
@@ -16,6 +18,7 @@
 #include "edgeproof/conformance/answers/program_driver.hpp"
 #include "edgeproof/conformance/causes/convention.hpp"
 #include "edgeproof/conformance/causes/corruption.hpp"
+#include "edgeproof/conformance/causes/self_test.hpp"
 #include "edgeproof/conformance/questions/conditioning.hpp"
 #include "edgeproof/conformance/questions/question.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"

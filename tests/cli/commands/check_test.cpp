@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace edgeproof::test;
@@ -32,13 +33,13 @@ TEST_CASE("check: pass and fail against a target, the worst case of each regime 
     const Outcome pass = run(folder, "check a.csv --digits 6.9");
     CHECK(pass.code == 0);
     CHECK(pass.err.empty());
-    CHECK(lines(pass.out).back() == "pass: 2 answers, 0 failures");
+    CHECK(lines(pass.out).front() == "pass: 2 answers, 0 failures");
     const Outcome fail = run(folder, "check a.csv --digits 7.1 --junit j.xml");
     CHECK(fail.code == 1);
-    CHECK(lines(fail.out).front() == "a.csv:3: two: 7.0 digits, 7.2e+08 ulps: 0.40000004 for "
-                                     "0.40000000000000000000 (condition number 2.9: which does not "
-                                     "explain it)");
-    CHECK(lines(fail.out).back() == "FAIL: 2 answers, 1 failure");
+    CHECK(lines(fail.out).front() == "FAIL: 2 answers, 1 failure");
+    CHECK(lines(fail.out).at(2) == "a.csv:3: two: 7.0 digits, 7.2e+08 ulps: 0.40000004 for "
+                                   "0.40000000000000000000 (condition number 2.9: which does not "
+                                   "explain it)");
     CHECK(has(fail.out, "interior          2       1          0"));
     const std::string junit = file_text(folder.path() / "j.xml");
     CHECK(has(junit, "tests=\"3\" failures=\"1\""));
@@ -66,8 +67,8 @@ TEST_CASE("check: nan, inf, nothing and garbage fail, each named, and --errors c
         CAPTURE(line);
         CHECK(has(o.out, line));
     }
-    CHECK(lines(o.out).back() == "FAIL: 5 answers, 4 failures, 1 fault of the rows or the "
-                                 "program");
+    CHECK(lines(o.out).front() == "FAIL: 5 answers, 4 failures, 1 fault of the rows or the "
+                                  "program");
     CHECK(has(run(folder, "check a.csv --errors 2").out, "and 3 more"));
 }
 
@@ -92,7 +93,7 @@ TEST_CASE("check: text next to a number never passes, and the report is complete
     CHECK(has(o.out, "a.csv:3: 2: garbage: \"\\x1b[2J pass: all\\xff\"\n"));
     CHECK(o.out.find('\0') == std::string::npos);
     CHECK(o.out.find('\x1b') == std::string::npos);
-    CHECK(lines(o.out).back() == "FAIL: 3 answers, 2 failures");
+    CHECK(lines(o.out).front() == "FAIL: 3 answers, 2 failures");
     const std::string junit = file_text(folder.path() / "j.xml");
     CHECK(junit.find('\x1b') == std::string::npos);
     CHECK(has(junit, "\\x1b[2J pass: all\\xff"));
@@ -111,14 +112,14 @@ TEST_CASE("check: the counts of the last line add up to the number of questions"
     CHECK(o.code == 1);
     CHECK(has(o.out, "2 rows are not in the order of the questions: "
                      "their ids state what they answer\n"));
-    CHECK(lines(o.out).back() ==
+    CHECK(lines(o.out).front() ==
           "FAIL: 3 answers, 2 failures, 1 missing, 2 faults of the rows or the program");
     folder.write("b.csv", header + "1" + hertz_cells + "p,right,0.2,0.3\n2" + hertz_cells +
                               "p,right,2.5,0\n3" + hertz_cells + "p,left,0.4,0.5\n");
     const Outcome outside = run(folder, "check b.csv");
     CHECK(outside.code == 1);
     CHECK(has(outside.out, "b.csv:3: 2: nothing to compare with: u = 2.5 from the right edge: "));
-    CHECK(lines(outside.out).back() == "FAIL: 3 answers, 1 failure, 1 without a reference");
+    CHECK(lines(outside.out).front() == "FAIL: 3 answers, 1 failure, 1 without a reference");
 }
 
 TEST_CASE("check: a file as a spreadsheet saves it") {
@@ -128,7 +129,7 @@ TEST_CASE("check: a file as a spreadsheet saves it") {
                           "2;power-law;1;1;1;1;p;left;0,4;4E-01\r\n");
     const Outcome o = run(folder, "check a.csv");
     CHECK(o.code == 0);
-    CHECK(lines(o.out).back() == "pass: 2 answers, 0 failures");
+    CHECK(lines(o.out).front() == "pass: 2 answers, 0 failures");
 }
 
 TEST_CASE("check: bad input is one line; exit 2; no file") {
@@ -175,7 +176,7 @@ TEST_CASE("a program in Python: its closed forms hold in double, and the faults 
     answers_of("closed_forms.py", "right.csv");
     const Outcome right = run(folder, "check right.csv --digits 13");
     CHECK(right.code == 0);
-    CHECK(lines(right.out).back() == "pass: 220 answers, 0 failures");
+    CHECK(lines(right.out).front() == "pass: 220 answers, 0 failures");
     CHECK(run(folder, "check right.csv --digits 17").code == 1); // a double does not have 17 digits
 
     answers_of("wrong_on_purpose.py", "wrong.csv");
@@ -195,6 +196,35 @@ TEST_CASE("a program in Python: its closed forms hold in double, and the faults 
 }
 
 // E* = 1/((1 - 0.3^2)/200 + (1 - 0.2^2)/70) and p = E* sqrt(u (2 - u))/2 of Hertz with C = a = 1.
+TEST_CASE(
+    "check: the outcome and the cause come first, then five failing rows unless more are asked") {
+    const Folder folder;
+    std::string text = header;
+    for (int k = 1; k <= 9; ++k) { // the exact value is sqrt(u (2 - u))/2
+        const double u = k / 16.0;
+        text +=
+            fmt::format("{},power-law,1,1,1,1,p,right,{},{:.17g}\n", k, u, std::sqrt(u * (2 - u)));
+    }
+    folder.write("a.csv", text);
+    const auto failing_rows = [](const Outcome& o) {
+        const auto all = lines(o.out);
+        return std::ranges::count_if(all, [](const auto& l) { return l.starts_with("a.csv:"); });
+    };
+    const Outcome o = run(folder, "check a.csv");
+    CAPTURE(o.out);
+    REQUIRE(lines(o.out).size() > 8);
+    CHECK(lines(o.out)[0] == "FAIL: 9 answers, 9 failures");
+    CHECK(lines(o.out)[1].starts_with("p, right edge: yours are 2 times ours, to 1"));
+    CHECK(lines(o.out)[2].empty());
+    CHECK(lines(o.out)[3].starts_with("a.csv:2: 1: "));
+    CHECK(failing_rows(o) == 5);
+    CHECK(has(o.out, "and 4 more (--errors shows more of them)"));
+    CHECK(failing_rows(run(folder, "check a.csv --errors 7")) == 7);
+    const Outcome none = run(folder, "check a.csv --errors 0");
+    CHECK(failing_rows(none) == 0);
+    CHECK(has(none.out, "\n9 more (--errors shows more of them)"));
+}
+
 TEST_CASE("check --json: the outcome, and the cause by its name") {
     const Folder folder;
     const auto answers = [](double modulus) {
@@ -245,7 +275,7 @@ TEST_CASE(
     };
     const Outcome good = check("sh good.sh");
     CHECK(good.code == 0);
-    CHECK(lines(good.out).back() == "pass: 3 answers, 0 failures");
+    CHECK(lines(good.out).front() == "pass: 3 answers, 0 failures");
     // The ids identify the answers.
     const Outcome turned = check("sh good.sh >all; head -n 1 all; tail -n 3 all | sort -r");
     CHECK(turned.code == 0);
@@ -281,6 +311,69 @@ TEST_CASE(
     CHECK(has(slow.out, "the program was stopped: it took longer than --timeout allows"));
 }
 
+TEST_CASE("check --only: a program that knows one profile is asked and judged for it alone") {
+    const Folder folder;
+    const std::string profile = "u = [\"0.25\", \"0.5\", \"1\"]\nquantities = [\"p\"]\n";
+    const std::string load = ".load]\na = \"1\"\ncontact_modulus = \"1\"\n";
+    folder.write("r.toml", "[scenes.h]\n" + profile +
+                               "[scenes.h.profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n"
+                               "[scenes.h" +
+                               load + "[scenes.w]\n" + profile +
+                               "[scenes.w.profile]\nkind = \"tilted-wedge\"\nphi = \"0.2\"\n"
+                               "alpha = \"0\"\n[scenes.w" +
+                               load);
+    // p = sqrt(u (2 - u))/2 for the cylinder; the program ends if it is asked for a wedge.
+    folder.write("hertz.sh", "while read -r row; do case $row in\n"
+                             "*phi*|w:*) echo unknown profile >&2; exit 3;;\n"
+                             "id,*) echo id,value;;\n"
+                             "*u=0.25*) echo h:right:u=0.25:p,0.3307189138830738;;\n"
+                             "*u=0.5*) echo h:right:u=0.5:p,0.4330127018922193;;\n"
+                             "*u=1:*) echo h:right:u=1:p,0.5;;\nesac; done\n");
+    const std::string asked = "check r.toml --digits 15 --exec 'sh hertz.sh'";
+    CHECK(run(folder, asked).code == 1);
+    const Outcome only = run(folder, asked + " --only 'h:*'");
+    CAPTURE(only.out);
+    CHECK(only.code == 0);
+    CHECK(lines(only.out).front() == "pass: 3 answers, 0 failures");
+    const Outcome one = run(folder, asked + " --only '*u=1:p' --only 'h:*=1:p'");
+    CHECK(one.code == 2); // an option is given once
+    CHECK(lines(run(folder, asked + " --only 'h:*u=0.?*'").out).front() ==
+          "pass: 2 answers, 0 failures");
+    // Files of answers: other rows are left out, with a recipe or without.
+    folder.write("a.csv", "id,value\nh:right:u=0.25:p,0.3307189138830738\n"
+                          "h:right:u=0.5:p,0.4330127018922193\nh:right:u=1:p,0.5\n"
+                          "w:right:u=1:p,7\n");
+    CHECK(run(folder, "check a.csv --recipe r.toml --digits 15 --only 'h:*'").code == 0);
+    CHECK(run(folder, "check a.csv --recipe r.toml --digits 15").code == 1);
+    folder.write("b.csv", "# questions: 2\n" + header + "h:1" + hertz_cells +
+                              "p,right,0.2,0.3\nw:1" + hertz_cells + "p,right,0.2,7\n");
+    CHECK(run(folder, "check b.csv --only 'h:*'").code == 0);
+    CHECK(run(folder, "check b.csv").code == 1);
+    for (const std::string none :
+         {asked, std::string("check b.csv"), std::string("check a.csv --recipe r.toml")}) {
+        const Outcome o = run(folder, none + " --only 'x*'");
+        CHECK(o.code == 2);
+        CHECK(has(o.err, "--only x*: no id of "));
+        CHECK(lines(o.err).size() == 1);
+    }
+}
+
+TEST_CASE("check --exec: the standard error of a program that answers nothing is in the report") {
+    const Folder folder;
+    folder.write("r.toml",
+                 "[scenes.h]\nu = [\"0.25\"]\nquantities = [\"p\"]\n[scenes.h.profile]\n"
+                 "kind = \"power-law\"\nm = \"1\"\nC = \"1\"\n[scenes.h.load]\na = \"1\"\n"
+                 "contact_modulus = \"1\"\n");
+    const auto check = [&](const std::string& command) {
+        return run(folder, "check r.toml --exec '" + command + "'");
+    };
+    const Outcome silent = check("echo no module named scipy >&2; exit 1");
+    CHECK(has(silent.out,
+              "the program answers nothing; its standard error begins: no module named scipy"));
+    CHECK_FALSE(has(check("echo hello >&2; echo id,value; echo h:right:u=0.25:p,1").out,
+                    "its standard error begins"));
+}
+
 TEST_CASE("check: a file of many answers is reported as one that is read at once") {
     const Folder folder;
     // 3-4-5 and 5-12-13 triangles, some values wrong; one id occurs twice, and a row is torn.
@@ -300,6 +393,7 @@ TEST_CASE("check: a file of many answers is reported as one that is read at once
     CHECK(once.code == 1);
     CHECK(blocks.out == once.out);
     CHECK(has(blocks.out, "a.csv:5303: q17 is answered twice, first in line 20"));
-    CHECK(lines(blocks.out).back() == "FAIL: 5498 answers, 5 failures, 3 faults of the rows or the "
-                                      "program");
+    CHECK(lines(blocks.out).front() ==
+          "FAIL: 5498 answers, 5 failures, 3 faults of the rows or the "
+          "program");
 }

@@ -164,6 +164,7 @@ TEST_CASE("known mistakes are named under noise, and no others") {
             }
         }
         const std::vector<double> exact = exact_values(otherwise);
+        KnownReadings known;
         for (const double noise : {0.0, 1e-6, 3e-6, 1e-4, 1e-2}) {
             std::vector<double> values = exact;
             for (double& v : values) {
@@ -171,7 +172,7 @@ TEST_CASE("known mistakes are named under noise, and no others") {
             }
             const Answers answers = echoed_answers(parse_csv(csv(questions, values), "a"));
             const Agreements agreements = compare(answers, Target{5, {}, false}, {});
-            const auto found = infer_conventions(answers, agreements, {});
+            const auto found = infer_conventions(answers, agreements, {}, known);
             CAPTURE(mistake.relation);
             CAPTURE(noise);
             bool right = false;

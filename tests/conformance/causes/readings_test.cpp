@@ -120,12 +120,12 @@ TEST_CASE("a mean pressure for a force, and the gap's constant for the slope's")
 
 TEST_CASE("angles in degrees, and the moduli of one body") {
     const std::string tilted = "kind,phi,alpha,a,contact_modulus";
-    // If there is no tilt, C = phi, so that p = phi acosh(a/x)/pi; phi in degrees is a factor with
-    // a name.
+    // If there is no tilt, C = phi, so that p = phi acosh(a/x)/pi. A mistake in the data is more
+    // likely than the factor pi/180, which is listed as well.
     CHECK(found(tilted, {"tilted-wedge,0.2,0,1,1", "tilted-wedge,0.2,0,2,1"}, "p",
                 [](auto c, double u) {
                     return 0.2 * half_turn / 180 * wedge_pressure(a_of(c), u);
-                }) == Said{"p, right edge: pi/180 times ours"});
+                }) == Said{"p: ours with the angle converted from degrees to radians twice"});
     const std::string bodies = "kind,m,C,a,E1,nu1,E2,nu2";
     const std::vector<std::string> two{"power-law,0,1,1,2,0.25,3,0.5", "power-law,0,1,2,5,0.5,3,0"};
     const double one_body[] = {2 / (1 - 0.0625), 5 / (1 - 0.25)};
@@ -150,4 +150,65 @@ TEST_CASE("single precision is named as such, and so are answers cut when writte
     CHECK(found(keys, wedges, "p", [](auto c, double u) {
               return wedge_pressure(a_of(c), u) * (1 + 1e-7);
           }).empty());
+}
+
+namespace {
+
+/// The causes found for p = f(u) p of Hertz at 12 distances, E* = C = 1, a = 1 and 2.
+std::vector<Convention> causes_of_factor(const std::function<double(double)>& f) {
+    std::string text = "id," + keys + ",quantity,edge,u,value\n";
+    std::size_t id = 0;
+    for (std::size_t c = 0; c < hertzes.size(); ++c) {
+        for (int k = 1; k <= 12; ++k) {
+            const double u = k / 16.0;
+            char row[160];
+            std::snprintf(row, sizeof row, "%zu,%s,p,right,%.17g,%.17g\n", ++id, hertzes[c].c_str(),
+                          u, f(u) * hertz_pressure(a_of(c), u));
+            text += row;
+        }
+    }
+    const Answers answers = echoed_answers(parse_csv(text, "a.csv"));
+    return infer_conventions(answers, compare(answers, {}, {}), {});
+}
+
+} // namespace
+
+TEST_CASE("a dominant cause is named with what remains; what varies is not called a constant") {
+    // A factor 1000, and an error that grows to 4 % at u = 3/4.
+    const auto thousand = causes_of_factor([](double u) { return 1000 * (1 + 0.04 * u / 0.75); });
+    REQUIRE(thousand.size() == 1);
+    CHECK(thousand[0].name == "power-of-ten");
+    CHECK(thousand[0].factor == 1000);
+    CHECK(thousand[0].remains > 0.03);
+    CHECK(thousand[0].remains <= 0.04);
+    // The same without the factor, and a factor that varies between 1.26 and 1.3.
+    CHECK(causes_of_factor([](double u) { return 1 + 0.04 * u / 0.75; }).empty());
+    CHECK(causes_of_factor([](double u) { return 1.26 + 0.04 * u / 0.75; }).empty());
+    const auto constant = causes_of_factor([](double) { return 1.28; });
+    REQUIRE(constant.size() == 1);
+    CHECK(constant[0].name == "factor");
+    CHECK(constant[0].remains == 0);
+    const auto decimal = causes_of_factor([](double) { return 1.0; });
+    CHECK(decimal.empty());
+}
+
+TEST_CASE("a function of the value is recognised, and x for u where P is given") {
+    std::string text = "id,kind,m,C,P,contact_modulus,quantity,edge,u,value\n";
+    // P = pi/4 E* C a^2 with a = 1 and 2.
+    for (const auto& [a, force] : {std::pair{1, "pi/4"}, std::pair{2, "pi"}}) {
+        for (int k = 1; k <= 5; ++k) {
+            const double u = k / 8.0;
+            char row[160];
+            std::snprintf(row, sizeof row, "%d-%d,power-law,1,1,%s,1,p,right,%.17g,%.17g\n", a, k,
+                          force, u, hertz_pressure(a, a - u));
+            text += row;
+        }
+    }
+    const Answers answers = echoed_answers(parse_csv(text, "a.csv"));
+    const auto by_x = infer_conventions(answers, compare(answers, {}, {}), {});
+    REQUIRE(by_x.size() == 1);
+    CHECK(by_x[0].name == "x-for-u");
+    CHECK(found(keys, hertzes, "p", [](auto c, double u) {
+              return std::log10(hertz_pressure(a_of(c), u));
+          }) == Said{"p: the decimal logarithm of ours"});
 }

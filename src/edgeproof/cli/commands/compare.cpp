@@ -93,7 +93,7 @@ int test_the_diagnosis(const CompareOptions& o) {
     std::function<void(std::size_t, std::size_t)> progress;
     const comparison::SelfTest result = with_progress(
         "contacts", progress, [&] { return comparison::run_self_test(seed, {}, progress); });
-    const std::string text = report::self_test_text(result);
+    const std::string text = result.text();
     std::fwrite(text.data(), 1, text.size(), stdout);
     return result.passes() ? 0 : 1;
 }

@@ -82,6 +82,32 @@ Regime regime_of(const Question& q, const Sizes& sizes) {
     return u > length / 2 ? Regime::far_field : Regime::interior;
 }
 
+Nearness nearness_of(const Question& q, const Sizes& sizes) {
+    const double length = sizes.a + sizes.b;
+    Nearness near;
+    if (q.u) {
+        near.edge = q.u->to<Real>().convert_to<double>() / length;
+        near.other_edge = std::max(1 - near.edge, 0.0);
+        const double x = q.edge == contact::Edge::right ? sizes.a - near.edge * length
+                                                        : near.edge * length - sizes.b;
+        near.knot = std::abs(x) / length; // of the apex
+        for (const double knot : sizes.knots) {
+            near.knot = std::min(near.knot, std::abs(x - knot) / length);
+        }
+    } else if (!sizes.knots.empty()) {
+        near.edge_to_knot = 1;
+        for (const double knot : sizes.knots) {
+            const bool right = !q.at_edge() || q.edge == contact::Edge::right;
+            const bool left = !q.at_edge() || q.edge == contact::Edge::left;
+            for (const double apart :
+                 {right ? sizes.a - knot : length, left ? sizes.b + knot : length}) {
+                near.edge_to_knot = std::min(near.edge_to_knot, std::max(apart, 0.0) / length);
+            }
+        }
+    }
+    return near;
+}
+
 /// True if a point has no reference because it lies outside the contact.
 bool is_outside(const Question& q, const Sizes& sizes) {
     const double u = q.u ? q.u->to<Real>().convert_to<double>() : 0;
@@ -142,6 +168,14 @@ CaseAgreement compared(const Answer& answer, const Reference& reference, const T
     return result;
 }
 
+/// Lets an error pass that the conditioning explains, if the target allows it.
+void take_conditioning(CaseAgreement& held, const Answer& answer, const Target& target) {
+    held.explained = held.no_reference.empty() && answer.state == Answer::State::number &&
+                     held.conditioning &&
+                     held.relative <= explained_by_conditioning * held.conditioning->moved;
+    held.pass = held.pass || (held.explained && target.forgives());
+}
+
 /// `all`: the conditioning of all cases, not only of those that miss the target.
 Agreements held_against(std::vector<ReferenceOrWhy> found, const Answers& answers,
                         const Target& target, const ReferenceOptions& options, bool all) {
@@ -166,9 +200,11 @@ Agreements held_against(std::vector<ReferenceOrWhy> found, const Answers& answer
                 continue;
             }
             result.references[i] = std::move(*found[i].reference);
-            held = compared(answers.given[i], result.references[i], target, result.digits,
-                            scale_of(q, std::abs(s.force), s.a + s.b));
+            const double scale = scale_of(q, std::abs(s.force), s.a + s.b);
+            held = compared(answers.given[i], result.references[i], target, result.digits, scale);
+            held.scale = scale;
             held.regime = regime_of(q, s);
+            held.nearness = nearness_of(q, s);
         }
     });
     std::vector<std::size_t> conditioned;
@@ -182,10 +218,7 @@ Agreements held_against(std::vector<ReferenceOrWhy> found, const Answers& answer
     for (std::size_t i = 0; i < result.cases.size(); ++i) {
         CaseAgreement& held = result.cases[i];
         held.conditioning = conditions[i];
-        held.explained = held.no_reference.empty() &&
-                         answers.given[i].state == Answer::State::number && conditions[i] &&
-                         held.relative <= explained_by_conditioning * conditions[i]->moved;
-        held.pass = held.pass || (held.explained && target.forgives());
+        take_conditioning(held, answers.given[i], target);
     }
     return result;
 }
@@ -219,6 +252,26 @@ Agreements compare_block(const Answers& answers, const Target& target, Reference
     options.digits = {reference_digits(target), Rounding::nearest, false};
     return held_against(references_or_why(answers.questions, options), answers, target, options,
                         false);
+}
+
+Agreements compare_again(const Answers& answers, const Target& target, const Agreements& known) {
+    const PrecisionScope scope(known.digits + 20);
+    Agreements result = known;
+    for (std::size_t i = 0; i < result.cases.size(); ++i) {
+        CaseAgreement& held = result.cases[i];
+        if (!held.no_reference.empty()) {
+            continue;
+        }
+        const CaseAgreement old =
+            std::exchange(held, compared(answers.given[i], known.references[i], target,
+                                         known.digits, held.scale));
+        held.regime = old.regime;
+        held.nearness = old.nearness;
+        held.scale = old.scale;
+        held.conditioning = old.conditioning;
+        take_conditioning(held, answers.given[i], target);
+    }
+    return result;
 }
 
 } // namespace edgeproof::conformance

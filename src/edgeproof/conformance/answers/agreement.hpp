@@ -37,9 +37,20 @@ struct Target {
     [[nodiscard]] bool forgives() const { return conditioned || !stated(); }
 };
 
+/// How near the place of a question is to places where differences of lengths cancel, over a + b;
+/// 0: it has no such place.
+struct Nearness {
+    double edge = 0;         ///< of a point: u
+    double other_edge = 0;   ///< of a point: a + b - u
+    double knot = 0;         ///< of a point: the distance from the nearest knot or the apex
+    double edge_to_knot = 0; ///< of another question: from an edge to the nearest knot
+};
+
 /// One answer compared with its reference.
 struct CaseAgreement {
     Regime regime = Regime::interior;
+    Nearness nearness = {};
+    double scale = 0;    ///< of the errors, if the reference is zero
     double digits = 0;   ///< -log10|answer/exact - 1|, from 0 to the reference's digits
     double ulps = 0;     ///< |answer - exact| in units in the last place of the binary64 of exact
     double relative = 0; ///< |answer/exact - 1|
@@ -77,5 +88,10 @@ inline constexpr std::size_t most_conditioned = 5000;
 /// the target, and nothing is thrown if none has a reference.
 [[nodiscard]] Agreements compare_block(const Answers& answers, const Target& target,
                                        ReferenceOptions options);
+
+/// Compares other answers to the same questions, with the references of an earlier comparison. The
+/// conditioning is that of the earlier one.
+[[nodiscard]] Agreements compare_again(const Answers& answers, const Target& target,
+                                       const Agreements& known);
 
 } // namespace edgeproof::conformance

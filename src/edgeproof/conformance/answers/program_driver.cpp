@@ -3,6 +3,7 @@
 
 #include "edgeproof/io/child_process.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -21,6 +22,9 @@ constexpr std::size_t bytes_of_a_run = 1'000'000;
 constexpr std::size_t bytes_an_answer = 128'000;
 constexpr std::size_t most_bytes = 200'000'000;
 constexpr std::size_t rows_of_a_run = 1000;
+// Of the standard error of a program that answers nothing.
+constexpr std::size_t most_kept = 4000;
+constexpr std::size_t most_shown = 500;
 const std::string program_name = "the program";
 
 using Batch = std::vector<std::size_t>;
@@ -69,6 +73,11 @@ public:
                 options_.progress(asked_.list.size() - left(), asked_.list.size());
             }
         }
+        if (!answered_ && !messages_.empty()) {
+            answers_.faults.push_back(
+                program_name +
+                " answers nothing; its standard error begins: " + shortened(messages_, most_shown));
+        }
         return std::move(answers_);
     }
 
@@ -101,7 +110,13 @@ private:
         call.input = options_.lines == Lines::json ? json_lines(part) : options_.write_csv(part);
         call.seconds = options_.seconds;
         call.most_output = std::min(bytes_of_a_run + bytes_an_answer * batch.size(), most_bytes);
-        call.said = options_.said;
+        messages_.clear();
+        call.said = [&](std::string_view text) {
+            messages_ += text.substr(0, std::min(text.size(), most_kept - messages_.size()));
+            if (options_.said) {
+                options_.said(text);
+            }
+        };
         ++runs_;
         io::ProgramRun run = run_program(call);
         const std::string name =
@@ -197,6 +212,7 @@ private:
     std::optional<std::size_t> suspect_;
     bool keeps_back_ = false;
     std::string last_ending_;
+    std::string messages_; ///< the begin of the standard error of the last run
 };
 
 } // namespace

@@ -32,7 +32,8 @@ struct ProgramDriverOptions {
 /// one, whether or not the program had written its answers when it ended. So each question that
 /// crashes the program is found and becomes State::died, without loss of the other answers. The
 /// driver gives up after three single questions that crashed it without any answer so far, and
-/// after options.runs; the remaining answers are missing, and a fault reports it. Output is bounded
+/// after options.runs; the remaining answers are missing, and a fault reports it. If the program
+/// answers nothing, a fault quotes the begin of its standard error. Output is bounded
 /// by the number of questions of a run. Throws Interrupted; Error if no program can be started at
 /// all.
 [[nodiscard]] Answers ask_program_in_batches(const Questions& asked,

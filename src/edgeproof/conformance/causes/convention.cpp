@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/convention.hpp"
+#include "edgeproof/conformance/causes/fit.hpp"
 #include "edgeproof/conformance/causes/readings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -13,21 +15,33 @@
 namespace edgeproof::conformance {
 namespace {
 
-using namespace convention_rule;
+constexpr unsigned most_digits = 40;
+constexpr unsigned reading_digits = 30;
+constexpr double same_digits = 6;           // as same_value
+constexpr std::size_t most_rows_tried = 60; // enough to select readings to test on all rows
+constexpr std::size_t most_right_rows = 12; // of a quantity: enough to contradict a cause
+/// A number without a name, and one with an unusual name, are not distinguished by answers that do
+/// not determine it better than this.
+constexpr double unlikely_by_chance = 6e-4;
+/// Rows fail, and are seen here, if they are wrong by more than same_value: they have a common
+/// error of that size by this selection.
+constexpr double least_constant = 1e-5;
+/// Fewer rows with noise have a common factor by chance.
+constexpr std::size_t least_rows_of_constant = 6;
 
 /// Failing rows with a common property.
 struct Group {
-    std::string name;   ///< "p", "p, left edge", "c_1"
-    std::string family; ///< "p", "c_k"
-    std::vector<FailingRow> rows;
+    std::string name;              ///< "p", "p, left edge", "c_1"
+    std::string family;            ///< "p", "c_k"
+    std::vector<std::size_t> rows; ///< questions
 };
 
 /// Groups the rows by quantity (c_k and s_k together, and separately), at both edges and at each
 /// edge. The largest group comes first; among groups of the same rows, the most specific name.
-std::vector<Group> groups_of(const Questions& questions, const std::vector<FailingRow>& rows) {
+std::vector<Group> groups_of(const Questions& questions, const std::vector<std::size_t>& rows) {
     std::vector<Group> groups;
-    for (const FailingRow& row : rows) {
-        const Question& q = questions.list[row.question];
+    for (const std::size_t row : rows) {
+        const Question& q = questions.list[row];
         const std::string family = family_of(q);
         const auto add = [&](const std::string& name) {
             auto known = std::ranges::find(groups, name, &Group::name);
@@ -50,13 +64,18 @@ std::vector<Group> groups_of(const Questions& questions, const std::vector<Faili
     return groups;
 }
 
-/// Returns the rows with wrong values, not only with too few digits.
-std::vector<std::size_t> rows_that_fail(const Answers& answers, const Agreements& agreements) {
+/// Returns the rows with wrong values, not only with too few digits, that none of `known` explains.
+std::vector<std::size_t> rows_that_fail(const Answers& answers, const Agreements& agreements,
+                                        const std::vector<Convention>& known) {
+    std::set<std::size_t> explained;
+    for (const Convention& c : known) {
+        explained.insert(c.which.begin(), c.which.end());
+    }
     std::vector<std::size_t> failing;
     for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
         const CaseAgreement& held = agreements.cases[i];
         if (answers.given[i].state == Answer::State::number && held.no_reference.empty() &&
-            !held.pass && held.digits < same_digits &&
+            !held.pass && held.digits < same_digits && !explained.contains(i) &&
             !contains_zero(agreements.references[i].value.value)) {
             failing.push_back(i);
         }
@@ -81,6 +100,7 @@ std::vector<Convention> merged(const std::vector<Convention>& found) {
                 return std::ranges::find(c.*list, other) == (c.*list).end();
             });
         }
+        same->remains = std::max(same->remains, c.remains);
         same->digits = std::min(same->digits, c.digits);
         same->held = std::min(same->held, c.held);
         same->rows += c.rows;
@@ -89,90 +109,380 @@ std::vector<Convention> merged(const std::vector<Convention>& found) {
     return merged;
 }
 
-} // namespace
+/// A cause that explains a group.
+struct Likely {
+    std::string name;
+    std::string relation;
+    std::string hint;
+    double factor = 1;
+    int rank = 0;           ///< common factors, mistakes in the data, other factors, a constant
+    bool of_family = false; ///< named with the family of the group
+    bool contradicted = false;
+    double doubtful = 0; ///< the uncertainty of the common ratio
+    Fit fit;
+};
+struct Explained {
+    Group group;
+    std::vector<Likely> likely; ///< not distinguished by the answers
+};
 
-std::vector<Convention> infer_conventions(const Answers& answers, const Agreements& agreements,
-                                          const ReferenceOptions& options) {
-    const PrecisionScope scope(most_digits + 20);
-    const std::vector<std::size_t> failing = rows_that_fail(answers, agreements);
-    std::vector<Convention> found = infer_precision_loss(answers, agreements);
-    if (failing.size() < least_rows) {
-        return merged(found);
+std::vector<std::size_t> evenly(const std::vector<std::size_t>& rows, std::size_t most) {
+    std::vector<std::size_t> some;
+    const std::size_t n = std::min(rows.size(), most);
+    for (std::size_t k = 0; k < n; ++k) {
+        some.push_back(rows[k * rows.size() / n]);
     }
-    Reading at_other_edge;
-    at_other_edge.place = [](Question& q, const scene::Scene& scene) {
-        q.edge = opposite(q.edge);
-        return q.at_edge() && !scene.symmetric();
-    };
-    ReferenceOptions all_digits = options;
-    all_digits.digits = {most_digits, Rounding::nearest, false};
-    const auto mirrored =
-        values_read_otherwise(answers, agreements, at_other_edge, failing, all_digits);
-    std::vector<FailingRow> rows;
-    for (std::size_t k = 0; k < failing.size(); ++k) {
-        const std::size_t i = failing[k];
-        const Real value = Ball(answers.given[i].value, 256).midpoint();
-        rows.push_back({i, value / agreements.references[i].value.value.midpoint(), {}});
-        if (mirrored[k]) {
-            rows.back().mirrored = value / *mirrored[k];
+    return some;
+}
+
+/// Compares the failing rows, group by group, with all causes.
+class CauseSearch {
+public:
+    CauseSearch(const Answers& answers, const Agreements& agreements,
+                const std::vector<std::size_t>& failing, const ReferenceOptions& options,
+                KnownReadings& known)
+        : answers_(answers), agreements_(agreements), options_(options), known_(known),
+          groups_(groups_of(answers.questions, failing)), factors_(named_factors()) {
+        options_.digits = {reading_digits, Rounding::nearest, false};
+        options_.progress = {};
+        std::set<std::size_t> contacts;
+        for (const std::size_t i : failing) {
+            contacts.insert(answers.questions.list[i].contact);
+        }
+        readings_ = readings_of(answers.questions, contacts);
+        for (const std::size_t i : failing) {
+            ++rows_of_family_[family_of(answers.questions.list[i])];
+        }
+        std::map<std::string, std::vector<std::size_t>> right;
+        for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
+            const bool value = answers.given[i].state == Answer::State::number &&
+                               agreements.cases[i].no_reference.empty() &&
+                               !contains_zero(agreements.references[i].value.value);
+            if (value && agreements.cases[i].pass) {
+                right[family_of(answers.questions.list[i])].push_back(i);
+            }
+        }
+        for (const auto& [family, rows] : right) {
+            right_.push_back(evenly(rows, most_right_rows));
         }
     }
-    const std::vector<Group> groups = groups_of(answers.questions, rows);
-    std::set<std::size_t> explained;
-    std::vector<std::pair<std::string, Convention>> by_family;
-    const auto look_for_factors = [&](bool named) {
-        for (const Group& group : groups) {
-            const bool known = std::ranges::all_of(group.rows, [&](const FailingRow& row) {
-                return explained.contains(row.question);
-            });
-            if (const auto c = known ? std::nullopt : infer_factor(group.name, group.rows, named)) {
-                by_family.emplace_back(group.family, *c);
-                for (const FailingRow& row : group.rows) {
-                    explained.insert(row.question);
+
+    [[nodiscard]] std::vector<Convention> causes() {
+        for (const bool named : {true, false}) {
+            for (const Group& group : groups_) {
+                const bool known = std::ranges::all_of(
+                    group.rows, [&](std::size_t row) { return done_.contains(row); });
+                if (known || group.rows.size() < least_rows) {
+                    continue;
+                }
+                Explained explained = named ? by_name(group) : by_constant(group);
+                if (!explained.likely.empty()) {
+                    done_.insert(group.rows.begin(), group.rows.end());
+                    std::erase_if(explained_, [&](const Explained& part) { // of this group
+                        return std::ranges::all_of(part.group.rows, [&](std::size_t row) {
+                            return std::ranges::find(group.rows, row) != group.rows.end();
+                        });
+                    });
+                    explained_.push_back(std::move(explained));
                 }
             }
         }
-    };
-    look_for_factors(true);
-    std::vector<std::pair<std::string, Convention>> readings;
-    for (Convention& reading : infer_readings(answers, agreements, failing, options)) {
-        bool has_factor = false;
-        for (auto& [family, factor] : by_family) {
-            if (family != reading.of) {
+        std::vector<Convention> found;
+        for (Explained& explained : explained_) {
+            found.push_back(convention(explained));
+        }
+        return found;
+    }
+
+private:
+    using Values = std::vector<std::optional<Real>>;
+
+    /// The values of a reading at these questions, each computed once.
+    [[nodiscard]] Values values(std::size_t reading, const std::vector<std::size_t>& questions) {
+        auto& known = known_[key_of(readings_[reading])];
+        std::vector<std::size_t> missing;
+        for (const std::size_t i : questions) {
+            if (!known.contains(i)) {
+                missing.push_back(i);
+            }
+        }
+        const Values found =
+            values_read_otherwise(answers_, agreements_, readings_[reading], missing, options_);
+        for (std::size_t k = 0; k < missing.size(); ++k) {
+            known.emplace(missing[k], found[k]);
+        }
+        Values values;
+        for (const std::size_t i : questions) {
+            values.push_back(known.at(i));
+        }
+        return values;
+    }
+
+    /// The fit of a reading to some rows, and if it fits these, to all.
+    [[nodiscard]] std::optional<Fit> fit(std::size_t reading, const WrongRows& some,
+                                         const WrongRows& all, const FitRule& rule) {
+        const auto fit = fit_of(some, values(reading, some.questions), noise_, rule);
+        return fit && some.size() < all.size()
+                   ? fit_of(all, values(reading, all.questions), noise_, rule)
+                   : fit;
+    }
+
+    /// True if a reading of the contact would have made a quantity wrong that is right.
+    [[nodiscard]] bool contradicted(std::size_t reading, const Fit& fit) {
+        if (!readings_[reading].contact) {
+            return false;
+        }
+        return std::ranges::any_of(right_, [&](const std::vector<std::size_t>& rows) {
+            const Values otherwise = values(reading, rows);
+            std::size_t wrong = 0;
+            for (std::size_t k = 0; k < rows.size(); ++k) {
+                const Real answer = Ball(answers_.given[rows[k]].value, 256).midpoint();
+                const double most = std::max(same_value, 3 * fit.held);
+                wrong += otherwise[k] && abs(Real(answer / *otherwise[k] - 1)) > most ? 1 : 0;
+            }
+            return 2 * wrong > rows.size();
+        });
+    }
+
+    /// Adds the named factors between the answers and these values.
+    void add_factors(const WrongRows& rows, const Values& values, const std::string& ours,
+                     const char* other_name, const char* other_hint, Explained& to) {
+        const auto ratio = common_ratio(rows, values);
+        if (!ratio) {
+            return;
+        }
+        for (const NamedFactor& factor : factors_) {
+            if (abs(Real(ratio->value / factor.value - 1)) > most_scatter) {
                 continue;
             }
-            has_factor = true;
-            if (reading.held >= factor.held - as_good) {
-                factor.also.push_back(reading.relation);
-                factor.equally_likely.push_back(reading.name);
-                std::ranges::copy(reading.also, std::back_inserter(factor.also));
-                std::ranges::copy(reading.equally_likely,
-                                  std::back_inserter(factor.equally_likely));
+            Values scaled = values;
+            for (auto& value : scaled) {
+                if (value) {
+                    *value *= factor.value;
+                }
+            }
+            if (auto fit = fit_of(rows, scaled, noise_)) {
+                const bool other = other_name != nullptr;
+                to.likely.push_back({other ? other_name : factor.name, factor.words + ours,
+                                     other ? other_hint : factor.hint,
+                                     factor.value.convert_to<double>(),
+                                     factor.common && !other ? 0 : 2, false, false,
+                                     4 * ratio->error, std::move(*fit)});
             }
         }
-        const auto group = std::ranges::find(groups, reading.of, &Group::name);
-        if (has_factor || group == groups.end()) {
-            continue;
-        }
-        const auto factor = infer_factor(group->name, group->rows, false);
-        if (factor && factor->held > reading.held + as_good) {
-            continue; // a constant explains the answers better
-        }
-        if (factor && factor->held > reading.held + barely_better) {
-            reading.also.push_back(factor->relation);
-            reading.equally_likely.push_back(factor->name);
-        }
-        for (const FailingRow& row : group->rows) {
-            explained.insert(row.question);
-        }
-        readings.emplace_back(reading.of, std::move(reading));
     }
-    std::ranges::move(readings, std::back_inserter(by_family));
-    look_for_factors(false);
-    for (auto& [family, convention] : by_family) {
-        found.push_back(std::move(convention));
+
+    [[nodiscard]] static Values all_of(const WrongRows& rows) {
+        return {rows.ours.begin(), rows.ours.end()};
+    }
+
+    /// Adds the readings that explain the rows: mistakes in the data of a contact and in the value
+    /// only if these are all failing rows of the quantity.
+    void add_readings(const WrongRows& some, const WrongRows& all, const FitRule& rule,
+                      Explained& to) {
+        const bool of_all = all.size() == rows_of_family_.at(to.group.family);
+        const bool swapped_too = rule.gain == FitRule{}.gain;
+        for (std::size_t r = 0; r < readings_.size(); ++r) {
+            const Reading& reading = readings_[r];
+            if (auto fitted = of_all || reading.place ? fit(r, some, all, rule) : std::nullopt) {
+                const bool refuted = contradicted(r, *fitted);
+                const bool as_factor = reading.name.starts_with("factor");
+                to.likely.push_back({reading.name, reading.relation, reading.hint, 1,
+                                     as_factor ? 2 : 1, true, refuted, 0, std::move(*fitted)});
+            } else if (swapped_too && reading.name == "edges-swapped" &&
+                       common_ratio(some, values(r, some.questions))) {
+                add_factors(all, values(r, all.questions), "ours at the other edge",
+                            "edges-swapped", "left taken for right, and a factor", to);
+            }
+        }
+    }
+
+    [[nodiscard]] Explained by_name(const Group& group) {
+        Explained explained{group, {}};
+        const WrongRows all = wrong_rows(answers_, agreements_, group.rows);
+        const WrongRows some =
+            wrong_rows(answers_, agreements_, evenly(group.rows, most_rows_tried));
+        add_factors(all, all_of(all), "ours", nullptr, "", explained);
+        add_readings(some, all, {}, explained);
+        keep_best(explained);
+        add_doubt(all, explained);
+        return explained;
+    }
+
+    /// The ratio of the answers to ours, as a cause.
+    [[nodiscard]] static Likely constant(const CommonRatio& ratio, Fit fit) {
+        return {"factor",
+                ratio.text() + " times ours",
+                "a constant of proportionality that differs; scale by its inverse",
+                ratio.value.convert_to<double>(),
+                3,
+                false,
+                false,
+                0,
+                std::move(fit)};
+    }
+    [[nodiscard]] std::optional<Fit> fit_of_constant(const WrongRows& rows,
+                                                     const Real& value) const {
+        Values scaled = all_of(rows);
+        for (auto& scaled_value : scaled) {
+            *scaled_value *= value;
+        }
+        return fit_of(rows, scaled, noise_);
+    }
+    /// A constant without a name: only if the answers scatter about it from point to point, or no
+    /// more than those of the other quantities, so that it is one to the accuracy of the answers.
+    /// Other quantities that have the same factor within their scatter get it as a likely cause.
+    [[nodiscard]] Explained by_constant(const Group& group) {
+        Explained explained{group, {}};
+        const WrongRows all = wrong_rows(answers_, agreements_, group.rows);
+        const auto ratio = common_ratio(all, all_of(all));
+        if (!ratio || abs(Real(ratio->value - 1)) < std::max(least_constant, 3 * noise_)) {
+            return explained;
+        }
+        auto fit = fit_of_constant(all, ratio->value);
+        const double unscattered = std::max(same_value, 3 * noise_);
+        if (fit && fit->noise_like.value_or(fit->held <= unscattered) &&
+            (all.size() >= least_rows_of_constant || fit->held <= same_value)) {
+            noise_ = std::max(noise_, fit->scatter);
+            explained.likely.push_back(constant(*ratio, std::move(*fit)));
+            add_readings(wrong_rows(answers_, agreements_, evenly(group.rows, most_rows_tried)),
+                         all, same_as_another, explained);
+            keep_best(explained);
+            for (Explained& other : explained_) {
+                const WrongRows rows = wrong_rows(answers_, agreements_, other.group.rows);
+                if (auto same = fit_of_constant(rows, ratio->value)) {
+                    other.likely.push_back(constant(*ratio, std::move(*same)));
+                }
+            }
+        }
+        return explained;
+    }
+
+    /// Adds a constant without a name, if noise leaves room for one that fits better than the
+    /// causes found by more than two standard deviations.
+    void add_doubt(const WrongRows& rows, Explained& to) const {
+        const auto ratio = common_ratio(rows, all_of(rows));
+        if (to.likely.empty() || !ratio || 4 * ratio->error < unlikely_by_chance) {
+            return;
+        }
+        constexpr double two_deviations = 4;
+        auto fit = fit_of_constant(rows, ratio->value);
+        const bool better = fit && std::ranges::all_of(to.likely, [&](const Likely& l) {
+                                const double unit = std::max(fit->scatter, noise_);
+                                return misfit(l.fit, unit) > misfit(*fit, unit) + two_deviations;
+                            });
+        if (better && fit->noise_like.value_or(true)) {
+            to.likely.push_back(constant(*ratio, std::move(*fit)));
+        }
+    }
+
+    /// Removes the causes that explain the answers less well than the best, and those that right
+    /// answers contradict, unless no others remain.
+    void keep_best(Explained& explained) {
+        auto& likely = explained.likely;
+        if (std::ranges::any_of(likely, [](const Likely& l) { return !l.contradicted; })) {
+            std::erase_if(likely, [](const Likely& l) { return l.contradicted; });
+        }
+        if (likely.empty()) {
+            return;
+        }
+        const auto scatter = [](const Likely& l) { return l.fit.scatter; };
+        const double unit =
+            std::max(scatter(*std::ranges::min_element(likely, {}, scatter)), noise_);
+        const auto misfit_in_units = [&](const Likely& l) { return misfit(l.fit, unit); };
+        const Likely& best = *std::ranges::min_element(likely, {}, misfit_in_units);
+        const double most = misfit_in_units(best) + indistinguishable_misfit(best.fit);
+        if (best.fit.noise_like.value_or(false)) {
+            noise_ = std::max(noise_, best.fit.scatter);
+        }
+        std::erase_if(likely, [&](const Likely& l) { return misfit_in_units(l) > most; });
+        std::ranges::stable_sort(likely, {}, [&](const Likely& l) {
+            return std::pair(l.rank, l.rank == 1 ? 0 : misfit_in_units(l));
+        });
+    }
+
+    /// The number of rows that a cause explains in all groups.
+    [[nodiscard]] std::size_t rows_of(const Likely& cause) const {
+        std::size_t rows = 0;
+        for (const Explained& explained : explained_) {
+            std::size_t most = 0;
+            for (const Likely& l : explained.likely) {
+                if (l.name == cause.name && l.relation == cause.relation) {
+                    most = std::max(most, l.fit.rows);
+                }
+            }
+            rows += most;
+        }
+        return rows;
+    }
+
+    /// The cause of a group that explains most rows of all groups, and the others.
+    [[nodiscard]] Convention convention(const Explained& explained) const {
+        const auto& likely = explained.likely;
+        const Likely& first =
+            *std::ranges::max_element(likely, {}, [&](const Likely& l) { return rows_of(l); });
+        Convention c;
+        c.of = first.of_family ? explained.group.family : explained.group.name;
+        c.relation = first.relation;
+        c.hint = first.hint;
+        c.name = first.name;
+        c.factor = first.factor;
+        c.rows = first.fit.rows;
+        c.failing = explained.group.rows.size();
+        c.digits = digits_of(first.fit.worst);
+        c.held = digits_of(first.fit.held);
+        c.remains = first.fit.noise_like.value_or(true) ? 0 : first.fit.held;
+        for (const Likely& l : likely) {
+            const bool new_words =
+                l.relation != c.relation && std::ranges::find(c.also, l.relation) == c.also.end();
+            if (new_words) {
+                c.also.push_back(l.relation);
+                c.equally_likely.push_back(l.name);
+            }
+        }
+        if (first.rank == 2 && first.doubtful > unlikely_by_chance) {
+            c.also.emplace_back("a constant without a name");
+            c.equally_likely.emplace_back("factor");
+        }
+        return c;
+    }
+    [[nodiscard]] static double digits_of(double off) {
+        return off == 0 ? most_digits : std::clamp(-std::log10(off), 0.0, double(most_digits));
+    }
+
+    const Answers& answers_;
+    const Agreements& agreements_;
+    ReferenceOptions options_;
+    KnownReadings& known_;
+    std::vector<Group> groups_;
+    std::vector<NamedFactor> factors_;
+    std::vector<Reading> readings_;
+    std::vector<std::vector<std::size_t>> right_;       ///< some right rows of each quantity
+    std::map<std::string, std::size_t> rows_of_family_; ///< that fail
+    std::vector<Explained> explained_;
+    std::set<std::size_t> done_; ///< questions
+    double noise_ = 0;           ///< the scatter of the answers, where known
+};
+
+} // namespace
+
+std::vector<Convention> infer_conventions(const Answers& answers, const Agreements& agreements,
+                                          const ReferenceOptions& options, KnownReadings& known) {
+    const PrecisionScope scope(most_digits + 20);
+    std::vector<Convention> found = infer_precision_loss(answers, agreements);
+    std::ranges::move(infer_cancellation(answers, agreements), std::back_inserter(found));
+    const std::vector<std::size_t> failing = rows_that_fail(answers, agreements, found);
+    if (failing.size() >= least_rows) {
+        std::ranges::move(CauseSearch(answers, agreements, failing, options, known).causes(),
+                          std::back_inserter(found));
     }
     return merged(found);
+}
+
+std::vector<Convention> infer_conventions(const Answers& answers, const Agreements& agreements,
+                                          const ReferenceOptions& options) {
+    KnownReadings known;
+    return infer_conventions(answers, agreements, options, known);
 }
 
 std::vector<std::string> unexplained(const Answers& answers, const Agreements& agreements,
@@ -182,7 +492,7 @@ std::vector<std::string> unexplained(const Answers& answers, const Agreements& a
         explained += "; " + c.of;
     }
     std::map<std::string, std::pair<std::size_t, bool>> families; // rows, explained
-    for (const std::size_t i : rows_that_fail(answers, agreements)) {
+    for (const std::size_t i : rows_that_fail(answers, agreements, conventions)) {
         const Question& q = answers.questions.list[i];
         auto& [rows, known] = families[family_of(q)];
         ++rows;

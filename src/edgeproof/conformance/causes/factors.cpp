@@ -5,18 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <functional>
-#include <map>
 #include <ranges>
 #include <string_view>
-#include <utility>
 
 namespace edgeproof::conformance {
 namespace {
-
-using namespace convention_rule;
 
 constexpr const char* modulus_hint =
     "the modulus of one body, E/(1 - nu^2), taken for that of both? contact_modulus is E* with "
@@ -34,29 +27,32 @@ constexpr const char* intensity_hint =
     "coefficient of u^(k + 1/2)? scale by the inverse";
 constexpr const char* degree_hint = "degrees for radians";
 constexpr const char* unit_hint = "other units? numbers have the units of the question";
-constexpr const char* other_hint =
-    "a constant of proportionality that differs; scale by its inverse";
+constexpr const char* sign_hint =
+    "the other sign convention? p is positive in compression, q towards +x on the body that Q acts "
+    "on; change the sign";
 
 /// Factors with one cause. A kilogram-force, an inch in mm, a psi in Pa and in kPa are units.
 struct NamedFactors {
     std::string_view formulas;
     const char* hint;
     const char* name;
+    bool common; ///< more likely than a mistake in the data of a scene
 };
 constexpr NamedFactors factors_with_names[] = {
-    {"1", "", "sign"},
-    {"2 4", modulus_hint, "factor-2"},
-    {"1/2 1/4", half_hint, "factor-2"},
-    {"pi 1/pi 2*pi 1/(2*pi) pi/2 2/pi", pi_hint, "factor-pi"},
-    {"sqrt(2) 1/sqrt(2) 2*sqrt(2)", root_hint, "factor-sqrt-2"},
-    {"sqrt(pi) 1/sqrt(pi)", intensity_hint, "factor-sqrt-pi"},
-    {"sqrt(2*pi) 1/sqrt(2*pi)", intensity_hint, "factor-sqrt-2-pi"},
-    {"180/pi pi/180", degree_hint, "degrees"},
-    {"9.80665 1/9.80665", unit_hint, "unit-g"},
-    {"25.4 1/25.4", unit_hint, "unit-inch"},
-    {"6894.757293168 1/6894.757293168 6.894757293168 1/6.894757293168", unit_hint, "unit-psi"},
-    {"10^1 10^2 10^3 10^4 10^5 10^6 10^9", unit_hint, "power-of-ten"},
-    {"10^-1 10^-2 10^-3 10^-4 10^-5 10^-6 10^-9", unit_hint, "power-of-ten"},
+    {"1", sign_hint, "sign", true},
+    {"2 4", modulus_hint, "factor-2", true},
+    {"1/2 1/4", half_hint, "factor-2", true},
+    {"pi 1/pi 2*pi 1/(2*pi) pi/2 2/pi", pi_hint, "factor-pi", false},
+    {"sqrt(2) 1/sqrt(2) 2*sqrt(2)", root_hint, "factor-sqrt-2", false},
+    {"sqrt(pi) 1/sqrt(pi)", intensity_hint, "factor-sqrt-pi", false},
+    {"sqrt(2*pi) 1/sqrt(2*pi)", intensity_hint, "factor-sqrt-2-pi", false},
+    {"180/pi pi/180", degree_hint, "degrees", false},
+    {"9.80665 1/9.80665", unit_hint, "unit-g", false},
+    {"25.4 1/25.4", unit_hint, "unit-inch", false},
+    {"6894.757293168 1/6894.757293168 6.894757293168 1/6.894757293168", unit_hint, "unit-psi",
+     false},
+    {"10^1 10^2 10^3 10^4 10^5 10^6 10^9", unit_hint, "power-of-ten", true},
+    {"10^-1 10^-2 10^-3 10^-4 10^-5 10^-6 10^-9", unit_hint, "power-of-ten", true},
 };
 
 std::string in_words(std::string formula, bool negative) {
@@ -67,196 +63,23 @@ std::string in_words(std::string formula, bool negative) {
     return fmt::format("{}{} times ", negative ? "-" : "", formula);
 }
 
-/// The digits that half the rows have without a factor.
-double digits_of_half(const std::vector<FailingRow>& rows) {
-    std::vector<double> digits;
-    for (const FailingRow& row : rows) {
-        digits.push_back(digits_between(row.ratio, Real(1)));
-    }
-    const auto middle = digits.begin() + static_cast<long>(digits.size() / 2);
-    std::nth_element(digits.begin(), middle, digits.end());
-    return *middle;
-}
+} // namespace
 
-struct Allowed {
-    Real value;
-    std::string words;
-    const char* hint;
-    const char* name;
-    double digits; ///< agreement with the median
-};
-std::vector<Allowed> allowed_by(const Ratios& ratios) {
-    std::vector<Allowed> allowed;
+std::vector<NamedFactor> named_factors() {
+    std::vector<NamedFactor> list;
     for (const NamedFactors& factors : factors_with_names) {
         for (const auto part : std::views::split(factors.formulas, ' ')) {
             const std::string formula(part.begin(), part.end());
             const Real factor = formula::Exact::parse(formula).to<Real>();
             for (const int sign : {1, -1}) {
-                const Real value = factor * sign;
-                if ((formula != "1" || sign < 0) && ratios.allow(value)) {
-                    allowed.push_back({value, in_words(formula, sign < 0), factors.hint,
-                                       factors.name, digits_between(ratios.median(), value)});
+                if (formula != "1" || sign < 0) {
+                    list.push_back({factor * sign, in_words(formula, sign < 0), factors.hint,
+                                    factors.name, factors.common});
                 }
             }
         }
     }
-    std::ranges::stable_sort(allowed, std::greater(), &Allowed::digits);
-    return allowed;
-}
-
-} // namespace
-
-std::optional<Convention> infer_factor(const std::string& of, const std::vector<FailingRow>& rows,
-                                       bool named) {
-    if (rows.size() < least_rows) {
-        return {};
-    }
-    std::vector<Real> straight;
-    std::vector<Real> mirrored;
-    for (const FailingRow& row : rows) {
-        straight.push_back(row.ratio);
-        if (row.mirrored) {
-            mirrored.push_back(*row.mirrored);
-        }
-    }
-    const double to_gain_on = digits_of_half(rows);
-    std::optional<Convention> best;
-    const auto take = [&](const Ratios& ratios, const Real& factor, std::string relation,
-                          std::string hint, std::string name) {
-        const Held held = ratios.held_to(factor);
-        const bool better = !best || held.most > best->held + as_good;
-        if (better && held.most >= to_gain_on + least_gain && enough(held.rows, rows.size())) {
-            best = Convention{of,        std::move(relation), held.worst,
-                              held.rows, rows.size(),         std::move(hint),
-                              {},        held.most,           std::move(name)};
-            best->factor = factor.convert_to<double>();
-            return true;
-        }
-        return false;
-    };
-    const Ratios same(std::move(straight), rows.size());
-    if (!named) {
-        if (same.one_number()) {
-            take(same, same.median(), same.median_text() + " times ours", other_hint, "factor");
-        }
-        return best;
-    }
-    for (const bool swapped : {false, true}) {
-        const Ratios ratios = swapped ? Ratios(std::move(mirrored), rows.size()) : same;
-        if (!ratios.one_number()) {
-            continue;
-        }
-        const std::string ours = swapped ? "ours at the other edge" : "ours";
-        const std::vector<Allowed> allowed = allowed_by(ratios);
-        if (allowed.empty()) {
-            continue;
-        }
-        const Allowed& first = allowed.front();
-        const std::string hint = swapped ? "left taken for right, and a factor"
-                                 : first.words == "minus "
-                                     ? "the other sign convention? p is positive in compression, q "
-                                       "towards +x on the body that Q acts on; change the sign"
-                                     : first.hint;
-        if (take(ratios, first.value, first.words + ours, hint,
-                 swapped ? "edges-swapped" : first.name)) {
-            for (std::size_t i = 1; i < allowed.size(); ++i) {
-                best->also.push_back(allowed[i].words + ours);
-                best->equally_likely.emplace_back(swapped ? "edges-swapped" : allowed[i].name);
-            }
-        }
-    }
-    return best;
-}
-
-namespace {
-
-constexpr double least_digits_kept = 5.5;
-constexpr unsigned binary32_digits = 9; // identify every binary32
-constexpr unsigned full_digits = 15;
-
-/// Counts the significant digits of a decimal as written; 0 for any other text.
-unsigned digits_written(const std::string& text) {
-    unsigned digits = 0;
-    for (const char c : text) {
-        if (c == 'e' || c == 'E' || c == 'd' || c == 'D') {
-            break;
-        }
-        if (c == 'x' || c == 'X') {
-            return 0;
-        }
-        digits += std::isdigit(static_cast<unsigned char>(c)) != 0 && (digits > 0 || c != '0');
-    }
-    return digits;
-}
-
-/// True if the answer is a binary32, or one written with the few digits that identify it.
-bool is_single(const Answer& answer) {
-    const auto near = answer.value.convert_to<float>();
-    if (static_cast<double>(near) == answer.value.convert_to<double>()) {
-        // A short decimal such as 0.5 is no evidence.
-        return digits_written(answer.text) == 0 || digits_written(answer.text) > 4;
-    }
-    const unsigned digits = digits_written(answer.text);
-    const std::string text = fmt::format("{:.{}e}", static_cast<double>(near), binary32_digits - 1);
-    return digits > 0 && digits <= binary32_digits && read_answer(text).value == answer.value;
-}
-
-/// True if the reference, rounded to the number of digits of the answer, is the answer.
-bool is_cut(const Answer& answer, const Reference& reference, unsigned digits) {
-    const Rounded rounded = round_ball(reference.value.value, digits);
-    return rounded.complete && read_answer(rounded.text).value == answer.value;
-}
-
-struct Tally {
-    std::size_t failing = 0;
-    std::size_t single = 0;
-    std::size_t cut = 0;
-    unsigned written = 0;
-    double digits = 40;
-};
-
-} // namespace
-
-std::vector<Convention> infer_precision_loss(const Answers& answers, const Agreements& agreements) {
-    std::map<std::string, Tally> families;
-    for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
-        const Answer& answer = answers.given[i];
-        const CaseAgreement& held = agreements.cases[i];
-        const bool number =
-            answer.state == Answer::State::number && answer.value != 0 && held.no_reference.empty();
-        const unsigned written = number ? digits_written(answer.text) : 0;
-        const bool cut = number && written > 0 && written < full_digits && !held.pass &&
-                         is_cut(answer, agreements.references[i], written);
-        if (!number || held.pass || (held.digits < least_digits_kept && !cut)) {
-            continue;
-        }
-        Tally& t = families[family_of(answers.questions.list[i])];
-        ++t.failing;
-        t.single += is_single(answer) ? 1 : 0;
-        t.cut += cut ? 1 : 0;
-        t.written = std::max(t.written, written);
-        t.digits = std::min(t.digits, held.digits);
-    }
-    std::vector<Convention> found;
-    for (const auto& [family, t] : families) {
-        const bool cut = enough(t.cut, t.failing);
-        if (!cut && !enough(t.single, t.failing)) {
-            continue;
-        }
-        Convention c;
-        c.of = family;
-        c.relation = cut ? fmt::format("right, and cut to {} digits when written", t.written)
-                         : "in single precision (binary32)";
-        c.digits = c.held = t.digits;
-        c.rows = cut ? t.cut : t.single;
-        c.failing = t.failing;
-        c.hint = cut ? "write all 17 digits of a double (%.17g), or state what you write with "
-                       "--digits"
-                     : "compute and write in double precision";
-        c.name = cut ? fmt::format("rounded-to-{}", t.written) : "binary32";
-        found.push_back(std::move(c));
-    }
-    return found;
+    return list;
 }
 
 } // namespace edgeproof::conformance

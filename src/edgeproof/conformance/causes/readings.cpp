@@ -15,11 +15,6 @@
 namespace edgeproof::conformance {
 namespace {
 
-using namespace convention_rule;
-
-constexpr std::size_t most_rows_of_a_family = 60; // enough to select readings to test on all
-constexpr unsigned reading_digits = 30;
-
 /// C as the constant of the gap, g = C x^(m + 1).
 bool gap_for_slope(scene::Scene& scene) {
     if (!scene.profile || scene.profile->kind() != contact::Profile::Kind::power_law) {
@@ -61,21 +56,71 @@ bool is_circle(const scene::Scene& scene) {
 
 /// The mistake, for all contacts or only for circles (or for other profiles).
 Reading reading_of(const scene::SceneMistake& mistake, std::optional<bool> circle) {
-    return {std::string(mistake.name), "ours with " + mistake.what, std::string(mistake.advice),
-            [what = mistake.what, circle](scene::Scene& scene) {
-                for (const scene::SceneMistake& m : mistakes_in(scene)) {
-                    if (m.what == what && is_circle(scene) == circle.value_or(is_circle(scene))) {
-                        m.change(scene);
-                        return true;
-                    }
+    Reading reading{
+        std::string(mistake.name), "ours with " + mistake.what, std::string(mistake.advice),
+        [what = mistake.what, circle](scene::Scene& scene) {
+            for (const scene::SceneMistake& m : mistakes_in(scene)) {
+                if (m.what == what && is_circle(scene) == circle.value_or(is_circle(scene))) {
+                    m.change(scene);
+                    return true;
                 }
-                return false;
-            }};
+            }
+            return false;
+        }};
+    reading.only = !circle ? "" : *circle ? "circles" : "others";
+    return reading;
 }
 
-/// The readings of which at least one changes a question: the mistakes of the catalogue that are
-/// possible for some of the contacts, and those that only questions allow.
-std::vector<Reading> readings(const Questions& questions, const std::set<std::size_t>& contacts) {
+/// Asks for the place x = u (-u at the left edge), if it is in the contact.
+bool take_u_for_x(Question& q, const scene::Scene& scene) {
+    if (!q.u) {
+        return false;
+    }
+    const bool right = q.edge == contact::Edge::right;
+    if (scene.load.kind == contact::Load::Kind::right_edge && (right || scene.symmetric())) {
+        q.u = formula::Exact(scene.load.value.expr() - q.u->expr());
+        return q.u->sign() > 0;
+    }
+    const formula::Expr x = right ? q.u->expr() : -q.u->expr();
+    const formula::Expr edge = formula::Expr::symbol(right || scene.symmetric() ? "a" : "b");
+    q.place = scene::Distance(edge - q.u->expr(), x);
+    return true;
+}
+
+using Value = std::optional<Real>;
+Value decimal_logarithm(const Real& x) { return x > 0 ? Value(log10(x)) : Value(); }
+Value natural_logarithm(const Real& x) { return x > 0 ? Value(log(x)) : Value(); }
+Value one_minus(const Real& x) { return Value(1 - x); }
+Value reciprocal(const Real& x) { return Value(1 / x); }
+
+/// The references times a power of the length of the contact.
+std::vector<std::optional<Real>> times_lengths(const Answers& answers, const Agreements& agreements,
+                                               int power, const std::vector<std::size_t>& which,
+                                               const ReferenceOptions& options) {
+    Questions sizes{answers.questions.file, answers.questions.contacts, {}};
+    for (const std::size_t i : which) {
+        const Question& q = answers.questions.list[i];
+        for (const auto size : {scene::Quantity::a, scene::Quantity::b}) {
+            sizes.list.push_back({{size}, "", q.contact, q.line});
+        }
+    }
+    const auto found = references_where_any(sizes, options);
+    std::vector<std::optional<Real>> values(which.size());
+    for (std::size_t k = 0; k < which.size(); ++k) {
+        if (found[2 * k] && found[2 * k + 1]) {
+            const Real length =
+                found[2 * k]->value.value.midpoint() + found[2 * k + 1]->value.value.midpoint();
+            const Real ours = agreements.references[which[k]].value.value.midpoint();
+            values[k] = power < 0 ? Real(ours / length) : Real(ours * length);
+        }
+    }
+    return values;
+}
+
+} // namespace
+
+std::vector<Reading> readings_of(const Questions& questions,
+                                 const std::set<std::size_t>& contacts) {
     std::vector<Reading> all{
         {"gap-for-slope", "ours with C taken for the gap's constant, g = C x^(m + 1)",
          "C is the slope's constant: g' = C x^m", gap_for_slope},
@@ -85,13 +130,7 @@ std::vector<Reading> readings(const Questions& questions, const std::set<std::si
          "ours with u taken for x",
          "u runs inwards from the edge: x = a - u, or u - b",
          {},
-         [](Question& q, const scene::Scene& scene) {
-             if (!q.u || scene.load.kind != contact::Load::Kind::right_edge) {
-                 return false;
-             }
-             q.u = formula::Exact(scene.load.value.expr() - q.u->expr());
-             return q.u->sign() > 0;
-         }},
+         take_u_for_x},
         {"edges-swapped",
          "ours at the other edge",
          "left taken for right? u runs inwards from the edge: u = a - x at the right one, u = b + "
@@ -131,6 +170,13 @@ std::vector<Reading> readings(const Questions& questions, const std::set<std::si
             }
         }
     }
+    for (const auto& [name, words, value] :
+         {std::tuple{"log10", "the decimal logarithm of ours", &decimal_logarithm},
+          std::tuple{"logarithm", "the natural logarithm of ours", &natural_logarithm},
+          std::tuple{"one-minus", "1 minus ours", &one_minus},
+          std::tuple{"reciprocal", "1 over ours", &reciprocal}}) {
+        all.push_back({name, words, "the value itself is asked for", {}, {}, 0, value});
+    }
     all.push_back({"divided-by-length",
                    "ours over a + b",
                    "a mean pressure for a force per unit length? P is the force",
@@ -146,149 +192,9 @@ std::vector<Reading> readings(const Questions& questions, const std::set<std::si
     return all;
 }
 
-/// Rows of one family, compared with the references of an interpretation.
-class Rows {
-public:
-    /// `ours` and `other`: the reference, and that of the interpretation.
-    void add(const Real& answer, const Real& ours, const Real& other) {
-        ratio_.push_back(answer / other);
-        agreement_.push_back(digits_between(answer, other));
-        effect_.push_back(digits_between(ours, other));
-    }
-    /// Returns the convention, if it explains those rows that it changes by four times their
-    /// scatter, and if no constant factor remains: another mistake may have nearly the same effect.
-    [[nodiscard]] std::optional<Convention> explained() const {
-        Convention c;
-        c.held = held_by_most(agreement_);
-        c.digits = most_digits;
-        std::vector<Real> moved;
-        for (std::size_t k = 0; k < effect_.size(); ++k) {
-            if (effect_[k] > std::min(same_digits, c.held - least_gain)) {
-                continue; // the same in either interpretation
-            }
-            moved.push_back(ratio_[k]);
-            if (agreement_[k] >= follows_from(c.held)) {
-                ++c.rows;
-                c.digits = std::min(c.digits, agreement_[k]);
-            }
-        }
-        const std::size_t all = moved.size();
-        return c.held >= least_digits && enough(c.rows, all) &&
-                       Ratios(std::move(moved), all).allow(1)
-                   ? std::optional(c)
-                   : std::nullopt;
-    }
-
-private:
-    std::vector<Real> ratio_;       ///< the answer over the value of the interpretation
-    std::vector<double> agreement_; ///< digits to which the answer agrees with the interpretation
-    std::vector<double> effect_;    ///< digits to which that agrees with the reference
-};
-using Families = std::map<std::string, Rows>;
-
-/// The references times a power of the length of the contact.
-std::vector<std::optional<Real>> times_lengths(const Answers& answers, const Agreements& agreements,
-                                               int power, const std::vector<std::size_t>& which,
-                                               const ReferenceOptions& options) {
-    Questions sizes{answers.questions.file, answers.questions.contacts, {}};
-    for (const std::size_t i : which) {
-        const Question& q = answers.questions.list[i];
-        for (const auto size : {scene::Quantity::a, scene::Quantity::b}) {
-            sizes.list.push_back({{size}, "", q.contact, q.line});
-        }
-    }
-    const auto found = references_where_any(sizes, options);
-    std::vector<std::optional<Real>> values(which.size());
-    for (std::size_t k = 0; k < which.size(); ++k) {
-        if (found[2 * k] && found[2 * k + 1]) {
-            const Real length =
-                found[2 * k]->value.value.midpoint() + found[2 * k + 1]->value.value.midpoint();
-            const Real ours = agreements.references[which[k]].value.value.midpoint();
-            values[k] = power < 0 ? Real(ours / length) : Real(ours * length);
-        }
-    }
-    return values;
+std::string key_of(const Reading& reading) {
+    return reading.name + ": " + reading.relation + ": " + reading.only;
 }
-
-class Search {
-public:
-    Search(const Answers& answers, const Agreements& agreements,
-           const std::vector<std::size_t>& failing, const ReferenceOptions& options)
-        : answers_(answers), agreements_(agreements), options_(options) {
-        std::map<std::string, std::size_t> taken;
-        for (const std::size_t i : failing) {
-            const std::string family = family_of(answers.questions.list[i]);
-            failing_[family].push_back(i);
-            if (taken[family]++ < most_rows_of_a_family) {
-                sample_.push_back(i);
-            }
-        }
-    }
-
-    /// Returns the best reading of each family, with equally good ones. A reading that fits the
-    /// sample of a family is compared with every failing row of it, so that the counts are exact.
-    [[nodiscard]] std::vector<Convention> best() const {
-        std::set<std::size_t> contacts;
-        for (const std::size_t i : sample_) {
-            contacts.insert(answers_.questions.list[i].contact);
-        }
-        const std::vector<Reading> all_readings = readings(answers_.questions, contacts);
-        std::map<std::string, std::vector<std::pair<const Reading*, double>>> candidates;
-        for (const Reading& reading : all_readings) {
-            for (const auto& [family, rows] : held_to(reading, sample_)) {
-                if (const auto c = rows.explained()) {
-                    candidates[family].emplace_back(&reading, c->held);
-                }
-            }
-        }
-        std::vector<Convention> found;
-        for (const auto& [family, of_family] : candidates) {
-            const auto [first, first_held] = *std::ranges::max_element(
-                of_family, {}, [](const auto& candidate) { return candidate.second; });
-            const Families all = held_to(*first, failing_.at(family));
-            const auto rows = all.find(family);
-            auto c = rows == all.end() ? std::nullopt : rows->second.explained();
-            if (!c) {
-                continue;
-            }
-            c->of = family;
-            c->name = first->name;
-            c->relation = first->relation;
-            c->hint = first->hint;
-            c->failing = failing_.at(family).size();
-            for (const auto& [other, held] : of_family) {
-                if (other != first && held >= first_held - as_good) {
-                    c->also.push_back(other->relation);
-                    c->equally_likely.push_back(other->name);
-                }
-            }
-            found.push_back(std::move(*c));
-        }
-        return found;
-    }
-
-private:
-    Families held_to(const Reading& reading, const std::vector<std::size_t>& which) const {
-        const auto values = values_read_otherwise(answers_, agreements_, reading, which, options_);
-        Families families;
-        for (std::size_t k = 0; k < which.size(); ++k) {
-            if (values[k] && *values[k] != 0) {
-                families[family_of(answers_.questions.list[which[k]])].add(
-                    Ball(answers_.given[which[k]].value, 256).midpoint(),
-                    agreements_.references[which[k]].value.value.midpoint(), *values[k]);
-            }
-        }
-        return families;
-    }
-
-    const Answers& answers_;
-    const Agreements& agreements_;
-    const ReferenceOptions& options_;
-    std::vector<std::size_t> sample_;
-    std::map<std::string, std::vector<std::size_t>> failing_;
-};
-
-} // namespace
 
 std::vector<std::optional<Real>>
 values_read_otherwise(const Answers& answers, const Agreements& agreements, const Reading& reading,
@@ -325,22 +231,11 @@ values_read_otherwise(const Answers& answers, const Agreements& agreements, cons
     std::vector<std::optional<Real>> values(which.size());
     for (std::size_t k = 0; k < of.size(); ++k) {
         if (found[k] && !contains_zero(found[k]->value.value)) {
-            values[of[k]] = found[k]->value.value.midpoint();
+            const Real& value = found[k]->value.value.midpoint();
+            values[of[k]] = reading.value ? reading.value(value) : std::optional(value);
         }
     }
     return values;
-}
-
-std::vector<Convention> infer_readings(const Answers& answers, const Agreements& agreements,
-                                       const std::vector<std::size_t>& failing,
-                                       ReferenceOptions options) {
-    if (failing.size() < least_rows) {
-        return {};
-    }
-    options.digits = {reading_digits, Rounding::nearest, false};
-    options.progress = {};
-    const PrecisionScope scope(reading_digits + 20);
-    return Search(answers, agreements, failing, options).best();
 }
 
 } // namespace edgeproof::conformance

@@ -109,9 +109,12 @@ std::string target_text(const conformance::Target& target) {
 }
 
 std::string convention_text(const conformance::Convention& k) {
-    std::string text =
-        fmt::format("{}: yours are {}, to {} digits in {} of {} failing rows: {}", k.of, k.relation,
-                    digits_text(k.digits, 40), k.rows, k.failing, k.hint);
+    const std::string to = k.of_digits ? "," : ", to " + digits_text(k.digits, 40) + " digits";
+    std::string text = fmt::format("{}: yours are {}{} in {} of {} failing rows: {}", k.of,
+                                   k.relation, to, k.rows, k.failing, k.hint);
+    if (k.remains > 1e-4) {
+        text += fmt::format("; {:.1g} % remain, which is something else", 100 * k.remains);
+    }
     for (std::size_t i = 0; i < k.also.size(); ++i) {
         text += (i == 0 ? "; as well: " : ", or ") + k.also[i];
     }
@@ -231,23 +234,9 @@ std::string ConformanceSummary::outcome_text() const {
 }
 
 std::string ConformanceSummary::text() const {
-    std::string out;
-    std::size_t shown = 0;
-    for (const Complaints* complaints : {&faults_, &failures_}) {
-        for (const std::string& line : complaints->shown) {
-            if (shown < errors_) {
-                ++shown;
-                out += line + "\n";
-            }
-        }
-    }
-    const std::size_t hidden = faults_.count + failures_.count - shown;
-    if (hidden > 0) {
-        out += fmt::format("and {} more (--errors shows more of them)\n", hidden);
-    }
-    out += (out.empty() ? "" : "\n") + regimes_text() + "\n";
-    for (const conformance::Convention& convention : conventions_) {
-        out += convention_text(convention) + "\n";
+    std::string out = outcome_text() + "\n";
+    for (const conformance::Convention* convention : most_likely_first()) {
+        out += convention_text(*convention) + "\n";
     }
     for (const std::string& line : notes_) {
         out += line + "\n";
@@ -261,18 +250,38 @@ std::string ConformanceSummary::text() const {
             fmt::format("{} not in the order of the questions: their ids state what they answer\n",
                         counted(out_of_order_, "row is", "rows are"));
     }
-    out += fmt::format("program: {}\ntarget: {}\n", program_line(), target_text(target_));
-    return out + outcome_text() + "\n";
+    out += "\n";
+    std::size_t shown = 0;
+    for (const Complaints* complaints : {&faults_, &failures_}) {
+        for (const std::string& line : complaints->shown) {
+            if (shown < errors_) {
+                ++shown;
+                out += line + "\n";
+            }
+        }
+    }
+    const std::size_t hidden = faults_.count + failures_.count - shown;
+    if (hidden > 0) {
+        out += fmt::format("{}{} more (--errors shows more of them)\n", shown > 0 ? "and " : "",
+                           hidden);
+    }
+    out += shown + hidden > 0 ? "\n" : "";
+    return out + regimes_text() +
+           fmt::format("\nprogram: {}\ntarget: {}\n", program_line(), target_text(target_));
 }
 
-std::string ConformanceSummary::json() const {
+std::vector<const conformance::Convention*> ConformanceSummary::most_likely_first() const {
     std::vector<const conformance::Convention*> by_rows;
     for (const conformance::Convention& c : conventions_) {
         by_rows.push_back(&c);
     }
     std::ranges::stable_sort(by_rows, std::greater(), &conformance::Convention::rows);
+    return by_rows;
+}
+
+std::string ConformanceSummary::json() const {
     nlohmann::ordered_json causes = nlohmann::ordered_json::array();
-    for (const conformance::Convention* c : by_rows) {
+    for (const conformance::Convention* c : most_likely_first()) {
         std::vector<std::string> others;
         for (const std::string& name : c->equally_likely) {
             if (name != c->name && std::ranges::find(others, name) == others.end()) {

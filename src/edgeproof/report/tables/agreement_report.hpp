@@ -41,8 +41,8 @@ public:
     void note(std::string line) { notes_.push_back(std::move(line)); }
 
     [[nodiscard]] bool pass() const;
-    /// Returns the report as text: failing cases, faults, the table by regime with its worst cases,
-    /// the conventions, and the outcome in the last line.
+    /// Returns the report as text: the outcome in the first line, the causes with that of most rows
+    /// first, faults and failing cases, and the table by regime with its worst cases.
     [[nodiscard]] std::string text() const;
     /// Returns {"passes", "rows", "failures", "causes": [{"name", "factor", "rows",
     /// "equally_likely", "remainder", "of", "relation"}]}; the cause of most rows comes first.
@@ -77,6 +77,7 @@ private:
         std::size_t answers = 0; ///< rows with an answer of any kind
     };
     void complain(Complaints& to, const std::string& line) const;
+    [[nodiscard]] std::vector<const conformance::Convention*> most_likely_first() const;
     [[nodiscard]] std::string regimes_text() const;
     [[nodiscard]] std::string outcome_text() const;
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/comparison/comparison.hpp"
-#include "edgeproof/comparison/self_test.hpp"
 #include "edgeproof/report/tables/table.hpp"
 
 #include <string>
@@ -55,9 +54,5 @@ struct HeldQuantity {
 [[nodiscard]] std::string comparison_json(const ComparisonReport& report);
 /// Returns JUnit XML: a suite per file, a case per quantity.
 [[nodiscard]] std::string comparison_junit(const ComparisonReport& report);
-
-/// A Markdown table with a row per mistake and a column per noise level; then the misses and the
-/// sums.
-[[nodiscard]] std::string self_test_text(const comparison::SelfTest& test);
 
 } // namespace edgeproof::report

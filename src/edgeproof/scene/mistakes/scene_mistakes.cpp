@@ -126,6 +126,10 @@ private:
         modulus("nu-not-squared", "1 - nu instead of 1 - nu^2",
                 of_two((one - nu1) / E1, (one - nu2) / E2));
         modulus("plane-stress", "plane stress, 1/E* = 1/E1 + 1/E2", of_two(one / E1, one / E2));
+        modulus("sum-of-moduli", "the sum of the moduli E/(1 - nu^2) instead of E*",
+                E1 / (one - nu1 * nu1) + E2 / (one - nu2 * nu2));
+        modulus("sum-of-moduli", "the sum of E1 and E2 instead of E*", E1 + E2);
+        modulus("sum-of-moduli", "the mean of E1 and E2 instead of E*", (E1 + E2) / two);
         modulus("shear-modulus", "2G of the bodies instead of E/(1 - nu^2)",
                 of_two((one + nu1) / E1, (one + nu2) / E2));
     }

@@ -16,6 +16,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace edgeproof::cli {
@@ -29,13 +31,14 @@ struct CheckOptions {
     std::string recipe;
     std::string command;
     std::string ledger;
+    std::string only = "*";
     std::string lines = "csv";
     std::string batch = "500";
     std::string runs = "200";
     std::string timeout = "600";
     std::string digits;
     std::string ulps;
-    std::string errors = "20";
+    std::string errors = "5";
     std::string junit;
     std::string figure;
     std::string threads;
@@ -81,9 +84,47 @@ void refuse_recipe(const CheckOptions& o) {
     }
 }
 
+void refuse_if_none(bool none, const CheckOptions& o, const std::string& what) {
+    if (none && o.only != "*") {
+        throw InputError("--only " + o.only + ": no id of " + what + " matches",
+                         "write the begin of ids and a star, such as 'hertz:*'");
+    }
+}
+
+/// Reads the answers whose ids match --only. A note of the number of questions is then left out.
 io::Csv read_answers(const CheckOptions& o) {
-    return io::parse_csv(io::read_text(o.answers, "file of answers (CSV)"),
-                         io::input_name(o.answers), {.keep_faults = true});
+    io::Csv csv = io::parse_csv(io::read_text(o.answers, "file of answers (CSV)"),
+                                io::input_name(o.answers), {.keep_faults = true});
+    const auto id = csv.column("id");
+    if (o.only != "*" && id) {
+        std::erase_if(csv.rows, [&](const io::Csv::Row& row) {
+            return row.cells.size() > *id && !audit::matches(o.only, row.cells[*id]);
+        });
+        refuse_if_none(csv.rows.empty(), o, "an answer");
+        csv.notes.clear();
+        csv.note_lines.clear();
+    }
+    return csv;
+}
+
+/// Reads the questions of a recipe whose ids match --only, rounded to binary64.
+conformance::Questions questions_of(const conformance::Recipe& recipe, const CheckOptions& o) {
+    conformance::Questions asked = rounded_to_binary64(recipe.questions);
+    std::erase_if(asked.list,
+                  [&](const conformance::Question& q) { return !audit::matches(o.only, q.id); });
+    refuse_if_none(asked.list.empty(), o, "a question");
+    // A program that knows one profile is not shown the parameters of others.
+    std::map<std::size_t, std::size_t> used;
+    std::vector<conformance::AskedContact> contacts;
+    for (conformance::Question& q : asked.list) {
+        const auto [found, is_new] = used.emplace(q.contact, contacts.size());
+        if (is_new) {
+            contacts.push_back(asked.contacts[q.contact]);
+        }
+        q.contact = found->second;
+    }
+    asked.contacts = std::move(contacts);
+    return asked;
 }
 
 /// Runs a program. Its answers are never bad input, only wrong.
@@ -103,7 +144,7 @@ conformance::Answers ask_program(const CheckOptions& o) {
     ProgramMessages messages;
     options.said = std::ref(messages);
     const conformance::Recipe recipe = conformance::read_recipe(o.answers);
-    const conformance::Questions asked = rounded_to_binary64(recipe.questions);
+    const conformance::Questions asked = questions_of(recipe, o);
     options.write_csv = [&](const conformance::Questions& part) {
         return write_table(report::question_table(part, recipe.title), report::TableFormat::csv);
     };
@@ -117,9 +158,8 @@ conformance::Answers answers_of(const CheckOptions& o) {
     }
     return o.recipe.empty()
                ? conformance::echoed_answers(read_answers(o))
-               : conformance::answers_to(
-                     conformance::rounded_to_binary64(conformance::read_recipe(o.recipe).questions),
-                     read_answers(o));
+               : conformance::answers_to(questions_of(conformance::read_recipe(o.recipe), o),
+                                         read_answers(o));
 }
 
 /// Checks a user's own formulas: 0 if all of them hold, else 1.
@@ -152,8 +192,14 @@ int check(CheckOptions& o) {
     if (o.json && (!o.ledger.empty() || o.self_test)) {
         throw InputError("--json is for answers", "leave --json out");
     }
+    if (o.only != "*" && (!o.ledger.empty() || o.self_test)) {
+        throw InputError("--only is for answers", "leave --only out");
+    }
     if (!o.ledger.empty()) {
         return check_ledger(o.ledger, o.threads);
+    }
+    if (o.answers.empty() && o.self_test) {
+        return self_test_of_causes(o.seed, o.threads);
     }
     if (o.answers.empty()) {
         throw InputError("there is nothing to check",
@@ -177,7 +223,8 @@ int check(CheckOptions& o) {
         std::fwrite(text.data(), 1, text.size(), stdout);
         return summary.pass() ? 0 : 1;
     };
-    if (o.command.empty() && o.recipe.empty() && o.junit.empty() && o.figure.empty()) {
+    if (o.command.empty() && o.recipe.empty() && o.junit.empty() && o.figure.empty() &&
+        o.only == "*") {
         if (const auto summary = check_in_blocks(o.answers, result.target, errors, options)) {
             return print(*summary);
         }
@@ -209,6 +256,9 @@ void add_check(CLI::App& app, int& code) {
                    "order and hold id and value alone");
     sub.add_option("--exec", o.command,
                    "run this command: it reads the questions and writes rows with id and value");
+    sub.add_option("--only", o.only,
+                   "questions whose id matches, such as 'hertz:*', for a program that knows one "
+                   "profile");
     sub.add_option("--lines", o.lines, "with --exec: speak csv, or json (an object a line)")
         ->capture_default_str();
     sub.add_option("--batch", o.batch, "with --exec: questions that one run is asked")
@@ -228,9 +278,11 @@ void add_check(CLI::App& app, int& code) {
     sub.add_option("--junit", o.junit, "write JUnit XML to this file");
     sub.add_option("--figure", o.figure, "draw digits against u into this file (.svg or .csv)");
     sub.add_option("--ledger", o.ledger, "verify the formulas of this ledger instead");
-    sub.add_flag("--self-test", o.self_test,
-                 "answer the recipe rightly, corrupt the answers in many ways, and count what is "
-                 "found");
+    sub.add_flag(
+        "--self-test", o.self_test,
+        "answer the recipe rightly, corrupt the answers in many ways, and count what is "
+        "found; without a recipe: put known mistakes and noise into right answers, and count "
+        "the causes that are named");
     sub.add_option("--seed", o.seed, "of --self-test")->capture_default_str();
     sub.add_option("--files", o.files, "of --self-test: corrupted files")->capture_default_str();
     add_threads_option(sub, o.threads);

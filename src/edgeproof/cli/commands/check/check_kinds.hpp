@@ -22,4 +22,8 @@ check_in_blocks(const std::filesystem::path& file, const conformance::Target& ta
 [[nodiscard]] int self_test(const std::string& recipe, const std::string& seed,
                             const std::string& files, const std::string& threads);
 
+/// Puts known mistakes and noise into right answers and counts the causes that are named: 0 if none
+/// is wrongly named and enough are named.
+[[nodiscard]] int self_test_of_causes(const std::string& seed, const std::string& threads);
+
 } // namespace edgeproof::cli

@@ -2,6 +2,7 @@
 #include "edgeproof/cli/commands/check/check_kinds.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/conformance/causes/corruption.hpp"
+#include "edgeproof/conformance/causes/self_test.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -10,6 +11,7 @@
 #include "edgeproof/report/text/program_line.hpp"
 
 #include <cstdio>
+#include <functional>
 #include <map>
 
 namespace edgeproof::cli {
@@ -91,6 +93,17 @@ int self_test(const std::string& recipe_file, const std::string& seed_text,
                 "file, target 0.5 ulps)\n",
                 said.empty() ? "pass" : "FAIL", found, files, seed, asked.list.size());
     return said.empty() && found == files ? 0 : 1;
+}
+
+int self_test_of_causes(const std::string& seed_text, const std::string& threads) {
+    const std::size_t seed = whole_number("--seed", seed_text, 0, 1'000'000'000);
+    std::function<void(std::size_t, std::size_t)> progress;
+    const scene::MistakeCounts counts = with_progress("contacts", progress, [&] {
+        return conformance::test_causes(seed, threads_of(threads), {}, progress);
+    });
+    const std::string text = counts.text();
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return counts.passes(conformance::least_percent_named) ? 0 : 1;
 }
 
 } // namespace edgeproof::cli

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/causes/convention.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+
+// Programs in binary64 and binary32 that subtract nearly equal lengths. Their closed forms are
+// those of Hertz, p = E* C sqrt(a^2 - x^2)/2, and of the wedge, p = E* C acosh(a/x)/pi.
+
+namespace {
+
+const std::string lossy_head = "id,kind,m,C,t,R,a,contact_modulus,quantity,edge,u,value\n";
+
+struct LossyContact {
+    int m;
+    double a;
+};
+
+/// The causes found for p at 20 distances from both edges, with E* = C = 1.
+std::vector<Convention>
+causes_of_pressures(const std::function<double(const LossyContact&, double u)>& p) {
+    std::string text = lossy_head;
+    int id = 0;
+    for (const LossyContact& contact : {LossyContact{1, 1.3}, LossyContact{0, 3}}) {
+        for (const char* edge : {"right", "left"}) {
+            for (int k = 0; k < 20; ++k) {
+                const double u = 0.7 * std::pow(10, -0.8 * k);
+                text += fmt::format("{},power-law,{},1,,,{:.17g},1,p,{},{:.17g},{:.17g}\n", ++id,
+                                    contact.m, contact.a, edge, u, p(contact, u));
+            }
+        }
+    }
+    const Answers answers = echoed_answers(parse_csv(text, "a.csv"));
+    return infer_conventions(answers, compare(answers, {}, {}), {});
+}
+
+double from_x(const LossyContact& contact, double x) {
+    const double a = contact.a;
+    return contact.m == 1 ? std::sqrt(std::max(a * a - x * x, 0.0)) / 2
+                          : std::acosh(std::max(a / x, 1.0)) / std::acos(-1.0);
+}
+/// The same from u: a/x = 1 + u/(a - u), and acosh(1 + z) = log1p(z + sqrt(z (2 + z))).
+double from_u(const LossyContact& contact, double u) {
+    const double a = contact.a;
+    const double z = u / (a - u);
+    return contact.m == 1 ? std::sqrt(u * (2 * a - u)) / 2
+                          : std::log1p(z + std::sqrt(z * (2 + z))) / std::acos(-1.0);
+}
+
+} // namespace
+
+TEST_CASE(
+    "a loss of digits that follows u is named cancellation, with its rate and its beginning") {
+    CHECK(causes_of_pressures(from_u).empty());
+    const auto of_double = causes_of_pressures(
+        [](const LossyContact& contact, double u) { return from_x(contact, contact.a - u); });
+    REQUIRE(of_double.size() == 1);
+    const Convention& c = of_double[0];
+    CHECK(c.name == "cancellation");
+    CHECK(c.of == "p");
+    CHECK(c.factor == 1);
+    CHECK(c.rows == c.failing);
+    CHECK(c.rows > 30);
+    CAPTURE(c.relation);
+    double rate = 0;
+    double begins = 0;
+    double none = 0;
+    REQUIRE(std::sscanf(c.relation.c_str(),
+                        "right, but lose %lf digits for each decade by which u decreases: the loss "
+                        "begins at %lf (a + b), and no digit is left at %lf (a + b)",
+                        &rate, &begins, &none) == 3);
+    // An ulp of x/2 in u changes p by a relative 2^-54 a/u: one digit for each decade.
+    CHECK(rate == doctest::Approx(1).epsilon(0.1));
+    CHECK(begins > 1e-3);
+    CHECK(none > 1e-18);
+    CHECK(none < 1e-15);
+    CHECK(c.relation.find("binary64") != std::string::npos);
+    CHECK(c.hint.find("compute from u") != std::string::npos);
+}
+
+TEST_CASE("cancellation in binary32 has the level of binary32") {
+    const auto found = causes_of_pressures([](const LossyContact& contact, double u) {
+        const float x = static_cast<float>(contact.a) - static_cast<float>(u);
+        return from_x({contact.m, static_cast<double>(static_cast<float>(contact.a))},
+                      static_cast<double>(x));
+    });
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].name == "cancellation");
+    CHECK(found[0].relation.find("binary32") != std::string::npos);
+}
+
+TEST_CASE("errors that grow towards the edge for another reason are not called cancellation") {
+    const auto none = [](const std::function<double(const LossyContact&, double)>& p) {
+        const auto found = causes_of_pressures(p);
+        return std::ranges::none_of(found, [](const auto& c) { return c.name == "cancellation"; });
+    };
+    // The edge is displaced by 1e-8, by 1e-15 and by 1e-3: one sign, at the levels of both formats
+    // and at another one.
+    for (const double shift : {1e-8, 1e-15, 1e-3}) {
+        CAPTURE(shift);
+        CHECK(none([&](const auto& contact, double u) { return from_u(contact, u + shift); }));
+    }
+    // An error of a constant size: half a digit for each decade.
+    CHECK(none([](const auto& contact, double u) { return from_u(contact, u) + 1e-14; }));
+    // An error that does not depend on u.
+    CHECK(none([](const auto& contact, double u) {
+        return from_u(contact, u) * (1 + 1e-9 * std::sin(1e4 * std::log(u)));
+    }));
+}
+
+// P = E*/(2 R) (a^2 acos(t/a) - t sqrt(a^2 - t^2)) of the flat with rounded edges, from
+// P = E* int_t^a g'(x) x/sqrt(a^2 - x^2) dx with g' = (x - t)/R: a difference of terms of the order
+// d^(1/2) that leaves d^(3/2), d = a - t.
+TEST_CASE("a loss of digits that follows the distance of the edge from a knot is named") {
+    std::string text = lossy_head;
+    for (int k = 0; k < 14; ++k) {
+        const double a = 1 + std::pow(10, -0.5 * k - 0.2);
+        text += fmt::format("{},flat-and-rounded,,,1,1,{:.17g},1,P,,,{:.17g}\n", k, a,
+                            (a * a * std::acos(1 / a) - std::sqrt(a * a - 1)) / 2);
+    }
+    const Answers answers = echoed_answers(parse_csv(text, "a.csv"));
+    const auto found = infer_conventions(answers, compare(answers, {}, {}), {});
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].name == "cancellation");
+    CHECK(found[0].of == "P");
+    CHECK(found[0].relation.find("the distance between the edge and the nearest knot") !=
+          std::string::npos);
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/causes/self_test.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace {
+
+using edgeproof::conformance::test_causes;
+using edgeproof::scene::MistakeCounts;
+using edgeproof::scene::MistakeRow;
+
+void check_causes_named(const MistakeCounts& counts) {
+    for (const std::string& miss : counts.misses) {
+        MESSAGE(miss);
+    }
+    const auto sum = counts.total();
+    CHECK(sum.wrong == 0);
+    CHECK(sum.cases > 50);
+    CHECK(counts.passes(90));
+}
+
+} // namespace
+
+TEST_CASE("the test of the causes: mistakes are named under noise, and none wrongly" *
+          doctest::test_suite("slow")) {
+    const MistakeCounts counts = test_causes(7, 0, {"two cylinders, P given"});
+    check_causes_named(counts);
+    const auto row = [&](const std::string& name) {
+        const auto found = std::ranges::find(counts.rows, name, &MistakeRow::name);
+        REQUIRE(found != counts.rows.end());
+        return *found;
+    };
+    CHECK(counts.contacts == 1);
+    CHECK(row("cancellation").at[0].named == 1);
+    CHECK(row("sum-of-moduli").at[2].named == 2); // 0.1 % of noise: not called a factor pi
+    CHECK(row("plane-stress").at[2].named == 1);
+    CHECK(row("x-for-u").at[0].named == 1);
+    CHECK(row("").at[4].named == 3); // right answers and two smooth errors, 5 % of noise
+}
+
+TEST_CASE("the test of the causes on all contacts" * doctest::test_suite("slow")) {
+    const MistakeCounts counts = test_causes(11);
+    check_causes_named(counts);
+    CHECK(counts.contacts == 11);
+}

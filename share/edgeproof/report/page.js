@@ -124,10 +124,10 @@
     let depth = 0;
     for (const token of tokens) {
       const before = parts.at(-1).at(-1);
-      if (depth <= most && /^[=+\u2212]$/.test(token.textContent) && before && !/[=([]$/.test(before.textContent)) {
+      if (depth <= most && /^[=+\u2212/]$/.test(token.textContent) && before && !/[=([]$/.test(before.textContent)) {
         parts.push([]);
       }
-      depth += token.textContent === "(" ? 1 : token.textContent === ")" ? -1 : 0;
+      depth += token.textContent.split("(").length - token.textContent.split(")").length; // also in ")^2"
       parts.at(-1).push(token);
     }
     if (most >= 3) return parts;
@@ -136,7 +136,9 @@
   const divide = (math) => {
     if (math.getBoundingClientRect().width <= narrow) return;
     const room = placeOf(math);
-    const parts = partsOf(Array.from(math.children).flatMap((child) => tokensOf(child, room)), room);
+    const tokens = Array.from(math.children).flatMap((child) => tokensOf(child, room));
+    const grows = tokens.some((token) => !token.isConnected) ? 0.65 : 1; // the sides of a fraction are smaller
+    const parts = partsOf(tokens, room * grows);
     for (const [first] of parts.slice(1)) if (first.localName === "mo") first.setAttribute("form", "infix");
     if (parts.length < 2) return;
     const lines = document.createElement("span");

@@ -103,6 +103,17 @@ bool key_is_below(const Plot& plot) {
     return plot.key_below || (plot.curves.size() <= most_inside && !plot.y.logarithmic);
 }
 
+/// gnuplot takes letters for wider than they are: its columns of long names are set closer.
+constexpr std::size_t short_name = 12;
+
+std::size_t longest_name(const Plot& plot) {
+    std::size_t longest = plot.level ? plot.level->second.size() : 0;
+    for (const Curve& curve : plot.curves) {
+        longest = std::max(longest, curve.title.size());
+    }
+    return longest;
+}
+
 /// The number of lines of names below the plot, among them that of the level.
 std::size_t key_lines(const Plot& plot) {
     const std::size_t names = plot.curves.size() + (plot.level ? 1 : 0);
@@ -114,7 +125,10 @@ void set_key(GnuplotScript& script, const Plot& plot, PictureKind kind) {
     if (key_is_below(plot)) {
         script.add("set key outside below center horizontal maxcols {} height 0.6 samplen 2 "
                    "width {} font \",12\"\n",
-                   named_in_a_line, kind == PictureKind::text ? 1 : -4);
+                   named_in_a_line,
+                   kind == PictureKind::text         ? 1
+                   : longest_name(plot) < short_name ? 0
+                                                     : -4);
     } else if (plot.curves.size() > most_inside) {
         script.add("set key outside right center\n");
     } else if (!plot.x.logarithmic) {

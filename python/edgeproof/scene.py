@@ -571,7 +571,7 @@ class Scene:
 
     def plot(self, terms: int | Sequence[int] = (1, 2), edge: str = "right",
              file: str | os.PathLike[str] | None = None) -> matplotlib.figure.Figure:
-        """Plots the pressure and its approximations by the first terms; the edge on log axes.
+        """Plots the pressure with the sums of the first terms; their relative errors on log axes.
 
         Returns a matplotlib Figure, and writes it to `file` if one is given (.png, .pdf, .svg).
         Raises ImportError if matplotlib or numpy is missing.

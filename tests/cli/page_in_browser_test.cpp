@@ -43,6 +43,18 @@ addEventListener("load", () => {
       if (text.textContent.trim() && shown < 11) found.push("text of " + shown.toFixed(1) + " px");
     }
   }
+  for (const math of document.querySelectorAll("#errata math")) {
+    const end = math.closest(".scroll, .panel, .erratum").getBoundingClientRect().right;
+    if (math.getBoundingClientRect().right > end + 1) {
+      found.push("formula cut off: " + math.closest(".erratum").id);
+    }
+  }
+  for (const text of document.querySelectorAll(".panel svg text")) {
+    const box = text.getBoundingClientRect(), panel = text.closest(".panel").getBoundingClientRect();
+    if (box.left < panel.left - 1 || box.right > panel.right + 1) {
+      found.push("text beyond its panel: " + text.textContent.trim());
+    }
+  }
   for (const claim of document.querySelectorAll("details.claim")) {
     if (claim.querySelector(".said").getBoundingClientRect().height < 8) {
       found.push("no sentence: " + claim.id);
@@ -142,6 +154,9 @@ TEST_SUITE("slow") {
         CHECK(whole.messages.find("CONSOLE") == std::string::npos);
         CHECK(whole.page.find("id=\"erratum-bad.one\"") != std::string::npos);
         CHECK(whole.page.find("2 of 2 claims") != std::string::npos);
+        CHECK(whole.page.find(">Use dark colours</button>") != std::string::npos);
+        const Opened dark = open_page(folder, "", "--force-dark-mode");
+        CHECK(dark.page.find(">Use light colours</button>") != std::string::npos);
         CHECK(tag_of(whole.page, "good").find("hidden") == std::string::npos);
 
         const Opened filtered = open_page(folder, "#verdict=refuted");
@@ -168,11 +183,15 @@ TEST_SUITE("slow") {
             run(folder,
                 "verify '" + (source_dir() / "verify/moore-hills.toml").string() + "' --out out");
         REQUIRE(verified.code == 0);
-        CHECK(faults_of(folder, "1200") == "");
-        CHECK(faults_of(folder, "390") == "");
+        for (const char* width : {"1280", "688", "390"}) { // 688: A4 without its margins
+            CAPTURE(width);
+            CHECK(faults_of(folder, width) == "");
+        }
         const std::size_t pages = pages_in_print(folder);
         CHECK(pages > 2);
         CHECK(pages < 20);
+        CHECK(file_text(folder.path() / "page.pdf").find("/MediaBox [0 0 594.95996 841.91998]") !=
+              std::string::npos); // A4 in points
         const std::string page = file_text(folder.path() / "out/report.html");
         for (const char* shown : {"Eq. (39)", "Section 2.1.1, line 164", "class=\"side printed\"",
                                   "To check by hand", "What rests on it", "SHA-256"}) {

@@ -15,7 +15,7 @@
   };
   const isDark = () => (root.dataset.theme || (system.matches ? "dark" : "light")) === "dark";
   const showTheme = () => {
-    button.textContent = isDark() ? "Light" : "Dark"; // the theme that a click selects
+    button.textContent = isDark() ? "Use light colours" : "Use dark colours"; // what a click does
   };
   const remembered = stored();
   if (remembered === "dark" || remembered === "light") root.dataset.theme = remembered;
@@ -71,7 +71,10 @@
     }
     let target = null;
     try { target = hash && byId(decodeURIComponent(hash)); } catch (_) { /* no such name */ }
-    if (target && target.matches("details.claim")) openClaim(target);
+    if (target && target.matches("details.theorem")) target.open = true;
+    const claim = target && target.closest("details.claim");
+    if (claim) openClaim(claim);
+    if (claim && claim !== target) target.scrollIntoView();
   };
   form.addEventListener("submit", (event) => event.preventDefault());
   form.addEventListener("input", () => { apply(); remember(); });
@@ -86,37 +89,57 @@
   apply();
   follow();
 
-  // Browsers do not break formulas into lines. A long formula is divided before its signs + and -
-  // into parts, between which a line may end. Widths are in px; `paper` is that of A4 or letter
-  // without margins, and `onPaper` the size of a formula on paper compared with the screen.
-  const paper = 630;
+  // Browsers do not break formulas into lines. A formula is divided before its signs = + and - into
+  // parts, between which a line may end: on every screen, on paper, and with every font. Only a
+  // fraction that is wider than its place gets a stroke, with both its sides divided. Widths are in
+  // px; `paper` is that of A4 or letter without margins, and `onPaper` the size of a formula on
+  // paper compared with the screen.
+  const paper = 600;
   const onPaper = 0.76;
+  const narrow = 200;
   const sign = (text) => {
     const mo = document.createElementNS("http://www.w3.org/1998/Math/MathML", "mo");
     mo.setAttribute("stretchy", "false");
     mo.textContent = text;
     return mo;
   };
-  const tokensOf = (node) => {
+  const placeOf = (math) => {
+    const block = math.closest("li, p, td, dd, .scroll, .said, .body, .erratum");
+    return Math.min(paper / onPaper, block ? block.clientWidth : paper);
+  };
+  const tokensOf = (node, room) => {
     if (node.localName === "mrow" && !node.classList.contains("changed")) {
-      return Array.from(node.children).flatMap(tokensOf);
+      return Array.from(node.children).flatMap((child) => tokensOf(child, room));
     }
-    if (node.localName === "mfrac" && node.getBoundingClientRect().width > paper) {
-      const [over, under] = Array.from(node.children, tokensOf);
+    if (node.localName === "mfrac" && node.getBoundingClientRect().width > room) {
+      const [over, under] = Array.from(node.children, (child) => tokensOf(child, room));
       return [sign("("), ...over, sign(")"), sign("/"), sign("("), ...under, sign(")")];
     }
     return [node];
   };
-  const divide = (math) => {
+  const widthOf = (tokens) => tokens.reduce((sum, token) => sum + token.getBoundingClientRect().width, 0);
+  // Parts that are too wide are divided again, within their brackets.
+  const partsOf = (tokens, room, most = 0) => {
     const parts = [[]];
-    for (const token of Array.from(math.children).flatMap(tokensOf)) {
+    let depth = 0;
+    for (const token of tokens) {
       const before = parts.at(-1).at(-1);
-      if (/^[+\u2212]$/.test(token.textContent) && before && !/[([]$/.test(before.textContent)) {
-        if (token.localName === "mo") token.setAttribute("form", "infix");
+      if (depth <= most && /^[=+\u2212/]$/.test(token.textContent) && before && !/[=([]$/.test(before.textContent)) {
         parts.push([]);
       }
+      depth += token.textContent.split("(").length - token.textContent.split(")").length; // also in ")^2"
       parts.at(-1).push(token);
     }
+    if (most >= 3) return parts;
+    return parts.flatMap((part) => (widthOf(part) > room ? partsOf(part, room, most + 1) : [part]));
+  };
+  const divide = (math) => {
+    if (math.getBoundingClientRect().width <= narrow) return;
+    const room = placeOf(math);
+    const tokens = Array.from(math.children).flatMap((child) => tokensOf(child, room));
+    const grows = tokens.some((token) => !token.isConnected) ? 0.65 : 1; // the sides of a fraction are smaller
+    const parts = partsOf(tokens, room * grows);
+    for (const [first] of parts.slice(1)) if (first.localName === "mo") first.setAttribute("form", "infix");
     if (parts.length < 2) return;
     const lines = document.createElement("span");
     if (math.getAttribute("display") === "block") lines.className = "lines";
@@ -127,12 +150,25 @@
       for (const name of ["display", "aria-label"]) piece.removeAttribute(name);
       piece.setAttribute("displaystyle", String(math.getAttribute("display") === "block"));
       piece.append(...part);
-      lines.append(piece, " ");
+      if (lines.firstChild) lines.append(document.createElement("wbr"));
+      lines.append(piece);
     }
     math.replaceWith(lines);
   };
-  for (const math of document.querySelectorAll(".erratum math")) {
-    if (math.getBoundingClientRect().width > Math.min(paper / onPaper, math.parentElement.clientWidth || paper)) divide(math);
+  const divideIn = (place) => {
+    for (const math of place.querySelectorAll("math")) {
+      if (!math.closest("[role=math]")) divide(math);
+    }
+  };
+  for (const place of document.querySelectorAll("#errata, #doubtful, .claim > summary")) divideIn(place);
+  const divideWhenOpen = (claim) => {
+    if (!claim.open || claim.dataset.divided) return;
+    claim.dataset.divided = "yes";
+    divideIn(claim);
+  };
+  for (const claim of claims) {
+    divideWhenOpen(claim);
+    claim.addEventListener("toggle", () => divideWhenOpen(claim));
   }
 
   // On paper the errata, or everything, opened, and shut again afterwards. A formula that is still
@@ -148,6 +184,7 @@
   window.addEventListener("beforeprint", () => {
     shut = whole.checked ? claims.filter((claim) => !claim.open) : [];
     for (const claim of shut) claim.open = true;
+    claims.forEach(divideWhenOpen);
     fitted = Array.from(document.querySelectorAll("math"))
       .map((math) => [math, paper / (math.getBoundingClientRect().width * onPaper)])
       .filter(([, fit]) => fit < 1);

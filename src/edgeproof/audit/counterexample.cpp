@@ -3,6 +3,7 @@
 #include "edgeproof/audit/sample/formal_values.hpp"
 #include "edgeproof/audit/symbolic/symbolic.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
@@ -167,6 +168,14 @@ bool clearly_apart(const Ball& x, const Ball& y) {
     return disjoint(x, y) && abs(x.midpoint() - y.midpoint()) * 5 > larger;
 }
 
+/// Returns a constant rounded for reading; "0" if it is proved to be zero. Empty if the ball has no
+/// certain digit.
+std::string decimal_of(const Expr& constant, const Ball& ball) {
+    constexpr unsigned digits = 8;
+    std::string text = round_ball(ball, digits).text;
+    return text.empty() && formula::proved_zero(constant) ? "0" : text;
+}
+
 double effort_to_read(const std::string& exact) {
     double effort = static_cast<double>(exact.size()) / 3;
     for (const std::string_view hard : {"sqrt", "log", "asin", "^("}) {
@@ -222,7 +231,6 @@ std::optional<Evidence> formula_counterexample(const RefutedReading& refuted) {
                              (printed_value ? effort_to_read(*printed_value) : effort_without) +
                              (correct_value ? effort_to_read(*correct_value) : effort_without);
         if (!clearest || total < least) {
-            constexpr unsigned digits = 8;
             least = total;
             Evidence with;
             for (const auto& [name, value] : values) {
@@ -238,8 +246,8 @@ std::optional<Evidence> formula_counterexample(const RefutedReading& refuted) {
             if (printed_value && correct_value) {
                 found.add("printed_value", *printed_value).add("correct_value", *correct_value);
             }
-            found.add("printed_decimal", round_ball(*x, digits).text)
-                .add("correct_decimal", round_ball(*y, digits).text);
+            found.add("printed_decimal", decimal_of(printed, *x))
+                .add("correct_decimal", decimal_of(correct, *y));
             clearest = std::move(found);
         }
         if (++seen == enough) {

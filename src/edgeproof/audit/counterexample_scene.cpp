@@ -2,6 +2,7 @@
 #include "edgeproof/audit/counterexample.hpp"
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
+#include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
@@ -67,7 +68,11 @@ Evidence numbers_of(const SceneSpec& scene) {
 /// Returns a formula's value, rounded from its enclosure; empty if there is no enclosure.
 std::string enclosed_decimal(const formula::Expr& e, const Sample& sample) {
     const Enclosed value = enclosed(e, sample, proving_digits);
-    return value.ball ? round_ball(*value.ball, shown_digits).text : "";
+    if (!value.ball) {
+        return "";
+    }
+    std::string text = round_ball(*value.ball, shown_digits).text;
+    return text.empty() && value.ball->is_finite() && formula::proved_zero(e) ? "0" : text;
 }
 
 Real real_of(const formula::Expr& e, const Sample& sample) {

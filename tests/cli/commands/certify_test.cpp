@@ -79,26 +79,34 @@ TEST_CASE("verify shows no certificate that is stated in other definitions") {
     CHECK(verified_claim(folder, " --certificates elsewhere").at("certificate").is_null());
 }
 
-// The page links to the certificate from any folder, whether the folder exists or not.
-TEST_CASE("the page links to the certificate from where it is written") {
+// A page that is mailed has no other files: the statement itself must be in it.
+TEST_CASE("the page contains the theorem's statement, without its proof and without a link") {
     const Folder folder;
     folder.write("own.toml", wedge_ledger(wedge_wrong));
     certify_and_accept(folder, "proofs");
-    for (const std::string out : {"out", "out", "some/where/else"}) {
-        REQUIRE(
-            run(folder, "verify own.toml --digits 20 --certificates proofs --out " + out).code ==
-            0);
-        const std::string page = file_text(folder.path() / out / "report.html");
-        const std::size_t end = page.find("\">certificate</a>");
-        REQUIRE(end != std::string::npos);
-        const std::size_t begin = page.rfind("href=\"", end) + 6;
-        const auto linked = folder.path() / out / page.substr(begin, end - begin);
-        CHECK(std::filesystem::equivalent(linked, folder.path() / "proofs/claim_c0.v"));
+    REQUIRE(run(folder, "verify own.toml --digits 20 --certificates proofs --out out").code == 0);
+    const std::string page = file_text(folder.path() / "out" / "report.html");
+    const std::string file = file_text(folder.path() / "proofs/claim_c0.v");
+    CHECK(page.find("href=\"#theorem-c0\"") != std::string::npos);
+    const std::size_t begin = page.find("id=\"theorem-c0\"");
+    REQUIRE(begin != std::string::npos);
+    const std::string shown = page.substr(begin, page.find("</details>", begin) - begin);
+    std::size_t theorems = 0;
+    for (std::size_t at = 0; (at = file.find("\nTheorem ", at)) != std::string::npos; ++theorems) {
+        const std::size_t end = file.find(' ', at + 9);
+        const std::string head = file.substr(at + 1, end - at - 1); // "Theorem NAME"
+        CAPTURE(head);
+        CHECK(shown.find(head) != std::string::npos);
+        at = end;
     }
+    CHECK(theorems > 0);
+    CHECK(shown.find("proofs/claim_c0.v") != std::string::npos);
+    CHECK(shown.find("Proof") == std::string::npos);
+    CHECK(shown.find("Qed") == std::string::npos);
+    CHECK(page.find(".v\">") == std::string::npos);
     folder.write("own.toml", wedge_ledger(wedge_right)); // the certificate is about another formula
     REQUIRE(run(folder, "verify own.toml --digits 20 --certificates proofs --out out").code == 0);
-    CHECK(file_text(folder.path() / "out/report.html").find("certificate</a>") ==
-          std::string::npos);
+    CHECK(file_text(folder.path() / "out/report.html").find("theorem-c0") == std::string::npos);
 }
 
 TEST_CASE("only theorems that Coq has accepted count") {

@@ -21,7 +21,7 @@ TEST_CASE("plot: every kind of file, and letters") {
     const Outcome text = run(folder, "plot s.toml");
     CAPTURE(text.err);
     REQUIRE(text.code == 0);
-    CHECK(has(text.out, "right edge, 1 term: within 1/100 up to u = 0.0394079\n"));
+    CHECK(has(text.out, "right edge, 1 term: within 1 % up to u = 0.0394079\n"));
     CHECK(lines(text.out).size() > 20);
     const std::pair<const char*, const char*> files[] = {
         {"p.svg", "<svg"}, {"p.png", "PNG"}, {"p.pdf", "%PDF"}, {"p.html", "<!DOCTYPE html>"}};

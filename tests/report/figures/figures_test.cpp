@@ -222,7 +222,7 @@ TEST_CASE("a picture in a file has a white ground; in a page it takes the page's
         plot.rows.push_back({Real(k), Real(k)});
     }
     const std::string file = draw_svg(plot, *gnuplot);
-    const std::string ground = "height=\"400\" fill=\"";
+    const std::string ground = "height=\"419\" fill=\""; // 400, and a line of names
     CHECK(file.find(ground + "#ffffff\"/>") != std::string::npos);
     const std::string part = inline_svg(file, plot);
     CHECK(part.find(ground + "none\"/>") != std::string::npos);

@@ -214,8 +214,11 @@ TEST_CASE("the program contains the complete templates") {
     CHECK(report_template::page_html.ends_with("</html>\n"));
     CHECK(report_template::page_css.find("@media print") != std::string_view::npos);
     CHECK(report_template::page_js.ends_with("})();\n"));
-    // A proved claim has its own mark; the button names the theme that a click selects.
-    CHECK(report_template::page_css.find(".proved::before") != std::string_view::npos);
-    CHECK(report_template::page_js.find("isDark() ? \"Light\" : \"Dark\"") !=
-          std::string_view::npos);
+    // Proved and confirmed claims differ in mark and colour.
+    for (const char* rule :
+         {".proved { color: var(--good)", ".proved::before { content: \"✓ \"",
+          ".confirmed { color: var(--near)", ".confirmed::before { content: \"≈ \""}) {
+        CAPTURE(rule);
+        CHECK(report_template::page_css.find(rule) != std::string_view::npos);
+    }
 }

@@ -67,7 +67,7 @@ void write_files(const audit::AuditResult& result, const audit::Ledger& ledger,
         io::write_whole(out / "verdicts.csv", report::verdicts_csv(result));
         io::write_whole(out / "verdicts.md", report::verdicts_markdown(result));
         io::write_whole(out / "verdicts.tex", report::verdicts_latex(result));
-        report::write_html_report(result, ledger, out, o.threads, command_text(o), o.out);
+        report::write_html_report(result, ledger, out, o.threads, command_text(o));
     });
     staged.commit();
 }

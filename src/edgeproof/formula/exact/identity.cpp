@@ -309,6 +309,16 @@ private:
         if (e.builtin() == Builtin::acos) {
             return arc_cosine(args[0]);
         }
+        if (e.builtin() == Builtin::abs || e.builtin() == Builtin::log) {
+            if (const auto q = constant_ratio(args[0].over, args[0].under)) {
+                if (e.builtin() == Builtin::abs) {
+                    return fraction_of(abs(*q));
+                }
+                if (*q == 1) {
+                    return fraction_of(Rational(0));
+                }
+            }
+        }
         std::string name = "call " + e.name();
         for (const Ratio& arg : args) {
             name += " " + text(arg);

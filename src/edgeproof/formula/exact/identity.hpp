@@ -8,7 +8,8 @@ namespace edgeproof::formula {
 
 /// True if e is proved to be zero by exact algebra. e is transformed to a quotient of polynomials
 /// with rational coefficients in pi, roots of primes, and all other parts (names, other functions),
-/// each of them a separate variable, with sqrt(y)^2 = y and acos(-y) = pi - acos(y). A constant
+/// each of them a separate variable, with sqrt(y)^2 = y, acos(-y) = pi - acos(y), log(1) = 0 and
+/// abs(q) for a rational q. A constant
 /// must also be finite in ball arithmetic, so that there is no division by zero. False means only
 /// that no proof was found.
 [[nodiscard]] bool proved_zero(const Expr& e);

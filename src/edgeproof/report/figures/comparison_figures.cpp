@@ -177,7 +177,7 @@ Plot error_plot(const ComparisonReport& report, const FileComparison& file, cons
         "elements at the edge " +
         (fitted ? "and the window that c_0 is fitted over are shaded" : "are shaded");
     plot.x = {"distance from the edge, u/(a + b)", true};
-    plot.y = {traction.error_label, true};
+    plot.y = {.label = traction.error_label + " [%]", .logarithmic = true, .percent = true};
     plot.columns = {"u", "right", "left"};
     double least_u = 0.5;
     double least = 1;
@@ -201,8 +201,8 @@ Plot error_plot(const ComparisonReport& report, const FileComparison& file, cons
     const double from = least_u / 2;
     const auto number = [](double x) { return fmt::format("{:.6g}", x); };
     plot.x.range = {number(from), "0.6"};
-    plot.y.range = {fmt::format("1e{:d}", static_cast<int>(std::floor(std::log10(least))) - 1),
-                    fmt::format("1e{:d}", static_cast<int>(std::ceil(std::log10(most))) + 1)};
+    plot.y.range = {fmt::format("1e{:d}", static_cast<int>(std::floor(std::log10(least))) + 1),
+                    fmt::format("1e{:d}", static_cast<int>(std::ceil(std::log10(most))) + 3)};
     const contact::Edge edge = file.data.half.value_or(contact::Edge::right);
     const double element = file.contact.element[index_of(edge)] / exact.length();
     if (2 * element > from && 2 * element < 0.6) {
@@ -213,7 +213,8 @@ Plot error_plot(const ComparisonReport& report, const FileComparison& file, cons
                               "c_0 fitted here", 0.12});
     }
     if (traction.tolerance) {
-        plot.level = {number(*traction.tolerance), "tolerance"};
+        plot.level = {number(100 * *traction.tolerance),
+                      fmt::format("tolerance {:g} %", 100 * *traction.tolerance)};
     }
     plot.key_below = true;
     return plot;
@@ -227,7 +228,7 @@ Plot convergence_plot(const ComparisonReport& report) {
     plot.description = "Errors relative to the exact values against the mean width of an element, "
                        "on logarithmic axes";
     plot.x = {"width of an element/(a + b)", true};
-    plot.y = {"relative error", true};
+    plot.y = {.label = "relative error [%]", .logarithmic = true, .percent = true};
     plot.columns = {"h"};
     plot.add_curve("peak", "p, of the peak", {Pen::Colour::vermilion, 1, 7, 1});
     plot.add_curve("L2", "p, L2", {Pen::Colour::blue, 2, 4, 1});

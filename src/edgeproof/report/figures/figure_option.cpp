@@ -4,6 +4,7 @@
 #include "edgeproof/report/figures/agreement_figure.hpp"
 #include "edgeproof/report/figures/design_figure.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
+#include "edgeproof/report/text/percent.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -97,7 +98,8 @@ Plot design_plot(const scene::DesignScene& design, const scene::DesignResult& re
                                                             : reach + ", distance from the edge"};
     plot.columns = {name, "reach", "best", "printed"};
     plot.key_below = true;
-    plot.curves.push_back({"reach", "within " + design.tolerance.text(), {Pen::Colour::blue, 1}});
+    plot.curves.push_back(
+        {"reach", "within " + in_percent(design.tolerance), {Pen::Colour::blue, 1}});
     const auto mark = [](const Ball& x) { return to_decimal(x.midpoint(), digits_of_a_mark); };
     plot.curves.push_back({"best",
                            "best: " + name + " = " + mark(result.best.value[0]),

@@ -97,29 +97,54 @@ void set_axis(GnuplotScript& script, GnuplotWords name, const Axis& axis) {
     }
 }
 
+constexpr std::size_t most_inside = 4; // more names would overlap the curves
+
+bool key_is_below(const Plot& plot) {
+    return plot.key_below || (plot.curves.size() <= most_inside && !plot.y.logarithmic);
+}
+
+/// gnuplot takes letters for wider than they are: its columns of long names are set closer.
+constexpr std::size_t short_name = 12;
+
+std::size_t longest_name(const Plot& plot) {
+    std::size_t longest = plot.level ? plot.level->second.size() : 0;
+    for (const Curve& curve : plot.curves) {
+        longest = std::max(longest, curve.title.size());
+    }
+    return longest;
+}
+
+/// The number of lines of names below the plot, among them that of the level.
 std::size_t key_lines(const Plot& plot) {
-    return plot.key_below ? (plot.curves.size() + named_in_a_line - 1) / named_in_a_line : 0;
+    const std::size_t names = plot.curves.size() + (plot.level ? 1 : 0);
+    return key_is_below(plot) ? (names + named_in_a_line - 1) / named_in_a_line : 0;
 }
 
 void set_key(GnuplotScript& script, const Plot& plot, PictureKind kind) {
     script.add("set key bottom right reverse Left samplen 3 noenhanced\n");
-    constexpr std::size_t most_inside = 4; // more names would overlap the curves
-    if (plot.key_below) {
+    if (key_is_below(plot)) {
         script.add("set key outside below center horizontal maxcols {} height 0.6 samplen 2 "
                    "width {} font \",12\"\n",
-                   named_in_a_line, kind == PictureKind::text ? 1 : -4);
+                   named_in_a_line,
+                   kind == PictureKind::text         ? 1
+                   : longest_name(plot) < short_name ? 0
+                                                     : -4);
     } else if (plot.curves.size() > most_inside) {
         script.add("set key outside right center\n");
-    } else if (plot.y.logarithmic && !plot.x.logarithmic) {
+    } else if (!plot.x.logarithmic) {
         script.add("set key bottom right\n");
-    } else if (!plot.y.logarithmic) {
-        script.add("set key outside below center horizontal\n");
     }
 }
 
 void add_curve(GnuplotScript& script, const Plot& plot, const Curve& curve) {
     const bool joined = curve.pen.dash != 0;
-    script.add("$data using 1:{} with {} lw {}", column_index(plot, curve.column) + 1,
+    const std::size_t column = column_index(plot, curve.column) + 1;
+    if (plot.y.percent) {
+        script.add("$data using 1:(100*column({}))", column);
+    } else {
+        script.add("$data using 1:{}", column);
+    }
+    script.add(" with {} lw {}",
                !joined           ? GnuplotWords("points")
                : curve.pen.point ? GnuplotWords("linespoints")
                                  : GnuplotWords("lines"),

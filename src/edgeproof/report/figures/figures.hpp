@@ -106,7 +106,8 @@ struct Axis {
     std::string label; ///< with its unit
     bool logarithmic = false;
     std::optional<std::pair<std::string, std::string>> range =
-        {}; ///< exact numbers; *: chosen by the data
+        {};               ///< exact numbers; *: chosen by the data
+    bool percent = false; ///< of y: fractions in the data are drawn as percent, as is the range
 };
 
 /// A part of the x axis, shaded over the whole height and named at its top. Numbers are texts.

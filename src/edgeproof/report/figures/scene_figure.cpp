@@ -6,6 +6,7 @@
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/text/escape.hpp"
+#include "edgeproof/report/text/percent.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
@@ -20,7 +21,13 @@ namespace edgeproof::report {
 namespace {
 
 constexpr unsigned picture_digits = 24; ///< shows errors down to 1e-20
-constexpr int even_places = 121; ///< odd, so that no place is in the middle, where a corner may be
+constexpr int first_places = 61;        ///< from edge to edge, to which finer_places adds others
+constexpr int most_halvings = 7;        ///< of a step between two of them
+/// A step is halved where the curve differs from its chord by more than this part of its height:
+/// less than a pixel.
+constexpr double straight = 1.0 / 500;
+/// Pressures are drawn up to this multiple of the height that most of the contact has.
+constexpr double tallest = 4;
 constexpr int decades = 6;
 constexpr int places_a_decade = 10;
 constexpr std::array scene_pens{
@@ -89,7 +96,8 @@ private:
     [[nodiscard]] std::optional<Real> at(scene::Quantity quantity, contact::Edge edge,
                                          const Real& u) {
         check_interruption();
-        progress_(++done_, count());
+        ++done_;
+        progress_(done_, std::max(done_, count()));
         try {
             return number({.quantity = quantity,
                            .edge = edge,
@@ -99,7 +107,7 @@ private:
         }
     }
     [[nodiscard]] std::size_t count() const {
-        return static_cast<std::size_t>(even_places) * (scene_.shear ? 2 : 1) +
+        return static_cast<std::size_t>(2 * first_places) * (scene_.shear ? 2 : 1) +
                scene_.ask.edges.size() * (decades * places_a_decade + 1);
     }
     void find_exits(OfEdge& of, std::vector<std::string>& exits) {
@@ -110,7 +118,7 @@ private:
                                                     .edge = of.edge,
                                                     .tolerance = scene_.ask.tolerance});
             const std::string head = scene::edge_name(of.edge) + " edge, " + in_terms(n) +
-                                     ": within " + scene_.ask.tolerance->text() + " ";
+                                     ": within " + in_percent(*scene_.ask.tolerance) + " ";
             of.exits.push_back(e.reached ? std::optional(e.value->value.midpoint()) : std::nullopt);
             exits.push_back(e.reached ? head + "up to u = " + printed(*e.value, {6}).text +
                                             (e.value->proved ? "" : " (estimate)")
@@ -138,22 +146,18 @@ private:
         if (scene_.shear) {
             plot.add_curve("q", "q, exact", {Pen::Colour::black, 3, {}, 1.5});
         }
+        const std::vector<Place> sampled = finer_places();
         std::vector<Real> places; // 0 at the left edge, 1 at the right one
-        std::vector<Real> heights;
-        for (int k = 0; k <= even_places; ++k) {
-            const Real w = (1 - cos(Real(k) * pi<Real>() / even_places)) / 2;
-            const Real u = (a_ + b_) * w;
-            auto& row = plot.add_row(u - b_);
-            const bool inside = k > 0 && k < even_places;
-            row[1] =
-                inside ? at(scene::Quantity::p, contact::Edge::left, u) : std::optional(Real(0));
-            if (scene_.shear && inside) {
-                row[2] = at(scene::Quantity::q, contact::Edge::left, u);
+        for (const Place& place : sampled) {
+            if (!place.p) {
+                continue; // a corner
             }
-            if (row[1]) {
-                heights.push_back(*row[1]);
+            auto& row = plot.add_row((a_ + b_) * place.w - b_);
+            row[1] = place.p;
+            if (scene_.shear) {
+                row[2] = place.q;
             }
-            places.push_back(w);
+            places.push_back(place.w);
         }
         std::size_t number = 0;
         for (const OfEdge& of : edges_) {
@@ -161,13 +165,81 @@ private:
                 add_sum(plot, of, i, places, number++);
             }
         }
-        // The pressure at a corner is infinite: the range shows most of the contact.
-        std::ranges::sort(heights);
-        const Real top =
-            std::min(heights.back(), Real(heights[heights.size() * 9 / 10] * 2)) * 1.15;
+        const Real top = height_ * 1.15;
         plot.y.range = {scene_.shear ? lowest(plot, top) : "0", top.str(6)};
         plot.key_below = true;
         return plot;
+    }
+    /// A place along the contact, and its values; none at a corner.
+    struct Place {
+        Real angle; ///< 0 to pi: w = (1 - cos angle)/2 is dense at the edges
+        Real w;     ///< 0 at the left edge, 1 at the right one
+        std::optional<Real> p;
+        std::optional<Real> q;
+    };
+    [[nodiscard]] Place place_at(const Real& angle) {
+        Place place{angle, Real((1 - cos(angle)) / 2), {}, {}};
+        const Real u = (a_ + b_) * place.w;
+        place.p = at(scene::Quantity::p, contact::Edge::left, u);
+        if (scene_.shear) {
+            place.q = at(scene::Quantity::q, contact::Edge::left, u);
+        }
+        return place;
+    }
+    /// Returns the places of the curves, from edge to edge: even in the angle, and finer where p or
+    /// q is curved or has a peak. Sets height_.
+    [[nodiscard]] std::vector<Place> finer_places() {
+        std::vector<Place> first{{Real(0), Real(0), Real(0), {}}};
+        for (int k = 1; k < first_places; ++k) {
+            first.push_back(place_at(Real(k) * pi<Real>() / first_places));
+        }
+        first.push_back({pi<Real>(), Real(1), Real(0), {}});
+        std::vector<Real> heights;
+        for (const Place& place : first) {
+            if (place.p) {
+                heights.push_back(*place.p);
+            }
+        }
+        std::ranges::sort(heights);
+        const Real usual = heights[heights.size() * 9 / 10];
+        height_ = usual * tallest; // where the steps end at a corner with an infinite pressure
+        std::vector<Place> all{first.front()};
+        for (std::size_t k = 1; k < first.size(); ++k) {
+            halve(first[k - 1], first[k], most_halvings, all);
+            all.push_back(first[k]);
+        }
+        Real highest = 0;
+        for (const Place& place : all) {
+            highest = place.p ? std::max(highest, *place.p) : highest;
+        }
+        // A higher pressure belongs to a corner: the range shows most of the contact.
+        height_ = highest < height_ ? highest : Real(usual * 2);
+        return all;
+    }
+    /// Appends the places between two, in order, as long as a curve differs from its chord.
+    void halve(const Place& from, const Place& to, int halvings, std::vector<Place>& all) {
+        const Place middle = place_at((from.angle + to.angle) / 2);
+        const bool again = halvings > 1 && (bends(from.w, from.p, middle.w, middle.p, to.w, to.p) ||
+                                            bends(from.w, from.q, middle.w, middle.q, to.w, to.q));
+        if (again) {
+            halve(from, middle, halvings - 1, all);
+        }
+        all.push_back(middle);
+        if (again) {
+            halve(middle, to, halvings - 1, all);
+        }
+    }
+    [[nodiscard]] bool bends(const Real& w0, const std::optional<Real>& y0, const Real& w,
+                             const std::optional<Real>& y, const Real& w1,
+                             const std::optional<Real>& y1) const {
+        const auto drawn = [&](const std::optional<Real>& value) {
+            return value ? std::clamp(*value, Real(-height_), height_) : height_;
+        };
+        if (!y0 && !y && !y1) {
+            return false; // there is no such curve
+        }
+        const Real chord = drawn(y0) + (drawn(y1) - drawn(y0)) * (w - w0) / (w1 - w0);
+        return abs(drawn(y) - chord) > height_ / tallest * straight;
     }
     /// Under full stick q is infinite at the edges: its range extends down as far as p extends up.
     [[nodiscard]] static std::string lowest(const Plot& plot, const Real& top) {
@@ -191,7 +263,8 @@ private:
                 plot.rows[k].back() = sum(of.c, n, Real((a_ + b_) * part));
             }
         }
-        plot.add_curve(id + "_exit", "leaves " + scene_.ask.tolerance->text(), exit_pen(number));
+        plot.add_curve(id + "_exit", "leaves " + in_percent(*scene_.ask.tolerance),
+                       exit_pen(number));
         if (of.exits[i]) {
             const Real& u = *of.exits[i];
             plot.add_row(right ? Real(a_ - u) : Real(u - b_)).back() = sum(of.c, n, u);
@@ -210,7 +283,8 @@ private:
         plot.x = {"distance from the edge u" +
                       unit_label(scene_.units.value_or(scene::Units{}).length),
                   true};
-        plot.y = {"relative error |1 - local/p|", true};
+        plot.y = {
+            .label = "relative error |1 - local/p| [%]", .logarithmic = true, .percent = true};
         plot.columns = {"u"};
         for (std::size_t i = 0; i < scene_.ask.terms.size(); ++i) {
             const std::size_t n = scene_.ask.terms[i];
@@ -233,8 +307,8 @@ private:
                 }
             }
         }
-        plot.level = {scene_.ask.tolerance->to<Real>().str(12),
-                      "tolerance " + scene_.ask.tolerance->text()};
+        plot.level = {Real(scene_.ask.tolerance->to<Real>() * 100).str(12),
+                      "tolerance " + in_percent(*scene_.ask.tolerance)};
         for (std::size_t i = 0; i < scene_.ask.terms.size(); ++i) {
             if (of.exits[i]) {
                 plot.add_curve("exit" + std::to_string(scene_.ask.terms[i]),
@@ -242,7 +316,8 @@ private:
                 plot.add_row(*of.exits[i]).back() = scene_.ask.tolerance->to<Real>();
             }
         }
-        plot.y.range = {pow(Real(10), floor(log10(least))).str(3), "10"};
+        plot.x.range = {Real(length * pow(Real(10), -decades)).str(6), length.str(6)};
+        plot.y.range = {pow(Real(10), floor(log10(least)) + 2).str(3), "1000"};
         plot.key_below = true;
         return plot;
     }
@@ -253,6 +328,7 @@ private:
     Real a_;
     Real b_;
     std::vector<OfEdge> edges_;
+    Real height_ = 0; ///< of the pressures that are drawn
     std::size_t done_ = 0;
 };
 

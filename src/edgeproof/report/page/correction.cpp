@@ -3,6 +3,7 @@
 
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/formula_tex.hpp"
+#include "edgeproof/report/text/percent.hpp"
 #include "edgeproof/report/text/tex_math.hpp"
 
 #include <algorithm>
@@ -63,12 +64,26 @@ std::pair<const Claim*, const audit::Outcome*> spoken_of(const audit::ClaimResul
     return found;
 }
 
+/// Appends "= 0.127..." for a rounded value; nothing if the exact value has the same digits.
+std::string decimal_step(const std::string& decimal, const std::string& exact) {
+    if (decimal.empty() || decimal == "0") {
+        return decimal.empty() || exact == "0" ? "" : " = 0";
+    }
+    std::string digits = decimal;
+    if (digits.find('.') != std::string::npos && digits.find('e') == std::string::npos) {
+        digits.erase(digits.find_last_not_of('0') + 1); // "2.0000000" is 2
+        if (digits.back() == '.') {
+            digits.pop_back();
+        }
+    }
+    return digits == exact || decimal == exact ? "" : " = " + number_tex(decimal) + "\\dots";
+}
+
 std::string value_steps(const Evidence& clearest, const std::string& which, const Typeset& by) {
     const std::string exact = text_in(clearest, which + "_value");
     const std::string decimal = text_in(clearest, which + "_decimal");
     return by.part(clearest, which, which == "correct" ? arranged : nullptr) +
-           (exact.empty() ? "" : " = " + by.tex(exact, gathered)) +
-           (decimal.empty() || decimal == exact ? "" : " = " + number_tex(decimal) + "\\dots");
+           (exact.empty() ? "" : " = " + by.tex(exact, gathered)) + decimal_step(decimal, exact);
 }
 
 /// Names the other coefficients that vanish where the claim states that this one does.
@@ -95,7 +110,7 @@ std::vector<std::string> reach_steps(const Evidence& c, const Typeset& by) {
                 math(p_local + " = " + digits_in(c, "approximation")) + ".",
             "The relative error is " + math("|1 - " + p_local + "/p| = " + digits_in(c, "error")) +
                 "; as printed, it would be " + text_in(c, "printed_means") + ", " +
-                math(by.part(c, "tolerance")) + "."};
+                latex_text(in_percent(formula::Exact::parse(text_in(c, "tolerance")))) + "."};
 }
 
 std::vector<std::string> course_steps(const Evidence& c, const Typeset& by) {
@@ -123,8 +138,10 @@ std::string number_tex(const std::string& number) {
     if (e == std::string::npos) {
         return number;
     }
-    const std::string power = number.substr(e + 1);
-    return number.substr(0, e) + " \\cdot 10^{" + (power[0] == '+' ? power.substr(1) : power) + '}';
+    std::string power = number.substr(e + 1); // "+08" is 8
+    const bool negative = power[0] == '-';
+    power.erase(0, std::min(power.find_first_not_of("+-0"), power.size() - 1));
+    return number.substr(0, e) + " \\cdot 10^{" + (negative ? "-" : "") + power + '}';
 }
 
 std::optional<Correction> correction_of(const audit::ClaimResult& result,

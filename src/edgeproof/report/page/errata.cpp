@@ -4,10 +4,13 @@
 #include "edgeproof/report/text/program_line.hpp"
 #include "edgeproof/report/text/tex_math.hpp"
 
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <map>
 #include <set>
 
@@ -153,22 +156,67 @@ std::string resolved(std::string tex, const audit::PrintedSource& source) {
     return tex;
 }
 
-/// Returns the beginning of a sentence, cut between words and outside formulas.
-std::string beginning_of(const std::string& sentence) {
-    constexpr std::size_t enough = 110;
+/// Returns the place of a quoted figure, such as "46 %", in a sentence of TeX ("46\\%"); nothing if
+/// the sentence does not contain it.
+std::size_t place_of(const std::string& quoted, const std::string& sentence) {
+    const std::string number = quoted.substr(0, quoted.find(' '));
+    const auto part_of_number = [](char c) {
+        return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.';
+    };
+    for (std::size_t at = 0;
+         !number.empty() && (at = sentence.find(number, at)) != std::string::npos; ++at) {
+        const std::size_t end = at + number.size();
+        const bool percent = quoted.find('%') == std::string::npos ||
+                             sentence.find_first_not_of("\\, ", end) == sentence.find('%', end);
+        if (percent && (at == 0 || !part_of_number(sentence[at - 1])) &&
+            (end == sentence.size() || !part_of_number(sentence[end]) || sentence[end] == '.')) {
+            return at;
+        }
+    }
+    return std::string::npos;
+}
+
+/// Sets the displays of a sentence within its line. A display of several lines is cut off.
+std::string displays_in_line(const std::string& sentence) {
+    std::string out = sentence;
+    for (const std::string_view name : {"equation", "equation*"}) {
+        const std::string open = fmt::format("\\begin{{{}}}", name);
+        const std::string close = fmt::format("\\end{{{}}}", name);
+        for (std::size_t at = 0; (at = out.find(open, at)) != std::string::npos;) {
+            const std::size_t begin = at + open.size();
+            const std::size_t end = std::min(out.find(close, begin), out.size());
+            std::string formula = out.substr(begin, end - begin);
+            if (formula.find('&') != std::string::npos ||
+                formula.find("\\\\") != std::string::npos) {
+                break;
+            }
+            boost::trim_if(formula, boost::is_any_of(" \n,.;"));
+            const std::string inner = "$" + formula + "$";
+            out.replace(at, std::min(end + close.size(), out.size()) - at, inner);
+            at += inner.size();
+        }
+    }
+    const std::size_t display = out.find("\\begin{");
+    return display == std::string::npos ? out : out.substr(0, display) + "\\,\\dots";
+}
+
+/// Returns a sentence, or its beginning if it is long: cut between words, outside formulas, and
+/// behind the figure that is corrected.
+std::string quotation(const std::string& printed, const std::string& quoted) {
+    constexpr std::size_t enough = 260;
+    const std::string sentence = displays_in_line(printed);
+    const std::size_t figure = quoted.empty() ? std::string::npos : place_of(quoted, sentence);
+    const std::size_t wanted = figure == std::string::npos ? enough : std::max(enough, figure + 30);
     bool in_math = false;
     int depth = 0;
     for (std::size_t i = 0; i < sentence.size(); ++i) {
-        if (sentence.compare(i, 7, "\\begin{") == 0) {
-            return sentence.substr(0, i) + "\\,\\dots";
-        }
         if (sentence[i] == '\\') { // the next character is not a brace or dollar of TeX
             ++i;
             continue;
         }
         in_math = sentence[i] == '$' ? !in_math : in_math;
         depth += sentence[i] == '{' ? 1 : sentence[i] == '}' ? -1 : 0;
-        if (i >= enough && !in_math && depth == 0 && sentence[i] == ' ') {
+        if (i >= wanted && !in_math && depth == 0 && sentence[i] == ' ') {
             return sentence.substr(0, i) + "\\,\\dots";
         }
     }
@@ -183,7 +231,9 @@ std::string item_tex(const Erratum& erratum, const audit::PrintedSource& source)
     };
     std::string out = "\\item " + latex_text(place_words(first.claim, source)) + ": ";
     if (is_sentence(first.claim.printed)) {
-        out += "``" + plain(resolved(beginning_of(first.claim.printed), source)) + "''. ";
+        const std::string quoted = first.claim.text_or("quoted", "");
+        const std::string quote = quotation(first.claim.printed, quoted);
+        out += "``" + plain(resolved(quote, source)) + (quote.ends_with('.') ? "'' " : "''. ");
     }
     for (const audit::ClaimResult* part : erratum.parts) {
         if (const auto correction = correction_of(*part, source)) {

@@ -22,6 +22,8 @@
 #include <functional>
 #include <optional>
 #include <set>
+#include <sstream>
+#include <utility>
 
 namespace edgeproof::report {
 namespace {
@@ -260,8 +262,12 @@ std::string date_text() {
     return fmt::format("{:04}-{:02}-{:02}", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday);
 }
 
+/// The words with which the parts of a file for Coq begin that state what is proved.
+constexpr std::array stating_words{"Definition ", "Record ",     "Section ", "End ",    "Variable ",
+                                   "Variables ",  "Hypothesis ", "Let ",     "Theorem "};
+
 PageHead head_of(const audit::AuditResult& result, const audit::Ledger& ledger,
-                 const std::filesystem::path& home, const std::string& command) {
+                 const std::string& command) {
     PageHead head;
     const std::filesystem::path file = ledger.file;
     head.source = ledger.print;
@@ -274,8 +280,9 @@ PageHead head_of(const audit::AuditResult& result, const audit::Ledger& ledger,
     head.date = date_text();
     for (const audit::ClaimResult& r : result.claims) {
         if (r.certificate && r.certificate->accepted) {
-            head.certificates.emplace(
-                r.claim.id, std::filesystem::proximate(r.certificate->file, home).generic_string());
+            const std::string text = io::read_text(r.certificate->file, "certificate");
+            head.theorems.emplace(r.claim.id, PageTheorem{r.certificate->path, io::sha256(text),
+                                                          theorem_statements(text)});
         }
     }
     return head;
@@ -283,9 +290,33 @@ PageHead head_of(const audit::AuditResult& result, const audit::Ledger& ledger,
 
 } // namespace
 
+std::string theorem_statements(std::string_view file) {
+    std::string out;
+    std::string part;
+    bool in_proof = false;
+    std::istringstream lines{std::string(file)};
+    for (std::string line; std::getline(lines, line);) {
+        if (in_proof || (part.empty() && line.starts_with("Proof"))) {
+            in_proof = line.find("Qed.") == std::string::npos &&
+                       line.find("Defined.") == std::string::npos;
+            continue;
+        }
+        const bool begins = part.empty() && std::ranges::any_of(stating_words, [&](auto word) {
+                                return line.starts_with(word);
+                            });
+        if (begins || !part.empty()) {
+            part += line + '\n';
+        }
+        if (!part.empty() && line.ends_with('.')) {
+            out += std::exchange(part, "");
+        }
+    }
+    return out;
+}
+
 void write_html_report(const audit::AuditResult& result, const audit::Ledger& ledger,
-                       const std::filesystem::path& folder, int threads, const std::string& command,
-                       const std::filesystem::path& home) {
+                       const std::filesystem::path& folder, int threads,
+                       const std::string& command) {
     const std::filesystem::path figures_folder = folder / "figures";
     io::make_folder(figures_folder);
     const auto gnuplot = find_gnuplot();
@@ -342,9 +373,8 @@ void write_html_report(const audit::AuditResult& result, const audit::Ledger& le
         }
     }
     io::write_whole(folder / "errata.tex", errata_tex(result, ledger.print));
-    io::write_whole(
-        folder / "report.html",
-        html_page(result, page, head_of(result, ledger, home.empty() ? folder : home, command)));
+    io::write_whole(folder / "report.html",
+                    html_page(result, page, head_of(result, ledger, command)));
 }
 
 } // namespace edgeproof::report

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,16 @@ struct PageFigures {
     bool drawn = true;                                             ///< false without gnuplot
 };
 
+/// A claim's theorems for Coq, as shown on the page.
+struct PageTheorem {
+    std::string path;       ///< of the file, as shown: "certificates/EQ09_M.v"
+    std::string sha256;     ///< of the file
+    std::string statements; ///< definitions and theorems without their proofs
+};
+
+/// Returns the definitions and the theorems of a file for Coq, without proofs, lemmas and tactics.
+[[nodiscard]] std::string theorem_statements(std::string_view file);
+
 /// The data in the head of the page, in addition to the results.
 struct PageHead {
     audit::PrintedSource source;
@@ -48,8 +59,7 @@ struct PageHead {
     std::string ledger_sha256;
     std::string command; ///< the command that makes the page again
     std::string date;    ///< for example 2026-11-23
-    /// Files with the verdicts as theorems, as links from the page, by the claim's id.
-    std::map<std::string, std::string, std::less<>> certificates;
+    std::map<std::string, PageTheorem, std::less<>> theorems; ///< by the claim's id
 };
 
 /// Returns report.html, a self-contained file. Every claim is an element with the claim's id, so
@@ -63,10 +73,9 @@ struct PageHead {
 /// either complete or absent. Figures are computed and drawn in `threads` threads (0: as many as
 /// the machine has) with the same result. `command` is the command named on the page; the date is
 /// that of SOURCE_DATE_EPOCH if this is set. Without gnuplot there are no SVGs, and the page
-/// reports this. `home` is the final folder of the files if it is not `folder`: the page's links to
-/// certificates start there. Throws InputError if the folder is not writable.
+/// reports this. Throws InputError if the folder is not writable.
 void write_html_report(const audit::AuditResult& result, const audit::Ledger& ledger,
                        const std::filesystem::path& folder, int threads = 0,
-                       const std::string& command = "", const std::filesystem::path& home = {});
+                       const std::string& command = "");
 
 } // namespace edgeproof::report

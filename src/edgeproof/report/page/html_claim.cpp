@@ -65,6 +65,22 @@ std::string steps_html(const audit::ClaimResult& result, const PrintedSource& so
                : "<div class=\"example\"><h4>To check by hand</h4>\n<ol>\n" + out + "</ol></div>\n";
 }
 
+/// Words for the result of a computation with a wrong line, behind the verdict; a bare number gets
+/// its meaning.
+std::string result_html(const std::string& comes_to, const PrintedSource& source) {
+    if (comes_to.find("printed") != std::string::npos) {
+        return "";
+    }
+    const std::string result = comes_to.substr(0, comes_to.find(", "));
+    const std::string number = result.substr(0, result.find(" %"));
+    if (number.find_first_not_of("0123456789.+-e") != std::string::npos) {
+        return " (" + escape_html(result) + ")";
+    }
+    const std::string percent = number == result ? "" : "\\,\\%";
+    return " (the value is " + sentence_html("$" + number_tex(number) + percent + "$", source) +
+           ")";
+}
+
 std::string later_html(const Erratum& erratum, const audit::AuditResult& result,
                        const PrintedSource& source) {
     std::string out;
@@ -94,11 +110,7 @@ std::string later_html(const Erratum& erratum, const audit::AuditResult& result,
                 "<li><a href=\"#{}\">{}</a>, {}: {}", escape_html(later.claim),
                 escape_html(claim == nullptr ? later.claim : place_words(claim->claim, source)),
                 what, verdict);
-            if (later.comes_to.find("printed") == std::string::npos) {
-                out +=
-                    " (" + escape_html(later.comes_to.substr(0, later.comes_to.find(", "))) + ")";
-            }
-            out += ".</li>\n";
+            out += result_html(later.comes_to, source) + ".</li>\n";
         }
     }
     return out.empty() ? ""
@@ -119,11 +131,28 @@ std::string where_html(const audit::Claim& claim, const PageHead& head) {
     if (!lines.empty()) {
         out += (out.empty() ? "" : ", ") + lines + " of the source";
     }
-    if (const auto it = head.certificates.find(claim.id); it != head.certificates.end()) {
-        out += (out.empty() ? "" : " · ") + std::string("<a href=\"") + escape_html(it->second) +
-               "\">certificate</a>";
+    if (head.theorems.contains(claim.id)) {
+        out += (out.empty() ? "" : " · ") + std::string("<a href=\"#theorem-") +
+               escape_html(claim.id) + "\">theorem</a>";
     }
     return out;
+}
+
+/// The statements that Coq proved, in the page itself: a page that is mailed has no other files.
+std::string theorem_html(const audit::Claim& claim, const PageHead& head) {
+    const auto it = head.theorems.find(claim.id);
+    if (it == head.theorems.end()) {
+        return "";
+    }
+    const PageTheorem& theorem = it->second;
+    return fmt::format(
+        "<details class=\"theorem\" id=\"theorem-{}\"><summary>Theorem for "
+        "Coq</summary>\n<p class=\"soft\">The statements of the file "
+        "<code>{}</code> (SHA-256 <code>{}</code>), without their proofs, which are "
+        "in the file. The predicates are defined in the folder "
+        "<code>share/edgeproof/coq</code> of the program.</p>\n{}</details>\n",
+        escape_html(claim.id), escape_html(theorem.path), theorem.sha256,
+        scroll("theorem for " + claim.id, "<pre>" + escape_html(theorem.statements) + "</pre>"));
 }
 
 } // namespace
@@ -242,6 +271,7 @@ std::string claim_html(const audit::ClaimResult& result, const PageHead& head,
         out += "<details class=\"tex\"><summary>TeX of the source</summary><code>" +
                escape_html(claim.printed) + "</code></details>\n";
     }
+    out += theorem_html(claim, head);
     if (!result.outcome.evidence.empty()) {
         out += scroll("evidence for " + claim.id,
                       evidence_html(result.outcome.evidence, claim, source));

@@ -54,7 +54,9 @@ TEST_CASE("the manual and the completions name every subcommand and option of th
         CHECK(has(fish, "-a " + sub + " -d '"));
         const std::string page = file_text(folder.path() / ("man1/edgeproof-" + sub + ".1"));
         CHECK(has(page, ".SH NAME\nedgeproof\\-" + in_roff(sub) + " \\- "));
-        const auto options = matches_in(run(folder, sub + " --help-all").out, long_option);
+        const Outcome all = run(folder, sub + " --help-all"); // bounds has subcommands instead
+        const auto options =
+            matches_in(all.code == 0 ? all.out : run(folder, sub + " --help").out, long_option);
         CHECK(options.size() >= 1);
         for (const std::string& option : options) {
             CAPTURE(option);

@@ -68,7 +68,7 @@ TEST_CASE("bad input: one line that names file, line and remedy; exit 2; no file
          "--friction 1",
          profile,
          "edgeproof: slip under a bulk tension is not found for an exponent m > 1000; leave "
-         "friction or the bulk tension out, or give a lower m"},
+         "--friction or the bulk tension out, or give a lower m"},
         {"pressure --tilted-wedge --phi 10^10^10 --alpha 0.1 --P 1 --contact-modulus 1 --u 0.1",
          profile,
          "edgeproof: phi = \"10^10^10\": '10^10^10' is beyond the range of numbers; write a number "

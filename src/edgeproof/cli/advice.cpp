@@ -34,8 +34,6 @@ std::string words_of_list(const std::string& list) {
     return std::regex_replace(std::regex_replace(list, std::regex("\""), ""), std::regex(","), "");
 }
 
-} // namespace
-
 std::string advice_for_options(const std::string& advice) {
     static const std::string long_key =
         "contact_modulus|bulk_tension|bulk_A|process_zone|flat_width|E1|E2|nu1|nu2|R1|R2";
@@ -76,6 +74,15 @@ std::string advice_for_options(const std::string& advice) {
         text = replaced(text, listed, alone);
     }
     return text;
+}
+
+} // namespace
+
+InputError error_for_options(const InputError& error) {
+    const InputError changed(
+        std::regex_replace(error.problem(), std::regex("\\[shear\\]"), "shear load"),
+        advice_for_options(error.instead()));
+    return error.file().empty() ? changed : changed.at(error.file(), error.line());
 }
 
 } // namespace edgeproof::cli

@@ -32,9 +32,9 @@ template <class Options> struct Command {
     Options& options;
 };
 
-/// Returns the advice of an error, which names keys and sections of a scene's file, for a scene
-/// that is given by options: "add u = [\"0.1\"] to [ask]" becomes "add --u 0.1".
-[[nodiscard]] std::string advice_for_options(const std::string& advice);
+/// Returns the error, which names keys and sections of a scene's file, for a scene that is given by
+/// options: "add u = [\"0.1\"] to [ask]" becomes "add --u 0.1".
+[[nodiscard]] InputError error_for_options(const InputError& error);
 
 /// Gives each command its example, and a help that shows the usual options only; --help-all shows
 /// all. Called once, after all commands are added.
@@ -49,7 +49,7 @@ template <class Options, class Run> int run_with(Options& options, const Run& ru
             if (!options.by_quantities) {
                 throw;
             }
-            throw InputError(error.problem(), advice_for_options(error.instead()));
+            throw error_for_options(error);
         }
     }
     return run(options);

@@ -98,10 +98,12 @@ public:
 
 void set_help(CLI::App& app) {
     const auto formatter = std::make_shared<CommandFormatter>();
-    for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+    const auto every = [](const CLI::App*) { return true; };
+    for (CLI::App* sub : app.get_subcommands(every)) {
         if (help_of(*sub) != nullptr) {
-            formatter->column_width(30);
             sub->formatter(formatter);
+        }
+        if (sub->get_subcommands(every).empty()) {
             sub->set_help_all_flag("--help-all", "show all options");
         }
     }

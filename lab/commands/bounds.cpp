@@ -30,6 +30,19 @@ void add_output(CLI::App& sub, Output& o) {
     auto* md = sub.add_flag("--md", o.md, "write Markdown");
     csv->excludes(json)->excludes(md);
     json->excludes(md);
+    sub.add_option_function<std::string>(
+           "--format",
+           [&o](const std::string& format) {
+               o.csv = format == "csv";
+               o.json = format == "json";
+               o.md = format == "md";
+           },
+           "in place of the three options above")
+        ->type_name("csv|json|md")
+        ->check(CLI::IsMember({"csv", "json", "md"}))
+        ->excludes(csv)
+        ->excludes(json)
+        ->excludes(md);
 }
 
 std::string written(const report::Table& table, const Output& o) {

@@ -126,7 +126,8 @@ void add_cost(CLI::App& app, int& code) {
                    "fewer the more digits there are, and few of the reference routes)");
     sub.add_flag("--full", a.full,
                  "every route at every point and number of digits, however long it takes");
-    sub.add_option("--out", a.out, "write cost.html, CSV files and figures to this folder");
+    sub.add_option("--out,--out-dir", a.out,
+                   "write cost.html, CSV files and figures to this folder");
     sub.add_flag("--json", a.json, "print JSON, with every point");
 }
 

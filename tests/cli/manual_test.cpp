@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <regex>
 #include <set>
 #include <string>
@@ -53,7 +54,9 @@ TEST_CASE("the manual and the completions name every subcommand and option of th
         CHECK(has(fish, "-a " + sub + " -d '"));
         const std::string page = file_text(folder.path() / ("man1/edgeproof-" + sub + ".1"));
         CHECK(has(page, ".SH NAME\nedgeproof\\-" + in_roff(sub) + " \\- "));
-        const auto options = matches_in(run(folder, sub + " --help").out, long_option);
+        const Outcome all = run(folder, sub + " --help-all"); // bounds has subcommands instead
+        const auto options =
+            matches_in(all.code == 0 ? all.out : run(folder, sub + " --help").out, long_option);
         CHECK(options.size() >= 1);
         for (const std::string& option : options) {
             CAPTURE(option);
@@ -85,4 +88,70 @@ TEST_CASE("a file that came with the program is found by its name") {
     const Outcome own = run(folder, "verify moore-hills");
     CHECK(own.code == 2);
     CHECK(has(own.err, "moore-hills:"));
+}
+
+TEST_CASE("help: five usual options and an example that runs; all options on request") {
+    const Folder folder;
+    std::size_t examples = 0;
+    for (const std::string command :
+         {"pressure", "expand", "extent", "slip", "stress", "displacement", "plot", "slip-table",
+          "explain", "relations", "design", "points", "check", "verify"}) {
+        CAPTURE(command);
+        const Outcome help = run(folder, command + " --help");
+        CHECK(help.code == 0);
+        CHECK(run(folder, "help " + command).out == help.out);
+        const std::string all = run(folder, command + " --help-all").out;
+        const std::set<std::string> shown = matches_in(help.out, long_option);
+        const std::set<std::string> every = matches_in(all, long_option);
+        CHECK(std::includes(every.begin(), every.end(), shown.begin(), shown.end()));
+        CHECK(every.contains("help-all"));
+        if (has(help.out, "Usual options:")) {
+            CHECK(shown.size() == 5);
+            CHECK(every.size() > 7);
+        }
+        const std::string start = "\nExample: edgeproof ";
+        const std::size_t at = help.out.find(start);
+        REQUIRE(at != std::string::npos);
+        const std::size_t from = at + start.size();
+        const std::string example = help.out.substr(from, help.out.find('\n', from) - from);
+        CAPTURE(example);
+        CHECK(example.rfind(command + " ", 0) == 0);
+        if (command != "check") { // a minute: every claim of the paper
+            const Outcome o = run(folder, example);
+            CAPTURE(o.err);
+            CHECK(o.code == 0);
+            ++examples;
+        }
+    }
+    CHECK(examples == 13);
+    CHECK(has(run(folder, "help").out, "Subcommands:"));
+    CHECK(has(run(folder, "help nonsense").err, "unknown subcommand 'nonsense'"));
+}
+
+TEST_CASE("bash completes the values of options, and the shipped files of a command") {
+    const Folder folder;
+    REQUIRE(run(folder, "--write-manual .").code == 0);
+    folder.write("mine.toml", "");
+    // Prints the proposals for the last of the words.
+    folder.write("try.bash",
+                 "source edgeproof.bash\nCOMP_WORDS=(\"$@\")\n"
+                 "COMP_CWORD=$(($# - 1))\n_edgeproof\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n");
+    const auto proposals = [&](const std::string& words) {
+        const std::string command =
+            "cd '" + folder.path().string() + "' && bash try.bash " + words + " > proposed";
+        REQUIRE(std::system(command.c_str()) == 0);
+        const auto list = lines(file_text(folder.path() / "proposed"));
+        return std::set<std::string>(list.begin(), list.end());
+    };
+    using Set = std::set<std::string>;
+    CHECK(proposals("edgeproof pressure --format ''") == Set{"csv", "json", "md", "tex"});
+    CHECK(proposals("edgeproof pressure --edge r") == Set{"right"});
+    CHECK(proposals("edgeproof compare --format ''") == Set{"text", "json"});
+    CHECK(proposals("edgeproof pressure fret") == Set{"fretting-pad"});
+    CHECK(proposals("edgeproof pressure mi") == Set{"mine.toml"});
+    CHECK(proposals("edgeproof verify moore") == Set{"moore-hills"});
+    CHECK(proposals("edgeproof design expo") == Set{"exponent"});
+    CHECK(proposals("edgeproof pressure --form") == Set{"--format"});
+    CHECK(proposals("edgeproof press") == Set{"pressure"});
+    CHECK(proposals("edgeproof stress stress --body ''") == Set{"A", "B"});
 }

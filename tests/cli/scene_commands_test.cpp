@@ -68,7 +68,7 @@ TEST_CASE("bad input: one line that names file, line and remedy; exit 2; no file
          "--friction 1",
          profile,
          "edgeproof: slip under a bulk tension is not found for an exponent m > 1000; leave "
-         "friction or the bulk tension out, or give a lower m"},
+         "--friction or the bulk tension out, or give a lower m"},
         {"pressure --tilted-wedge --phi 10^10^10 --alpha 0.1 --P 1 --contact-modulus 1 --u 0.1",
          profile,
          "edgeproof: phi = \"10^10^10\": '10^10^10' is beyond the range of numbers; write a number "
@@ -289,4 +289,72 @@ TEST_CASE("every command that examples/README.md names runs") {
         ++commands;
     }
     CHECK(commands == 12);
+}
+
+// csv.DictReader and numpy.genfromtxt(names=True) take the first line for the header.
+TEST_CASE("CSV: the header is the first line, facts and notes are behind the rows") {
+    const Folder folder;
+    folder.write("s.toml", "title = \"T\"\n" + profile + load + shear +
+                               "[ask]\nu = \"0.2\"\nterms = 1\ntolerance = \"1%\"\n");
+    for (const char* command : {"pressure", "expand", "extent"}) {
+        CAPTURE(command);
+        const std::string csv = run(folder, std::string(command) + " s.toml --digits 8").out;
+        const auto all = lines(csv);
+        const auto data = rows(csv);
+        REQUIRE(all.size() > data.size());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            CHECK((all[i].rfind("# ", 0) == 0) == (i >= data.size()));
+        }
+        CHECK(all[0].rfind("edge,", 0) == 0);
+        CHECK(all[data.size()] == "# T");
+        CHECK(has(csv, "\n# program: edgeproof "));
+        CHECK(has(csv, "\n# a: 1.0000000 +- 0 (given)\n"));
+        const std::string bare =
+            run(folder, std::string(command) + " s.toml --digits 8 --no-notes").out;
+        CHECK(lines(bare) == data);
+    }
+    const auto json =
+        nlohmann::json::parse(run(folder, "pressure s.toml --format json --no-notes").out);
+    CHECK(json.size() == 1);
+    CHECK(json["rows"].size() == 1);
+    CHECK_FALSE(has(run(folder, "pressure s.toml --format md --no-notes").out, "program"));
+    CHECK_FALSE(has(run(folder, "pressure s.toml --format tex --no-notes").out, "program"));
+}
+
+// (1e-6 + 5/3)/2 = 0.833333833..., (3e-6 + 5/3)/4 = 0.41666741666...
+TEST_CASE("points between the ends of a range are decimals, the exact fractions with --exact") {
+    const Folder folder;
+    folder.write("s.toml",
+                 profile + load + "[ask]\nu = { from = \"1e-6\", to = \"5/3\", points = 5 }\n");
+    const auto places = [&](const std::string& options) {
+        std::vector<std::string> list;
+        for (const std::string& row :
+             rows(run(folder, "pressure s.toml --digits 10" + options).out)) {
+            const std::size_t from = row.find(',') + 1;
+            list.push_back(row.substr(from, row.find(',', from) - from));
+        }
+        return list;
+    };
+    CHECK(places("") == std::vector<std::string>{"u", "1e-6", "0.4166674167", "0.8333338333",
+                                                 "1.25000025", "5/3"});
+    CHECK(places(" --exact") == std::vector<std::string>{"u", "1e-6", "5000009/12000000",
+                                                         "5000003/6000000", "1.25000025", "5/3"});
+    CHECK(places(" --round down").at(3) == "0.8333338333");
+    CHECK(places(" --round up").at(3) == "0.8333338334");
+    const auto json =
+        nlohmann::json::parse(run(folder, "pressure s.toml --digits 10 --format json").out);
+    CHECK(json["rows"][1]["u"] == "0.4166674167");
+    CHECK(has(run(folder, "pressure s.toml --digits 10 --format tex").out, "$0.4166674167$"));
+    // By x: a - x = 1 - 1/3, and the middle of 1/3 and 1/2 is 5/12.
+    folder.write("x.toml",
+                 profile + load + "[ask]\nx = { from = \"1/3\", to = \"1/2\", points = 3 }\n");
+    const auto by_x = rows(run(folder, "pressure x.toml --digits 5").out);
+    REQUIRE(by_x.size() == 4);
+    CHECK(by_x[1].rfind("right,x = 1/3,0.66667,0.33333,", 0) == 0);
+    CHECK(by_x[2].rfind("right,x = 0.41667,0.58333,0.41667,", 0) == 0);
+    CHECK(by_x[3].rfind("right,x = 1/2,0.5,0.50000,", 0) == 0);
+    const auto gaps = rows(run(folder, "displacement x.toml --digits 5").out);
+    REQUIRE(gaps.size() == 4);
+    CHECK(gaps[1].rfind("1/3,", 0) == 0);
+    CHECK(gaps[2].rfind("0.41667,", 0) == 0);
 }

@@ -40,9 +40,12 @@ TEST_CASE("a scene by its quantities: the equivalent scene file is printed, and 
     for (const std::string& arguments : all) {
         CAPTURE(arguments);
         const Folder folder;
-        const Outcome o = run(folder, arguments);
+        const Outcome o = run(folder, arguments + " --show-scene");
         CAPTURE(o.err);
         REQUIRE(o.code == 0);
+        const Outcome quiet = run(folder, arguments);
+        CHECK(quiet.err.empty());
+        CHECK(quiet.out == o.out);
         folder.write("printed.toml", o.err);
         const Outcome again =
             run(folder, arguments.substr(0, arguments.find(' ')) + " printed.toml");
@@ -74,7 +77,7 @@ TEST_CASE("points on the command line replace those of the scene's file") {
     folder.write("none.toml", contact);
     folder.write("other.toml", contact + "[ask]\nx = [0, \"a/4\"]\nprocess_zone = \"1e-2\"\n"
                                          "edges = [\"left\"]\ndigits = 12\n");
-    const auto last = [](const std::string& csv) { return lines(csv).back(); };
+    const auto last = [](const std::string& csv) { return lines(table_of(csv)).back(); };
     for (const char* const scene : {"none.toml", "other.toml"}) {
         CAPTURE(scene);
         const std::string pressure = "pressure " + std::string(scene) + " --digits 12";
@@ -186,4 +189,101 @@ TEST_CASE("a scene, a recipe and a ledger from standard input") {
     CHECK(piped("bad.toml", "points -").err.rfind("stdin:", 0) == 0);
     CHECK(piped("s.toml", "check - --recipe -").code == 2);
     CHECK(run(folder, "pressure -").err.rfind("stdin", 0) == 0); // there is no input
+}
+
+// a^2 = 4 P R/(pi E*), 1/E* = 2 (1 - nu^2)/E for two equal bodies; Q = 0.6 f P (Johnson, Contact
+// Mechanics, 4.2 and 7.2): the stick zone of a cylinder is sqrt(1 - 0.6) a.
+TEST_CASE("--E and --nu are those of two equal bodies, --q-ratio is Q/(f P)") {
+    const Folder folder;
+    const std::string equal = "--hertz --R 100 --P 120 --E 115e3 --nu 0.32 ";
+    const std::string two = "--hertz --R 100 --P 120 " + titanium + " ";
+    CHECK(run(folder, "pressure " + equal + "--u 1e-3").out ==
+          run(folder, "pressure " + two + "--u 1e-3").out);
+    const auto slip = nlohmann::json::parse(
+        run(folder, "slip " + equal + "--friction 0.5 --q-ratio 0.6 --digits 12 --format json")
+            .out);
+    CHECK(slip["Q/(f P)"]["value"] == "0.600000000000");
+    const double a = std::stod(slip["a"]["value"].get<std::string>());
+    const double stick = std::stod(slip["stick_a"]["value"].get<std::string>());
+    CHECK(std::abs(stick / a - std::sqrt(0.4)) < 1e-10);
+    const std::pair<const char*, const char*> wrong[] = {
+        {"pressure --hertz --R 1 --a 1 --E 1 --u 0.1", "edgeproof: --E is given without --nu; "},
+        {"pressure --hertz --R 1 --a 1 --E 1 --nu 0.3 --E1 1 --u 0.1",
+         "edgeproof: --E and --E1 are both given; "},
+        {"slip --hertz --R 1 --a 1 --contact-modulus 1 --q-ratio 0.6 --friction 1",
+         "edgeproof: --q-ratio is given without --P; "},
+        {"slip --hertz --R 1 --P 1 --contact-modulus 1 --q-ratio 0.6",
+         "edgeproof: --q-ratio is given without --friction; "},
+        {"slip --hertz --R 1 --P 1 --contact-modulus 1 --q-ratio 0.6 --Q 1 --friction 1",
+         "edgeproof: --q-ratio and --Q are both given; "},
+    };
+    for (const auto& [command, begin] : wrong) {
+        CAPTURE(command);
+        const Outcome o = run(folder, command);
+        CHECK(o.code == 2);
+        CHECK(o.err.rfind(begin, 0) == 0);
+        CHECK(lines(o.err).size() == 1);
+    }
+}
+
+TEST_CASE("lists are separate words or joined by commas, and the scene may follow them") {
+    const Folder folder;
+    folder.write("s.toml", "[profile]\nkind = \"hertz\"\nR = 1\n[load]\na = 1\n"
+                           "contact_modulus = 1\n");
+    const std::string joined = run(folder, "pressure s.toml --u 0.1,0.2 --terms 1,2").out;
+    CHECK(lines(table_of(joined)).size() == 3);
+    for (const char* command :
+         {"pressure s.toml --u 0.1 0.2 --terms 1 2", "pressure --terms 1 2 --u 0.1 0.2 s.toml",
+          "pressure --u 0.1 0.2 --terms 1 2 s.toml",
+          "pressure --u 0.1 --u 0.2 s.toml --terms 1 2"}) {
+        CAPTURE(command);
+        CHECK(run(folder, command).out == joined);
+    }
+    const std::string stated = " --hertz --R 1 --a 1 --contact-modulus 1 --digits 8";
+    CHECK(run(folder, "pressure --x -0.5 0.5" + stated).out ==
+          run(folder, "pressure --x=-0.5,0.5" + stated).out);
+}
+
+TEST_CASE("advice for a scene by its quantities names options, not keys of a file") {
+    const Folder folder;
+    const std::string contact = " --hertz --R 1 --a 1 --contact-modulus 1";
+    const std::pair<std::string, const char*> all[] = {
+        {"pressure" + contact, "; add --u 1e-3 0.1 (distances from the edge)\n"},
+        {"extent" + contact, "; add --tolerance 1%\n"},
+        {"slip" + contact, "; add --friction 0.6, in addition to --Q\n"},
+        {"displacement" + contact, "; give --x 0 2\n"},
+        {"stress" + contact, "; give --point 0,1/2 (x, z)\n"},
+        {"pressure --hertz --R 1 --contact-modulus 1 --u 0.1",
+         "; give one of --a ... and --P ...\n"},
+        {"pressure --hertz --R 1 --a 1 --u 0.1",
+         "; add --contact-modulus ... (E*), or --E1, --nu1, --E2 and --nu2\n"},
+        {"pressure --quantity shear --u 0.1" + contact, "; add --Q or --bulk-tension\n"},
+    };
+    for (const auto& [command, end] : all) {
+        CAPTURE(command);
+        const Outcome o = run(folder, command);
+        CHECK(o.code == 2);
+        CAPTURE(o.err);
+        CHECK(o.err.ends_with(end));
+        CHECK(o.err.find('[') == std::string::npos);
+        CHECK(lines(o.err).size() == 1);
+    }
+}
+
+TEST_CASE("a whole number is refused as a tolerance: it is a slip for a percentage") {
+    const Folder folder;
+    folder.write("m.csv", "x,p\n-0.5,0.4\n0,0.5\n0.5,0.4\n");
+    folder.write("s.toml", "[profile]\nkind = \"hertz\"\nR = 1\n[load]\na = 1\n"
+                           "contact_modulus = 1\n");
+    for (const char* command : {"extent s.toml", "plot s.toml", "compare s.toml m.csv",
+                                "extent --hertz --R 1 --a 1 --contact-modulus 1", "slip-table"}) {
+        CAPTURE(command);
+        const Outcome one = run(folder, std::string(command) + " --tolerance 1");
+        CHECK(one.code == 2);
+        CHECK(one.err == "edgeproof: --tolerance 1 is 100 %; write 1% or 0.01\n");
+        CHECK(run(folder, std::string(command) + " --tolerance 2.5").err ==
+              "edgeproof: --tolerance 2.5 is 250 %; write 2.5% or 0.025\n");
+    }
+    CHECK(run(folder, "extent s.toml --tolerance 100% --digits 4 --terms 1").code == 0);
+    CHECK(run(folder, "extent s.toml --tolerance 0.99 --digits 4 --terms 1").code == 0);
 }

@@ -4,6 +4,7 @@
 /// line; the command that is run writes its exit status to `code`: 0 good, 1 differs or fails the
 /// target, 2 bad input. An interruption (130, 143) is thrown (below).
 #include "edgeproof/parallel/distributed_work.hpp"
+#include "edgeproof/precision/error.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -16,6 +17,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace edgeproof::cli {
 
@@ -30,6 +32,29 @@ template <class Options> struct Command {
     Options& options;
 };
 
+/// Returns the error, which names keys and sections of a scene's file, for a scene that is given by
+/// options: "add u = [\"0.1\"] to [ask]" becomes "add --u 0.1".
+[[nodiscard]] InputError error_for_options(const InputError& error);
+
+/// Gives each command its example, and a help that shows the usual options only; --help-all shows
+/// all. Called once, after all commands are added.
+void set_help(CLI::App& app);
+
+/// Calls run(options). If the options give a scene by its quantities, errors advise options.
+template <class Options, class Run> int run_with(Options& options, const Run& run) {
+    if constexpr (requires { options.by_quantities; }) {
+        try {
+            return run(options);
+        } catch (const InputError& error) {
+            if (!options.by_quantities) {
+                throw;
+            }
+            throw error_for_options(error);
+        }
+    }
+    return run(options);
+}
+
 /// Adds a subcommand. If it is chosen, `run` is called with its options and returns the exit
 /// status, which is written to `code`.
 template <class Options, class Run>
@@ -37,12 +62,12 @@ template <class Options, class Run>
                                            std::string help, Run run) {
     CLI::App* const sub = app.add_subcommand(std::move(name), std::move(help));
     const auto options = std::make_shared<Options>();
-    sub->callback([options, run, &code] { code = run(*options); });
+    sub->callback([options, run, &code] { code = run_with(*options, run); });
     return {*sub, *options};
 }
 
 /// Shows the number of items done, the rate and the time left on stderr, if that is a terminal that
-/// obeys escape sequences. The line is wiped at the end.
+/// obeys escape sequences and the work takes more than half a second. The line is wiped at the end.
 class Progress {
 public:
     explicit Progress(std::string what);
@@ -59,8 +84,10 @@ private:
     std::chrono::steady_clock::time_point begun_;
     std::chrono::steady_clock::time_point last_;
     std::size_t first_ = 0; ///< the number done at the first call
-    std::size_t shown_ = 0;
+    bool called_ = false;
 };
+/// Wipes the line of a Progress, if it is on the screen.
+void wipe_progress();
 
 /// Returns work(), during which calls of `shown` show the progress as `what`.
 template <class Work>
@@ -117,6 +144,9 @@ inline constexpr std::string_view shipped_designs = "examples/design";
 /// folder means a file in that folder of the program's files, if there is one; anything else is
 /// returned unchanged.
 [[nodiscard]] std::string file_or_shipped(const std::string& given, std::string_view folder);
+
+/// Returns the names of the files in that folder that file_or_shipped finds, in order.
+[[nodiscard]] std::vector<std::string> shipped_names(std::string_view folder);
 
 /// Returns the processes that mpirun or srun started together with this one, or null if it was
 /// started alone (then only the environment is read). Throws InputError if it is one of several

@@ -5,6 +5,7 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
@@ -52,6 +53,19 @@ std::string file_or_shipped(const std::string& given, std::string_view folder) {
     const auto file =
         installed(std::filesystem::path(EDGEPROOF_DATA_FOLDER) / folder / (given + ".toml"));
     return std::filesystem::exists(file, failed) ? file.string() : given;
+}
+
+std::vector<std::string> shipped_names(std::string_view folder) {
+    std::vector<std::string> names;
+    std::error_code failed;
+    const auto all = installed(std::filesystem::path(EDGEPROOF_DATA_FOLDER) / folder);
+    for (const auto& entry : std::filesystem::directory_iterator(all, failed)) {
+        if (entry.path().extension() == ".toml") {
+            names.push_back(entry.path().stem().string());
+        }
+    }
+    std::ranges::sort(names);
+    return names;
 }
 
 std::size_t launched_count() {

@@ -12,6 +12,7 @@
 #include <new>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace {
 /// Returns one line that is safe for a terminal.
@@ -46,6 +47,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.set_version_flag("--version", report::program_lines());
     app.footer(
+        "edgeproof help COMMAND shows the help of a command.\n"
         "Exit status: 0 done, and nothing differs or fails; 1 something does; 2 the input was "
         "bad; 130, 143 interrupted (SIGINT, SIGTERM)");
     for (const auto add :
@@ -57,6 +59,20 @@ int main(int argc, char** argv) {
           cli::add_verify}) {
         add(app, code);
     }
+    cli::set_help(app);
+    std::vector<char*> words(argv, argv + argc);
+    std::string help_option = "--help";
+    if (argc >= 2 && std::string_view(argv[1]) == "help") { // help COMMAND
+        words.erase(words.begin() + 1);
+        words.push_back(help_option.data());
+        argc = static_cast<int>(words.size());
+        const std::string unknown = cli::unknown_on_command_line(app, argc, words.data());
+        if (!unknown.empty()) {
+            say(unknown);
+            return 2;
+        }
+    }
+    argv = words.data();
     try {
         if (argc == 3 && std::string_view(argv[1]) == "--write-manual") { // used by the build
             cli::write_manual(app, std::string(report::program_version), argv[2]);

@@ -36,6 +36,41 @@ std::vector<const CLI::Option*> shown_options(const CLI::App& app) {
     });
 }
 
+/// Returns the values of an option whose type is "csv|json|md", separated by blanks; empty for
+/// another type.
+std::string values_of(const CLI::Option& option) {
+    std::string values = option.get_type_name();
+    if (!takes_value(option) || values.find('|') == std::string::npos) {
+        return "";
+    }
+    std::ranges::replace(values, '|', ' ');
+    return values;
+}
+
+/// Returns the names of the shipped files that a command takes as its argument, separated by
+/// blanks.
+std::string shipped_files_of(const CLI::App& app) {
+    std::string names;
+    for (const CLI::Option* option : app.get_options()) {
+        if (!option->get_positional()) {
+            continue;
+        }
+        const std::string& argument = option->get_name();
+        const std::string_view folder =
+            argument == "scene"    ? (app.get_name() == "design" ? shipped_designs : shipped_scenes)
+            : argument == "ledger" ? shipped_ledgers
+            : argument == "recipe" ? shipped_recipes
+                                   : std::string_view();
+        for (const std::string& name :
+             folder.empty() ? std::vector<std::string>() : shipped_names(folder)) {
+            if (name != "hard-cases") { // no recipe
+                names += (names.empty() ? "" : " ") + name;
+            }
+        }
+    }
+    return names;
+}
+
 /// Escapes a text for roff.
 std::string roff(const std::string& text) {
     std::string out;
@@ -127,8 +162,9 @@ std::string man_page(const CLI::App& app, const CLI::App& of, const std::string&
     if (!app.get_footer().empty()) {
         constexpr std::string_view head = "Exit status: ";
         const std::string& footer = app.get_footer();
+        const std::size_t at = footer.find(head);
         out += ".SH EXIT STATUS\n" +
-               roff(footer.rfind(head, 0) == 0 ? footer.substr(head.size()) : footer) + ".\n";
+               roff(at != std::string::npos ? footer.substr(at + head.size()) : footer) + ".\n";
     }
     return see.empty() ? out : out + ".SH SEE ALSO\n" + see;
 }
@@ -176,12 +212,41 @@ std::string bash_cases(const CLI::App& app, const std::string& typed) {
     return out;
 }
 
-std::string all_commands(const CLI::App& app) {
+/// Returns a line for each option that has values: the words typed so far with the option.
+std::string bash_values(const CLI::App& app, const std::string& typed) {
+    std::string out;
+    for (const CLI::Option* option : shown_options(app)) {
+        const std::string values = values_of(*option);
+        for (const std::string& name :
+             values.empty() ? std::vector<std::string>() : names_of(*option)) {
+            out += "        '" + typed + " " + name + "') words='" + values + "' ;;\n";
+        }
+    }
+    for (const CLI::App* sub : subcommands(app)) {
+        out += bash_values(*sub, typed.empty() ? sub->get_name() : typed + " " + sub->get_name());
+    }
+    return out;
+}
+
+/// Returns a line for each command that takes a shipped file.
+std::string bash_files(const CLI::App& app) {
     std::string out;
     for (const CLI::App* sub : subcommands(app)) {
-        out += (out.empty() ? "" : "|") + sub->get_name();
-        const std::string deeper = all_commands(*sub);
-        out += deeper.empty() ? "" : "|" + deeper;
+        const std::string names = shipped_files_of(*sub);
+        out += names.empty()
+                   ? ""
+                   : "            '" + sub->get_name() + "') words+=' " + names + "' ;;\n";
+    }
+    return out;
+}
+
+/// Returns all commands as patterns of a case in bash: 'pressure'|'bounds'|'bounds cases'|...
+std::string all_commands(const CLI::App& app, const std::string& typed = "") {
+    std::string out;
+    for (const CLI::App* sub : subcommands(app)) {
+        const std::string path = typed.empty() ? sub->get_name() : typed + " " + sub->get_name();
+        const std::string deeper = all_commands(*sub, path);
+        out += (out.empty() ? "'" : "|'") + path + "'" + (deeper.empty() ? "" : "|" + deeper);
     }
     return out;
 }
@@ -192,13 +257,19 @@ std::string zsh_function(const CLI::App& app, const std::string& function) {
         for (const std::string& name : names_of(*option)) {
             out += "        " +
                    single_quoted(name + "[" + escaped(option->get_description(), "[]:\\") + "]" +
-                                 (takes_value(*option) ? ":value:_files" : "")) +
+                                 (values_of(*option).empty()
+                                      ? (takes_value(*option) ? ":value:_files" : "")
+                                      : ":value:(" + values_of(*option) + ")")) +
                    " \\\n";
         }
     }
     const auto subs = subcommands(app);
     if (subs.empty()) {
-        return out + "        '*:file:_files'\n}\n\n";
+        const std::string names = shipped_files_of(app);
+        const std::string files = names.empty() ? "_files"
+                                                : "_alternative \"shipped:shipped file:(" + names +
+                                                      ")\" \"files:file:_files\"";
+        return out + "        " + single_quoted("*:file:" + files) + "\n}\n\n";
     }
     std::string list;
     std::string cases;
@@ -229,8 +300,11 @@ std::string fish_lines(const CLI::App& app, const std::string& program, const st
         for (const std::string& name : option->get_lnames()) {
             out += " -l " + name;
         }
-        out += (takes_value(*option) ? " -r" : "") + std::string(" -d ") +
-               fish_quoted(option->get_description()) + "\n";
+        const std::string values = values_of(*option);
+        out += (!values.empty()        ? " -x -a " + fish_quoted(values)
+                : takes_value(*option) ? std::string(" -r")
+                                       : std::string()) +
+               " -d " + fish_quoted(option->get_description()) + "\n";
     }
     std::string names;
     for (const CLI::App* sub : subcommands(app)) {
@@ -240,7 +314,12 @@ std::string fish_lines(const CLI::App& app, const std::string& program, const st
         out += "complete -c " + program + " -f -n " +
                fish_quoted(when + "; and not __fish_seen_subcommand_from" + names) + " -a " +
                sub->get_name() + " -d " + fish_quoted(sub->get_description()) + "\n";
-        out += fish_lines(*sub, program, "__fish_seen_subcommand_from " + sub->get_name());
+        const std::string inside = "__fish_seen_subcommand_from " + sub->get_name();
+        out += fish_lines(*sub, program, inside);
+        const std::string files = shipped_files_of(*sub);
+        out += files.empty() ? ""
+                             : "complete -c " + program + " -n " + fish_quoted(inside) + " -a " +
+                                   fish_quoted(files) + " -d 'shipped file'\n";
     }
     return out;
 }
@@ -248,15 +327,28 @@ std::string fish_lines(const CLI::App& app, const std::string& program, const st
 std::string bash_completion(const CLI::App& app) {
     const std::string name = app.get_name();
     return "# Completion of " + name + " for bash.\n_" + name +
-           "() {\n    local typed= word words i\n"
+           "() {\n    local typed= word words i\n    COMPREPLY=()\n"
            "    for ((i = 1; i < COMP_CWORD; ++i)); do\n"
-           "        word=${COMP_WORDS[i]}\n"
+           "        word=\"${typed:+$typed }${COMP_WORDS[i]}\"\n"
            "        case $word in\n            " +
            all_commands(app) +
-           ") typed+=${typed:+ }$word ;;\n        esac\n    done\n    case $typed in\n" +
+           ") typed=$word ;;\n        esac\n    done\n"
+           "    local now=${COMP_WORDS[COMP_CWORD]} files=\n"
+           "    case \"$typed ${COMP_WORDS[COMP_CWORD-1]}\" in\n" +
+           bash_values(app, "") +
+           "        *)\n"
+           "            case $typed in\n" +
            bash_cases(app, "") +
+           "            esac\n"
+           "            case $typed in\n" +
+           bash_files(app) +
+           "                *) files=none ;;\n"
+           "            esac\n"
+           "            [[ $now == -* ]] && files=none\n"
+           "            [[ -z $files ]] && COMPREPLY=($(compgen -f -- \"$now\"))\n"
+           "            ;;\n"
            "    esac\n"
-           "    COMPREPLY=($(compgen -W \"$words\" -- \"${COMP_WORDS[COMP_CWORD]}\"))\n}\n"
+           "    COMPREPLY+=($(compgen -W \"$words\" -- \"$now\"))\n}\n"
            "complete -o bashdefault -o default -F _" +
            name + " " + name + "\n";
 }

@@ -5,19 +5,26 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace edgeproof::cli {
 namespace {
 
 /// Adds the value of a quantity of the contact, if it was computed.
-void add_fact(std::vector<report::Fact>& facts, const std::string& key,
-              const scene::SceneResult& result, scene::Quantity quantity,
-              const scene::Digits& digits) {
+void add_fact(std::vector<report::Fact>& facts, const std::string& key, const scene::Scene& scene,
+              const scene::SceneResult& result, scene::Quantity quantity) {
     if (const scene::Row* row = result.find(quantity)) {
-        const scene::PrintedValue p = printed(*row->value, digits);
-        facts.push_back({key, p.text, p.bound, how(*row->value, p)});
+        const scene::PrintedValue p = printed(*row->value, scene.ask.digits);
+        facts.push_back({key, p.text, p.bound, how(*row->value, p), unit_of(scene, quantity)});
     }
+}
+
+/// Returns a unit to a power of n/2: "mm", "mm^2", "mm^(-1/2)".
+std::string power_of(const std::string& unit, int halves) {
+    return halves == 2       ? unit
+           : halves % 2 == 0 ? fmt::format("{}^{}", unit, halves / 2)
+                             : fmt::format("{}^({}/2)", unit, halves);
 }
 
 } // namespace
@@ -39,6 +46,26 @@ report::ScenePicture picture_of(scene::Scene scene) {
                         [&] { return report::scene_picture(scene, std::ref(progress)); });
 }
 
+void add_figure_option(CLI::App& sub, SceneOptions& o) {
+    sub.add_option("--figure", o.figure,
+                   "also draw the pressure and these terms (edgeproof plot) into this file: "
+                   ".svg, .png, .pdf or .html");
+}
+
+void check_figure_option(const SceneOptions& o) {
+    if (!o.figure.empty()) {
+        report::check_picture_name(o.figure);
+        io::check_output(o.figure);
+    }
+}
+
+void draw_figure_option(const scene::Scene& scene, const SceneOptions& o) {
+    if (!o.figure.empty()) {
+        io::write_whole(o.figure,
+                        report::picture_file(picture_of(scene), title_of(scene), o.figure));
+    }
+}
+
 std::string title_of(const scene::Scene& scene) {
     return scene.title.empty() ? scene.file : scene.title;
 }
@@ -53,7 +80,7 @@ std::vector<report::Fact> facts_of(const scene::Scene& scene, const scene::Scene
     }
     using scene::Quantity;
     const auto add = [&](Quantity quantity) {
-        add_fact(facts, scene::symbol_of({quantity}), result, quantity, digits);
+        add_fact(facts, scene::symbol_of({quantity}), scene, result, quantity);
     };
     add(Quantity::alpha);
     for (const scene::QuantityRow& row : scene::quantity_rows()) {
@@ -74,7 +101,6 @@ report::Table values_table(const scene::Scene& scene, const scene::SceneResult& 
 
 void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
                     const scene::SceneResult& result) {
-    const scene::Digits& digits = scene.ask.digits;
     using scene::Quantity;
     facts.push_back({"friction", scene.shear->friction->text()});
     for (const auto& [key, quantity] :
@@ -83,7 +109,7 @@ void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
           std::pair{"least_bulk_tension", Quantity::least_tension},
           std::pair{"most_bulk_tension", Quantity::most_tension},
           std::pair{"cycle_energy", Quantity::cycle_energy}}) {
-        add_fact(facts, key, result, quantity, digits);
+        add_fact(facts, key, scene, result, quantity);
     }
     if (!result.in_proportion) {
         facts.push_back({"path", "Q first: with Q and bulk_tension in proportion one edge would "
@@ -97,6 +123,34 @@ std::string bound_note(const scene::Plan& plan) {
                          "says estimate"
                        : "bounds are estimated (" + plan.proved_why +
                              "), and so is that every digit printed is right";
+}
+
+std::string unit_of(const scene::Scene& scene, scene::Quantity quantity, std::size_t k) {
+    const scene::QuantityRow& row = row_of(quantity);
+    if (!scene.units) {
+        return "";
+    }
+    const auto& [length, force, pressure] = *scene.units;
+    const bool whole_force = scene.round && quantity == scene::Quantity::P;
+    const double order =
+        row.index == scene::QuantityRow::Index::order ? static_cast<double>(k) : 0.0;
+    const int halves =
+        static_cast<int>(std::lround(2 * (row.length_power - order))) + (whole_force ? 2 : 0);
+    if (row.force_power == 0) {
+        return halves != 0 && length ? power_of(length->name, halves) : "";
+    }
+    if (halves == 2 && force) {
+        return force->name;
+    }
+    if (halves == 0 && force && length) {
+        return force->name + "/" + length->name;
+    }
+    if (halves == -2) { // force per square of a length
+        return pressure          ? pressure->name
+               : force && length ? force->name + "/" + length->name + "^2"
+                                 : "";
+    }
+    return pressure && length ? pressure->name + " " + power_of(length->name, halves + 2) : "";
 }
 
 void append_value(std::vector<std::string>& row, const std::optional<scene::BoundedValue>& value,
@@ -118,17 +172,22 @@ void append_value(std::vector<std::string>& row, const std::optional<scene::Boun
     }
 }
 
-void show_as_file(const SceneOptions& o) {
-    if (!o.as_file.empty()) {
+void show_as_file(const OutputOptions& o) {
+    if (o.show_scene && !o.as_file.empty()) {
         std::fputs(("# the scene that these quantities stand for\n" + o.as_file).c_str(), stderr);
         std::fflush(stderr);
     }
 }
 
-void emit(const report::Table& table, const SceneOptions& o) {
+void emit(const report::Table& given, const OutputOptions& o) {
+    const report::Table table =
+        o.columns.empty() ? given : with_columns(given, parts_of(o.columns));
     const bool shown = o.out.empty() || o.out == "-";
     const std::string text =
-        write_table(table, format_of(o.format), shown ? width_to_wrap_at() : 0);
+        o.is_short() ? short_answer(table, terminal_width()) +
+                           "(more digits: --digits N; all columns: --format csv)\n"
+                     : write_table(table, format_of(o.format),
+                                   {.width = shown ? width_to_wrap_at() : 0, .notes = !o.no_notes});
     if (!shown) {
         io::write_output(o.out, text); // if this fails, its message is the only one
     }

@@ -22,6 +22,10 @@ namespace edgeproof::cli {
 
 /// Draws the scene, with tolerance 1% and 1, 2, 3 terms unless the scene has its own.
 [[nodiscard]] report::ScenePicture picture_of(scene::Scene scene);
+/// Adds --figure, and checks its file before any work, and draws the scene into it.
+void add_figure_option(CLI::App& sub, SceneOptions& options);
+void check_figure_option(const SceneOptions& options);
+void draw_figure_option(const scene::Scene& scene, const SceneOptions& options);
 /// Returns the title, else the file.
 [[nodiscard]] std::string title_of(const scene::Scene& scene);
 
@@ -39,6 +43,10 @@ void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
 /// Returns a sentence about the reliability of bounds and digits.
 [[nodiscard]] std::string bound_note(const scene::Plan& plan);
 
+/// Returns the unit of a quantity in the units of the scene; empty if they are not known.
+[[nodiscard]] std::string unit_of(const scene::Scene& scene, scene::Quantity quantity,
+                                  std::size_t k = 0);
+
 /// Appends the cells of a value: its text, its bound, its route (if `route`), and its binary64 (if
 /// it is asked for); empty cells for a missing value.
 void append_value(std::vector<std::string>& row, const std::optional<scene::BoundedValue>& value,
@@ -50,20 +58,26 @@ public:
     using Kind = report::Column::Kind;
 
     explicit Columns(const scene::Scene& scene) : digits_(scene.ask.digits) {}
-    void add(const std::string& name, Kind kind, std::function<std::string(const Object&)> cell) {
+    report::Column& add(const std::string& name, Kind kind,
+                        std::function<std::string(const Object&)> cell) {
         columns_.push_back({name, kind});
         cells_.push_back([cell = std::move(cell)](const Object& object, auto& row) {
             row.push_back(cell(object));
         });
+        return columns_.back();
     }
     /// Adds NAME, NAME_bound, the column `route` (if it has a name), then NAME_binary64 if it is
-    /// asked for.
-    void add_value(const std::string& name, const std::string& route,
-                   std::function<std::optional<scene::BoundedValue>(const Object&)> value) {
+    /// asked for. Returns the first of them.
+    report::Column&
+    add_value(const std::string& name, const std::string& route,
+              std::function<std::optional<scene::BoundedValue>(const Object&)> value) {
+        const std::size_t first = columns_.size();
         columns_.push_back({name});
         columns_.push_back({name + "_bound"});
+        columns_.back().role = report::Column::Role::bound;
         if (!route.empty()) {
             columns_.push_back({route, Kind::text});
+            columns_.back().role = report::Column::Role::route;
         }
         if (digits_.binary64) {
             columns_.push_back({name + "_binary64"});
@@ -72,6 +86,7 @@ public:
                           digits = digits_](const Object& object, auto& row) {
             append_value(row, value(object), with_route, digits);
         });
+        return columns_[first];
     }
     void write(report::Table& table, const std::vector<Object>& objects) const {
         table.columns = columns_;
@@ -89,10 +104,11 @@ private:
     std::vector<std::function<void(const Object&, std::vector<std::string>&)>> cells_;
 };
 
-/// Shows on stderr the file for a scene that was given by quantities.
-void show_as_file(const SceneOptions& options);
-/// Writes to --out, whole or not at all, or to stdout; wraps lines on a terminal.
-void emit(const report::Table& table, const SceneOptions& options);
+/// Shows on stderr the file for a scene that was given by quantities, if --show-scene asks for it.
+void show_as_file(const OutputOptions& options);
+/// Writes to --out, whole or not at all, or to stdout; a short answer, or wrapped lines, on a
+/// terminal.
+void emit(const report::Table& table, const OutputOptions& options);
 
 /// Judges the claims of a ledger, and shows their number as `what` on stderr. Claims that cannot be
 /// judged are among the result's errors.

@@ -6,11 +6,15 @@
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <iterator>
 #include <set>
 #include <string_view>
@@ -45,6 +49,7 @@ struct StatedQuantity {
     bool list = false;
 };
 constexpr StatedQuantity stated_quantities[] = {
+    {"geometry", &SceneEntries::profile, "plane, or axisymmetric: x is then the radius"},
     {"m", &SceneEntries::profile, "exponent of g'"},
     {"C", &SceneEntries::profile, "factor of g'"},
     {"R", &SceneEntries::profile, "radius"},
@@ -58,13 +63,16 @@ constexpr StatedQuantity stated_quantities[] = {
     {"width", &SceneEntries::load, "the contact's width, where it is symmetric"},
     {"P", &SceneEntries::load, "normal force per length"},
     {"M", &SceneEntries::load, "moment per length, with P, of an unknown tilt"},
+    {"delta", &SceneEntries::load, "approach of an axisymmetric contact"},
     {"contact_modulus", &SceneEntries::load, "E*"},
+    {"nu", &SceneEntries::load, "Poisson's ratio of both bodies, with --E or --contact-modulus"},
     {"E1", &SceneEntries::load, "Young's modulus of the one body"},
     {"nu1", &SceneEntries::load, "its Poisson's ratio"},
     {"E2", &SceneEntries::load, "Young's modulus of the other"},
     {"nu2", &SceneEntries::load, "its Poisson's ratio"},
     {"Q", &SceneEntries::shear, "shear force per length"},
     {"bulk_tension", &SceneEntries::shear, "difference of the bulk tensions"},
+    {"bulk_A", &SceneEntries::shear, "bulk stress of body A"},
     {"friction", &SceneEntries::shear, "coefficient of friction"},
     {"path", &SceneEntries::shear, "normal-first or together"},
     {"u", &SceneEntries::ask, "points by their distances from the edge: 1e-3,a/2", true},
@@ -81,9 +89,72 @@ void add_stated_options(CLI::App& sub, SceneOptions& o) {
     for (const StatedQuantity& q : stated_quantities) {
         std::string name = std::string("--") + q.key;
         std::ranges::replace(name, '_', '-');
-        sub.add_option(name, o.stated[q.key], q.help)
-            ->group(q.section == &SceneEntries::ask ? ask_group : group);
+        const char* const of = q.section == &SceneEntries::ask ? ask_group : group;
+        if (q.list) {
+            add_list_option(sub, name, o.stated[q.key], &o.scene, q.help);
+            sub.get_option(name)->group(of);
+        } else {
+            sub.add_option(name, o.stated[q.key], q.help)->group(of);
+        }
     }
+    sub.get_option("--path")->type_name("normal-first|together");
+    sub.get_option("--geometry")->type_name("plane|axisymmetric");
+    sub.add_option("--E", o.E, "Young's modulus of both bodies, with --nu")->group(group);
+    sub.add_option("--q-ratio", o.q_ratio, "Q/(f P), in place of --Q; with --P and --friction")
+        ->group(group);
+}
+
+/// Adds the moduli of two equal bodies.
+void add_equal_bodies(const SceneOptions& o, SceneEntries& entries) {
+    if (o.E.empty()) {
+        return;
+    }
+    const std::string& nu = o.stated.at("nu");
+    if (nu.empty()) {
+        throw InputError("--E is given without --nu", "add --nu 0.3, Poisson's ratio");
+    }
+    for (const char* const key : {"contact_modulus", "E1", "nu1", "E2", "nu2"}) {
+        if (!o.stated.at(key).empty()) {
+            throw InputError(fmt::format("--E and --{} are both given", key),
+                             "give --E and --nu for two equal bodies, or --E1, --nu1, --E2 and "
+                             "--nu2, or --contact-modulus");
+        }
+    }
+    std::erase_if(entries.load, [](const io::TomlEntry& entry) { return entry.key == "nu"; });
+    for (const auto& [key, value] : {std::pair{"E1", &o.E}, std::pair{"nu1", &nu},
+                                     std::pair{"E2", &o.E}, std::pair{"nu2", &nu}}) {
+        entries.load.push_back({key, *value});
+    }
+}
+
+/// Adds Q = (Q/(f P)) f P.
+void add_load_ratio(const SceneOptions& o, SceneEntries& entries) {
+    if (o.q_ratio.empty()) {
+        return;
+    }
+    if (!o.stated.at("Q").empty()) {
+        throw InputError("--q-ratio and --Q are both given", "give one of the two");
+    }
+    for (const char* const key : {"friction", "P"}) {
+        if (o.stated.at(key).empty()) {
+            throw InputError(fmt::format("--q-ratio is given without --{}", key),
+                             "add --friction and --P: Q is the ratio times f P");
+        }
+    }
+    entries.shear.insert(
+        entries.shear.begin(),
+        {"Q", fmt::format("({})*({})*({})", o.q_ratio, o.stated.at("friction"), o.stated.at("P"))});
+}
+
+std::string stated_kind(const SceneOptions& o);
+
+/// True for a word that stands for a scene, and not for a number.
+bool names_scene(const std::string& word) {
+    std::error_code failed;
+    return word == "-" || word.ends_with(".toml") ||
+           (word.find('/') != std::string::npos &&
+            std::filesystem::is_regular_file(word, failed)) ||
+           file_or_shipped(word, shipped_scenes) != word;
 }
 
 /// Returns the entries for the options that are given, without the kind of the profile.
@@ -99,6 +170,34 @@ SceneEntries stated_entries(const SceneOptions& o) {
     }
     return entries;
 }
+
+} // namespace
+
+scene::SceneEntries entries_of(const SceneOptions& o) {
+    SceneEntries entries = stated_entries(o);
+    add_equal_bodies(o, entries);
+    add_load_ratio(o, entries);
+    entries.profile.insert(entries.profile.begin(), {"kind", stated_kind(o)});
+    return entries;
+}
+
+bool is_by_quantities(const SceneOptions& o) {
+    const SceneEntries entries = stated_entries(o);
+    o.by_quantities =
+        !entries.profile.empty() || !entries.load.empty() || !entries.shear.empty() ||
+        !o.E.empty() || !o.q_ratio.empty() ||
+        std::ranges::any_of(o.profiles, [](const auto& profile) { return profile.second; });
+    if (o.scene.empty() && !o.by_quantities) {
+        throw InputError("no scene is given", "name its file, - for standard input, or give its "
+                                              "quantities: --hertz --R 100 --P 120 ...");
+    }
+    if (!o.scene.empty() && o.by_quantities) {
+        throw InputError("a scene is given by its file and by quantities", "give one of the two");
+    }
+    return o.by_quantities;
+}
+
+namespace {
 
 std::string stated_kind(const SceneOptions& o) {
     std::string kind;
@@ -124,8 +223,8 @@ std::vector<std::string> edges_of(const std::string& text) {
 }
 
 /// Returns the scene for the quantities on the command line.
-scene::Scene stated_scene(const SceneOptions& o, SceneEntries entries) {
-    entries.profile.insert(entries.profile.begin(), {"kind", stated_kind(o)});
+scene::Scene stated_scene(const SceneOptions& o) {
+    SceneEntries entries = entries_of(o);
     const auto add = [&](const char* key, const std::string& text, auto value) {
         if (!text.empty()) {
             entries.ask.push_back({key, std::move(value)});
@@ -143,19 +242,9 @@ scene::Scene stated_scene(const SceneOptions& o, SceneEntries entries) {
 }
 
 scene::Scene given_scene(const SceneOptions& o) {
-    SceneEntries entries = stated_entries(o);
-    const bool stated =
-        !entries.profile.empty() || !entries.load.empty() || !entries.shear.empty() ||
-        std::ranges::any_of(o.profiles, [](const auto& profile) { return profile.second; });
-    if (o.scene.empty() && !stated) {
-        throw InputError("no scene is given", "name its file, - for standard input, or give its "
-                                              "quantities: --hertz --R 100 --P 120 ...");
-    }
-    if (!o.scene.empty() && stated) {
-        throw InputError("a scene is given by its file and by quantities", "give one of the two");
-    }
-    return stated ? stated_scene(o, std::move(entries))
-                  : scene::read_scene(file_or_shipped(o.scene, shipped_scenes), entries.ask);
+    return is_by_quantities(o)
+               ? stated_scene(o)
+               : scene::read_scene(file_or_shipped(o.scene, shipped_scenes), stated_entries(o).ask);
 }
 
 Rounding rounding_of(const std::string& name) {
@@ -183,9 +272,33 @@ void ask_quantities(scene::Scene& scene, const std::string& list) {
 
 } // namespace
 
-void add_table_options(CLI::App& sub, std::string& format, std::string& out) {
-    sub.add_option("--format", format, "csv, json, md or tex")->capture_default_str();
-    sub.add_option("--out", out, "write to this file, whole or not at all (-: standard output)");
+bool OutputOptions::is_short() const {
+    return has_table && format.empty() && out.empty() && ::isatty(STDOUT_FILENO) == 1;
+}
+
+void add_table_options(CLI::App& sub, OutputOptions& o) {
+    o.has_table = true;
+    sub.add_option("--format", o.format, "default: csv; on a terminal a short answer")
+        ->type_name("csv|json|md|tex");
+    sub.add_option("--out", o.out, "write to this file, whole or not at all (-: standard output)");
+    add_list_option(sub, "--columns", o.columns, nullptr,
+                    "these columns only, such as u,p (default: all)");
+    sub.add_flag("--no-notes", o.no_notes, "leave out the facts and notes around the rows");
+}
+
+void add_list_option(CLI::App& sub, const std::string& name, std::string& target,
+                     std::string* scene, const std::string& help) {
+    sub.add_option_function<std::vector<std::string>>(
+        name,
+        [&target, scene](std::vector<std::string> words) {
+            if (scene != nullptr && scene->empty() && words.size() > 1 &&
+                names_scene(words.back())) {
+                *scene = words.back();
+                words.pop_back();
+            }
+            target = fmt::format("{}", fmt::join(words, ","));
+        },
+        help);
 }
 
 void add_threads_option(CLI::App& sub, std::string& threads) {
@@ -199,20 +312,28 @@ void add_threads_option(CLI::App& sub, int& threads) {
 
 void add_given_scene(CLI::App& sub, SceneOptions& o) {
     sub.add_option("scene", o.scene, "the scene (TOML); -: standard input");
-    sub.add_option("--edge", o.edges, "right, left or both (default: the scene's)");
-    sub.add_option("--terms", o.terms, "numbers of terms, such as 1,2,3 (default: the scene's)");
-    sub.add_option("--quantity", o.quantities,
-                   "what is asked, such as pressure,shear, as far as the command gives it "
-                   "(default: the scene's)");
+    sub.add_option("--edge", o.edges, "default: the scene's")->type_name("right|left|both");
+    add_list_option(sub, "--terms", o.terms, &o.scene,
+                    "numbers of terms, such as 1,2,3 (default: the scene's)");
+    add_list_option(sub, "--quantity", o.quantities, &o.scene,
+                    "what is asked, such as pressure,shear, as far as the command gives it "
+                    "(default: the scene's)");
     add_stated_options(sub, o);
+    sub.add_flag("--show-scene", o.show_scene,
+                 "print the file of a scene that is given by its quantities (standard error)");
 }
 
 void add_scene_options(CLI::App& sub, SceneOptions& o) {
     add_given_scene(sub, o);
-    sub.add_option("--digits", o.digits, "significant digits (default: the scene's, else 50)");
-    add_table_options(sub, o.format, o.out);
-    sub.add_option("--round", o.rounding, "nearest, down, up or enclosure")->capture_default_str();
+    sub.add_option("--digits", o.digits,
+                   "significant digits (default: the scene's, else 50; 6 on a terminal)");
+    add_table_options(sub, o);
+    sub.add_option("--round", o.rounding, "how values are rounded")
+        ->capture_default_str()
+        ->type_name("nearest|down|up|enclosure");
     sub.add_flag("--binary64", o.binary64, "add the binary64 nearest to each value");
+    sub.add_flag("--exact", o.exact,
+                 "print the points of a range as exact fractions, not as decimals");
 }
 
 void add_tolerance_option(CLI::App& sub, SceneOptions& o, const std::string& help) {
@@ -225,7 +346,10 @@ scene::Scene asked_scene(const SceneOptions& o) {
     scene::Scene scene = given_scene(o);
     if (!o.digits.empty()) {
         scene.ask.digits.count = digits_of(o.digits, most_digits_of_a_scene);
+    } else if (o.is_short()) {
+        scene.ask.digits.count = digits_of_short_answer;
     }
+    scene.ask.digits.exact = o.exact;
     scene.ask.digits.rounding = rounding;
     scene.ask.digits.binary64 = o.binary64;
     if (!o.edges.empty()) {
@@ -284,10 +408,28 @@ void ask_for(scene::Scene& scene, const SceneOptions& o, scene::QuantityGroup ow
 }
 
 formula::Exact tolerance_of(const std::string& text) {
+    refuse_whole_tolerance("--tolerance", text);
     try {
         return scene::parse_tolerance(text);
     } catch (const InputError& error) {
         throw InputError("--tolerance " + text + ": " + error.problem(), error.instead());
+    }
+}
+
+std::string percent_text(const formula::Exact& tolerance) {
+    return tolerance.is_rational() ? exact_text(Rational(tolerance.rational() * 100)) + "%"
+                                   : tolerance.text();
+}
+
+void refuse_whole_tolerance(const std::string& option, const std::string& text) {
+    if (text.empty() || text.back() == '%' ||
+        text.find_first_not_of("0123456789.") != std::string::npos) {
+        return;
+    }
+    const Rational given = parse_decimal(text);
+    if (given >= 1) {
+        throw InputError(option + " " + text + " is " + exact_text(Rational(given * 100)) + " %",
+                         "write " + text + "% or " + exact_text(Rational(given / 100)));
     }
 }
 
@@ -336,11 +478,18 @@ unsigned threads_of(const std::string& text) {
 }
 
 report::TableFormat format_of(const std::string& name) {
-    const auto format = report::table_format(name);
+    const auto format = report::table_format(name.empty() ? "csv" : name);
     if (!format) {
         throw InputError("--format " + name + " is no format", "write csv, json, md or tex");
     }
     return *format;
+}
+
+bool text_or_json(const std::string& format) {
+    if (!format.empty() && format != "text" && format != "json") {
+        throw InputError("--format " + format + " is no format", "write text or json");
+    }
+    return format == "json";
 }
 
 void check_state(const std::string& file) {

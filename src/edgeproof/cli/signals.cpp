@@ -174,6 +174,7 @@ void say_at_the_end(const std::string& line) {
             ::pause();
         }
     }
+    wipe_progress();
     std::fprintf(stderr, "%s\n", line.c_str());
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 
+#include <fmt/format.h>
+
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -14,6 +17,14 @@ namespace edgeproof::cli {
 
 namespace {
 constexpr std::chrono::milliseconds shown_every{100};
+constexpr std::chrono::milliseconds shown_after{500};
+std::atomic<bool> progress_on_screen{false};
+
+/// The width of a terminal in columns; 0 if it is not known.
+std::size_t columns_of(int file) {
+    winsize size{};
+    return ::isatty(file) == 1 && ::ioctl(file, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
 
 /// True if the terminal obeys escape sequences.
 bool obeys_escapes(int file) {
@@ -26,9 +37,12 @@ bool obeys_escapes(int file) {
 Progress::Progress(std::string what)
     : what_(std::move(what)), terminal_(obeys_escapes(STDERR_FILENO)) {}
 
-Progress::~Progress() {
-    if (terminal_ && shown_ > 0) {
+Progress::~Progress() { wipe_progress(); }
+
+void wipe_progress() {
+    if (progress_on_screen.exchange(false)) {
         std::fputs("\r\033[K", stderr);
+        std::fflush(stderr);
     }
 }
 
@@ -38,21 +52,29 @@ void Progress::operator()(std::size_t done, std::size_t total) {
     }
     const std::lock_guard lock(showing_);
     const auto now = std::chrono::steady_clock::now();
-    if (shown_ == 0) {
+    if (!called_) {
+        called_ = true;
         begun_ = now;
         first_ = done;
-    } else if (done < total && now - last_ < shown_every) {
+    }
+    if (now - begun_ < shown_after || (done < total && now - last_ < shown_every)) {
         return;
     }
     last_ = now;
-    shown_ = done;
-    std::fprintf(stderr, "\r\033[K%s %zu of %zu", what_.c_str(), done, total);
+    std::string line = fmt::format("{} {} of {}", what_, done, total);
     const double seconds = std::chrono::duration<double>(now - begun_).count();
     if (seconds > 1 && done > first_) {
         const double rate = static_cast<double>(done - first_) / seconds;
-        std::fprintf(stderr, ", %.3g a second, %.0f s left", rate,
-                     static_cast<double>(total - done) / rate);
+        line += fmt::format(", {:.3g} a second, {:.0f} s left", rate,
+                            static_cast<double>(total - done) / rate);
     }
+    // A line that is wrapped could not be wiped.
+    const std::size_t columns = columns_of(STDERR_FILENO);
+    if (columns > 0 && line.size() >= columns) {
+        line.resize(columns - 1);
+    }
+    progress_on_screen = true;
+    std::fprintf(stderr, "\r\033[K%s", line.c_str());
     std::fflush(stderr);
 }
 
@@ -62,12 +84,8 @@ bool stdout_takes_colour() {
 }
 
 std::size_t terminal_width() {
-    winsize size{};
-    if (::isatty(STDOUT_FILENO) == 1 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 &&
-        size.ws_col >= 60) {
-        return size.ws_col;
-    }
-    return 100;
+    const std::size_t columns = columns_of(STDOUT_FILENO);
+    return columns >= 60 ? columns : 100;
 }
 
 std::size_t width_to_wrap_at() { return ::isatty(STDOUT_FILENO) == 1 ? terminal_width() : 0; }

@@ -57,7 +57,8 @@ conformance::Answers program_answers(const std::string& recipe_file, const std::
     options.seconds = seconds;
     options.progress = std::ref(progress);
     options.write_csv = [&](const conformance::Questions& part) {
-        return write_table(report::question_table(part, recipe.title), report::TableFormat::csv);
+        return write_table(report::question_table(part, recipe.title), report::TableFormat::csv,
+                           {.notes = false});
     };
     return ask_program_in_batches(recipe.questions, options);
 }

@@ -156,7 +156,8 @@ void add_certify(CLI::App& app, int& code) {
         "state the verdicts on a ledger, or the values of a scene, as theorems that Coq checks",
         certify);
     sub.add_option("file", o.file, "the ledger or the scene (TOML)")->required();
-    sub.add_option("--out", o.out, "folder for the Coq files, Makefile, index.csv, README.md")
+    sub.add_option("--out,--out-dir", o.out,
+                   "folder for the Coq files, Makefile, index.csv, README.md")
         ->required();
     sub.add_option("--only", o.only, "claims whose id matches, such as 'EQ2*'");
     add_threads_option(sub, o.threads);

@@ -34,6 +34,8 @@ struct CompareOptions {
     std::string tolerance_q;
     bool partial = false;
     bool json = false;
+    std::string format;
+    std::string out;
     bool self_test = false;
     std::string seed = "1";
     std::string junit;
@@ -42,6 +44,7 @@ struct CompareOptions {
 };
 
 double tolerance_value(const std::string& option, const std::string& text) {
+    refuse_whole_tolerance(option, text);
     try {
         return scene::parse_tolerance(text).to<double>();
     } catch (const InputError& error) {
@@ -150,6 +153,8 @@ void write_outputs(const report::ComparisonReport& report, const CompareOptions&
 }
 
 int compare_results(const CompareOptions& o) {
+    const bool json = o.json || text_or_json(o.format);
+    io::check_output(o.out);
     if (o.self_test) {
         if (!o.scene.empty()) {
             throw InputError("--self-test takes no files", "write edgeproof compare --self-test");
@@ -201,8 +206,8 @@ int compare_results(const CompareOptions& o) {
     }
     write_outputs(report, o);
     const std::string text =
-        o.json ? comparison_json(report) : printable_lines(comparison_text(report));
-    std::fwrite(text.data(), 1, text.size(), stdout);
+        json ? comparison_json(report) : printable_lines(comparison_text(report));
+    io::write_output(o.out.empty() ? "-" : o.out, text);
     return report.comparison.passes() ? 0 : 1;
 }
 
@@ -221,8 +226,9 @@ void add_compare(CLI::App& app, int& code) {
                    "x of the data at the scene's origin, or auto: fitted to the data")
         ->capture_default_str();
     sub.add_option("--tolerance", o.tolerance, "pass with an error of p within this (default: 3%)");
-    sub.add_option("--of", o.of, "peak, local or L2: what that error is relative to")
-        ->capture_default_str();
+    sub.add_option("--of", o.of, "what that error is relative to")
+        ->capture_default_str()
+        ->type_name("peak|local|L2");
     sub.add_option("--edge-zone", o.zone,
                    "leave out the nodes near the edges: 2e (elements), or a length")
         ->capture_default_str();
@@ -234,10 +240,13 @@ void add_compare(CLI::App& app, int& code) {
     sub.add_flag("--partial", o.partial,
                  "the data hold a part of the contact: compare p at their nodes, though they do "
                  "not determine a, b, P and the largest p");
-    sub.add_flag("--json", o.json, "write JSON to standard output");
+    sub.add_flag("--json", o.json, "as --format json");
+    sub.add_option("--format", o.format, "default: text")->type_name("text|json");
+    sub.add_option("--out", o.out, "write the comparison to this file (-: standard output)");
     sub.add_option("--junit", o.junit, "write JUnit XML to this file");
     sub.add_option("--html", o.html, "write a page to this file");
-    sub.add_option("--figures", o.figures, "draw data and errors into this folder (SVG, CSV)");
+    sub.add_option("--figures,--out-dir", o.figures,
+                   "draw data and errors into this folder (SVG, CSV)");
     sub.add_flag("--self-test", o.self_test,
                  "inject known mistakes and noise into several contacts, and count how many are "
                  "named; without files");

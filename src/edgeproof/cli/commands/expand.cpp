@@ -12,6 +12,7 @@ std::string power_text(std::size_t k, int half_powers) {
 }
 
 int expand(const SceneOptions& o) {
+    check_figure_option(o);
     scene::Scene scene = asked_scene(o);
     ask_at_edges(scene, o);
     ask_terms(scene);
@@ -27,7 +28,9 @@ int expand(const SceneOptions& o) {
     } else if (scene.shear) {
         table.notes.emplace_back("q = (Q/P) p = sum of s_k u^(k + 1/2)");
     }
-    table.notes.push_back(bound_note(result.plan));
+    table.asked = "coefficients of " +
+                  std::string(table.notes.front().substr(0, table.notes.front().find(';')));
+    table.remarks.push_back(bound_note(result.plan));
     struct Coefficient {
         const scene::Row& row;
         int half_powers;
@@ -46,15 +49,27 @@ int expand(const SceneOptions& o) {
     }
     using Kind = report::Column::Kind;
     Columns<Coefficient> columns(scene);
-    columns.add("edge", Kind::text,
-                [](const auto& c) { return scene::edge_name(c.row.asked.edge); });
-    columns.add("coefficient", Kind::text, [](const auto& c) { return symbol_of(c.row.asked); });
-    columns.add("k", Kind::count, [](const auto& c) { return std::to_string(c.row.asked.k); });
-    columns.add("power", Kind::text,
-                [](const auto& c) { return power_text(c.row.asked.k, c.half_powers); });
-    columns.add_value("value", "route", [](const auto& c) { return c.row.value; });
+    using Shown = report::Column::Shown;
+    columns
+        .add("edge", Kind::text, [](const auto& c) { return scene::edge_name(c.row.asked.edge); })
+        .phrase = "{} edge";
+    columns.add("coefficient", Kind::text, [](const auto& c) { return symbol_of(c.row.asked); })
+        .phrase = "{} =";
+    columns.add("k", Kind::count, [](const auto& c) { return std::to_string(c.row.asked.k); })
+        .shown = Shown::not_on_terminal;
+    columns
+        .add("power", Kind::text,
+             [](const auto& c) { return power_text(c.row.asked.k, c.half_powers); })
+        .shown = Shown::not_on_terminal;
+    columns.add_value("value", "route", [](const auto& c) { return c.row.value; }).phrase = "{}";
+    report::Column& unit = columns.add("unit", Kind::text, [&scene](const auto& c) {
+        return unit_of(scene, c.row.asked.quantity, c.row.asked.k);
+    });
+    unit.phrase = "{}";
+    unit.shown = Shown::on_terminal_only;
     columns.write(table, coefficients);
     table.columns[5].name = "bound"; // not value_bound
+    draw_figure_option(scene, o);
     emit(table, o);
     return 0;
 }
@@ -65,6 +80,7 @@ void add_expand(CLI::App& app, int& code) {
     auto [sub, o] = add_command<SceneOptions>(
         app, code, "expand", "coefficients of the expansion at the edges, with bounds", expand);
     add_scene_options(sub, o);
+    add_figure_option(sub, o);
     sub.footer("Of several numbers of --terms the greatest; 3 where none is given. Both edges "
                "unless --edge or the scene says which.");
 }

@@ -6,20 +6,14 @@
 namespace edgeproof::cli {
 namespace {
 
-struct ExtentOptions : SceneOptions {
-    std::string figure;
-};
-
-int extent(const ExtentOptions& o) {
-    if (!o.figure.empty()) {
-        report::check_picture_name(o.figure);
-        io::check_output(o.figure);
-    }
+int extent(const SceneOptions& o) {
+    check_figure_option(o);
     scene::Scene scene = asked_scene(o);
     ask_at_edges(scene, o);
     if (!scene.ask.tolerance) {
         throw InputError("no tolerance is given",
-                         "add --tolerance 1%, or tolerance = \"1%\" to [ask]")
+                         o.by_quantities ? "add --tolerance 1%"
+                                         : "add --tolerance 1%, or tolerance = \"1%\" to [ask]")
             .at(scene.file, scene.ask_line);
     }
     ask_terms(scene);
@@ -44,6 +38,8 @@ int extent(const ExtentOptions& o) {
         table.notes.emplace_back("covers_zone: yes where n terms stay within the tolerance all "
                                  "through the process zone");
     }
+    table.asked = "how far from the edge the first n terms are within " +
+                  percent_text(*scene.ask.tolerance) + " of the pressure";
     struct Terms {
         scene::RowsAt edge;
         std::size_t n;
@@ -63,36 +59,56 @@ int extent(const ExtentOptions& o) {
         return t.edge.row(Quantity::extent, t.n);
     };
     Columns<Terms> columns(scene);
-    columns.add("edge", Kind::text, [](const Terms& t) { return scene::edge_name(t.edge.edge()); });
+    using Shown = report::Column::Shown;
+    const std::string length = unit_of(scene, Quantity::extent);
+    columns.add("edge", Kind::text, [](const Terms& t) { return scene::edge_name(t.edge.edge()); })
+        .phrase = "{} edge";
     columns.add("n", Kind::count, [](const Terms& t) { return std::to_string(t.n); });
-    columns.add_value("first_exit", "", [&](const Terms& t) {
+    report::Column& first = columns.add_value("first_exit", "", [&](const Terms& t) {
         return exit(t).reached ? exit(t).value : std::nullopt;
     });
-    columns.add("first_exit_fraction", Kind::number, [&](const Terms& t) {
-        return exit(t).reached ? text(t.edge.at(Quantity::extent_fraction, t.n)) : "";
-    });
-    columns.add_value("measure", "",
-                      [](const Terms& t) { return t.edge.at(Quantity::measure, t.n); });
-    columns.add("measure_fraction", Kind::number,
-                [&](const Terms& t) { return text(t.edge.at(Quantity::measure_fraction, t.n)); });
+    first.phrase = "up to u = {}";
+    first.unit = length;
+    columns
+        .add("first_exit_fraction", Kind::number,
+             [&](const Terms& t) {
+                 return exit(t).reached ? text(t.edge.at(Quantity::extent_fraction, t.n)) : "";
+             })
+        .phrase = "{} of a + b";
+    columns
+        .add("everywhere", Kind::text,
+             [&](const Terms& t) {
+                 return exit(t).reached ? "" : "in the whole part that is looked at";
+             })
+        .shown = Shown::on_terminal_only;
+    columns
+        .add_value("measure", "", [](const Terms& t) { return t.edge.at(Quantity::measure, t.n); })
+        .shown = Shown::not_on_terminal;
+    columns
+        .add("measure_fraction", Kind::number,
+             [&](const Terms& t) { return text(t.edge.at(Quantity::measure_fraction, t.n)); })
+        .shown = Shown::not_on_terminal;
     if (scene.ask.process_zone) {
-        columns.add("covers_zone", Kind::text, [&](const Terms& t) {
-            return covers_zone(scene, *exit(t).value) ? "yes" : "no";
-        });
+        columns
+            .add("covers_zone", Kind::text,
+                 [&](const Terms& t) { return covers_zone(scene, *exit(t).value) ? "yes" : "no"; })
+            .phrase = "covers the process zone: {}";
     }
-    columns.add("crossings", Kind::text, [&](const Terms& t) {
-        std::string crossings;
-        for (std::size_t j = 0; const auto* u = t.edge.find(Quantity::crossing, t.n, j); ++j) {
-            crossings += (crossings.empty() ? "" : " ") + text(*u->value);
-        }
-        return crossings.empty() ? "none" : crossings;
-    });
-    columns.add("route", Kind::text, [&](const Terms& t) { return exit(t).value->how(); });
+    columns
+        .add("crossings", Kind::text,
+             [&](const Terms& t) {
+                 std::string crossings;
+                 for (std::size_t j = 0; const auto* u = t.edge.find(Quantity::crossing, t.n, j);
+                      ++j) {
+                     crossings += (crossings.empty() ? "" : " ") + text(*u->value);
+                 }
+                 return crossings.empty() ? "none" : crossings;
+             })
+        .shown = Shown::not_on_terminal;
+    columns.add("route", Kind::text, [&](const Terms& t) { return exit(t).value->how(); }).role =
+        report::Column::Role::route;
     columns.write(table, rows);
-    if (!o.figure.empty()) {
-        io::write_whole(o.figure,
-                        report::picture_file(picture_of(scene), title_of(scene), o.figure));
-    }
+    draw_figure_option(scene, o);
     emit(table, o);
     return 0;
 }
@@ -100,14 +116,12 @@ int extent(const ExtentOptions& o) {
 } // namespace
 
 void add_extent(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<ExtentOptions>(
+    auto [sub, o] = add_command<SceneOptions>(
         app, code, "extent",
         "how far from each edge n terms stay within a tolerance of the pressure", extent);
     add_scene_options(sub, o);
     add_tolerance_option(sub, o, " (default: the scene's)");
-    sub.add_option("--figure", o.figure,
-                   "also draw the pressure and these terms (edgeproof plot) into this file: "
-                   ".svg, .png, .pdf or .html");
+    add_figure_option(sub, o);
     sub.footer("1, 2 and 3 terms at both edges unless --terms and --edge, or the scene, say "
                "which.");
 }

@@ -28,7 +28,7 @@ void add_plot(CLI::App& app, int& code) {
         "a picture of a scene: the pressure, the first terms, and where they are good", plot);
     add_given_scene(sub, o);
     add_tolerance_option(sub, o, " (default: the scene's, else 1%)");
-    sub.add_option("--out", o.out,
+    sub.add_option("--out,--figure", o.out,
                    "write to this file, by its ending .svg, .png, .pdf or .html, whole or not at "
                    "all (default: a small picture of letters)");
     sub.footer("Drawn by gnuplot. The edges are those of --edge or of the scene, else the right "

@@ -5,11 +5,7 @@
 namespace edgeproof::cli {
 namespace {
 
-struct PointsOptions : SceneOptions {
-    bool exact = false;
-};
-
-int points(const PointsOptions& o) {
+int points(const SceneOptions& o) {
     const conformance::Recipe recipe =
         conformance::read_recipe(file_or_shipped(o.scene, shipped_recipes));
     emit(report::question_table(o.exact ? recipe.questions : rounded_to_binary64(recipe.questions),
@@ -21,10 +17,11 @@ int points(const PointsOptions& o) {
 } // namespace
 
 void add_points(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<PointsOptions>(app, code, "points",
-                                               "the questions of a recipe, to be answered", points);
+    auto [sub, o] = add_command<SceneOptions>(app, code, "points",
+                                              "the questions of a recipe, to be answered", points);
     sub.add_option("recipe", o.scene, "the recipe (TOML)")->required();
     sub.add_option("--out", o.out, "write to this file, whole or not at all");
+    sub.add_flag("--no-notes", o.no_notes, "leave out the facts and notes behind the rows");
     sub.add_flag("--exact", o.exact,
                  "numbers as the recipe gives them (default: rounded to binary64, so that a "
                  "program reads them exactly)");

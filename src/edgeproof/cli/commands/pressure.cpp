@@ -59,37 +59,54 @@ Columns<scene::RowsAt> columns_of(const scene::Scene& scene, const scene::Plan& 
         return printed(value, digits).text;
     };
     Columns<RowsAt> columns(scene);
-    columns.add("edge", Kind::text, [](const RowsAt& at) { return scene::edge_name(at.edge()); });
+    columns.add("edge", Kind::text, [](const RowsAt& at) { return scene::edge_name(at.edge()); })
+        .phrase = "{} edge";
     if (by_name(scene)) {
-        columns.add("asked", Kind::text,
-                    [&](const RowsAt& at) { return scene.ask.u[at.point()].text(); });
+        columns
+            .add("asked", Kind::text,
+                 [&](const RowsAt& at) { return scene.ask.u[at.point()].text(scene.ask.digits); })
+            .shown = report::Column::Shown::not_on_terminal;
     }
-    columns.add("u", Kind::number, [text](const RowsAt& at) {
-        const scene::Row* const u = at.find(Quantity::u);
-        return u != nullptr ? text(*u->value) : at.row(Quantity::x).asked.u->text();
-    });
-    columns.add("x", Kind::number, [text](const RowsAt& at) { return text(at.at(Quantity::x)); });
+    const std::string length = unit_of(scene, Quantity::x);
+    columns
+        .add("u", Kind::number,
+             [&, text](const RowsAt& at) {
+                 const scene::Row* const u = at.find(Quantity::u);
+                 return u != nullptr ? text(*u->value)
+                                     : scene.ask.u[at.point()].u_text(*at.row(Quantity::x).asked.u,
+                                                                      scene.ask.digits);
+             })
+        .unit = length;
+    columns.add("x", Kind::number, [text](const RowsAt& at) { return text(at.at(Quantity::x)); })
+        .unit = length;
     const auto approximations = [&](const std::string& prefix, Quantity sum, Quantity error) {
         for (const std::size_t n : plan.terms > 0 ? scene.ask.terms : std::vector<std::size_t>{}) {
-            columns.add(prefix + "local_" + std::to_string(n), Kind::number,
-                        [=](const RowsAt& at) { return text(at.at(sum, n)); });
+            columns
+                .add(prefix + "local_" + std::to_string(n), Kind::number,
+                     [=](const RowsAt& at) { return text(at.at(sum, n)); })
+                .unit = unit_of(scene, sum);
             columns.add(prefix + "rel_" + std::to_string(n), Kind::number,
                         [=, digits = plan.error_digits()](const RowsAt& at) {
                             return printed(at.at(error, n), digits).text;
                         });
         }
     };
-    columns.add_value("p", "route", [](const RowsAt& at) { return marked(at, Quantity::p, ""); });
+    columns.add_value("p", "route", [](const RowsAt& at) { return marked(at, Quantity::p, ""); })
+        .unit = unit_of(scene, Quantity::p);
     approximations("", Quantity::local, Quantity::rel);
     if (plan.shear) {
-        columns.add_value("q", "q_route",
-                          [](const RowsAt& at) { return marked(at, Quantity::q, "q_"); });
+        columns
+            .add_value("q", "q_route",
+                       [](const RowsAt& at) { return marked(at, Quantity::q, "q_"); })
+            .unit = unit_of(scene, Quantity::q);
         if (plan.partial_slip) {
             columns.add("q_over_fp", Kind::number, [&](const RowsAt& at) {
                 return printed(friction_used(scene, at), plan.error_digits()).text;
             });
-            columns.add("state", Kind::text,
-                        [](const RowsAt& at) { return state_name(at.row(Quantity::q).state); });
+            columns
+                .add("state", Kind::text,
+                     [](const RowsAt& at) { return state_name(at.row(Quantity::q).state); })
+                .phrase = "{}";
         } else {
             approximations("q_", Quantity::q_local, Quantity::q_rel);
         }
@@ -97,14 +114,17 @@ Columns<scene::RowsAt> columns_of(const scene::Scene& scene, const scene::Plan& 
     for (const scene::QuantityRow& row : scene::quantity_rows()) {
         if (row.by_its_own_name() && scene.ask.wants(row.group)) {
             const std::string name = scene::symbol_of({row.quantity});
-            columns.add_value(name, name + "_route",
-                              [&row](const RowsAt& at) { return at.at(row.quantity); });
+            columns
+                .add_value(name, name + "_route",
+                           [&row](const RowsAt& at) { return at.at(row.quantity); })
+                .unit = unit_of(scene, row.quantity);
         }
     }
     return columns;
 }
 
 int pressure(const SceneOptions& o) {
+    check_figure_option(o);
     scene::Scene scene = asked_scene(o);
     std::vector<scene::QuantityGroup> others{
         scene::QuantityGroup::shear, scene::QuantityGroup::contact, scene::QuantityGroup::peak};
@@ -144,16 +164,20 @@ int pressure(const SceneOptions& o) {
             "q: shear traction in partial slip, positive towards +x on the body that Q acts on; "
             "q_over_fp: |q|/(f p); state: slip where that is 1, stick where it is less; the q "
             "columns are as those of p");
-        table.notes.push_back("warning: full stick does not hold: the contact slips beyond the "
-                              "stick zone, -stick_b < "
-                              "x < stick_a (edgeproof slip has the sizes of the slip zones)");
+        table.remarks.push_back("warning: full stick does not hold: the contact slips beyond the "
+                                "stick zone, -stick_b < "
+                                "x < stick_a (edgeproof slip has the sizes of the slip zones)");
     } else if (result.plan.shear) {
         table.notes.emplace_back(
             "q: shear traction under full stick, positive towards +x on the body "
             "that Q acts on; the q columns are as those of p");
     }
-    table.notes.push_back(bound_note(result.plan));
+    table.asked = result.plan.print_pressure
+                      ? "pressure p at the distance u from an edge (at the place x)"
+                      : "the greatest pressure";
+    table.remarks.push_back(bound_note(result.plan));
     columns_of(scene, result.plan).write(table, result.points());
+    draw_figure_option(scene, o);
     emit(table, o);
     return 0;
 }
@@ -164,6 +188,7 @@ void add_pressure(CLI::App& app, int& code) {
     auto [sub, o] = add_command<SceneOptions>(app, code, "pressure",
                                               "pressures of a scene, each with a bound", pressure);
     add_scene_options(sub, o);
+    add_figure_option(sub, o);
 }
 
 } // namespace edgeproof::cli

@@ -55,7 +55,7 @@ void add_relations(CLI::App& app, int& code) {
     sub.add_flag("--symmetric", o.symmetric, "b = a");
     sub.add_option("--given", o.given, "NAME=FORMULA, such as P2=m*P1/a: what is not free");
     sub.add_option("--free", o.free, "a further free name, such as m");
-    add_table_options(sub, o.format, o.out);
+    add_table_options(sub, o);
 }
 
 } // namespace edgeproof::cli

@@ -46,18 +46,26 @@ int slip(const SceneOptions& o) {
         table.notes.emplace_back("cycle_energy: what friction takes, per unit length, in a cycle "
                                  "from -Q to Q and back, P held");
     }
-    table.notes.push_back(bound_note(result.plan));
+    table.asked =
+        "size d of the slip zone at each edge, and d_n by the first n terms of its series";
+    table.remarks.push_back(bound_note(result.plan));
     using scene::Quantity;
     using scene::RowsAt;
     using Kind = report::Column::Kind;
     const std::vector<std::size_t>& terms = scene.ask.terms;
     Columns<RowsAt> columns(scene);
-    columns.add("edge", Kind::text, [](const RowsAt& e) { return scene::edge_name(e.edge()); });
-    columns.add_value("d", "route", [&](const RowsAt& e) { return marked_size(e, terms); });
+    columns.add("edge", Kind::text, [](const RowsAt& e) { return scene::edge_name(e.edge()); })
+        .phrase = "{} edge";
+    const std::string length = unit_of(scene, Quantity::slip);
+    columns.add_value("d", "route", [&](const RowsAt& e) { return marked_size(e, terms); }).unit =
+        length;
     for (const std::size_t n : terms) {
-        columns.add("d_" + std::to_string(n), Kind::number, [&scene, n](const RowsAt& e) {
-            return printed(e.at(Quantity::slip_terms, n), scene.ask.digits).text;
-        });
+        columns
+            .add("d_" + std::to_string(n), Kind::number,
+                 [&scene, n](const RowsAt& e) {
+                     return printed(e.at(Quantity::slip_terms, n), scene.ask.digits).text;
+                 })
+            .unit = length;
         columns.add("rel_" + std::to_string(n), Kind::number, [&result, n](const RowsAt& e) {
             return printed(e.at(Quantity::slip_rel, n), result.plan.error_digits()).text;
         });
@@ -66,10 +74,15 @@ int slip(const SceneOptions& o) {
         const std::string name = "slip_load_" + std::to_string(n);
         columns.add_value(name, "",
                           [n](const RowsAt& e) { return e.row(Quantity::slip_load, n).value; });
-        columns.add(name + "_route", Kind::text, [n](const RowsAt& e) -> std::string {
-            const scene::Row& load = e.row(Quantity::slip_load, n);
-            return !load.value ? "undecided" : load.reached ? load.value->how() : "full sliding";
-        });
+        columns
+            .add(name + "_route", Kind::text,
+                 [n](const RowsAt& e) -> std::string {
+                     const scene::Row& load = e.row(Quantity::slip_load, n);
+                     return !load.value    ? "undecided"
+                            : load.reached ? load.value->how()
+                                           : "full sliding";
+                 })
+            .role = report::Column::Role::route;
     }
     columns.write(table, result.at_edges(scene::QuantityGroup::slip));
     emit(table, o);

@@ -11,12 +11,10 @@ namespace {
 
 constexpr const char* slip_paper = "moore-hills";
 
-struct SlipTableRequest {
+struct SlipTableRequest : OutputOptions {
     std::string tolerances = "1%,5%,10%";
     std::string terms = "1";
     std::string digits = "10";
-    std::string format = "csv";
-    std::string out;
     std::string figures;
 };
 
@@ -33,7 +31,7 @@ void draw_slip_figures(const std::string& folder) {
 }
 
 int slip_table(const SlipTableRequest& o) {
-    const report::TableFormat format = format_of(o.format);
+    (void)format_of(o.format);
     io::check_output(o.out);
     if (!o.figures.empty()) {
         io::check_folder(o.figures); // the folder is made when there is something to write
@@ -48,7 +46,7 @@ int slip_table(const SlipTableRequest& o) {
     if (!o.figures.empty()) {
         draw_slip_figures(o.figures);
     }
-    io::write_output(o.out.empty() ? "-" : o.out, write_table(table, format));
+    emit(table, o);
     return 0;
 }
 
@@ -60,12 +58,11 @@ void add_slip_table(CLI::App& app, int& code) {
         "up to which Q/(f P) the first terms of a slip zone's size are good enough, "
         "for the profiles of the literature",
         slip_table);
-    sub.add_option("--tolerance", o.tolerances, "tolerances, such as 1%,5%,10%")
-        ->capture_default_str();
-    sub.add_option("--terms", o.terms, "numbers of terms, such as 1,2,3")->capture_default_str();
+    add_list_option(sub, "--tolerance", o.tolerances, nullptr, "tolerances (default: 1%,5%,10%)");
+    add_list_option(sub, "--terms", o.terms, nullptr, "numbers of terms (default: 1)");
     sub.add_option("--digits", o.digits, "significant digits")->capture_default_str();
-    add_table_options(sub, o.format, o.out);
-    sub.add_option("--figures", o.figures,
+    add_table_options(sub, o);
+    sub.add_option("--figures,--out-dir", o.figures,
                    "also draw the sizes against Q/(f P), an .svg and a .csv a profile and edge, "
                    "into this folder");
 }

@@ -46,7 +46,9 @@ int stress(const StressOptions& o) {
     }
     if (scene.ask.in_bodies.empty()) {
         throw InputError("no points are asked for",
-                         "add points = [[\"0\", \"1/2\"]] (x, z) to [ask], or give --point 0,1/2")
+                         o.by_quantities ? "give --point 0,1/2 (x, z)"
+                                         : "add points = [[\"0\", \"1/2\"]] (x, z) to [ask], or "
+                                           "give --point 0,1/2")
             .at(scene.file, scene.ask_line);
     }
     for (scene::BodyPoint& point : scene.ask.in_bodies) {
@@ -63,25 +65,33 @@ int stress(const StressOptions& o) {
     if (result.plan.partial_slip) {
         add_slip_facts(table.facts, scene, result);
     }
-    table.notes.push_back(bound_note(result.plan));
+    table.asked = "stresses at the place x and the depth z of a body";
+    table.remarks.push_back(bound_note(result.plan));
     using Kind = report::Column::Kind;
     Columns<RowsAt> columns(scene);
     const auto point = [&scene](const RowsAt& at) -> const scene::BodyPoint& {
         return scene.ask.in_bodies[at.point()];
     };
-    columns.add("body", Kind::text, [&o](const RowsAt&) { return o.body; });
-    columns.add("x", Kind::number, [point](const RowsAt& at) { return point(at).x.text(); });
-    columns.add("z", Kind::number, [point](const RowsAt& at) { return point(at).z.text(); });
+    const std::string length = unit_of(scene, Quantity::x);
+    columns.add("body", Kind::text, [&o](const RowsAt&) { return o.body; }).phrase = "body {}";
+    columns.add("x", Kind::number, [point](const RowsAt& at) { return point(at).x.text(); }).unit =
+        length;
+    columns.add("z", Kind::number, [point](const RowsAt& at) { return point(at).z.text(); }).unit =
+        length;
     constexpr std::array quantities{Quantity::sxx, Quantity::szz, Quantity::sxz, Quantity::mises,
                                     Quantity::tau_max};
     for (const Quantity quantity : quantities) {
         if (quantity != Quantity::mises || scene.poisson(body)) {
-            columns.add_value(std::string(row_of(quantity).name), "",
-                              [quantity](const RowsAt& at) { return at.row(quantity).value; });
+            columns
+                .add_value(std::string(row_of(quantity).name), "",
+                           [quantity](const RowsAt& at) { return at.row(quantity).value; })
+                .unit = unit_of(scene, quantity);
         }
     }
-    columns.add("route", Kind::text,
-                [](const RowsAt& at) { return at.row(Quantity::sxx).value->how(); });
+    columns
+        .add("route", Kind::text,
+             [](const RowsAt& at) { return at.row(Quantity::sxx).value->how(); })
+        .role = report::Column::Role::route;
     columns.write(table, result.at_places(scene::QuantityRow::Place::body));
     emit(table, o);
     return 0;
@@ -104,7 +114,8 @@ int displacement(const SceneOptions& o) {
     }
     if (scene.ask.u.empty()) {
         throw InputError("no places are asked for",
-                         "add x = [\"0\", \"2\"] to [ask], or give --x 0,2")
+                         o.by_quantities ? "give --x 0 2"
+                                         : "add x = [\"0\", \"2\"] to [ask], or give --x 0,2")
             .at(scene.file, scene.ask_line);
     }
     scene.ask.edges = {contact::Edge::right};
@@ -116,17 +127,26 @@ int displacement(const SceneOptions& o) {
     if (result.plan.partial_slip) {
         add_slip_facts(table.facts, scene, result);
     }
-    table.notes.push_back(bound_note(result.plan));
+    table.asked = "gap between the surfaces outside the contact, slip inside";
+    table.remarks.push_back(bound_note(result.plan));
     using Kind = report::Column::Kind;
     Columns<RowsAt> columns(scene);
-    columns.add("x", Kind::number, [&scene](const RowsAt& at) {
-        const auto number = scene.ask.u[at.point()].place->number();
-        return number ? number->text() : scene.ask.u[at.point()].text();
-    });
-    columns.add_value("gap", "", [](const RowsAt& at) { return value_of(at, Quantity::gap); });
-    columns.add_value("slip", "",
-                      [](const RowsAt& at) { return value_of(at, Quantity::slip_displacement); });
-    columns.add("route", Kind::text, [](const RowsAt& at) { return at.begin()->value->how(); });
+    columns
+        .add("x", Kind::number,
+             [&scene](const RowsAt& at) {
+                 const scene::AskedPoint& point = scene.ask.u[at.point()];
+                 const auto number = point.place->number();
+                 return number ? point.x_text(*number, scene.ask.digits) : point.text();
+             })
+        .unit = unit_of(scene, Quantity::x);
+    columns.add_value("gap", "", [](const RowsAt& at) { return value_of(at, Quantity::gap); })
+        .unit = unit_of(scene, Quantity::gap);
+    columns
+        .add_value("slip", "",
+                   [](const RowsAt& at) { return value_of(at, Quantity::slip_displacement); })
+        .unit = unit_of(scene, Quantity::slip_displacement);
+    columns.add("route", Kind::text, [](const RowsAt& at) { return at.begin()->value->how(); })
+        .role = report::Column::Role::route;
     columns.write(table, result.at_places(scene::QuantityRow::Place::surface));
     emit(table, o);
     return 0;
@@ -138,7 +158,9 @@ void add_stress(CLI::App& app, int& code) {
     auto [sub, o] = add_command<StressOptions>(
         app, code, "stress", "stresses at points of a body, each with a bound", stress);
     add_scene_options(sub, o);
-    sub.add_option("--body", o.body, "A, on which Q acts, or B")->capture_default_str();
+    sub.add_option("--body", o.body, "the body: Q acts on A")
+        ->capture_default_str()
+        ->type_name("A|B");
     sub.add_option("--point", o.points,
                    "X,Z: place and depth (default: points of [ask]); repeatable");
     sub.footer(

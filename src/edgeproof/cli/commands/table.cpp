@@ -14,10 +14,8 @@ namespace {
 
 constexpr std::size_t most_said = 20;
 
-struct TableOptions {
+struct TableOptions : OutputOptions {
     std::string recipe;
-    std::string out;
-    std::string format = "csv";
     std::string threads;
     std::string every;
     bool check = false;
@@ -74,7 +72,7 @@ int to_file(const TableOptions& o) {
     try {
         threads = processes != nullptr && o.threads.empty() ? 1 : threads_of(o.threads);
         recipe = conformance::RecipeGrid::read(o.recipe);
-        table.emplace(*recipe, o.out, *report::table_format(o.format));
+        table.emplace(*recipe, o.out, format_of(o.format), !o.no_notes);
         if (leads) {
             io::check_output(o.out);
             table->open();
@@ -118,10 +116,7 @@ int table(TableOptions& o) {
     if (o.check) {
         return check(o, recipe);
     }
-    SceneOptions output;
-    output.format = o.format;
-    output.out = o.out;
-    emit(report::reference_table(recipe, reference_values(o, recipe)), output);
+    emit(report::reference_table(recipe, reference_values(o, recipe)), o);
     return 0;
 }
 
@@ -134,7 +129,8 @@ void add_table(CLI::App& app, int& code) {
     sub.add_option("--out", o.out,
                    "write to this file, whole or not at all; what is done of a long table is "
                    "kept next to it (.part), and the same command goes on from there");
-    sub.add_option("--format", o.format, "csv, json, md or tex")->capture_default_str();
+    sub.add_option("--format", o.format, "default: csv")->type_name("csv|json|md|tex");
+    sub.add_flag("--no-notes", o.no_notes, "leave out the facts and notes around the rows");
     sub.add_option("--threads", o.threads,
                    "threads (default: one a processor; one each of several processes that "
                    "mpirun or srun started)");

@@ -107,11 +107,11 @@ private:
 
 void write(const report::Table& head, const conformance::RecipeGrid& recipe,
            const io::CheckpointFile& part, report::TableFormat format,
-           const std::filesystem::path& file) {
+           const report::TableLayout& layout, const std::filesystem::path& file) {
     RowsInOrder rows(recipe, part);
     if (format == report::TableFormat::csv) {
         io::AtomicFile whole(file);
-        whole.write(write_table(head, format));
+        whole.write(write_table(head, format, layout));
         rows.each([&](const std::string& lines) { whole.write(lines); });
         whole.commit();
         return;
@@ -123,14 +123,14 @@ void write(const report::Table& head, const conformance::RecipeGrid& recipe,
             table.rows.push_back(std::move(row.cells));
         }
     });
-    io::write_whole(file, write_table(table, format));
+    io::write_whole(file, write_table(table, format, layout));
 }
 
 } // namespace
 
 TableInParts::TableInParts(const conformance::RecipeGrid& recipe, std::filesystem::path file,
-                           report::TableFormat format)
-    : recipe_(recipe), file_(std::move(file)), format_(format) {}
+                           report::TableFormat format, bool notes)
+    : recipe_(recipe), file_(std::move(file)), format_(format), notes_(notes) {}
 
 std::string TableInParts::sign() const {
     return fmt::format("{} {:016x}", report::program_line(), recipe_.fingerprint());
@@ -209,7 +209,7 @@ void TableInParts::make(unsigned threads, parallel::Processes* processes) {
         throw;
     }
     const report::Table head = columns.table(total, part.marked(), checksum);
-    write(head, recipe_, part, format_, file_);
+    write(head, recipe_, part, format_, {.notes = notes_}, file_);
     part.remove();
 }
 

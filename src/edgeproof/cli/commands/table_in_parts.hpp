@@ -19,7 +19,7 @@ class TableInParts {
 public:
     /// Keeps a reference to the recipe.
     TableInParts(const conformance::RecipeGrid& recipe, std::filesystem::path file,
-                 report::TableFormat format);
+                 report::TableFormat format, bool notes);
     /// Opens the part file. Throws InputError if it cannot be written or another run uses it.
     void open();
     /// Makes the table after open(). Throws the errors of references(), InputError if a file cannot
@@ -35,6 +35,7 @@ private:
     const conformance::RecipeGrid& recipe_;
     std::filesystem::path file_;
     report::TableFormat format_;
+    bool notes_;
     std::optional<io::CheckpointFile> part_;
 };
 

@@ -141,7 +141,7 @@ void add_verify(CLI::App& app, int& code) {
         app, code, "verify", "verify a ledger of printed claims against the mechanics", verify);
     sub.add_option("ledger", o.ledger, "the ledger (TOML)")->required();
     sub.add_option("--digits", o.digits, "digits to verify to")->capture_default_str();
-    sub.add_option("--out", o.out,
+    sub.add_option("--out,--out-dir", o.out,
                    "folder for verdicts.json, .csv, .md, .tex, report.html and errata.tex");
     sub.add_option("--only", o.only, "claims whose id matches, such as 'EQ2*'");
     sub.add_option("--certificates", o.certificates,

@@ -80,6 +80,8 @@ Table slip_table(const std::string& paper, const SlipTableOptions& options) {
                    "every digit is right: proved (docs/partial-slip.md)"};
     table.columns = {
         {"profile", Column::Kind::text}, {"edge", Column::Kind::text}, {"n", Column::Kind::count}};
+    table.columns[0].phrase = "{}";
+    table.columns[1].phrase = "{}";
     std::vector<formula::Exact> tolerances;
     for (const std::string& text : options.tolerances) {
         tolerances.push_back(scene::parse_tolerance(text));

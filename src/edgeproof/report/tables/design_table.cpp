@@ -102,8 +102,9 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
                                  "this range; everywhere else the reach is proved to be less");
     }
     if (!best.attained) {
-        table.notes.emplace_back("the reach jumps at the value: it is approached from one side and "
-                                 "not attained");
+        table.remarks.emplace_back(
+            "the reach jumps at the value: it is approached from one side and "
+            "not attained");
     }
     table.columns = {{"parameter", Column::Kind::text},
                      {"value"},
@@ -111,6 +112,10 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
                      {"reach"},
                      {"reach_bound"},
                      {"gap"}};
+    table.columns[0].phrase = "{} =";
+    table.columns[1].phrase = "{}";
+    table.columns[2].role = Column::Role::bound;
+    table.columns[4].role = Column::Role::bound;
     const scene::PrintedValue reach = text(best.reach);
     for (std::size_t i = 0; i < design.parameters.size(); ++i) {
         const scene::PrintedValue value = text(best.value[i]);
@@ -138,7 +143,7 @@ Table relations_table(const audit::RelationQuestion& question, const audit::Aske
     table.notes = {
         "each relation is proved by symbols: it holds identically in a, b and the derivatives of P "
         "and b that are not given"};
-    table.notes.emplace_back(
+    table.remarks.emplace_back(
         !asked.found.complete ? "a relation was found at samples and not proved: there may be more"
         : asked.found.relations.empty()
             ? "there is no relation of this degree or less: proved by the rank of their matrix at "

@@ -135,6 +135,7 @@ std::uint64_t ReferenceRows::header_checksum() const {
 Table ReferenceRows::table(std::size_t rows, std::size_t estimates, std::uint64_t checksum) const {
     Table table;
     table.title = title_;
+    table.notes_first = true;
     table.columns = columns();
     table.facts = {
         {"recipe", recipe_},

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <optional>
 #include <set>
@@ -88,7 +89,7 @@ Json profile_json(const audit::ClaimResult& r, double most) {
 }
 
 /// LaTeX text that can be broken into lines in a narrow column: after operators, brackets and
-/// underscores, and after every fifth digit of a long number.
+/// underscores, after the point of an id, and after every fifth digit of a long number.
 std::string breakable_latex(std::string_view text) {
     constexpr std::string_view breaks_after = "*/,;=()+_^";
     constexpr std::size_t most_digits = 5;
@@ -101,7 +102,9 @@ std::string breakable_latex(std::string_view text) {
         digits = digit ? digits + 1 : 0;
         part += c;
         const bool exponent = c == '+' && i > 0 && text[i - 1] == 'e'; // 1e+08
-        if ((breaks_after.find(c) != std::string_view::npos && !exponent) ||
+        const bool point = c == '.' && i + 1 < text.size() &&
+                           std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0;
+        if ((breaks_after.find(c) != std::string_view::npos && !exponent) || point ||
             digits == most_digits) {
             out += latex_text(part) + "\\allowbreak{}";
             part.clear();

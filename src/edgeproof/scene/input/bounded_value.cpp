@@ -128,6 +128,28 @@ PrintedValue printed(const BoundedValue& x, const Digits& digits) {
     return p;
 }
 
+std::string decimal_text(const formula::Exact& x, const Digits& digits) {
+    if (digits.exact) {
+        return x.text();
+    }
+    if (x.is_rational()) {
+        const Rational& q = x.rational();
+        const PrintedValue rounded = printed_exactly(q, digits);
+        const bool is_short =
+            Rounded(round_rational(q, digits.count, Rounding::nearest)).lower.value() == q;
+        return !is_short                                 ? rounded.text
+               : x.text().find('/') == std::string::npos ? x.text()
+                                                         : exact_text(q);
+    }
+    constexpr long most_bits = 1L << 20;
+    PrintedValue rounded;
+    for (long bits = formula::bits_for(digits.count) + 64; !rounded.complete && bits < most_bits;
+         bits *= 2) {
+        rounded = printed({formula::ball_of(x, bits), true, "", {}}, digits);
+    }
+    return rounded.text;
+}
+
 BoundedValue estimated(const Real& value, const Real& error, std::string route) {
     const long bits = mpfr_get_prec(value.backend().data());
     return {Ball::around(value, error, bits), false, std::move(route)};

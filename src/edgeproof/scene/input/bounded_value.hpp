@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
@@ -26,6 +27,7 @@ struct Digits {
     unsigned count = 50;
     Rounding rounding = Rounding::nearest;
     bool binary64 = false; ///< also print the nearest binary64
+    bool exact = false;    ///< print places that are known exactly as such, also computed ones
 };
 
 struct PrintedValue {
@@ -54,6 +56,10 @@ struct PrintedValue {
 /// or does not decide the rounding of a proved value, the text is the enclosure.
 [[nodiscard]] PrintedValue printed(const BoundedValue& x, const Digits& digits);
 [[nodiscard]] std::string printed_text(const BoundedValue& x, const Digits& digits);
+
+/// Formats an exact number that nobody wrote, such as a point of a range: its decimal, if that has
+/// no more digits than requested, else rounded; with `exact`, its own text.
+[[nodiscard]] std::string decimal_text(const formula::Exact& x, const Digits& digits);
 
 /// Returns a ball with an estimated absolute error.
 [[nodiscard]] BoundedValue estimated(const Real& value, const Real& error, std::string route);

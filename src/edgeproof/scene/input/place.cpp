@@ -112,6 +112,7 @@ Place Place::parse(std::string_view text, From from, const Names& names) {
         value = value / formula::Expr::number(Rational(100)) *
                 (formula::Expr::symbol("a") + formula::Expr::symbol("b"));
     }
+    const bool plain = constant(value);
     // The name a is replaced last: where b = a, the name b is replaced by a.
     for (const auto& [name, meaning] : names) {
         if (name != "a") {
@@ -121,8 +122,10 @@ Place Place::parse(std::string_view text, From from, const Names& names) {
     if (const auto a = names.find("a"); a != names.end()) {
         value = formula::substitute(value, "a", a->second);
     }
-    return {(from == From::origin ? "x = " : "") + std::string(text), from, std::move(value),
-            names};
+    Place place((from == From::origin ? "x = " : "") + std::string(text), from, std::move(value),
+                names);
+    place.plain_ = plain;
+    return place;
 }
 
 std::optional<formula::Exact> Place::number() const {

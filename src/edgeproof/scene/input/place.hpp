@@ -80,6 +80,8 @@ public:
     /// The distance from the edge, or x, if it depends on neither a nor b.
     [[nodiscard]] std::optional<formula::Exact> number() const;
     [[nodiscard]] From from() const { return from_; }
+    /// True if the text has no names.
+    [[nodiscard]] bool is_number() const { return plain_; }
     [[nodiscard]] Distance distance(contact::Edge edge) const;
 
 private:
@@ -89,6 +91,7 @@ private:
     formula::Expr value_;
     formula::Expr a_; ///< the value of a, or the symbol a
     formula::Expr b_;
+    bool plain_ = false;
 };
 
 } // namespace edgeproof::scene

@@ -176,10 +176,13 @@ void read_range(const io::TomlSection& ask, std::string_view key, Place::From fr
             range.has("per_decade")
                 ? PointRange::geometric(begin, end, range.count("per_decade", 1, 10'000))
                 : PointRange::even(begin, end, range.count("points", 2, 100'000));
-        for (const formula::Exact& u : points_between.all()) {
+        const std::vector<formula::Exact> all = points_between.all();
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const formula::Exact& u = all[i];
             points.push_back(
                 by_x ? AskedPoint{formula::Exact(), line, Place::parse(u.text(), from, names)}
                      : AskedPoint{u, line});
+            points.back().computed = i > 0 && i + 1 < all.size();
         }
     });
 }

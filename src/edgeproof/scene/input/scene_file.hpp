@@ -26,6 +26,7 @@ struct AskedPoint {
     std::size_t line = 0;
     std::optional<Place> place = {};
     std::string written = {}; ///< as the scene writes it, if that is not a plain number
+    bool computed = false;    ///< a point between the ends of a range
 
     [[nodiscard]] Distance distance(contact::Edge edge) const {
         return place ? place->distance(edge) : Distance(u);
@@ -33,6 +34,22 @@ struct AskedPoint {
     /// The text of the request: "1e-3", "a/2", "x = 0".
     [[nodiscard]] std::string text() const {
         return place ? place->text() : written.empty() ? u.text() : written;
+    }
+    /// The same for a table: a point that the scene does not write is a decimal.
+    [[nodiscard]] std::string text(const Digits& digits) const {
+        return !computed ? text()
+               : place   ? "x = " + decimal_text(*place->number(), digits)
+                         : decimal_text(u, digits);
+    }
+    /// The distance `number` of the point: as it is written, if that is a plain number u.
+    [[nodiscard]] std::string u_text(const formula::Exact& number, const Digits& digits) const {
+        const bool plain = !computed && written.empty() && !place;
+        return plain ? number.text() : decimal_text(number, digits);
+    }
+    /// The same for a point given by its place x.
+    [[nodiscard]] std::string x_text(const formula::Exact& number, const Digits& digits) const {
+        const bool plain = !computed && place && place->is_number();
+        return plain ? number.text() : decimal_text(number, digits);
     }
 };
 

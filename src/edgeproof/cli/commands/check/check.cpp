@@ -45,6 +45,8 @@ struct CheckOptions {
     bool conditioned = false;
     bool self_test = false;
     bool json = false;
+    std::string format;
+    std::string out;
     std::string seed = "1";
     std::string files = "200";
 };
@@ -146,7 +148,8 @@ conformance::Answers ask_program(const CheckOptions& o) {
     const conformance::Recipe recipe = conformance::read_recipe(o.answers);
     const conformance::Questions asked = questions_of(recipe, o);
     options.write_csv = [&](const conformance::Questions& part) {
-        return write_table(report::question_table(part, recipe.title), report::TableFormat::csv);
+        return write_table(report::question_table(part, recipe.title), report::TableFormat::csv,
+                           {.notes = false});
     };
     return with_progress("answers", options.progress,
                          [&] { return ask_program_in_batches(asked, options); });
@@ -189,11 +192,15 @@ int check(CheckOptions& o) {
     o.ledger = file_or_shipped(o.ledger, shipped_ledgers);
     o.recipe = file_or_shipped(o.recipe, shipped_recipes);
     o.answers = file_or_shipped(o.answers, shipped_recipes);
+    o.json = text_or_json(o.format) || o.json;
     if (o.json && (!o.ledger.empty() || o.self_test)) {
         throw InputError("--json is for answers", "leave --json out");
     }
     if (o.only != "*" && (!o.ledger.empty() || o.self_test)) {
         throw InputError("--only is for answers", "leave --only out");
+    }
+    if (!o.out.empty() && (!o.ledger.empty() || o.self_test)) {
+        throw InputError("--out is for answers", "leave --out out");
     }
     if (!o.ledger.empty()) {
         return check_ledger(o.ledger, o.threads);
@@ -209,6 +216,7 @@ int check(CheckOptions& o) {
         return self_test(o.answers, o.seed, o.files, o.threads);
     }
     io::check_output(o.junit);
+    io::check_output(o.out);
     if (!o.figure.empty()) {
         report::check_figure(o.figure);
     }
@@ -220,7 +228,7 @@ int check(CheckOptions& o) {
     refuse_recipe(o);
     const auto print = [&](const report::ConformanceSummary& summary) {
         const std::string text = o.json ? summary.json() : printable_lines(summary.text());
-        std::fwrite(text.data(), 1, text.size(), stdout);
+        io::write_output(o.out.empty() ? "-" : o.out, text);
         return summary.pass() ? 0 : 1;
     };
     if (o.command.empty() && o.recipe.empty() && o.junit.empty() && o.figure.empty() &&
@@ -259,8 +267,10 @@ void add_check(CLI::App& app, int& code) {
     sub.add_option("--only", o.only,
                    "questions whose id matches, such as 'hertz:*', for a program that knows one "
                    "profile");
-    sub.add_option("--lines", o.lines, "with --exec: speak csv, or json (an object a line)")
-        ->capture_default_str();
+    sub.add_option("--lines", o.lines,
+                   "with --exec: how questions and answers are written; json: an object a line")
+        ->capture_default_str()
+        ->type_name("csv|json");
     sub.add_option("--batch", o.batch, "with --exec: questions that one run is asked")
         ->capture_default_str();
     sub.add_option("--runs", o.runs, "with --exec: start it at most so often")
@@ -273,8 +283,11 @@ void add_check(CLI::App& app, int& code) {
                  "let errors pass that the rounding of the inputs explains");
     sub.add_option("--errors", o.errors, "show at most this number of failures")
         ->capture_default_str();
-    sub.add_flag("--json", o.json,
-                 "write the outcome and the causes as JSON instead of the report");
+    sub.add_flag("--json", o.json, "as --format json");
+    sub.add_option("--format", o.format,
+                   "json: the outcome and the causes; default: text, the report")
+        ->type_name("text|json");
+    sub.add_option("--out", o.out, "write it to this file (-: standard output)");
     sub.add_option("--junit", o.junit, "write JUnit XML to this file");
     sub.add_option("--figure", o.figure, "draw digits against u into this file (.svg or .csv)");
     sub.add_option("--ledger", o.ledger, "verify the formulas of this ledger instead");

@@ -132,12 +132,12 @@ TEST_CASE("axisymmetric scenes that are not computed are refused") {
         "[profile]\nkind = \"hertz\"\ngeometry = \"axisymmetric\"\nR = \"1\"\n[load]\na = "
         "\"1\"\ncontact_modulus = \"1\"\n";
     CHECK(round_refusal(sphere + "[ask]\nterms = 1\n").empty());
-    CHECK(round_refusal(sphere + "[shear]\nQ = \"0.1\"\n").find("shear of axisymmetric") !=
+    CHECK(round_refusal(sphere + "[shear]\nQ = \"0.1\"\n").find("only partial slip") !=
           std::string::npos);
     CHECK(round_refusal(sphere + "[ask]\npoints = [[\"0\", \"1\"]]\n")
               .find("not computed for axisymmetric") != std::string::npos);
-    CHECK(round_refusal("[profile]\nkind = \"flat-and-rounded\"\ngeometry = "
-                        "\"axisymmetric\"\nt = \"1\"\nR = \"1\"\n[load]\na = "
+    CHECK(round_refusal("[profile]\nkind = \"tilted-wedge\"\ngeometry = "
+                        "\"axisymmetric\"\nphi = \"1/2\"\nalpha = \"1/4\"\n[load]\na = "
                         "\"2\"\ncontact_modulus = \"1\"\n")
               .find("only power laws") != std::string::npos);
     CHECK(round_refusal("[profile]\nkind = \"hertz\"\ngeometry = \"round\"\nR = "

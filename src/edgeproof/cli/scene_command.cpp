@@ -111,6 +111,11 @@ void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
           std::pair{"cycle_energy", Quantity::cycle_energy}}) {
         add_fact(facts, key, scene, result, quantity);
     }
+    if (scene.round) {
+        facts.push_back({"assumption",
+                         "q acts in the direction of Q everywhere and does not change p: exact "
+                         "for Poisson's ratio 0 and equal bodies (Cattaneo, Mindlin)"});
+    }
     if (!result.in_proportion) {
         facts.push_back({"path", "Q first: with Q and bulk_tension in proportion one edge would "
                                  "slip against Q at first, as |sigma_0 (a + b)/Q| is not below "

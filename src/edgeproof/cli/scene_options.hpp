@@ -39,6 +39,7 @@ struct SceneOptions : OutputOptions {
     std::string terms;      ///< "1,2,3"
     std::string quantities; ///< "pressure,shear"
     std::string tolerance;
+    std::string step; ///< of a load history; empty: the last one
     // A scene given by its quantities, in place of `scene`: --hertz --R 100 --P 120 ...
     std::map<std::string, bool> profiles;      ///< for each kind
     std::map<std::string, std::string> stated; ///< for each key of a scene's file

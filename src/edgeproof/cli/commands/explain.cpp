@@ -99,8 +99,11 @@ int explain(const ExplainOptions& o) {
         io::at_place(scene.file, scene.load_line, [&] { return make_plan(scene); });
     report::Table table;
     table.title = scene.title.empty() ? scene.file : scene.title;
-    const bool force = scene.load.kind == contact::Load::Kind::force;
-    std::string load = (force ? "P = " : "a = ") + scene.load.value.text();
+    using Kind = contact::Load::Kind;
+    std::string load = (scene.load.kind == Kind::force      ? "P = "
+                        : scene.load.kind == Kind::approach ? "delta = "
+                                                            : "a = ") +
+                       scene.load.value.text();
     if (scene.moment) {
         load += ", M = " + scene.moment->text();
     }

@@ -29,14 +29,22 @@ int slip(const SceneOptions& o) {
                          "add friction = \"0.6\" to [shear], in addition to Q")
             .at(scene.file, scene.load_line);
     }
-    ask_terms(scene);
+    const bool series = !scene.round && !scene.history; // the series is that of one step of Q
+    if (!series) {
+        scene.ask.terms.clear();
+    } else {
+        ask_terms(scene);
+    }
     const scene::SceneResult result = done(scene);
     report::Table table = values_table(scene, result);
     add_slip_facts(table.facts, scene, result);
     table.notes = {"d: size of the slip zone at the edge, |d - exact| <= d_bound; the rest of the "
-                   "contact, -stick_b < x < stick_a, sticks",
-                   "d_n: the first n terms of d in powers of Q/f, P and bulk_tension/Q held; d_1 = "
-                   "2 s_0/(f c_0); rel_n: |1 - d_n/d|"};
+                   "contact, -stick_b < x < stick_a, sticks"};
+    if (series) {
+        table.notes.emplace_back(
+            "d_n: the first n terms of d in powers of Q/f, P and bulk_tension/Q held; d_1 = "
+            "2 s_0/(f c_0); rel_n: |1 - d_n/d|");
+    }
     if (scene.ask.tolerance) {
         table.notes.push_back("slip_load_n: the Q/(f P) up to which |1 - d_n/d| stays within " +
                               scene.ask.tolerance->text() +

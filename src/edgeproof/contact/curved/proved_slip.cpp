@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/curved/proved_slip.hpp"
+#include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 
 #include <algorithm>
@@ -21,6 +22,9 @@ std::unique_ptr<ProvedContact> proved_contact(const Profile& profile,
                                               const Load& load, long bits) {
     if (BallContact::has_closed_form(profile)) {
         return std::make_unique<BallContact>(profile, contact_modulus, load, bits);
+    }
+    if (profile.axisymmetric()) {
+        return std::make_unique<AxisymmetricContact>(profile, contact_modulus, load, bits);
     }
     return std::make_unique<IntegratedContact>(profile, contact_modulus, load, bits);
 }
@@ -171,6 +175,9 @@ private:
 std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact, const Profile& profile,
                                         const formula::Exact& contact_modulus, bool tilted) {
     const BallContact* closed = contact.closed_form();
+    if (profile.axisymmetric()) {
+        return axisymmetric_zones(dynamic_cast<const AxisymmetricContact&>(contact));
+    }
     if (closed == nullptr) {
         return integrated_zones(dynamic_cast<const IntegratedContact&>(contact));
     }

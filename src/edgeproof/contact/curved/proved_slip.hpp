@@ -41,7 +41,8 @@ private:
 };
 
 /// Returns the contact of a load, by a closed form if there is one, otherwise by rigorous
-/// integration. Throws BudgetError if `bits` do not suffice to enclose the edges.
+/// integration; the contact is axisymmetric if the profile is. Throws BudgetError if `bits` do not
+/// suffice to enclose the edges.
 [[nodiscard]] std::unique_ptr<ProvedContact> proved_contact(const Profile& profile,
                                                             const formula::Exact& contact_modulus,
                                                             const Load& load, long bits);

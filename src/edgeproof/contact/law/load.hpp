@@ -7,15 +7,19 @@
 
 namespace edgeproof::contact {
 
-/// The load: the right edge a (length), or the normal force P per unit length.
+/// The load: the right edge a (length), or the normal force P per unit length; for an axisymmetric
+/// contact the radius a, the total force P, or the approach delta (length).
 struct Load {
-    enum class Kind { right_edge, force };
+    enum class Kind { right_edge, force, approach };
     Kind kind = Kind::right_edge;
     formula::Exact value;
     [[nodiscard]] static Load right_edge(formula::Exact a) {
         return {Kind::right_edge, std::move(a)};
     }
     [[nodiscard]] static Load force(formula::Exact P) { return {Kind::force, std::move(P)}; }
+    [[nodiscard]] static Load approach(formula::Exact delta) {
+        return {Kind::approach, std::move(delta)};
+    }
 };
 
 /// The part of the contact that is examined, as fractions of its length a + b from the edge. For a

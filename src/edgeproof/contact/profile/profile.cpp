@@ -252,6 +252,7 @@ Profile Profile::reflected() const {
     // keep their kind.
     p.kind_ = symmetric_ ? kind_ : Kind::piecewise;
     p.symmetric_ = symmetric_;
+    p.axisymmetric_ = axisymmetric_;
     if (symmetric_) {
         p.parameters_ = parameters_;
     }

@@ -76,8 +76,16 @@ public:
     [[nodiscard]] bool piecewise_linear() const noexcept;
     /// True if the pressure has a closed form: in logarithms, or Gauss's 2F1 for a power law.
     [[nodiscard]] bool has_closed_form() const noexcept {
-        return kind_ == Kind::power_law || piecewise_linear();
+        return !axisymmetric_ && (kind_ == Kind::power_law || piecewise_linear());
     }
+    /// The same slope as that of a body of revolution, x for the radius r. The profile must be
+    /// symmetric.
+    [[nodiscard]] Profile revolved() const {
+        Profile p(*this);
+        p.axisymmetric_ = true;
+        return p;
+    }
+    [[nodiscard]] bool axisymmetric() const noexcept { return axisymmetric_; }
     /// The parameters by their names in the paper (m, C, t, R, phi, alpha).
     [[nodiscard]] const std::map<std::string, formula::Exact>& parameters() const noexcept {
         return parameters_;
@@ -109,6 +117,7 @@ private:
 
     Kind kind_ = Kind::piecewise;
     bool symmetric_ = false;
+    bool axisymmetric_ = false;
     std::map<std::string, formula::Exact> parameters_;
     std::vector<formula::Exact> knots_;
     std::vector<SlopePiece> pieces_;

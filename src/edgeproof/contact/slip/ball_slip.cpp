@@ -26,8 +26,26 @@ BallSlip::BallSlip(const ProvedContact& contact, const ZoneSolver& zones, const 
     const Ball left = 1 - ratio_;
     if (certainly_positive(left)) {
         stick_ = stick ? *stick : zones_.zone(force_ * left, tilt_at(ratio_), whole_);
+        whole_ratio_ = direction_ * friction_;
+        parts_.push_back({-whole_ratio_, *stick_});
     } else if (contains_zero(left) && !left.is_exact()) {
         throw BudgetError("too few bits to distinguish |Q| from f P");
+    }
+}
+
+BallSlip::BallSlip(const ProvedContact& contact, const ZoneSolver& zones, const Ball& Q,
+                   const Ball& friction, const std::vector<ShearLayer>& layers,
+                   const std::optional<Ball>& stick)
+    : contact_(contact), zones_(zones), whole_{contact.a(), contact.b()},
+      force_(layers.back().force), friction_(friction), direction_(sgn(Q)),
+      over_Q_(0, zones.bits()), ratio_(abs(Q) / (friction * force_)), stick_(whole_),
+      whole_ratio_(layers.back().ratio) {
+    const auto zone_of = [&](const Ball& force) { return zones_.zone(force, over_Q_, whole_); };
+    for (std::size_t j = 0; j + 1 < layers.size(); ++j) {
+        parts_.push_back({layers[j].ratio - layers[j + 1].ratio, zone_of(layers[j].force)});
+    }
+    if (stick) {
+        stick_ = zone_of(*stick);
     }
 }
 
@@ -111,22 +129,24 @@ SlipState BallSlip::state(Edge edge, const Ball& u) const {
                                                                     : SlipState::undecided;
 }
 
-// q = f (p - p*) in the direction of Q (docs/partial-slip.md, "The corrective contact")
+// The sum of the parts: q = f (p - p*) in the direction of Q after one step of Q
+// (docs/partial-slip.md, "The corrective contact"), and docs/histories.md.
 Ball BallSlip::traction(Edge edge, const Ball& u, const Ball& p) const {
-    const SlipState where = state(edge, u);
-    if (where == SlipState::slip) {
-        return direction_ * friction_ * p;
+    Ball q = whole_ratio_ * p;
+    for (const ShearPart& part : parts_) {
+        const Ball inside = u - (whole_.at(edge) - part.zone.at(edge));
+        const Ball before = part.zone.length() - inside;
+        if (certainly_negative(inside) || certainly_negative(before)) {
+            continue; // the pressure of the zone is 0 there
+        }
+        // At an edge of the zone, as far as the bits decide, the pressure is 0 beyond it.
+        const bool within = certainly_positive(inside) && certainly_positive(before);
+        const bool this_edge = within || contains_zero(inside);
+        const Ball& depth = this_edge ? inside : before;
+        q += part.ratio * zones_.pressure(part.zone, this_edge ? edge : opposite(edge),
+                                          within ? depth : clamped(depth));
     }
-    const Ball inside = u - size(edge);
-    if (where == SlipState::stick) {
-        return direction_ * friction_ * (p - zones_.pressure(*stick_, edge, inside));
-    }
-    // At an edge of the stick zone, as far as the bits decide: p* is 0 beyond it.
-    const bool this_edge = contains_zero(inside);
-    const Edge there = this_edge ? edge : opposite(edge);
-    const Ball depth = clamped(this_edge ? inside : stick_->length() - inside);
-    const Ball most = zones_.pressure(*stick_, there, depth);
-    return direction_ * friction_ * (p - most);
+    return q;
 }
 
 // docs/partial-slip.md, "The series"

@@ -17,6 +17,19 @@ namespace edgeproof::contact {
 /// The state of a place: it sticks or slips.
 enum class SlipState { stick, slip, undecided };
 
+/// A part of q: `ratio` times the pressure of the zone as a contact (docs/partial-slip.md,
+/// docs/histories.md).
+struct ShearPart {
+    Ball ratio;
+    BallZone zone;
+};
+
+/// The end of a layer of a load history: q grows by `ratio` dp up to the force `force`.
+struct ShearLayer {
+    Ball force;
+    Ball ratio;
+};
+
 /// Partial slip of a contact in balls, proved (docs/partial-slip.md): P is held, then Q and sigma_0
 /// are applied such that the stick zone only shrinks. q = f (p - p*) in the direction of Q, where
 /// p* is the pressure of the slope g' + sigma_0 sgn(Q)/(2 f E*) under the force P - |Q|/f, whose
@@ -35,6 +48,15 @@ public:
     BallSlip(const ProvedContact& contact, const ZoneSolver& zones, const Ball& force,
              const ShearLoad<Ball>& load, const Ball& friction,
              const std::optional<BallZone>& stick = {});
+    /// The state after a history of P and Q without a bulk tension (docs/histories.md). Keeps
+    /// references to the contact and the zones. Throws BudgetError where the bits do not isolate a
+    /// zone.
+    /// @param Q the shear force (force/length)
+    /// @param layers by ascending force; the last one ends at P
+    /// @param stick the force of the zone that stuck in the last step; empty if nothing slipped
+    BallSlip(const ProvedContact& contact, const ZoneSolver& zones, const Ball& Q,
+             const Ball& friction, const std::vector<ShearLayer>& layers,
+             const std::optional<Ball>& stick);
 
     /// |Q|/(f P).
     [[nodiscard]] const Ball& load_ratio() const { return ratio_; }
@@ -43,6 +65,9 @@ public:
     /// |Q| >= f P: nothing sticks.
     [[nodiscard]] bool sliding() const { return !stick_; }
     [[nodiscard]] const BallZone& stick() const { return *stick_; }
+    /// q is the sum of these parts and of whole_ratio() times p. Empty if the contact slides.
+    [[nodiscard]] const std::vector<ShearPart>& parts() const { return parts_; }
+    [[nodiscard]] const Ball& whole_ratio() const { return whole_ratio_; }
     /// The size d of the slip zone at an edge (length).
     [[nodiscard]] Ball size(Edge edge) const { return whole_.at(edge) - stick_->at(edge); }
     /// Returns the stick zone for the load ratio `tau`, 0 < tau < 1, with the same P and sigma_0/Q;
@@ -83,6 +108,8 @@ private:
     Ball over_Q_;    ///< sigma_0/Q
     Ball ratio_;
     std::optional<BallZone> stick_;
+    Ball whole_ratio_; ///< of the whole contact
+    std::vector<ShearPart> parts_;
 };
 
 /// Returns the energy per unit length that friction dissipates in a cycle of the shear force from

@@ -37,12 +37,31 @@ bool is_axisymmetric(const io::TomlSection& profile) {
     return geometry == "axisymmetric";
 }
 
-// docs/axisymmetric.md: with h(s) = s integral_0^s g'(r)/sqrt(s^2 - r^2) dr = kappa s^(m+1), the
-// pressure is that of a plane contact whose P'(s) is E* h'(s).
+// docs/axisymmetric.md, "Power laws": with h(s) = s integral_0^s g'(r)/sqrt(s^2 - r^2) dr = kappa
+// s^(m+1), the pressure is that of a plane contact whose P'(s) is E* h'(s).
 void make_axisymmetric(const io::TomlSection& profile, const io::TomlSection& load, Scene& scene) {
-    if (!scene.profile || scene.profile->kind() != contact::Profile::Kind::power_law) {
-        profile.reject("geometry", "only power laws are computed as axisymmetric contacts",
-                       "write kind = \"power-law\" (sphere: m = 1, C = 1/R; cone: m = 0) or hertz");
+    if (!scene.profile || !scene.profile->symmetric() ||
+        (scene.profile->kind() != contact::Profile::Kind::power_law &&
+         !scene.profile->piecewise_linear())) {
+        profile.reject("geometry",
+                       "only power laws and symmetric, piecewise linear slopes are computed as "
+                       "axisymmetric contacts",
+                       "write kind = \"power-law\" (sphere: m = 1, C = 1/R; cone: m = 0), "
+                       "flat-and-rounded, or piecewise with symmetric = true and linear slopes");
+    }
+    const char* const size_from = load.has("P")       ? "from P"
+                                  : load.has("delta") ? "from delta"
+                                                      : "given";
+    if (scene.profile->kind() != contact::Profile::Kind::power_law) {
+        scene.profile = scene.profile->revolved();
+        scene.round = Axisymmetric{{}, {}, size_from};
+        if (load.has("P")) {
+            scene.round->force = scene.load.value;
+        } else if (load.has("delta")) {
+            scene.round->approach = scene.load.value;
+            scene.load = contact::Load::approach(scene.load.value);
+        }
+        return;
     }
     const Expr m = scene.profile->parameters().at("m").expr();
     const Expr C = scene.profile->parameters().at("C").expr();
@@ -57,9 +76,7 @@ void make_axisymmetric(const io::TomlSection& profile, const io::TomlSection& lo
     scene.round = Axisymmetric{
         load.has("P") ? scene.load.value : formula::Exact(per_size * pow(a, m + whole(2))),
         load.has("delta") ? scene.load.value : formula::Exact(kappa * pow(a, m + whole(1))),
-        load.has("P")       ? "from P"
-        : load.has("delta") ? "from delta"
-                            : "given"};
+        size_from};
     scene.load = contact::Load::right_edge(formula::Exact(a));
     scene.profile = contact::Profile::power_law(
         formula::Exact(C * (m + whole(1)) * ratio * ratio / whole(2)), formula::Exact(m));

@@ -142,6 +142,12 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
     if (needs == Needs::friction_alone && scene.shear->bulk_tension.sign() != 0) {
         return lack("there is a bulk tension", "leave bulk_tension out");
     }
+    if (needs == Needs::friction_alone && scene.history) {
+        return lack("is not computed for load histories", "");
+    }
+    if (needs == Needs::friction_alone && scene.round) {
+        return lack("is not computed for axisymmetric contacts", "");
+    }
     if (needs == Needs::friction_alone && scene.profile && !scene.profile->has_closed_form()) {
         return lack("is not computed for curved slopes", "");
     }
@@ -158,6 +164,9 @@ std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
     }
     if (!group.closed_form) {
         return {};
+    }
+    if (scene.round && group.group == QuantityGroup::displacement) {
+        return {}; // the gap
     }
     if (scene.round) {
         return Lack{std::string(group.name) + " is not computed for axisymmetric contacts",

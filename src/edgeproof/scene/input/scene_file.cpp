@@ -76,6 +76,14 @@ void read_load(const io::TomlSection& load, Scene& scene) {
         }
         given = load.has(key) ? key : given;
     }
+    if (!scene.steps.empty()) {
+        if (!given.empty()) {
+            load.reject(given, given + " is given in addition to the steps",
+                        "leave it out: P of the steps is the load");
+        }
+        scene.load = contact::Load::force(scene.steps.back().P);
+        return;
+    }
     if (given.empty()) {
         load.reject(load.line(), "neither a nor P is given",
                     "give one of a = \"...\" and P = \"...\"");
@@ -201,6 +209,11 @@ void read_shear(const io::TomlSection& shear, Scene& scene) {
         shear.reject("bulk_tension", "P and Q grow together under a bulk tension",
                      "give bulk_tension = \"0\": only then is q = (Q/P) p");
     }
+    if (scene.round && (!shear.has("friction") || spec.bulk_tension.sign() != 0)) {
+        shear.reject(shear.line(),
+                     "of the shear of axisymmetric contacts only partial slip is computed",
+                     "give Q and friction without a bulk tension, or leave [shear] out");
+    }
     if (shear.has("friction")) {
         read_friction(shear, spec, scene);
     }
@@ -208,7 +221,45 @@ void read_shear(const io::TomlSection& shear, Scene& scene) {
     scene.shear = spec;
 }
 
+/// What a step leaves out keeps its value; the contact begins unloaded.
+void read_steps(const io::TomlSection& top, Scene& scene) {
+    LoadStep now;
+    for (const io::TomlSection& section : top.sections_or_none("step")) {
+        section.allow({"P", "Q", "bulk_tension"});
+        for (const auto& [key, member] :
+             {std::pair{"P", &LoadStep::P}, std::pair{"Q", &LoadStep::Q},
+              std::pair{"bulk_tension", &LoadStep::bulk_tension}}) {
+            if (section.has(key)) {
+                now.*member = contact_constant(section, key);
+                (void)sign_of(section, key, now.*member);
+            }
+        }
+        now.line = section.line();
+        scene.steps.push_back(now);
+    }
+}
+
+/// [shear] of a scene with steps: the friction, and bulk_A.
+void read_shear_of_steps(const io::TomlSection& top, Scene& scene) {
+    if (top.has("shear")) {
+        const io::TomlSection shear = top.section("shear");
+        shear.allow({"friction", "bulk_A"});
+        contact::ShearSpec spec;
+        spec.bulk_A = shear.has("bulk_A") ? contact_constant(shear, "bulk_A") : spec.bulk_A;
+        if (shear.has("friction")) {
+            spec.friction = contact_constant(shear, "friction");
+            scene.friction_line = scene.tension_line = shear.line("friction");
+            require_positive(shear, "friction", *spec.friction,
+                             "give a coefficient of friction > 0");
+        }
+        check_materials(shear, spec, scene);
+        scene.shear = spec;
+    }
+    set_step(scene, scene.steps.size());
+}
+
 void read_sections(const io::TomlSection& top, Scene& scene) {
+    read_steps(top, scene);
     if (top.has("units")) {
         scene.units = read_units(top.section("units"));
     }
@@ -225,16 +276,14 @@ void read_sections(const io::TomlSection& top, Scene& scene) {
         reading(profile, [&](const io::TomlSection& section, Scene& s) {
             make_axisymmetric(section, load, s);
         });
-        if (top.has("shear")) {
-            top.reject("shear", "the shear of axisymmetric contacts is not computed",
-                       "leave [shear] out");
-        }
     } else if (load.has("delta")) {
         load.reject("delta", "the approach delta of a plane contact is undetermined",
                     "give a or P, or write geometry = \"axisymmetric\" in [profile]");
     }
     reading(load, check_reach);
-    if (top.has("shear")) {
+    if (!scene.steps.empty()) {
+        read_shear_of_steps(top, scene);
+    } else if (top.has("shear")) {
         reading(top.section("shear"), read_shear);
     }
 }
@@ -264,6 +313,10 @@ Scene read_contact(const io::TomlSection& top) {
     Scene scene;
     scene.file = top.file();
     read_sections(top, scene);
+    if (!scene.steps.empty()) {
+        top.reject(scene.steps.front().line, "load histories are computed from scenes only",
+                   "give P and Q in [load] and [shear] instead of steps");
+    }
     if (scene.round) { // its force, its mistakes and its other routes are not those of the plane
         top.section("profile").reject("geometry",
                                       "axisymmetric contacts are computed from scenes only",
@@ -274,7 +327,7 @@ Scene read_contact(const io::TomlSection& top) {
 
 Scene scene_of(const io::TomlSection& top, const std::vector<io::TomlEntry>& asked) {
     expect_file_kind(top, FileKind::scene);
-    top.allow({"title", "units", "profile", "load", "shear", "ask"});
+    top.allow({"title", "units", "profile", "load", "shear", "step", "ask"});
     Scene scene;
     scene.file = top.file();
     if (top.has("title")) {
@@ -391,7 +444,57 @@ Scene make_scene(const SceneEntries& entries) {
     }
 }
 
+void set_step(Scene& scene, std::size_t count) {
+    const LoadStep& last = scene.steps.at(count - 1);
+    const auto none = [](const LoadStep& step) {
+        return step.Q.sign() == 0 && step.bulk_tension.sign() == 0;
+    };
+    const auto reject = [&](const std::string& problem, const std::string& instead) {
+        throw InputError("step " + std::to_string(count) + ": " + problem, instead)
+            .at(scene.file, last.line);
+    };
+    scene.load = contact::Load::force(last.P);
+    scene.load_line = last.line;
+    scene.history.reset();
+    if (last.P.sign() <= 0) {
+        reject("there is no contact: P = " + last.P.text(), "give P > 0");
+    }
+    const auto begin = scene.steps.begin();
+    const auto end = begin + static_cast<std::ptrdiff_t>(count);
+    if (std::all_of(begin, end, none)) {
+        if (scene.shear && scene.shear->bulk_A.sign() != 0) {
+            reject("bulk_A is given, but no shear load", "leave bulk_A out, or add Q to a step");
+        }
+        scene.shear.reset();
+        scene.ask.quantities.erase(QuantityGroup::shear);
+        return;
+    }
+    if (!scene.shear || !scene.shear->friction) {
+        reject("a shear load of a history needs a friction", "add [shear] with friction = \"0.6\"");
+    }
+    scene.shear->Q = last.Q;
+    scene.shear->bulk_tension = last.bulk_tension;
+    if (std::any_of(begin, end, [](const LoadStep& s) { return s.bulk_tension.sign() != 0; })) {
+        const bool once = count > 1 && std::all_of(begin, end - 1, none) &&
+                          formula::Exact(last.P.expr() - (end - 2)->P.expr()).sign() == 0;
+        if (!once || last.Q.sign() == 0) {
+            reject("a bulk tension is computed only where it is applied once, together with Q, in "
+                   "the last step and at constant P: the zones of slip that it changes are no "
+                   "superposition",
+                   "apply P first, then Q and bulk_tension in one step, and ask for the state "
+                   "after it");
+        }
+        return;
+    }
+    scene.history = history_after(scene.steps, count, *scene.shear->friction, scene.file);
+}
+
 void require_plane(const Scene& scene, const std::string& command) {
+    if (!scene.steps.empty()) {
+        throw InputError(command + " computes no load histories",
+                         "give P and Q in [load] and [shear] instead of steps")
+            .at(scene.file, scene.steps.front().line);
+    }
     if (scene.round) {
         throw InputError(command + " computes plane contacts only",
                          "leave geometry out of [profile], or use edgeproof pressure, expand or "

@@ -8,6 +8,7 @@
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/real.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
+#include "edgeproof/scene/input/load_history.hpp"
 #include "edgeproof/scene/input/place.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/input/units.hpp"
@@ -86,11 +87,12 @@ struct Radii {
 };
 
 /// What an axisymmetric contact has in addition to the plane contact with the same pressure
-/// (docs/axisymmetric.md).
+/// (docs/axisymmetric.md). The force and the approach are those of a power law, or as given; those
+/// of other profiles are computed with the contact.
 struct Axisymmetric {
-    formula::Exact force;    ///< P, the total force
-    formula::Exact approach; ///< delta (length)
-    const char* size_from;   ///< the route of a: "given", "from P" or "from delta"
+    std::optional<formula::Exact> force;    ///< P, the total force
+    std::optional<formula::Exact> approach; ///< delta (length)
+    const char* size_from;                  ///< the route of a: "given", "from P" or "from delta"
 };
 
 /// A scene as its file gives it: exact, complete, and checked as far as possible without solving
@@ -108,9 +110,13 @@ struct Scene {
     contact::Load load;                   ///< a or P
     std::optional<formula::Exact> moment; ///< M, with `punch`
     std::optional<contact::ShearSpec> shear;
-    /// If the scene is axisymmetric: profile and load are then those of the plane contact that has
-    /// the same edge a and the same pressure, with x for r.
+    /// If the scene is axisymmetric, with x for r. The profile and the load of a power law are then
+    /// those of the plane contact that has the same edge a and the same pressure.
     std::optional<Axisymmetric> round;
+    /// The steps of a load history, and the state after the last one that counts, if there is
+    /// friction. The load and the shear are then those at the end of that step.
+    std::vector<LoadStep> steps;
+    std::optional<LoadHistory> history;
     std::optional<Units> units; ///< labels for all numbers above
     Ask ask;
     std::size_t profile_line = 0;
@@ -144,6 +150,11 @@ struct Scene {
 /// Like parse_scene, but from the sections of a file.
 [[nodiscard]] Scene scene_of(const io::TomlSection& top,
                              const std::vector<io::TomlEntry>& asked = {});
+
+/// Sets the state of a scene with steps to that after the first `count` of them. Throws
+/// InputError, with the line of the step, where the contact opens or slides, and for a bulk tension
+/// that is not applied once, in the last step and at constant P.
+void set_step(Scene& scene, std::size_t count);
 
 /// Reads [profile], [load] and [shear] of `top` and ignores other sections; the request is empty.
 [[nodiscard]] Scene read_contact(const io::TomlSection& top);

@@ -6,16 +6,18 @@
 
 namespace edgeproof::scene {
 
-std::optional<contact::BallContact> BallLevel::stick_contact() {
-    if (!stick_contact_ && slip() != nullptr && !slip()->sliding()) {
-        const contact::BallZone& zone = slip()->stick();
-        stick_contact_ = contact_->closed_form()->between(zone.a, zone.b);
+const std::vector<contact::BallContact>* BallLevel::part_contacts() {
+    if (!part_contacts_ && slip() != nullptr && !slip()->sliding()) {
+        part_contacts_.emplace();
+        for (const contact::ShearPart& part : slip()->parts()) {
+            part_contacts_->push_back(contact_->closed_form()->between(part.zone.a, part.zone.b));
+        }
     }
-    return stick_contact_;
+    return part_contacts_ ? &*part_contacts_ : nullptr;
 }
 
 // docs/stress.md, "The Cauchy integrals of q": in partial slip q = f (p - p*) in the direction of
-// Q.
+// Q; after a load history q is a sum of such parts (docs/histories.md).
 contact::CauchyIntegral BallLevel::shear_integral(const contact::CauchyIntegral& p,
                                                   const Box& zeta) {
     if (!scene_.shear) {
@@ -27,13 +29,16 @@ contact::CauchyIntegral BallLevel::shear_integral(const contact::CauchyIntegral&
     if (!scene_.slips()) {
         return cauchy_integral(contact::Extent<Ball>{a(), b()}, load(), zeta);
     }
-    const auto stick = stick_contact();
-    if (!stick) {
+    const auto* const zones = part_contacts();
+    if (zones == nullptr) {
         const Box unknown(not_known(), not_known());
         return {unknown, unknown};
     }
-    const Ball f = ball_of(*scene_.shear->friction, bits_) * scene_.shear->Q.sign();
-    return (p - cauchy_integral(*stick, zeta)) * f;
+    contact::CauchyIntegral q = p * slip()->whole_ratio();
+    for (std::size_t i = 0; i < zones->size(); ++i) {
+        q = q - cauchy_integral((*zones)[i], zeta) * -slip()->parts()[i].ratio;
+    }
+    return q;
 }
 
 const contact::StressState& BallLevel::stress(const AskedValue& at) {
@@ -69,35 +74,51 @@ Ball BallLevel::gap(const AskedValue& at) {
     if (certainly_negative(right) && certainly_negative(left)) {
         throw DomainError("the place lies inside the contact");
     }
-    const contact::BallContact& closed = *contact_->closed_form();
+    const contact::BallContact* const form = contact_->closed_form();
+    if (scene_.round) {
+        const Ball beyond = contact::clamped(certainly_negative(right) ? left : right);
+        return form != nullptr ? axisymmetric_gap(*form, beyond)
+                               : of_revolution().gap_beyond(beyond);
+    }
+    const contact::BallContact& closed = *form;
     return certainly_negative(right)
                ? gap_beyond(closed, contact::Edge::left, contact::clamped(left))
                : gap_beyond(closed, contact::Edge::right, contact::clamped(right));
 }
 
 // docs/displacement.md, "The slip": -f times the gap of the corrective contact, in the direction of
-// Q.
+// Q. After a load history it is the sum over the parts of q, relative to the innermost zone
+// (docs/histories.md).
 Ball BallLevel::slip_displacement(const AskedValue& at) {
     const Ball x = at.place->x_enclosure(a(), b(), bits_);
     if (certainly_positive(x - a()) || certainly_positive(-x - b())) {
         throw DomainError("the place lies outside the contact");
     }
+    if (scene_.round) {
+        throw InputError("the slip displacement of an axisymmetric contact is not computed",
+                         "give places outside the contact, |x| > a");
+    }
     if (!scene_.slips()) {
         return {0, bits_};
     }
-    const auto stick = stick_contact();
-    if (!stick) {
+    const auto* const zones = part_contacts();
+    if (zones == nullptr) {
         return not_known();
     }
-    const Ball right = x - stick->a();
-    const Ball left = -x - stick->b();
-    if (certainly_negative(right) && certainly_negative(left)) {
-        return {0, bits_};
+    Ball sum(0, bits_);
+    for (std::size_t i = 0; i < zones->size(); ++i) {
+        const contact::BallContact& zone = (*zones)[i];
+        const Ball right = x - zone.a();
+        const Ball left = -x - zone.b();
+        if (certainly_negative(right) && certainly_negative(left)) {
+            continue;
+        }
+        sum += slip()->parts()[i].ratio *
+               (certainly_negative(right)
+                    ? gap_beyond(zone, contact::Edge::left, contact::clamped(left))
+                    : gap_beyond(zone, contact::Edge::right, contact::clamped(right)));
     }
-    const Ball gap = certainly_negative(right)
-                         ? gap_beyond(*stick, contact::Edge::left, contact::clamped(left))
-                         : gap_beyond(*stick, contact::Edge::right, contact::clamped(right));
-    return gap * ball_of(*scene_.shear->friction, bits_) * (-scene_.shear->Q.sign());
+    return sum;
 }
 
 } // namespace edgeproof::scene

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
@@ -64,10 +65,13 @@ public:
     [[nodiscard]] Ball force() const { return contact_->force(); }
     /// P as it is printed: of an axisymmetric contact the total force.
     [[nodiscard]] Ball whole_force() const {
-        return scene_.round ? ball_of(scene_.round->force, bits_) : force();
+        return scene_.round && scene_.round->force ? ball_of(*scene_.round->force, bits_) : force();
     }
     /// delta of an axisymmetric contact.
-    [[nodiscard]] Ball approach() const { return ball_of(scene_.round->approach, bits_); }
+    [[nodiscard]] Ball approach() const {
+        return scene_.round->approach ? ball_of(*scene_.round->approach, bits_)
+                                      : of_revolution().approach();
+    }
     [[nodiscard]] Ball moment() const { return contact_->moment(); }
     /// Keeps the last value if it is used more than once.
     [[nodiscard]] Ball p(contact::Edge edge, const Distance& u) {
@@ -226,8 +230,9 @@ private:
     /// The Cauchy integral of q on body A; `p` is that of p.
     [[nodiscard]] contact::CauchyIntegral shear_integral(const contact::CauchyIntegral& p,
                                                          const Box& zeta);
-    /// The stick zone as a contact, with the tilt of the corrective problem.
-    [[nodiscard]] std::optional<contact::BallContact> stick_contact();
+    /// The zones of the parts of q as contacts, with the tilt of the corrective problem; null if
+    /// these bits do not isolate them.
+    [[nodiscard]] const std::vector<contact::BallContact>* part_contacts();
     /// A value of the slip; not finite if these bits do not suffice.
     template <class F> [[nodiscard]] Ball of_slip(const F& f) {
         try {
@@ -269,17 +274,33 @@ private:
                 },
                 most, L};
     }
+    /// The contact of an axisymmetric scene whose profile is no power law.
+    [[nodiscard]] const contact::AxisymmetricContact& of_revolution() const {
+        return dynamic_cast<const contact::AxisymmetricContact&>(*contact_);
+    }
     void make_slip(const std::optional<contact::BallZone>& stick) {
         const contact::ShearSpec& shear = *scene_.shear;
         try {
-            if (!zones_) {
+            if (!zones_ && scene_.round && contact_->closed_form() != nullptr) {
+                zones_ = axisymmetric_zones(*contact_->closed_form(), whole_force());
+            } else if (!zones_) {
                 zones_ = zone_solver(*contact_, tilt_ ? tilt_->near : *scene_.profile,
                                      scene_.contact_modulus, shear.bulk_tension.sign() != 0);
+            }
+            if (scene_.history) {
+                std::vector<contact::ShearLayer> layers;
+                for (const LoadHistory::Layer& layer : scene_.history->layers) {
+                    layers.push_back({ball_of(layer.force, bits_), ball_of(layer.ratio, bits_)});
+                }
+                const auto& stuck = scene_.history->stick;
+                slip_.emplace(contact(), *zones_, load().Q, ball_of(*shear.friction, bits_), layers,
+                              stuck ? std::optional(ball_of(*stuck, bits_)) : std::nullopt);
+                return;
             }
             slip_.emplace(contact(), *zones_,
                           scene_.load.kind == contact::Load::Kind::force
                               ? ball_of(scene_.load.value, bits_)
-                              : force(),
+                              : whole_force(),
                           load(), ball_of(*shear.friction, bits_), stick);
         } catch (const BudgetError&) {
             slip_.reset();
@@ -291,8 +312,8 @@ private:
     /// proved, which no number of bits decides.
     [[nodiscard]] std::optional<contact::BallZone> exact_stick() const {
         const contact::ShearSpec& shear = *scene_.shear;
-        if (contact_->closed_form() == nullptr || tilt_ || shear.bulk_tension.sign() != 0 ||
-            scene_.load.kind != contact::Load::Kind::force) {
+        if (contact_->closed_form() == nullptr || scene_.round || scene_.history || tilt_ ||
+            shear.bulk_tension.sign() != 0 || scene_.load.kind != contact::Load::Kind::force) {
             return {};
         }
         try {
@@ -341,7 +362,7 @@ private:
     std::optional<contact::SlipSeries<Ball>> slip_series_;
     std::optional<Last> last_;
     std::optional<std::pair<BodyPoint, contact::StressState>> last_stress_;
-    std::optional<contact::BallContact> stick_contact_;
+    std::optional<std::vector<contact::BallContact>> part_contacts_;
     std::optional<Ball> ratio_;
     std::map<contact::Edge, std::vector<Ball>> c_;
     std::map<contact::Edge, std::vector<Ball>> s_;

@@ -70,7 +70,8 @@ std::optional<Rational> BallRoute::exact_value(const Exactly& exactly, const Bal
 }
 
 ExactValues* BallRoute::exact_values(const BallLevel& level) {
-    if (!exact_ && (!scene_.punch || level.tilt().exactly_zero)) {
+    const bool of_revolution = scene_.profile && scene_.profile->axisymmetric();
+    if (!exact_ && !of_revolution && (!scene_.punch || level.tilt().exactly_zero)) {
         exact_.emplace(scene_, scene_.punch ? level.tilt().near : *scene_.profile, level.a(),
                        level.b(), plan_.terms);
     }

@@ -24,7 +24,7 @@ BallRoute::BallRoute(const Scene& scene, const Plan& plan, contact::Work& work)
                              {plan.digits.count, Rounding::nearest, false}, plan.narrow_bits)) {
         length_ = std::move(length->value);
     }
-    const bool by_force = scene.load.kind == contact::Load::Kind::force;
+    const bool by_force = scene.load.kind != contact::Load::Kind::right_edge;
     if (const auto given = by_force ? std::nullopt : rational_of(scene.load.value)) {
         known_[contact::Edge::right] = *given;
         if (scene.symmetric()) {
@@ -43,6 +43,9 @@ BallRoute::BallRoute(const Scene& scene, const Plan& plan, contact::Work& work)
     work.counts.consistency += scene.symmetric() ? 0 : 1;
     work.counts.tilts += scene.punch ? 1 : 0;
     work.counts.load_inversions += by_force ? 1 : 0;
+    if (!length_ && scene.profile && scene.profile->axisymmetric()) {
+        throw BudgetError("no number of bits encloses the radius of the contact");
+    }
     // There is no contact at any precision: the routes in Real report the reason.
     if (!length_) {
         (void)others();
@@ -103,6 +106,9 @@ BoundedValue BallRoute::value(const AskedValue& asked) {
         throw BudgetError(
             "no number of bits encloses the value, which may be infinite there: at an "
             "edge under full stick, or at a corner");
+    }
+    if (!found && scene_.history && row.of_shear()) {
+        throw BudgetError("no number of bits encloses the shear traction of the load history");
     }
     if (!found) {
         return others().value(asked);
@@ -266,6 +272,10 @@ void BallRoute::count(const AskedValue& asked) {
 }
 
 ValueRoute& BallRoute::others() {
+    if (scene_.profile && scene_.profile->axisymmetric()) {
+        throw BudgetError("no number of bits decides the value, and an axisymmetric contact of "
+                          "this profile has no other route");
+    }
     if (!others_) {
         others_ = make_real_route(scene_, plan_, work_of_others_);
     }
@@ -284,6 +294,9 @@ std::unique_ptr<ValueRoute> make_route(const Scene& scene, const Plan& plan, con
         } catch (const InputError& error) {
             throw error.file().empty() ? error.at(scene.file, scene.load_line) : error;
         }
+    }
+    if (scene.history || (scene.profile && scene.profile->axisymmetric())) {
+        throw BudgetError("the contact is not enclosed in balls, and has no other route");
     }
     return make_real_route(scene, plan, work);
 }

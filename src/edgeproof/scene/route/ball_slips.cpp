@@ -21,7 +21,7 @@ void BallRoute::check_slip() {
         return;
     }
     const contact::ShearSpec& shear = *scene_.shear;
-    if (scene_.load.kind == contact::Load::Kind::force) {
+    if (scene_.load.kind == contact::Load::Kind::force && !scene_.history) {
         // Balls cannot decide a load exactly on the limit.
         const formula::Expr Q = shear.Q.sign() > 0 ? shear.Q.expr() : -shear.Q.expr();
         const auto sign =
@@ -46,7 +46,7 @@ void BallRoute::check_slip() {
             continue;
         }
         if (slip->sliding()) {
-            refuse_sliding(scene_, level->force().midpoint());
+            refuse_sliding(scene_, level->whole_force().midpoint());
         }
         const Ball right = slip->size(contact::Edge::right);
         const Ball left = slip->size(contact::Edge::left);
@@ -56,6 +56,9 @@ void BallRoute::check_slip() {
         }
         slip_level_ = level;
         lost_bits_ = lost_by(0);
+        if (scene_.history && !scene_.history->stick) {
+            return; // nothing slipped in the last step
+        }
         if (certainly_positive(right) && certainly_positive(left)) {
             return;
         }
@@ -72,14 +75,14 @@ void BallRoute::refuse_exactly_sliding(const BallLevel& level) {
     const contact::ShearSpec& shear = *scene_.shear;
     const auto left = [&](ExactValues& exact) {
         const formula::ExactNumber Q = formula::ExactNumber::of(shear.Q.expr());
-        return formula::ExactNumber::of(shear.friction->expr()) * exact.force() -
+        return formula::ExactNumber::of(shear.friction->expr()) * exact.whole_force() -
                (shear.Q.sign() > 0 ? Q : -Q);
     };
-    const Ball near = ball_of(*shear.friction, level.bits()) * level.force() -
+    const Ball near = ball_of(*shear.friction, level.bits()) * level.whole_force() -
                       abs(ball_of(shear.Q, level.bits()));
     const auto zero = exact_value(left, level, near);
     if (zero && *zero == 0) {
-        refuse_sliding(scene_, level.force().midpoint());
+        refuse_sliding(scene_, level.whole_force().midpoint());
     }
 }
 

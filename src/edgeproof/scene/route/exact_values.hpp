@@ -32,9 +32,9 @@ public:
     [[nodiscard]] Number length() const { return contact_.length(); }
     [[nodiscard]] Number force() const { return contact_.force(); }
     [[nodiscard]] Number whole_force() const {
-        return scene_.round ? Number::of(scene_.round->force.expr()) : force();
+        return scene_.round ? Number::of(scene_.round->force->expr()) : force();
     }
-    [[nodiscard]] Number approach() const { return Number::of(scene_.round->approach.expr()); }
+    [[nodiscard]] Number approach() const { return Number::of(scene_.round->approach->expr()); }
     [[nodiscard]] Number moment() const { return contact_.moment(); }
     /// The distance of a place from its edge.
     [[nodiscard]] Number place(const AskedValue& asked) const {

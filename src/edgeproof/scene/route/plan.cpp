@@ -94,7 +94,7 @@ public:
         plan_.terms = coefficients || approximations ? ask_.most_terms() : 0;
         // The expansions of q are those of full stick.
         plan_.expand_shear =
-            scene_.shear &&
+            scene_.shear && !scene_.round && !scene_.history &&
             (coefficients || (approximations && plan_.shear && !plan_.partial_slip));
         plan_.expand_pressure = coefficients || (approximations && plan_.print_pressure) ||
                                 (plan_.expand_shear && similar);
@@ -144,9 +144,13 @@ private:
         add("tilt", tilt,
             tilt ? "P and M are given, the tilt is not" : "the tilt is given, or none",
             &Counts::tilts, 1);
-        const bool force = scene_.load.kind == contact::Load::Kind::force;
-        add("size from force", force, force ? "P is given" : "a is given", &Counts::load_inversions,
-            1);
+        const contact::Load::Kind load = scene_.load.kind;
+        const bool force = load != contact::Load::Kind::right_edge;
+        add("size from force", force,
+            load == contact::Load::Kind::force      ? "P is given"
+            : load == contact::Load::Kind::approach ? "delta is given"
+                                                    : "a is given",
+            &Counts::load_inversions, 1);
         const bool consistency = !scene_.symmetric();
         add("consistency", consistency,
             consistency ? "b is not a: the profile is not symmetric" : "b = a: symmetric",

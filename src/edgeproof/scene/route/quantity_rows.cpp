@@ -193,15 +193,19 @@ template <auto ball> constexpr Made on_surface(Quantity quantity, std::string_vi
     return value<Def::Place::surface, ball, nullptr, nullptr>(quantity, "", name,
                                                               Group::displacement, units::length)
         .labelled(name)
-        .by("closed-form");
+        .by([](const Scene& s, const Plan& /*plan*/) {
+            return s.round ? "rigorous integration" : "closed-form";
+        });
 }
 
 /// The rows are in the order of Quantity.
 constexpr auto quantity_table = std::to_array<Def>({
     at_point<&BallLevel::p, &ExactValues::p, &RealLevel::p>(Quantity::p, "p", "pressure",
                                                             Group::pressure, units::stress)
-        .by([](const Scene& /*scene*/, const Plan& plan) {
-            return plan.route == contact::Route::closed_form ? "closed-form" : "singular-integral";
+        .by([](const Scene& scene, const Plan& plan) {
+            return plan.route == contact::Route::closed_form        ? "closed-form"
+                   : scene.profile && scene.profile->axisymmetric() ? "Abel integral"
+                                                                    : "singular-integral";
         })
         .with(&Def::cancels_little, true),
     at_point<&BallLevel::q, &ExactValues::q, &RealLevel::q>(Quantity::q, "q", "shear", Group::shear,

@@ -53,7 +53,7 @@ BoundedValue RealLevel::distance(contact::Edge edge) const {
 BoundedValue RealLevel::force() const {
     const Real P = contact_.force(); // counted in any case
     if (scene_.round) {
-        return given(scene_.round->force);
+        return given(*scene_.round->force);
     }
     return scene_.load.kind == contact::Load::Kind::force ? given(scene_.load.value)
                                                           : sound(P, "contact-law");

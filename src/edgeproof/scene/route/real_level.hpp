@@ -37,7 +37,7 @@ public:
     /// The distance of an edge from the origin, as it was solved for.
     [[nodiscard]] BoundedValue distance(contact::Edge edge) const;
     [[nodiscard]] BoundedValue force() const;
-    [[nodiscard]] BoundedValue approach() const { return given(scene_.round->approach); }
+    [[nodiscard]] BoundedValue approach() const { return given(*scene_.round->approach); }
     [[nodiscard]] BoundedValue moment() const;
     [[nodiscard]] BoundedValue alpha() const;
     [[nodiscard]] BoundedValue p(contact::Edge edge, const formula::Exact& u);

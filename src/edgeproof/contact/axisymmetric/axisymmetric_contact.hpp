@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/proved_contact.hpp"
+#include "edgeproof/contact/law/load.hpp"
+#include "edgeproof/contact/slip/stick_zone.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace edgeproof::contact {
+
+/// An axisymmetric contact whose slope g'(r) is piecewise linear, in ball arithmetic
+/// (docs/axisymmetric.md). x is the radius r, a the radius of the contact, u = a - r; the left edge
+/// is the mirror image of the right one. The radius, the force and the approach are elementary
+/// functions (`sneddon1965`, eqs. 6.1, 6.2); the pressure is found by Arb's rigorous integration
+/// (`johansson2018`).
+class AxisymmetricContact : public ProvedContact {
+public:
+    /// Throws BudgetError where `bits` do not suffice to enclose the radius.
+    /// @param profile g'(r), symmetric and piecewise linear
+    /// @param contact_modulus E* (stress)
+    /// @param load the radius a (length), the total force P (force) or the approach delta (length)
+    /// @param bits working precision
+    AxisymmetricContact(const Profile& profile, const formula::Exact& contact_modulus,
+                        const Load& load, long bits);
+
+    /// The total force P (force).
+    [[nodiscard]] Ball force() const override { return force_at(a_); }
+    /// dP/da (force/length).
+    [[nodiscard]] Ball force_rate() const;
+    /// The approach delta of the bodies (length).
+    [[nodiscard]] Ball approach() const;
+    [[nodiscard]] Ball moment() const override { return {0, bits_}; }
+    [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const override;
+    [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
+    [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const override;
+    [[nodiscard]] BallSeries pressure_series(Edge edge, const Ball& u,
+                                             std::size_t order) const override;
+    [[nodiscard]] Ball reach(Edge edge) const override;
+    [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
+    [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
+    [[nodiscard]] std::size_t cost() const override { return 10; }
+
+    /// The gap (length) between the bodies at the distance `beyond` >= 0 (length) outside the edge.
+    [[nodiscard]] Ball gap_beyond(const Ball& beyond) const;
+    /// The contact of the same profile with the radius `a` (length).
+    [[nodiscard]] AxisymmetricContact with_radius(const Ball& a) const;
+    /// The radius (length) of the contact of the same profile under the total force P.
+    [[nodiscard]] Ball radius_for(const Ball& P) const;
+    /// The radius (length) at which g' begins to rise.
+    [[nodiscard]] Ball minimum_end() const;
+
+private:
+    /// g' rises by `jump` at the radius v, and its rate by `rate` (1/length).
+    struct Bend {
+        Ball v;
+        Ball jump;
+        Ball rate;
+        bool at_origin;
+        std::size_t knot;
+    };
+    struct Place;
+    [[nodiscard]] Ball force_at(const Ball& a) const;
+    /// Returns h'(s) (docs/axisymmetric.md, "Piecewise linear slopes").
+    [[nodiscard]] Ball approach_rate(const Ball& s) const;
+    [[nodiscard]] Ball approach_at(const Ball& s) const;
+    template <class F> [[nodiscard]] Ball over_bends(const Ball& s, const F& f) const;
+    [[nodiscard]] bool inside(std::size_t knot) const override;
+    [[nodiscard]] Ball pressure(const Place& at, bool least) const;
+
+    std::vector<Bend> bends_; ///< ascending
+};
+
+/// The zones of an axisymmetric contact under smaller forces, which bound its stick zone in partial
+/// slip (docs/axisymmetric.md, "Partial slip"). The solver keeps a copy of `contact`.
+[[nodiscard]] std::unique_ptr<ZoneSolver> axisymmetric_zones(const AxisymmetricContact& contact);
+/// The same for an axisymmetric power law: `plane` is the plane contact that has the same pressure,
+/// `force` the total force.
+[[nodiscard]] std::unique_ptr<ZoneSolver> axisymmetric_zones(const BallContact& plane,
+                                                             const Ball& force);
+
+/// The gap (length) at the distance `beyond` >= 0 (length) outside the edge of an axisymmetric
+/// power law; `plane` is the plane contact that has the same pressure.
+[[nodiscard]] Ball axisymmetric_gap(const BallContact& plane, const Ball& beyond);
+
+} // namespace edgeproof::contact

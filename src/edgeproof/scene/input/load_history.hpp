@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/formula/exact/exact.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgeproof::scene {
+
+/// The loads at the end of a step; they grow linearly from those at its beginning.
+struct LoadStep {
+    formula::Exact P;
+    formula::Exact Q;
+    formula::Exact bulk_tension;
+    std::size_t line = 0;
+};
+
+/// The state after a history of P and Q without a bulk tension (docs/histories.md). The shear
+/// traction is
+///   q = sum over j of ratio_j (p(x; force_j) - p(x; force_(j-1))),
+/// where p(x; L) is the pressure of the same profile under the force L, and |ratio_j| <= f.
+struct LoadHistory {
+    struct Layer {
+        formula::Exact force; ///< at which the layer ends; the last one is P
+        formula::Exact ratio; ///< dq/dp in the layer
+    };
+    std::vector<Layer> layers; ///< by ascending force
+    /// The contact under this force is the zone that stuck in the last step; empty if nothing
+    /// slipped in it.
+    std::optional<formula::Exact> stick = {};
+};
+
+/// Returns the state after the first `count` steps, in which no bulk tension acts. Throws
+/// InputError, with the line of the step, where the contact opens or slides.
+[[nodiscard]] LoadHistory history_after(const std::vector<LoadStep>& steps, std::size_t count,
+                                        const formula::Exact& friction, const std::string& file);
+
+} // namespace edgeproof::scene

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/quadrature/tanh_sinh.hpp"
+#include "edgeproof/scene/scene.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <ios>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+const char* const history_profiles[] = {
+    "kind = \"hertz\"\nR = \"2\"",
+    "kind = \"flat-and-rounded\"\nt = \"1/2\"\nR = \"3\"",
+    "kind = \"power-law\"\nm = \"5/8\"\nC = \"1/3\"",
+    "kind = \"tilted-wedge\"\nphi = \"1/3\"\nalpha = \"1/10\"",
+    "kind = \"tilted-flat-and-rounded\"\nalpha = \"1/20\"\nt = \"1/2\"\nR = \"3\"",
+};
+
+/// (P, Q) at the ends of the steps.
+using LoadPath = std::vector<std::pair<double, double>>;
+
+std::string history_text(const std::string& profile, const LoadPath& path,
+                         const std::string& rest = "") {
+    std::string text = "[profile]\n" + profile +
+                       "\n[load]\ncontact_modulus = \"1\"\n[shear]\nfriction = \"1/2\"\n";
+    for (const auto& [P, Q] : path) {
+        text += "[[step]]\nP = \"" + std::to_string(P) + "\"\nQ = \"" + std::to_string(Q) + "\"\n";
+    }
+    return text + rest;
+}
+
+Real history_number(const Ball& x) { return at_working_precision(x.midpoint()); }
+
+/// q or another quantity at a place x.
+Real history_value(const scene::Scene& s, scene::Quantity quantity, const Real& x,
+                   std::optional<contact::SlipState>* state = nullptr) {
+    scene::Scene asked = s;
+    const std::string place = x.str(30, std::ios_base::scientific);
+    asked.ask = scene::Ask{};
+    asked.ask.digits = {25, Rounding::nearest, false};
+    asked.ask.u.push_back({Exact(), 0});
+    asked.ask.u[0].place = scene::Place::parse(place, scene::Place::From::origin, {});
+    asked.ask.quantities = {scene::QuantityGroup::pressure, scene::QuantityGroup::shear};
+    const scene::SceneResult result = run_scene(asked);
+    const scene::Row& row = result.points().at(0).row(quantity);
+    CHECK(row.value->proved);
+    if (state != nullptr) {
+        *state = row.state;
+    }
+    return history_number(row.value->value);
+}
+
+std::string history_refusal(const std::string& text) {
+    try {
+        (void)run_scene(scene::parse_scene(text, "steps.toml"));
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// The loads of drawn histories, all with |Q| < P/2.
+std::vector<LoadPath> load_paths() {
+    return {{{1, 0}, {1, 0.3}},
+            {{1, 0}, {1, 0.3}, {1, -0.1}},
+            {{1, 0.2}},
+            {{1, 0.2}, {1.5, 0.7}},
+            {{1, 0}, {1, 0.4}, {0.9, 0.3}, {0.9, -0.2}, {1.4, -0.1}},
+            {{2, 0.5}, {1, -0.2}, {1.25, -0.25}, {0.75, 0.25}, {0.75, 0.0}, {0.75, 0.1}}};
+}
+
+} // namespace
+
+// A second way to follow a history, which shares no formula with the exact one: the contact is a
+// pile of thin layers dL, each carries a shear force of at most f dL, and small increments of the
+// load are taken up from the newest layer inwards (Jaeger; Barber, Davies and Hills,
+// barber-davies-hills2011).
+TEST_CASE("the layers of a load history agree with small increments of the load") {
+    constexpr double f = 0.5;
+    constexpr double width = 0.0005; // all forces below are whole multiples of it
+    for (const LoadPath& path : load_paths()) {
+        std::vector<double> q; // shear force of each layer, by dL
+        double P = 0;
+        double Q = 0;
+        for (const auto& [P_end, Q_end] : path) {
+            const auto grown = std::lround((P_end - P) / width);
+            const long increments = grown == 0 ? 2000 : std::abs(grown);
+            const double Q_begin = Q;
+            for (long k = 1; k <= increments; ++k) {
+                Q = Q_begin +
+                    (Q_end - Q_begin) * static_cast<double>(k) / static_cast<double>(increments);
+                if (grown < 0) {
+                    q.pop_back();
+                } else if (grown > 0) { // a new layer takes the ratio of the increments
+                    q.push_back(std::clamp((Q_end - Q_begin) / (P_end - P), -f, f));
+                }
+                double carried = 0;
+                for (const double of_layer : q) {
+                    carried += of_layer * width;
+                }
+                double missing = Q - carried;
+                for (std::size_t j = q.size(); j-- > 0 && std::abs(missing) > 1e-13;) {
+                    const double room = (missing > 0 ? f : -f) - q[j];
+                    const double taken =
+                        std::abs(room * width) < std::abs(missing) ? room : missing / width;
+                    q[j] += taken;
+                    missing -= taken * width;
+                }
+            }
+            P = P_end;
+        }
+        const std::size_t top = q.size();
+        const scene::Scene s = scene::parse_scene(history_text(history_profiles[0], path), "steps");
+        REQUIRE(s.history);
+        double off = 0;
+        std::size_t layer = 0;
+        for (std::size_t j = 0; j < top; ++j) {
+            const double middle = (static_cast<double>(j) + 0.5) * width;
+            while (layer + 1 < s.history->layers.size() &&
+                   s.history->layers[layer].force.to<double>() < middle) {
+                ++layer;
+            }
+            off += std::abs(q[j] - s.history->layers[layer].ratio.to<double>()) * width;
+        }
+        CAPTURE(path.size());
+        CHECK(off < 0.002); // some layers are cut by an edge of a zone
+    }
+}
+
+// The traction carries Q and nowhere exceeds f p.
+TEST_CASE("the traction after a load history carries Q and obeys the law of friction") {
+    const PrecisionScope precision(30);
+    for (const char* profile : history_profiles) {
+        for (const LoadPath& path : load_paths()) {
+            CAPTURE(std::string(profile));
+            CAPTURE(path.size());
+            const scene::Scene s = scene::parse_scene(history_text(profile, path), "steps");
+            const Real a = history_number(
+                scene::SceneValues(s, {{scene::Quantity::a}}, {20, Rounding::nearest, false})
+                    .value({scene::Quantity::a})
+                    .value);
+            const Real b = history_number(
+                scene::SceneValues(s, {{scene::Quantity::b}}, {20, Rounding::nearest, false})
+                    .value({scene::Quantity::b})
+                    .value);
+            for (int k = 1; k < 8; ++k) {
+                const Real x = -b + (a + b) * (k * Real("0.1237") + Real("0.003"));
+                std::optional<contact::SlipState> state;
+                const Real q = history_value(s, scene::Quantity::q, x, &state);
+                const Real p = history_value(s, scene::Quantity::p, x);
+                CHECK(abs(q) <= p / 2 * Real("1.00000000000000000001"));
+                if (state == contact::SlipState::slip) {
+                    CHECK(abs(Real(abs(q) - p / 2)) < p * Real("1e-20"));
+                }
+            }
+        }
+    }
+}
+
+// The moments of q by quadrature: q is a sum of pressures, whose square-root cusps at the edges of
+// the zones limit the accuracy.
+TEST_CASE("the resultant of the traction after a load history") {
+    const PrecisionScope precision(30);
+    const LoadPath path{{1, 0}, {1, 0.375}, {0.875, 0.25}};
+    const scene::Scene s = scene::parse_scene(history_text(history_profiles[1], path), "steps");
+    scene::AskedValue first{scene::Quantity::q};
+    first.u = Exact::parse("1/9");
+    scene::SceneValues values(s, {first}, {15, Rounding::nearest, false});
+    const Real a = history_number(values.value({scene::Quantity::a}).value);
+    constexpr int parts = 4000;
+    Real sum = 0;
+    for (int k = 0; k < parts; ++k) { // x = a sin(angle), u = 2 a sin^2(pi/4 - angle/2)
+        const Real angle = edgeproof::pi<Real>() * (Real(2 * k + 1) / (2 * parts) - Real(1) / 2);
+        const Real half = sin(Real(edgeproof::pi<Real>() / 4 - angle / 2));
+        scene::AskedValue asked{scene::Quantity::q};
+        asked.u = Exact::parse(Real(2 * a * half * half).str(25, std::ios_base::scientific));
+        sum += history_number(values.value(asked).value) * a * cos(angle) * edgeproof::pi<Real>() /
+               parts;
+    }
+    CHECK(abs(Real(sum - Real("0.25"))) < Real("1e-5"));
+}
+
+TEST_CASE("a history of one step of Q is the partial slip of a scene without steps") {
+    const char* const ask =
+        "[ask]\nx = [\"-1/5\", \"1/3\", \"4/5\"]\ndigits = 30\n"
+        "points = [[\"1/3\", \"1/5\"], [\"-2\", \"0\"]]\nquantities = [\"pressure\", "
+        "\"shear\", \"stress\", \"displacement\"]\n";
+    for (const char* profile : history_profiles) {
+        CAPTURE(std::string(profile));
+        const scene::SceneResult by_steps = run_scene(
+            scene::parse_scene(history_text(profile, {{1, 0}, {1, 0.25}}, ask), "steps.toml"));
+        const scene::SceneResult plain = run_scene(scene::parse_scene(
+            "[profile]\n" + std::string(profile) +
+                "\n[load]\nP = \"1\"\ncontact_modulus = \"1\"\n[shear]\nQ = \"1/4\"\nfriction = "
+                "\"1/2\"\n" +
+                ask,
+            "plain.toml"));
+        REQUIRE(by_steps.rows.size() > 10);
+        std::size_t compared = 0;
+        for (const scene::Row& row : by_steps.rows) {
+            for (const scene::Row& other : plain.rows) {
+                if (other.asked.quantity == row.asked.quantity && other.point == row.point &&
+                    other.asked.edge == row.asked.edge && row.value && other.value) {
+                    CHECK(overlaps(row.value->value, other.value->value));
+                    ++compared;
+                }
+            }
+        }
+        CHECK(compared > 10);
+    }
+}
+
+// johnson1985, section 7.4 (after Mindlin and Deresiewicz): Q is unloaded from Q_1 to 0 at constant
+// P; the zone |x| > c' slips back, with c'/a = (1 - (Q_1 - Q)/(2 f P))^(1/2) for cylinders, and
+// there q = -f p.
+TEST_CASE("unloading of the shear force of a cylinder") {
+    const scene::Scene s = scene::parse_scene(
+        history_text(history_profiles[0], {{1, 0}, {1, 0.375}, {1, 0}}), "steps.toml");
+    const Ball stick =
+        scene::SceneValues(s, {{scene::Quantity::stick_a}}, {30, Rounding::nearest, false})
+            .value({scene::Quantity::stick_a})
+            .value;
+    const Ball a = scene::SceneValues(s, {{scene::Quantity::a}}, {30, Rounding::nearest, false})
+                       .value({scene::Quantity::a})
+                       .value;
+    CHECK(overlaps(stick * stick, a * a * Ball(Rational(5, 8), stick.bits())));
+}
+
+TEST_CASE("load histories that are not computed are refused") {
+    const std::string hertz = history_profiles[0];
+    CHECK(history_refusal(history_text(hertz, {{1, 0}, {1, 0.6}})).find("slide") !=
+          std::string::npos);
+    CHECK(history_refusal(history_text(hertz, {{1, 0}, {0, 0}})).find("no contact") !=
+          std::string::npos);
+    CHECK(history_refusal(history_text(hertz, {{1, 0.1}, {-1, 0}, {1, 0.2}}))
+              .find("ends without contact") != std::string::npos);
+    const std::string tension = "[[step]]\nbulk_tension = \"1/100\"\n";
+    CHECK(history_refusal(history_text(hertz, {{1, 0}, {1, 0.1}}, tension)).find("applied once") !=
+          std::string::npos);
+    CHECK(history_refusal("[profile]\n" + hertz +
+                          "\n[load]\nP = \"1\"\ncontact_modulus = \"1\"\n[[step]]\nP = \"1\"\n")
+              .find("in addition to the steps") != std::string::npos);
+    CHECK(history_refusal("[profile]\n" + hertz +
+                          "\n[load]\ncontact_modulus = \"1\"\n[[step]]\nP = \"1\"\nQ = \"0.1\"\n")
+              .find("needs a friction") != std::string::npos);
+}

@@ -12,7 +12,9 @@
 ///   bounded_value.hpp  BoundedValue: a value, its error, its route; printing
 ///   run_scene.hpp    run_scene: carries out the plan and counts the work
 ///   run_scene.hpp SceneValues: single numbers of a scene
+///   greatest_value.hpp  greatest_value: the greatest stress of a body, and its place
 #include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/scene/greatest_value.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
 #include "edgeproof/scene/input/points.hpp"
 #include "edgeproof/scene/input/quantity.hpp"

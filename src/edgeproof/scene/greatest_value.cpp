@@ -93,7 +93,9 @@ BoundedValue place_of_edge(const Scene& scene, bool stick, contact::Edge edge) {
     return x;
 }
 
-BoundedValue zero(const std::string& route) { return {Ball(0, search_bits), true, route, Rational(0)}; }
+BoundedValue zero(const std::string& route) {
+    return {Ball(0, search_bits), true, route, Rational(0)};
+}
 
 GreatestValue greatest_tension(const Scene& scene, const Fields& fields) {
     std::optional<contact::SurfaceTension> found;
@@ -101,8 +103,10 @@ GreatestValue greatest_tension(const Scene& scene, const Fields& fields) {
         found = greatest_surface_tension(field);
         return has_digits(found->value, scene.ask.digits);
     });
-    return {proved(found->value, "trailing edge"), place_of_edge(scene, false, found->edge),
-            zero("trailing edge"), {"sxx is greatest at the trailing edge of the contact"}};
+    return {proved(found->value, "trailing edge"),
+            place_of_edge(scene, false, found->edge),
+            zero("trailing edge"),
+            {"sxx is greatest at the trailing edge of the contact"}};
 }
 
 GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity quantity,
@@ -169,8 +173,8 @@ GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity
     case GreatestPlace::Kind::inside:
         break;
     }
-    const bool twins = found->places.size() == 2 ||
-                       (fields.at(search_bits)->mirrored && place.kind != GreatestPlace::Kind::axis);
+    const bool twins = found->places.size() == 2 || (fields.at(search_bits)->mirrored &&
+                                                     place.kind != GreatestPlace::Kind::axis);
     result.notes.push_back(twins ? "the mirror image of the place, at -x, has the same value"
                                  : "at all other places the value is less");
     result.notes.push_back(std::to_string(found->boxes) + " boxes were examined");

@@ -10,8 +10,8 @@ namespace edgeproof::scene {
 /// The greatest value of a stress in a body, and its place; all three are proved.
 struct GreatestValue {
     BoundedValue value;
-    BoundedValue x; ///< from the origin (length)
-    BoundedValue z; ///< the depth (length)
+    BoundedValue x;                 ///< from the origin (length)
+    BoundedValue z;                 ///< the depth (length)
     std::vector<std::string> notes; ///< sentences about the place
 };
 

@@ -60,9 +60,9 @@ int greatest(const StressOptions& o, scene::Scene scene) {
     scene.ask.in_bodies.clear();
     ask_for(scene, o, scene::QuantityGroup::stress, {scene::QuantityGroup::contact});
     const scene::SceneResult result = done(scene);
-    const scene::GreatestValue found = io::at_place(scene.file, scene.load_line, [&] {
-        return scene::greatest_value(scene, quantity, body);
-    });
+    const scene::GreatestValue found = io::at_place(
+        scene.file, scene.load_line, [&] { return scene::greatest_value(scene, quantity, body); },
+        "give --point X,Z for the stress at points");
     report::Table table = values_table(scene, result);
     const std::string name(row_of(quantity).name);
     table.notes = {"the greatest " + name +

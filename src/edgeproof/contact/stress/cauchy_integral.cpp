@@ -222,6 +222,75 @@ CauchyIntegral power_law(const BallContact& contact, const Box& zeta) {
     return {value, (value * (power - 1) - Box(growth) / root) / zeta};
 }
 
+// docs/stress.md, "The greatest values": zeta T' = m T - a P'(a)/W bounds T' over the box by its
+// own size, and then gives all derivatives.
+CauchyDerivatives power_law_derivatives(const BallContact& contact, const Box& zeta) {
+    const long bits = zeta.bits();
+    const Ball growth = contact.force_rate() * contact.a();
+    const Ball& m = contact.power_law()->exponent;
+    const Extent<Ball> e{contact.a(), contact.a()};
+    const Box middle = zeta.middle();
+    const Box offset = zeta - middle;
+    const Ball r(abs(offset).upper(), bits);
+    const Box root = root_above(e, zeta);
+    const Ball left = Ball(abs(zeta).lower(), bits) - m * r;
+    if (!certainly_positive(left) || root.contains_zero()) {
+        const Box unknown = box_of_size(Ball(1, bits) / Ball(0, bits));
+        return {unknown, unknown, unknown, unknown};
+    }
+    const Box start = power_law(contact, middle).value;
+    const Box inverse = Box(Ball(1, bits)) / root;
+    const Box free = inverse * growth;
+    const auto rate_of = [&](const Box& value) { return (value * m - free) / zeta; };
+    const Ball most = (m * abs(start) + abs(free)) / left; // of |T'|
+    const Box value = start + offset * rate_of(start + box_of_size(most * r));
+    const Box first = rate_of(value);
+    const Box cube = free * inverse * inverse;
+    const Box second = first * (m - 1) / zeta + cube;
+    const Box third =
+        (second - first / zeta) * (m - 1) / zeta - cube * inverse * inverse * zeta * Ball(3, bits);
+    return {value, first, second, third};
+}
+
+CauchyBounds power_law_bounds(const BallContact& contact, const Box& zeta) {
+    const long bits = zeta.bits();
+    const Ball& a = contact.a();
+    const Ball growth = contact.force_rate() * a;
+    const Ball& m = contact.power_law()->exponent;
+    const Extent<Ball> e{a, a};
+    const CauchyDerivatives regular = power_law_derivatives(contact, zeta);
+    if (regular[1].is_finite()) {
+        return {regular[0], regular[1] * zeta.imaginary()};
+    }
+    const auto least = [bits](const Box& x) { return Ball(abs(x).lower(), bits); };
+    const auto most = [bits](const Box& x) { return Ball(abs(x).upper(), bits); };
+    const Box right = zeta - a;
+    const Box left = zeta + a;
+    if (right.contains_zero() || left.contains_zero()) {
+        // The integral of |T'| along a line to the edge; that of 1/sqrt|zeta - a| is 2 sqrt(r).
+        const bool at_right = right.contains_zero();
+        const Ball end = power_law_slope(contact, a);
+        const Ball r = most(at_right ? right : left);
+        const Ball change =
+            (r * m * end + growth * sqrt(r) * 2 / sqrt(least(at_right ? left : right))) /
+            clamped(least(zeta) - m * r);
+        const Box value = box_of_size(change) + (at_right ? end : -end);
+        return {value, (value * m * zeta.imaginary() - depth_over_root(e, zeta) * growth) / zeta};
+    }
+    // Near the origin, by the size of zeta T' on |zeta| = a/2 and its equation along a ray.
+    const Ball part = most(zeta) * 2 / a;
+    if (certainly_less(Ball(1, bits), part)) {
+        return {regular[0], regular[1]};
+    }
+    const Ball three(3, bits);
+    const Ball scale = growth / a;
+    const Ball on_circle =
+        scale * (m * (Ball::pi(bits) / 2 + acosh(Ball(2, bits))) + 2 / sqrt(three));
+    const Box moment = box_of_size(on_circle * pow(part, m) + scale * 2 / (three * sqrt(three)) *
+                                                                  pow(part, min(m, Ball(1, bits))));
+    return {(moment + Box(growth) / root_above(e, zeta)) / m, moment};
+}
+
 } // namespace
 
 Box root_outside(const Extent<Ball>& e, const Box& zeta) {
@@ -237,8 +306,7 @@ Ball cauchy_integral_at_edge(const BallContact& contact, Edge edge) {
         return -cauchy_integral_at_edge(contact.mirrored(), Edge::right);
     }
     if (!contact.piecewise_linear()) {
-        const Ball& a = contact.a();
-        return power_law_slope(contact, a);
+        return power_law_slope(contact, contact.a());
     }
     // g'(a) = (1/pi) integral of (pi - h) dg' by the consistency condition
     return over_linear_measure<LeftBalanceKernel>(
@@ -247,11 +315,13 @@ Ball cauchy_integral_at_edge(const BallContact& contact, Edge edge) {
 }
 
 CauchyDerivatives cauchy_derivatives(const BallContact& contact, const Box& zeta) {
-    return linear_derivatives(contact, zeta);
+    return contact.piecewise_linear() ? linear_derivatives(contact, zeta)
+                                      : power_law_derivatives(contact, zeta);
 }
 
 CauchyBounds cauchy_bounds(const BallContact& contact, const Box& zeta) {
-    return linear_bounds(contact, zeta);
+    return contact.piecewise_linear() ? linear_bounds(contact, zeta)
+                                      : power_law_bounds(contact, zeta);
 }
 
 // docs/stress.md, "Full stick": T = Q/W + (pi sigma_0/4)((zeta - c)/W - 1)

@@ -211,8 +211,8 @@ private:
         constexpr int depths = 8;
         for (int i = -places; i <= places; ++i) {
             for (int j = 0; j <= depths; ++j) {
-                raise(F_.bound(Box(number(1.5 * i / places),
-                                   number(j == depths ? 0 : std::ldexp(2.0, -j)))));
+                raise(F_.bound(
+                    Box(number(1.5 * i / places), number(j == depths ? 0 : std::ldexp(2.0, -j)))));
             }
         }
     }
@@ -297,9 +297,9 @@ private:
     /// surface and is concave along it: then it is the only one there.
     bool settle(const Cell& cell) {
         const PlaneJet own = F_.jet(box(cell));
-        if (!own.is_finite() || !(own.concave() || (cell.on_surface() &&
-                                                    certainly_negative(own.second[0]) &&
-                                                    certainly_negative(own.first[1])))) {
+        if (!own.is_finite() ||
+            !(own.concave() || (cell.on_surface() && certainly_negative(own.second[0]) &&
+                                certainly_negative(own.first[1])))) {
             return false;
         }
         for (const double factor : {8.0, 4.0, 2.0, 1.0}) {
@@ -337,14 +337,13 @@ private:
             return false;
         }
         const bool axis = F_.field().mirrored && std::abs(region.x) < region.half_x;
-        return (axis && found(Kind::axis, 0, region.z)) ||
-               found(Kind::inside, region.x, region.z);
+        return (axis && found(Kind::axis, 0, region.z)) || found(Kind::inside, region.x, region.z);
     }
 
     /// Finds the edges at which F has a cusp, each with a half disc in which it is less elsewhere.
     void find_edges() {
         constexpr int largest = -2;
-        constexpr int smallest = -20;
+        constexpr int smallest = -24;
         const StressMeasure turned = F_.reflected();
         for (std::size_t part = 0; part < F_.field().parts.size(); ++part) {
             for (const Edge edge : {Edge::right, Edge::left}) {
@@ -355,8 +354,10 @@ private:
                 for (int i = largest; i >= smallest; --i) {
                     const Ball radius = number(std::ldexp(1.0, i));
                     if (F.greatest_at_right_edge(part, radius)) {
-                        const auto place = refined(
-                            F_, {.kind = Kind::edge, .part = part, .edge = edge, .region = Box(radius)});
+                        const auto place = refined(F_, {.kind = Kind::edge,
+                                                        .part = part,
+                                                        .edge = edge,
+                                                        .region = Box(radius)});
                         raise(place->F);
                         places_.push_back(*place);
                         break;

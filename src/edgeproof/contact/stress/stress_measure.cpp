@@ -8,9 +8,7 @@ namespace edgeproof::contact {
 namespace {
 
 /// Re(conj(x) y).
-Ball dot(const Box& x, const Box& y) {
-    return x.real() * y.real() + x.imaginary() * y.imaginary();
-}
+Ball dot(const Box& x, const Box& y) { return x.real() * y.real() + x.imaginary() * y.imaginary(); }
 Ball square(const Ball& x) {
     Ball r(0, x.bits());
     arb_sqr(r.data(), x.data(), x.bits());
@@ -47,8 +45,8 @@ Ball up_to(const Ball& r) {
 /// root s + cubic s^3 for |s|^2 at most a radius, where `rate` and `cubic` enclose functions of
 /// s^2. It is pi E* g'/2 - pi sum (-1)^k c_k s^(2k+1) with the coefficients c_k of p.
 struct EdgeForm {
-    Ball root;      ///< pi c_0
-    Box rate;       ///< stress/length
+    Ball root; ///< pi c_0
+    Box rate;  ///< stress/length
     Box cubic;
     Box cubic_rate; ///< the derivative of `cubic` by s^2
 };
@@ -58,23 +56,30 @@ std::optional<EdgeForm> edge_form(const BallContact& contact, const Ball& radius
     const Ball pi = Ball::pi(bits);
     const Ball rho(Real(contact.reach(Edge::right).lower() / 2), bits);
     const Ball part = radius / rho;
-    if (!contact.piecewise_linear() || !certainly_positive(rho) ||
-        !certainly_less(part * 2, Ball(1, bits))) {
+    const Ball one(1, bits);
+    if (!certainly_positive(rho) || !certainly_less(part * 2, one)) {
         return {};
     }
     const std::vector<Ball> c = contact.expansion(Edge::right, 2);
     const Ball most = contact.majorant(Edge::right, rho) * pi / rho; // |c_k| <= M/rho^k
-    std::size_t piece = 0;
-    while (piece < contact.knot_marks().size() &&
-           contact.knot_marks()[piece].end != Edge::right) {
-        ++piece;
-    }
     const auto disc = [](const Ball& size) {
         const Ball all = Ball::hull(-size, size);
         return Box(all, all);
     };
-    return EdgeForm{c[0] * pi, Box(contact.slope().rate(piece) * contact.modulus() * pi / 2),
-                    disc(most * part / (1 - part)) + c[1] * pi,
+    Box rate(bits);
+    if (contact.piecewise_linear()) {
+        const auto& marks = contact.knot_marks();
+        const auto beyond = std::ranges::find(marks, std::optional(Edge::right), &Mark<Ball>::end);
+        rate = Box(contact.slope().rate(static_cast<std::size_t>(beyond - marks.begin())) *
+                   contact.modulus() * pi / 2);
+    } else { // (m/a) T(a) (zeta/a)^(m-1), |zeta/a - 1| at most q
+        const Ball m = contact.power_law()->exponent;
+        const Ball q = radius / contact.a();
+        const Ball change = abs(m - 1) * q * max(pow(1 - q, m - 2), pow(1 + q, m - 2));
+        rate = (disc(change) + one) *
+               (cauchy_integral_at_edge(contact, Edge::right) * m / contact.a());
+    }
+    return EdgeForm{c[0] * pi, rate, disc(most * part / (1 - part)) + c[1] * pi,
                     disc(most / rho / ((1 - part) * (1 - part)))};
 }
 
@@ -96,16 +101,14 @@ StressField StressField::reflected() const {
 
 SurfaceTension greatest_surface_tension(const StressField& field) {
     // The traction on this body points to the leading edge.
-    const Edge edge =
-        certainly_positive(field.parts.front().shear) ? Edge::left : Edge::right;
+    const Edge edge = certainly_positive(field.parts.front().shear) ? Edge::left : Edge::right;
     const StressField turned = edge == Edge::left ? field.reflected() : field;
     const Ball a = turned.contact().a();
     Ball shear(0, field.bits()); // Re T; p = 0 at the edge
     for (std::size_t i = 0; i < turned.parts.size(); ++i) {
         const LoadPart& part = turned.parts[i];
-        shear += part.shear *
-                 (i == 0 ? cauchy_integral_at_edge(part.contact, Edge::right)
-                         : cauchy_integral(part.contact, Box(a)).value.real());
+        shear += part.shear * (i == 0 ? cauchy_integral_at_edge(part.contact, Edge::right)
+                                      : cauchy_integral(part.contact, Box(a)).value.real());
     }
     return {edge, field.bulk - shear * 2 / Ball::pi(field.bits())};
 }
@@ -274,9 +277,7 @@ bool StressMeasure::greatest_at_right_edge(std::size_t part, const Ball& radius)
     }
     const Box minus_i(Ball(0, bits), Ball(-1, bits));
     const Ball rho = Ball::hull(Ball(0, bits), sqrt(radius));
-    constexpr long sectors = 64;
-    for (long i = 0; i < sectors; ++i) {
-        const Ball phi = Ball::pi(bits) / (2 * sectors) * Ball::hull(Ball(i, bits), Ball(i + 1, bits));
+    const auto less_in = [&](const Ball& phi) {
         const Ball c = cos(phi);
         const Ball s = sin(phi);
         const Box unit(c, s);
@@ -288,8 +289,7 @@ bool StressMeasure::greatest_at_right_edge(std::size_t part, const Ball& radius)
         const Box slope = near->rate + root * near->cubic;
         const Box own_G = near->rate + root * near->cubic * Ball(Rational(3, 2), bits) +
                           root * root * root * near->cubic_rate;
-        const Box b = (own_G * weights_[part] + others_G) * depth -
-                      turn * (slope * t + others_T);
+        const Box b = (own_G * weights_[part] + others_G) * depth - turn * (slope * t + others_T);
         const Box a_S = unit * weights_[part] * minus_i * (-near->root);
         const Box b_S = turn * (slope * weights_[part] + others_G) * minus_i;
         const Ball B = (deviator_ * dot(at.D, b) + mean_ * at.S * b_S.real()) * 2 +
@@ -299,10 +299,24 @@ bool StressMeasure::greatest_at_right_edge(std::size_t part, const Ball& radius)
         const Ball Y =
             deviator_ * at.D.imaginary() * (t * (1 + c * c) + p * c * s) - mean_ * at.S * p;
         const bool falls = arb_is_nonpositive(X.data()) != 0 && arb_is_nonpositive(Y.data()) != 0;
-        if (!(falls && certainly_negative(B)) &&
-            !certainly_negative(near->root * (X * c + Y * s) * 2 + rho * B)) {
+        return (falls && certainly_negative(B)) ||
+               certainly_negative(near->root * (X * c + Y * s) * 2 + rho * B);
+    };
+    // Sectors, in parts of a right angle, are divided where they do not decide.
+    constexpr double narrowest = 0x1p-14;
+    std::vector<std::array<double, 2>> sectors{{0, 1}};
+    while (!sectors.empty()) {
+        const auto [from, width] = sectors.back();
+        sectors.pop_back();
+        const Ball turned = Ball::hull(Ball(Real(from), bits), Ball(Real(from + width), bits));
+        if (width <= 1.0 / 16 && less_in(Ball::pi(bits) / 2 * turned)) {
+            continue;
+        }
+        if (width <= narrowest) {
             return false;
         }
+        sectors.push_back({from + width / 2, width / 2});
+        sectors.push_back({from, width / 2});
     }
     return true;
 }

@@ -149,7 +149,7 @@ class Search {
 public:
     Search(const StressMeasure& F, std::size_t most_boxes)
         : F_(F), bits_(F.field().bits()), most_boxes_(most_boxes) {
-        const Real size = max(F.field().contact().a(), F.field().contact().b()).midpoint();
+        const Real size = max(F.field().contact().a(), F.field().contact().b()).upper();
         scale_ = mpfr_get_exp(raw(size));
     }
 
@@ -358,8 +358,10 @@ private:
                                                         .part = part,
                                                         .edge = edge,
                                                         .region = Box(radius)});
-                        raise(place->F);
-                        places_.push_back(*place);
+                        if (place) {
+                            raise(place->F);
+                            places_.push_back(*place);
+                        }
                         break;
                     }
                 }

@@ -14,7 +14,9 @@
 ///   run_scene.hpp SceneValues: single numbers of a scene
 ///   binary64_pressures.hpp, binary64_values.hpp  many values, rounded to binary64
 ///   print.hpp      values printed to a stream
+///   greatest_value.hpp  greatest_value: the greatest stress of a body, and its place
 #include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/scene/greatest_value.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
 #include "edgeproof/scene/input/points.hpp"
 #include "edgeproof/scene/input/quantity.hpp"

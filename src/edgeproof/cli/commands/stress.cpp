@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/io/error_place.hpp"
 
 #include <array>
 
@@ -12,6 +13,7 @@ using scene::RowsAt;
 struct StressOptions : SceneOptions {
     std::string body = "A";
     std::vector<std::string> points; ///< "X,Z"
+    std::string greatest;            ///< the quantity whose greatest value is asked for
 };
 
 scene::Body body_of(const std::string& name) {
@@ -35,9 +37,58 @@ scene::BodyPoint point_of(const std::string& text) {
     return point;
 }
 
+Quantity greatest_of(const std::string& name) {
+    for (const Quantity quantity : {Quantity::mises, Quantity::tau_max, Quantity::sxx}) {
+        if (name == row_of(quantity).name) {
+            return quantity;
+        }
+    }
+    throw InputError("--greatest " + name + " is not searched for",
+                     "write mises, tau_max (both for z >= 0) or sxx (on the surface)");
+}
+
+int greatest(const StressOptions& o, scene::Scene scene) {
+    const Quantity quantity = greatest_of(o.greatest);
+    const scene::Body body = body_of(o.body);
+    if (!o.points.empty()) {
+        throw InputError("--greatest and --point exclude each other", "leave out one of them");
+    }
+    if (quantity == Quantity::mises && !scene.poisson(body)) {
+        throw InputError("mises needs Poisson's ratio", "add nu = \"0.3\" to [load]")
+            .at(scene.file, scene.load_line);
+    }
+    scene.ask.in_bodies.clear();
+    ask_for(scene, o, scene::QuantityGroup::stress, {scene::QuantityGroup::contact});
+    const scene::SceneResult result = done(scene);
+    const scene::GreatestValue found = io::at_place(
+        scene.file, scene.load_line, [&] { return scene::greatest_value(scene, quantity, body); },
+        "give --point X,Z for the stress at points");
+    report::Table table = values_table(scene, result);
+    const std::string name(row_of(quantity).name);
+    table.notes = {"the greatest " + name +
+                   (quantity == Quantity::sxx ? " on the surface of body " : " in body ") + o.body};
+    table.notes.insert(table.notes.end(), found.notes.begin(), found.notes.end());
+    if (result.plan.partial_slip) {
+        add_slip_facts(table.facts, scene, result);
+    }
+    table.notes.push_back(bound_note(result.plan));
+    using Kind = report::Column::Kind;
+    Columns<scene::GreatestValue> columns(scene);
+    columns.add("body", Kind::text, [&o](const auto&) { return o.body; });
+    columns.add_value("x", "", [](const auto& value) { return value.x; });
+    columns.add_value("z", "", [](const auto& value) { return value.z; });
+    columns.add_value(name, "route", [](const auto& value) { return value.value; });
+    columns.write(table, {found});
+    emit(table, o);
+    return 0;
+}
+
 int stress(const StressOptions& o) {
     const scene::Body body = body_of(o.body);
     scene::Scene scene = asked_scene(o);
+    if (!o.greatest.empty()) {
+        return greatest(o, std::move(scene));
+    }
     if (!o.points.empty()) {
         scene.ask.in_bodies.clear();
         for (const std::string& text : o.points) {
@@ -163,6 +214,9 @@ void add_stress(CLI::App& app, int& code) {
         ->type_name("A|B");
     sub.add_option("--point", o.points,
                    "X,Z: place and depth (default: points of [ask]); repeatable");
+    sub.add_option("--greatest", o.greatest,
+                   "mises, tau_max (for z >= 0) or sxx (at z = 0): one row, the greatest value and "
+                   "its place, proved");
     sub.footer(
         "z is the depth into the body. [shear] bulk_A is the bulk stress of body A, and B has\n"
         "bulk_A + bulk_tension. See docs/stress.md.");

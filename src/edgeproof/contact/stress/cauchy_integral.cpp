@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/stress/cauchy_integral.hpp"
 
+#include "edgeproof/precision/ball/magnitude.hpp"
+
 #include <cstddef>
 
 namespace edgeproof::contact {
@@ -9,8 +11,9 @@ namespace {
 /// A place in the variable omega, |omega| <= 1, of zeta = c + (D/4)(omega + 1/omega): it is 0 far
 /// from the contact, and on the unit circle on the contact.
 struct Outside {
-    Outside(const Extent<Ball>& e, const Box& zeta)
-        : half(e.length() / 2), root(root_outside(e, zeta)),
+    Outside(const Extent<Ball>& e, const Box& zeta) : Outside(e, zeta, root_outside(e, zeta)) {}
+    Outside(const Extent<Ball>& e, const Box& zeta, const Box& W)
+        : half(e.length() / 2), root(W),
           // omega = (zeta - c - W)/(D/2), without cancellation
           omega(Box(half) / (zeta - (e.a - e.b) / 2 + root)) {}
     Ball half; ///< D/2
@@ -80,6 +83,115 @@ CauchyIntegral linear(const BallContact& contact, const Box& zeta) {
     return {value * factor, (derivative + by_root / at.root) * factor};
 }
 
+/// Returns a box around 0 that contains all numbers of at most the size of x.
+Box box_of_size(const Ball& x) {
+    const Ball all = Magnitude(x).ball(x.bits());
+    return {all, all};
+}
+
+/// sqrt(x) for x with Im x >= 0, also if the box contains 0.
+Box root_above(const Box& x) {
+    if (!x.contains_zero()) {
+        return sqrt(x);
+    }
+    const Ball most = sqrt(Ball(abs(x).upper(), x.bits()));
+    const Ball part = Ball::hull(Ball(0, x.bits()), most);
+    return {part, part};
+}
+Box root_above(const Extent<Ball>& e, const Box& zeta) {
+    return root_above(zeta - e.a) * root_above(zeta + e.b);
+}
+
+/// z/W for every zeta of a box. Where that contains an edge, z <= |zeta - edge| is used.
+Box depth_over_root(const Extent<Ball>& e, const Box& zeta) {
+    const Box right = zeta - e.a;
+    const Box left = zeta + e.b;
+    if (!right.contains_zero() && !left.contains_zero()) {
+        const Box ratio = Box(zeta.imaginary()) / root_above(e, zeta);
+        if (ratio.is_finite()) {
+            return ratio;
+        }
+    }
+    const auto least_root = [](const Box& x) { return sqrt(Ball(abs(x).lower(), x.bits())); };
+    return box_of_size(sqrt(Ball(zeta.imaginary().upper(), zeta.bits())) /
+                       max(least_root(right), least_root(left)));
+}
+
+// The derivatives of docs/stress.md, "Piecewise linear slopes", with omega' = -omega/W,
+// k' = -w_v/(W (zeta - v)) and W' = (zeta - c)/W.
+CauchyDerivatives linear_derivatives(const BallContact& contact, const Box& zeta) {
+    const long bits = zeta.bits();
+    const Extent<Ball> e{contact.a(), contact.b()};
+    const Outside at(e, zeta, root_above(e, zeta));
+    const LinearSlope<Ball>& slope = contact.slope();
+    const Box inverse = Box(Ball(1, bits)) / at.root;
+    const Box ratio = (zeta - (e.a - e.b) / 2) * inverse * inverse; // -W (1/W)'
+    const Box arc = at.omega * (contact.arc() * at.half);
+    Box by_root = -arc;
+    CauchyDerivatives sum{arc, Box(bits), Box(bits), Box(bits)};
+    for (std::size_t i = 0; i < slope.knots.size(); ++i) {
+        if (!contact.bends_inside(i)) {
+            continue;
+        }
+        const Mark<Ball>& v = contact.knot_marks()[i];
+        const Ball drop = slope.rate_drop(i);
+        const Box offset = slope.knots[i] - zeta;
+        const Box k = kernel(at, v);
+        const Box pole = Box(Ball(-1, bits)) / offset;
+        sum[0] = sum[0] + (offset * k + v.w) * drop;
+        sum[1] = sum[1] - k * drop;
+        sum[2] = sum[2] + pole * (drop * v.w);
+        sum[3] = sum[3] - (ratio + pole) * pole * (drop * v.w);
+        by_root = by_root + drop * v.w;
+    }
+    const Box rate = arc * inverse; // of by_root
+    const Box square = inverse * inverse;
+    sum[1] = sum[1] + by_root * inverse;
+    sum[2] = (sum[2] + rate - by_root * ratio) * inverse;
+    sum[3] = (sum[3] - arc * square - rate * ratio * Ball(3, bits) +
+              by_root * (ratio * ratio * Ball(3, bits) - square)) *
+             inverse;
+    for (Box& x : sum) {
+        x = x * (contact.modulus() / 2);
+    }
+    return sum;
+}
+
+CauchyBounds linear_bounds(const BallContact& contact, const Box& zeta) {
+    const Extent<Ball> e{contact.a(), contact.b()};
+    const Outside at(e, zeta, root_above(e, zeta));
+    const LinearSlope<Ball>& slope = contact.slope();
+    Box value = at.omega * (contact.arc() * at.half);
+    Box by_root = -value;
+    Box with_depth(zeta.bits());
+    for (std::size_t i = 0; i < slope.knots.size(); ++i) {
+        if (!contact.bends_inside(i)) {
+            continue;
+        }
+        const Mark<Ball>& v = contact.knot_marks()[i];
+        const Ball drop = slope.rate_drop(i);
+        const Box offset = slope.knots[i] - zeta;
+        const Box k = kernel(at, v);
+        const bool far = k.is_finite() && !offset.contains_zero();
+        const Box moment = far ? offset * k : small_moment(at, offset);
+        value = value + (moment + v.w) * drop;
+        // z <= |v - zeta|
+        with_depth = with_depth - (far ? k * zeta.imaginary() : moment) * drop;
+        by_root = by_root + drop * v.w;
+    }
+    const Ball factor = contact.modulus() / 2;
+    return {value * factor, (with_depth + by_root * depth_over_root(e, zeta)) * factor};
+}
+
+/// pi E*/2 times g'(x), x > 0, of a power law: P'(a) (x/a)^m times the integral of
+/// t^m/sqrt(1 - t^2) (DLMF 5.12.2).
+Ball power_law_slope(const BallContact& contact, const Ball& x) {
+    const Ball& m = contact.power_law()->exponent;
+    const Ball quarter =
+        gamma((m + 1) / 2) / gamma(m / 2 + 1) * sqrt(Ball::pi(contact.a().bits())) / 2;
+    return contact.force_rate() * pow(x / contact.a(), m) * quarter;
+}
+
 // P(a) = K a^(m+1), so that the Cauchy integral is that of the flat punches by which the contact
 // grows: the integral of P'(s)/sqrt(zeta^2 - s^2) ds over 0 < s < a (docs/stress.md, "Power laws").
 CauchyIntegral power_law(const BallContact& contact, const Box& zeta) {
@@ -94,11 +206,8 @@ CauchyIntegral power_law(const BallContact& contact, const Box& zeta) {
     const bool surface = arb_is_zero(zeta.imaginary().data()) != 0;
     Box value(bits);
     if (surface && !certainly_less(a, x)) {
-        // Re = (pi E*/2) |g'| = P'(a) (x/a)^m times the integral of t^m/sqrt(1 - t^2) (DLMF 5.12.2)
-        const Ball m = power - 1;
-        const Ball quarter = gamma(power / 2) / gamma(m / 2 + 1) * sqrt(Ball::pi(bits)) / 2;
-        const Ball slope = growth / a * pow(x / a, m) * quarter;
-        value = Box(slope, -Ball::pi(bits) * contact.pressure(Edge::right, a - x));
+        value = Box(power_law_slope(contact, x),
+                    -Ball::pi(bits) * contact.pressure(Edge::right, a - x));
     } else {
         // Where Re zeta > 0 the branch of 2F1 is the principal one.
         const Box right = certainly_negative(zeta.real()) ? -conj(zeta) : zeta;
@@ -113,6 +222,75 @@ CauchyIntegral power_law(const BallContact& contact, const Box& zeta) {
     return {value, (value * (power - 1) - Box(growth) / root) / zeta};
 }
 
+// docs/stress.md, "The greatest values": zeta T' = m T - a P'(a)/W bounds T' over the box by its
+// own size, and then gives all derivatives.
+CauchyDerivatives power_law_derivatives(const BallContact& contact, const Box& zeta) {
+    const long bits = zeta.bits();
+    const Ball growth = contact.force_rate() * contact.a();
+    const Ball& m = contact.power_law()->exponent;
+    const Extent<Ball> e{contact.a(), contact.a()};
+    const Box middle = zeta.middle();
+    const Box offset = zeta - middle;
+    const Ball r(abs(offset).upper(), bits);
+    const Box root = root_above(e, zeta);
+    const Ball left = Ball(abs(zeta).lower(), bits) - m * r;
+    if (!certainly_positive(left) || root.contains_zero()) {
+        const Box unknown = box_of_size(Ball(1, bits) / Ball(0, bits));
+        return {unknown, unknown, unknown, unknown};
+    }
+    const Box start = power_law(contact, middle).value;
+    const Box inverse = Box(Ball(1, bits)) / root;
+    const Box free = inverse * growth;
+    const auto rate_of = [&](const Box& value) { return (value * m - free) / zeta; };
+    const Ball most = (m * abs(start) + abs(free)) / left; // of |T'|
+    const Box value = start + offset * rate_of(start + box_of_size(most * r));
+    const Box first = rate_of(value);
+    const Box cube = free * inverse * inverse;
+    const Box second = first * (m - 1) / zeta + cube;
+    const Box third =
+        (second - first / zeta) * (m - 1) / zeta - cube * inverse * inverse * zeta * Ball(3, bits);
+    return {value, first, second, third};
+}
+
+CauchyBounds power_law_bounds(const BallContact& contact, const Box& zeta) {
+    const long bits = zeta.bits();
+    const Ball& a = contact.a();
+    const Ball growth = contact.force_rate() * a;
+    const Ball& m = contact.power_law()->exponent;
+    const Extent<Ball> e{a, a};
+    const CauchyDerivatives regular = power_law_derivatives(contact, zeta);
+    if (regular[1].is_finite()) {
+        return {regular[0], regular[1] * zeta.imaginary()};
+    }
+    const auto least = [bits](const Box& x) { return Ball(abs(x).lower(), bits); };
+    const auto most = [bits](const Box& x) { return Ball(abs(x).upper(), bits); };
+    const Box right = zeta - a;
+    const Box left = zeta + a;
+    if (right.contains_zero() || left.contains_zero()) {
+        // The integral of |T'| along a line to the edge; that of 1/sqrt|zeta - a| is 2 sqrt(r).
+        const bool at_right = right.contains_zero();
+        const Ball end = power_law_slope(contact, a);
+        const Ball r = most(at_right ? right : left);
+        const Ball change =
+            (r * m * end + growth * sqrt(r) * 2 / sqrt(least(at_right ? left : right))) /
+            clamped(least(zeta) - m * r);
+        const Box value = box_of_size(change) + (at_right ? end : -end);
+        return {value, (value * m * zeta.imaginary() - depth_over_root(e, zeta) * growth) / zeta};
+    }
+    // Near the origin, by the size of zeta T' on |zeta| = a/2 and its equation along a ray.
+    const Ball part = most(zeta) * 2 / a;
+    if (certainly_less(Ball(1, bits), part)) {
+        return {regular[0], regular[1]};
+    }
+    const Ball three(3, bits);
+    const Ball scale = growth / a;
+    const Ball on_circle =
+        scale * (m * (Ball::pi(bits) / 2 + acosh(Ball(2, bits))) + 2 / sqrt(three));
+    const Box moment = box_of_size(on_circle * pow(part, m) + scale * 2 / (three * sqrt(three)) *
+                                                                  pow(part, min(m, Ball(1, bits))));
+    return {(moment + Box(growth) / root_above(e, zeta)) / m, moment};
+}
+
 } // namespace
 
 Box root_outside(const Extent<Ball>& e, const Box& zeta) {
@@ -121,6 +299,29 @@ Box root_outside(const Extent<Ball>& e, const Box& zeta) {
 
 CauchyIntegral cauchy_integral(const BallContact& contact, const Box& zeta) {
     return contact.piecewise_linear() ? linear(contact, zeta) : power_law(contact, zeta);
+}
+
+Ball cauchy_integral_at_edge(const BallContact& contact, Edge edge) {
+    if (edge == Edge::left) {
+        return -cauchy_integral_at_edge(contact.mirrored(), Edge::right);
+    }
+    if (!contact.piecewise_linear()) {
+        return power_law_slope(contact, contact.a());
+    }
+    // g'(a) = (1/pi) integral of (pi - h) dg' by the consistency condition
+    return over_linear_measure<LeftBalanceKernel>(
+               contact.slope(), Extent<Ball>{contact.a(), contact.b()}, contact.knot_marks()) *
+           contact.modulus() / 2;
+}
+
+CauchyDerivatives cauchy_derivatives(const BallContact& contact, const Box& zeta) {
+    return contact.piecewise_linear() ? linear_derivatives(contact, zeta)
+                                      : power_law_derivatives(contact, zeta);
+}
+
+CauchyBounds cauchy_bounds(const BallContact& contact, const Box& zeta) {
+    return contact.piecewise_linear() ? linear_bounds(contact, zeta)
+                                      : power_law_bounds(contact, zeta);
 }
 
 // docs/stress.md, "Full stick": T = Q/W + (pi sigma_0/4)((zeta - c)/W - 1)

@@ -4,6 +4,8 @@
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/precision/ball/complex_box.hpp"
 
+#include <array>
+
 /// The Cauchy integrals of the tractions of a contact, from which all stresses follow
 /// (docs/stress.md, "The Cauchy integrals").
 namespace edgeproof::contact {
@@ -29,6 +31,24 @@ struct CauchyIntegral {
 /// The Cauchy integral of the pressure of a contact with a closed form, or of a zone of its profile
 /// (BallContact::between). Enclosed; not finite on the surface where p is infinite.
 [[nodiscard]] CauchyIntegral cauchy_integral(const BallContact& contact, const Box& zeta);
+
+/// The Cauchy integral of the pressure at an edge of the contact, where it is real: pi E*/2 times
+/// the slope g' of the contact, which may be tilted, at its edge.
+[[nodiscard]] Ball cauchy_integral_at_edge(const BallContact& contact, Edge edge);
+
+/// T and its first three derivatives, enclosed for every zeta of a box with z >= 0. Not finite if
+/// the box contains an edge, or a point of the surface at which g' or g'' jumps, or is too wide.
+using CauchyDerivatives = std::array<Box, 4>;
+[[nodiscard]] CauchyDerivatives cauchy_derivatives(const BallContact& contact, const Box& zeta);
+
+/// T and z dT/dzeta for every zeta of a box with z >= 0. In contrast to cauchy_derivatives they are
+/// finite also on small boxes that contain an edge or a knot without a corner: T is continuous
+/// there, and z dT/dzeta tends to 0 (docs/stress.md, "The greatest values").
+struct CauchyBounds {
+    Box value;
+    Box with_depth; ///< z dT/dzeta
+};
+[[nodiscard]] CauchyBounds cauchy_bounds(const BallContact& contact, const Box& zeta);
 
 /// The Cauchy integral of the traction under full stick (law/shear.hpp). Not finite at an edge.
 [[nodiscard]] CauchyIntegral cauchy_integral(const Extent<Ball>& e, const ShearLoad<Ball>& load,

@@ -41,6 +41,45 @@ contact::CauchyIntegral BallLevel::shear_integral(const contact::CauchyIntegral&
     return q;
 }
 
+Ball BallLevel::bulk_stress(Body body) const {
+    Ball bulk(0, bits_);
+    if (scene_.shear) {
+        bulk = ball_of(scene_.shear->bulk_A, bits_);
+        if (body == Body::B) {
+            bulk += ball_of(scene_.shear->bulk_tension, bits_);
+        }
+    }
+    return bulk;
+}
+
+std::optional<contact::StressField> BallLevel::stress_field(Body body) {
+    const contact::BallContact& whole = *contact_->closed_form();
+    contact::StressField field{.parts = {{whole, Ball(1, bits_), Ball(0, bits_)}},
+                               .bulk = bulk_stress(body)};
+    field.mirrored = scene_.symmetric();
+    if (!scene_.slips() && !scene_.together()) {
+        return field;
+    }
+    field.mirrored = false;
+    const bool no_tension = scene_.shear->bulk_tension.sign() == 0;
+    field.untilted = no_tension && scene_.shear->bulk_A.sign() == 0;
+    field.surface_mirrored = scene_.symmetric() && field.untilted;
+    const Ball side(body == Body::A ? 1 : -1, bits_); // B carries -q
+    if (!scene_.slips()) {
+        field.parts.front().shear = shear_ratio() * side;
+        return field;
+    }
+    const auto* const zones = part_contacts();
+    if (zones == nullptr) {
+        return {};
+    }
+    field.parts.front().shear = slip()->whole_ratio() * side;
+    for (std::size_t i = 0; i < zones->size(); ++i) {
+        field.parts.push_back({(*zones)[i], Ball(0, bits_), slip()->parts()[i].ratio * side});
+    }
+    return field;
+}
+
 const contact::StressState& BallLevel::stress(const AskedValue& at) {
     const BodyPoint& point = *at.in_body;
     if (last_stress_ && last_stress_->first == point) {
@@ -49,17 +88,10 @@ const contact::StressState& BallLevel::stress(const AskedValue& at) {
     const Box zeta(ball_of(point.x, bits_), ball_of(point.z, bits_));
     const contact::CauchyIntegral p = cauchy_integral(*contact_->closed_form(), zeta);
     contact::CauchyIntegral q = shear_integral(p, zeta);
-    Ball bulk(0, bits_);
-    if (scene_.shear) {
-        bulk = ball_of(scene_.shear->bulk_A, bits_);
-        if (point.body == Body::B) {
-            bulk += ball_of(scene_.shear->bulk_tension, bits_);
-        }
-    }
     if (point.body == Body::B) { // it carries -q
         q = q * Ball(-1, bits_);
     }
-    last_stress_.emplace(point, stress_of(p, q, zeta, bulk));
+    last_stress_.emplace(point, stress_of(p, q, zeta, bulk_stress(point.body)));
     return last_stress_->second;
 }
 

@@ -8,6 +8,7 @@
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
 #include "edgeproof/contact/stress/plane_stress.hpp"
+#include "edgeproof/contact/stress/stress_measure.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/scene/route/plan.hpp"
@@ -215,6 +216,9 @@ public:
     [[nodiscard]] Ball sxz(const AskedValue& at) { return stress(at).sxz; }
     [[nodiscard]] Ball tau_max(const AskedValue& at) { return stress(at).tau_max(); }
     [[nodiscard]] Ball mises(const AskedValue& at);
+    /// The load on a body, for shear that is not under full stick. Nothing if these bits do not
+    /// isolate the stick zone.
+    [[nodiscard]] std::optional<contact::StressField> stress_field(Body body);
     /// Throws DomainError inside the contact.
     [[nodiscard]] Ball gap(const AskedValue& at);
     /// u_A - u_B. Throws DomainError outside the contact.
@@ -227,6 +231,7 @@ public:
 private:
     /// Keeps the last value.
     [[nodiscard]] const contact::StressState& stress(const AskedValue& at);
+    [[nodiscard]] Ball bulk_stress(Body body) const;
     /// The Cauchy integral of q on body A; `p` is that of p.
     [[nodiscard]] contact::CauchyIntegral shear_integral(const contact::CauchyIntegral& p,
                                                          const Box& zeta);

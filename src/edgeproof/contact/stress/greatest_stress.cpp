@@ -1,0 +1,437 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/stress/greatest_stress.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <string>
+#include <utility>
+
+namespace edgeproof::contact {
+namespace {
+
+using Kind = GreatestPlace::Kind;
+
+Ball exactly(const Ball& x) { return Ball(x.midpoint(), x.bits()); }
+Ball zero_like(const Ball& x) { return {0, x.bits()}; }
+
+/// A solution of the equations of a stationary place in one or two unknowns, by Newton's method and
+/// then, with proof, by its interval form (Krawczyk's; `moore-kearfott-cloud2009`).
+class Stationary {
+public:
+    Stationary(const StressMeasure& F, Kind kind, Ball x, Ball z)
+        : F_(F), kind_(kind), at_{exactly(x), exactly(z)} {}
+
+    [[nodiscard]] std::optional<std::array<Ball, 2>> solve() {
+        std::array<Ball, 2> step = newton_step();
+        for (int i = 0; i < most_steps; ++i) {
+            check_interruption();
+            if (!step[0].is_finite() || !step[1].is_finite()) {
+                return {};
+            }
+            move(step);
+            const std::array<Ball, 2> next = newton_step();
+            const bool smaller = size(next) < size(step);
+            step = next;
+            if (!smaller) {
+                break;
+            }
+        }
+        // The last step, and the rounding of the place.
+        Real width = Real(size(step) * 4 + ldexp(size(at_), -static_cast<int>(F_.field().bits())));
+        for (int i = 0; i < most_widths; ++i, width = ldexp(width, widening)) {
+            if (auto proved = krawczyk(width)) {
+                return proved;
+            }
+        }
+        return {};
+    }
+
+private:
+    static constexpr int most_steps = 40;
+    static constexpr int most_widths = 5;
+    static constexpr int widening = 12;
+
+    static Real size(const std::array<Ball, 2>& v) {
+        return std::max(Real(abs(v[0]).upper()), Real(abs(v[1]).upper()));
+    }
+    [[nodiscard]] PlaneJet jet(const std::array<Ball, 2>& at) const {
+        return F_.jet(Box(at[0], at[1]));
+    }
+    void move(const std::array<Ball, 2>& step) {
+        for (std::size_t i = 0; i < at_.size(); ++i) {
+            at_[i] = exactly(at_[i] + step[i]);
+        }
+        if (certainly_negative(at_[1])) {
+            at_[1] = zero_like(at_[1]);
+        }
+    }
+    /// Multiplies by the inverse of the matrix of second derivatives, where the unknowns are free.
+    [[nodiscard]] std::array<Ball, 2> solved(const PlaneJet& j,
+                                             const std::array<Ball, 2>& g) const {
+        const auto& [xx, xz, zz] = j.second;
+        if (kind_ == Kind::surface) {
+            return {g[0] / xx, zero_like(g[1])};
+        }
+        if (kind_ == Kind::axis) {
+            return {zero_like(g[0]), g[1] / zz};
+        }
+        const Ball det = xx * zz - xz * xz;
+        return {(zz * g[0] - xz * g[1]) / det, (xx * g[1] - xz * g[0]) / det};
+    }
+    [[nodiscard]] std::array<Ball, 2> newton_step() const {
+        const PlaneJet j = jet(at_);
+        const std::array<Ball, 2> step = solved(j, j.first);
+        return {-step[0], -step[1]};
+    }
+    /// The interval Newton operator over at_ +- width maps the box into itself.
+    [[nodiscard]] std::optional<std::array<Ball, 2>> krawczyk(const Real& width) const {
+        const long bits = F_.field().bits();
+        const Ball error = Ball::around(Real(0), width, bits);
+        const std::array<Ball, 2> offset{kind_ == Kind::axis ? zero_like(error) : error,
+                                         kind_ == Kind::surface ? zero_like(error) : error};
+        const std::array<Ball, 2> box{at_[0] + offset[0], at_[1] + offset[1]};
+        if (kind_ != Kind::surface && !certainly_positive(box[1])) {
+            return {};
+        }
+        const PlaneJet middle = jet(at_);
+        const PlaneJet over = jet(box);
+        if (!middle.is_finite() || !over.is_finite()) {
+            return {};
+        }
+        // x - Y g(x) - Y (H - H_0) (X - x) with Y = 1/H_0, H_0 the matrix in the middle
+        PlaneJet matrix = middle;
+        for (Ball& x : matrix.second) {
+            x = exactly(x);
+        }
+        std::array<Ball, 3> change = over.second;
+        for (std::size_t i = 0; i < change.size(); ++i) {
+            change[i] -= matrix.second[i];
+        }
+        const std::array<Ball, 2> residual{
+            middle.first[0] + change[0] * offset[0] + change[1] * offset[1],
+            middle.first[1] + change[1] * offset[0] + change[2] * offset[1]};
+        const std::array<Ball, 2> step = solved(matrix, residual);
+        const std::array<Ball, 2> image{at_[0] - step[0], at_[1] - step[1]};
+        return contains(box[0], image[0]) && contains(box[1], image[1]) ? std::optional(image)
+                                                                        : std::nullopt;
+    }
+
+    const StressMeasure& F_;
+    Kind kind_;
+    std::array<Ball, 2> at_;
+};
+
+/// A rectangle in units of a power of two, with its middle and its half widths, which are powers of
+/// two: it is represented exactly, and ends exactly at z = 0 where it meets the surface.
+struct Cell {
+    double x;
+    double z;
+    double half_x;
+    double half_z;
+    [[nodiscard]] bool on_surface() const { return z == half_z; }
+    [[nodiscard]] std::array<Cell, 2> halves(bool across) const {
+        Cell one = *this;
+        double& half = across ? one.half_x : one.half_z;
+        half /= 2;
+        Cell other = one;
+        (across ? one.x : one.z) -= half;
+        (across ? other.x : other.z) += half;
+        return {one, other};
+    }
+};
+
+/// Branch and bound over the half-plane: boxes in the order of their upper bounds of F.
+class Search {
+public:
+    Search(const StressMeasure& F, std::size_t most_boxes)
+        : F_(F), bits_(F.field().bits()), most_boxes_(most_boxes) {
+        const Real size = max(F.field().contact().a(), F.field().contact().b()).upper();
+        scale_ = mpfr_get_exp(raw(size));
+    }
+
+    GreatestStress run() {
+        sample();
+        find_edges();
+        const double end = outer_end();
+        for (const double x : {-end / 2, end / 2}) {
+            add({x, end / 2, end / 2, end / 2});
+        }
+        while (!open_.empty() && open_.top().upper >= best_) {
+            check_interruption();
+            const Cell cell = open_.top().cell;
+            const Real upper = open_.top().upper;
+            open_.pop();
+            if (is_settled(cell) || settle(cell)) {
+                continue;
+            }
+            if (boxes_ >= most_boxes_ || cell.half_x < least_half) {
+                refuse(upper);
+            }
+            for (const Cell& half : cell.halves(cell.half_x >= cell.half_z)) {
+                add(half);
+            }
+        }
+        return result();
+    }
+
+private:
+    /// Below this part of the contact no boxes are divided.
+    static constexpr double least_half = 0x1p-60;
+    static constexpr double farthest = 0x1p40;
+
+    struct Open {
+        Real upper;
+        Cell cell;
+        friend bool operator<(const Open& x, const Open& y) { return x.upper < y.upper; }
+    };
+
+    [[nodiscard]] Ball number(double middle, double half = 0) const {
+        Ball x(0, bits_);
+        arf_set_d(arb_midref(x.data()), middle);
+        if (half != 0) {
+            mag_set_ui_2exp_si(arb_radref(x.data()), 1, std::ilogb(half));
+        }
+        arb_mul_2exp_si(x.data(), x.data(), scale_);
+        return x;
+    }
+    [[nodiscard]] Box box(const Cell& c) const {
+        return {number(c.x, c.half_x), number(c.z, c.half_z)};
+    }
+    void raise(const Ball& F) {
+        if (F.is_finite() && best_ < F.lower()) {
+            best_ = F.lower();
+        }
+    }
+    void sample() {
+        constexpr int places = 24;
+        constexpr int depths = 8;
+        for (int i = -places; i <= places; ++i) {
+            for (int j = 0; j <= depths; ++j) {
+                raise(F_.bound(
+                    Box(number(1.5 * i / places), number(j == depths ? 0 : std::ldexp(2.0, -j)))));
+            }
+        }
+    }
+    /// The half width of a square outside of which F is less than in a place found.
+    [[nodiscard]] double outer_end() const {
+        for (double end = 4; end <= farthest; end *= 2) {
+            if (F_.far(number(end - 1)).upper() < best_) {
+                return end;
+            }
+        }
+        refuse(F_.far(number(farthest - 1)).upper());
+    }
+    [[noreturn]] void refuse(const Real& upper) const {
+        const auto text = [&](const Real& F) {
+            return F_.stress(Ball(F, bits_)).midpoint().str(8);
+        };
+        throw BudgetError(std::to_string(boxes_) +
+                          " boxes do not decide at which one place the stress is greatest: its "
+                          "greatest value is between " +
+                          text(best_) + " and " + text(upper));
+    }
+
+    /// Keeps the cell unless F is proved to be greater elsewhere than in any part of it that is
+    /// not settled.
+    void add(const Cell& cell) {
+        if (F_.field().mirrored && cell.x + cell.half_x <= 0) {
+            return;
+        }
+        ++boxes_;
+        const Box zeta = box(cell);
+        const Ball bound = F_.bound(zeta);
+        std::optional<Real> upper;
+        if (bound.is_finite()) {
+            upper = bound.upper();
+            if (*upper < best_) {
+                return;
+            }
+        }
+        const Box middle = zeta.middle();
+        const PlaneJet over = F_.jet(zeta);
+        if (!over.is_finite()) {
+            raise(F_.bound(middle));
+        } else {
+            // Both derivatives vanish at the place; on the surface F may increase towards it.
+            const auto& [by_x, by_z] = over.first;
+            if (!contains_zero(by_x) || certainly_positive(by_z) ||
+                (!cell.on_surface() && certainly_negative(by_z))) {
+                return;
+            }
+            const PlaneJet at = F_.jet(middle);
+            raise(at.value);
+            const Ball x = number(0, cell.half_x);
+            const Ball z = number(0, cell.half_z);
+            const auto& [xx, xz, zz] = over.second;
+            const Ball taylor = at.value + at.first[0] * x + at.first[1] * z +
+                                (xx * x * x + zz * z * z) / 2 + xz * x * z;
+            if (taylor.is_finite() && (!upper || taylor.upper() < *upper)) {
+                upper = taylor.upper();
+            }
+        }
+        if (!upper) {
+            upper = std::numeric_limits<Real>::infinity();
+        }
+        if (*upper >= best_) {
+            open_.push({*upper, cell});
+        }
+    }
+
+    [[nodiscard]] bool is_settled(const Cell& cell) const {
+        const Box zeta = box(cell);
+        return std::ranges::any_of(places_, [&](const GreatestPlace& place) {
+            if (place.kind == Kind::edge) { // a half disc, by its radius
+                return certainly_less(abs(Box(zeta.real() - place.x, zeta.imaginary())),
+                                      place.region.real());
+            }
+            return contains(place.region.real(), zeta.real()) &&
+                   contains(place.region.imaginary(), zeta.imaginary());
+        });
+    }
+
+    /// Adds the place of a region around the cell in which F is concave, or increases towards the
+    /// surface and is concave along it: then it is the only one there.
+    bool settle(const Cell& cell) {
+        const PlaneJet own = F_.jet(box(cell));
+        if (!own.is_finite() ||
+            !(own.concave() || (cell.on_surface() && certainly_negative(own.second[0]) &&
+                                certainly_negative(own.first[1])))) {
+            return false;
+        }
+        for (const double factor : {8.0, 4.0, 2.0, 1.0}) {
+            Cell region{cell.x, cell.z, cell.half_x * factor, cell.half_z * factor};
+            if (cell.on_surface()) {
+                region.z = region.half_z;
+            } else if (region.z < region.half_z) {
+                continue;
+            }
+            if (settle_in(region)) {
+                return is_settled(cell);
+            }
+        }
+        return false;
+    }
+    bool settle_in(const Cell& region) {
+        const Box zeta = box(region);
+        const PlaneJet over = F_.jet(zeta);
+        if (!over.is_finite()) {
+            return false;
+        }
+        const auto found = [&](Kind kind, double x, double z) {
+            GreatestPlace place{.kind = kind, .region = zeta, .x = number(x), .z = number(z)};
+            const auto at = refined(F_, place);
+            if (at) {
+                raise(at->F);
+                places_.push_back(*at);
+            }
+            return at.has_value();
+        };
+        if (region.on_surface() && certainly_negative(over.first[1])) {
+            return certainly_negative(over.second[0]) && found(Kind::surface, region.x, 0);
+        }
+        if (!over.concave()) {
+            return false;
+        }
+        const bool axis = F_.field().mirrored && std::abs(region.x) < region.half_x;
+        return (axis && found(Kind::axis, 0, region.z)) || found(Kind::inside, region.x, region.z);
+    }
+
+    /// Finds the edges at which F has a cusp, each with a half disc in which it is less elsewhere.
+    void find_edges() {
+        constexpr int largest = -2;
+        constexpr int smallest = -24;
+        const StressMeasure turned = F_.reflected();
+        for (std::size_t part = 0; part < F_.field().parts.size(); ++part) {
+            for (const Edge edge : {Edge::right, Edge::left}) {
+                if (edge == Edge::left && F_.field().mirrored) {
+                    continue;
+                }
+                const StressMeasure& F = edge == Edge::right ? F_ : turned;
+                for (int i = largest; i >= smallest; --i) {
+                    const Ball radius = number(std::ldexp(1.0, i));
+                    if (F.greatest_at_right_edge(part, radius)) {
+                        const auto place = refined(F_, {.kind = Kind::edge,
+                                                        .part = part,
+                                                        .edge = edge,
+                                                        .region = Box(radius)});
+                        if (place) {
+                            raise(place->F);
+                            places_.push_back(*place);
+                        }
+                        break;
+                    }
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] GreatestStress result() {
+        std::ranges::sort(places_, [](const GreatestPlace& x, const GreatestPlace& y) {
+            return x.F.midpoint() > y.F.midpoint();
+        });
+        std::vector<GreatestPlace> first;
+        for (const GreatestPlace& place : places_) {
+            const bool known = std::ranges::any_of(first, [&](const GreatestPlace& other) {
+                return other.kind != Kind::edge && contains(other.region.real(), place.x) &&
+                       contains(other.region.imaginary(), place.z);
+            });
+            if (!known && !certainly_less(place.F, places_.front().F)) {
+                first.push_back(place);
+            }
+        }
+        if (first.empty() || first.size() > 2 ||
+            (first.size() == 2 && !are_mirrored(first[0], first[1]))) {
+            refuse(first.empty() ? best_ : first.front().F.upper());
+        }
+        if (first.size() == 2 && certainly_less(first[0].x, first[1].x)) {
+            std::swap(first[0], first[1]);
+        }
+        return {first, boxes_};
+    }
+    [[nodiscard]] bool are_mirrored(const GreatestPlace& one, const GreatestPlace& other) const {
+        return F_.field().surface_mirrored && one.kind == other.kind && one.part == other.part &&
+               (one.kind == Kind::surface || one.kind == Kind::edge) && overlaps(one.x, -other.x);
+    }
+
+    const StressMeasure& F_;
+    long bits_;
+    std::size_t most_boxes_;
+    long scale_ = 0; ///< of the unit of cells: both edges lie within one unit of the origin
+    Real best_ = -1; ///< F is at least that at some place
+    std::size_t boxes_ = 0;
+    std::vector<GreatestPlace> places_;
+    std::priority_queue<Open> open_;
+};
+
+} // namespace
+
+std::optional<GreatestPlace> refined(const StressMeasure& F, GreatestPlace place) {
+    if (place.kind == Kind::edge) {
+        const BallContact& contact = F.field().parts[place.part].contact;
+        place.x = place.edge == Edge::right ? contact.a() : -contact.b();
+        place.z = zero_like(place.x);
+        place.F = F.at_edge(place.part, place.edge);
+        return place.F.is_finite() ? std::optional(place) : std::nullopt;
+    }
+    const long bits = F.field().bits();
+    const auto at =
+        Stationary(F, place.kind, place.x.with_bits(bits), place.z.with_bits(bits)).solve();
+    if (!at || !contains(place.region.real(), (*at)[0]) ||
+        !contains(place.region.imaginary(), (*at)[1])) {
+        return {};
+    }
+    place.x = (*at)[0];
+    place.z = (*at)[1];
+    place.F = F.jet(Box(place.x, place.z)).value;
+    return place;
+}
+
+GreatestStress greatest_stress(const StressMeasure& F, std::size_t most_boxes) {
+    return Search(F, most_boxes).run();
+}
+
+} // namespace edgeproof::contact

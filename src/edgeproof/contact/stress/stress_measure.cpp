@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/stress/stress_measure.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace edgeproof::contact {
+namespace {
+
+/// Re(conj(x) y).
+Ball dot(const Box& x, const Box& y) { return x.real() * y.real() + x.imaginary() * y.imaginary(); }
+Ball square(const Ball& x) {
+    Ball r(0, x.bits());
+    arb_sqr(r.data(), x.data(), x.bits());
+    return r;
+}
+Ball square_of_size(const Box& x) { return square(x.real()) + square(x.imaginary()); }
+
+/// The distance of a box from the contact; 0 if they meet.
+Ball distance(const BallContact& contact, const Box& zeta) {
+    const Ball x = zeta.real();
+    const Ball zero(0, zeta.bits());
+    const Ball across = max(zero, max(x - contact.a(), -contact.b() - x));
+    const Ball d = hypot(across, zeta.imaginary());
+    return max(zero, Ball(d.lower(), zeta.bits()));
+}
+
+/// The box, or the box around 0 of all numbers of at most `most`, whichever is smaller.
+Box within(const Box& x, const Ball& most) {
+    if (!most.is_finite() || (x.is_finite() && abs(x).upper() <= most.upper())) {
+        return x;
+    }
+    const Ball all = Ball::hull(-most, most);
+    return {all, all};
+}
+
+/// [0, r] for a power of two r, with its lower end exactly 0.
+Ball up_to(const Ball& r) {
+    Ball x = r / 2;
+    mag_set_ui_2exp_si(arb_radref(x.data()), 1, mpfr_get_exp(raw(x.midpoint())) - 1);
+    return x;
+}
+
+/// The Cauchy integral of a contact near its right edge, with zeta = a + s^2: T(a) + rate s^2 -
+/// root s + cubic s^3 for |s|^2 at most a radius, where `rate` and `cubic` enclose functions of
+/// s^2. It is pi E* g'/2 - pi sum (-1)^k c_k s^(2k+1) with the coefficients c_k of p.
+struct EdgeForm {
+    Ball root; ///< pi c_0
+    Box rate;  ///< stress/length
+    Box cubic;
+    Box cubic_rate; ///< the derivative of `cubic` by s^2
+};
+
+std::optional<EdgeForm> edge_form(const BallContact& contact, const Ball& radius) {
+    const long bits = radius.bits();
+    const Ball pi = Ball::pi(bits);
+    const Ball rho(Real(contact.reach(Edge::right).lower() / 2), bits);
+    const Ball part = radius / rho;
+    const Ball one(1, bits);
+    if (!certainly_positive(rho) || !certainly_less(part * 2, one)) {
+        return {};
+    }
+    const std::vector<Ball> c = contact.expansion(Edge::right, 2);
+    const Ball most = contact.majorant(Edge::right, rho) * pi / rho; // |c_k| <= M/rho^k
+    const auto disc = [](const Ball& size) {
+        const Ball all = Ball::hull(-size, size);
+        return Box(all, all);
+    };
+    Box rate(bits);
+    if (contact.piecewise_linear()) {
+        const auto& marks = contact.knot_marks();
+        const auto beyond = std::ranges::find(marks, std::optional(Edge::right), &Mark<Ball>::end);
+        rate = Box(contact.slope().rate(static_cast<std::size_t>(beyond - marks.begin())) *
+                   contact.modulus() * pi / 2);
+    } else { // (m/a) T(a) (zeta/a)^(m-1), |zeta/a - 1| at most q
+        const Ball m = contact.power_law()->exponent;
+        const Ball q = radius / contact.a();
+        const Ball change = abs(m - 1) * q * max(pow(1 - q, m - 2), pow(1 + q, m - 2));
+        rate = (disc(change) + one) *
+               (cauchy_integral_at_edge(contact, Edge::right) * m / contact.a());
+    }
+    return EdgeForm{c[0] * pi, rate, disc(most * part / (1 - part)) + c[1] * pi,
+                    disc(most / rho / ((1 - part) * (1 - part)))};
+}
+
+} // namespace
+
+struct StressMeasure::Sums {
+    Box D;
+    Ball S;
+};
+
+StressField StressField::reflected() const {
+    StressField r = *this;
+    for (LoadPart& part : r.parts) {
+        part.contact = part.contact.mirrored();
+        part.shear = -part.shear;
+    }
+    return r;
+}
+
+SurfaceTension greatest_surface_tension(const StressField& field) {
+    // The traction on this body points to the leading edge.
+    const Edge edge = certainly_positive(field.parts.front().shear) ? Edge::left : Edge::right;
+    const StressField turned = edge == Edge::left ? field.reflected() : field;
+    const Ball a = turned.contact().a();
+    Ball shear(0, field.bits()); // Re T; p = 0 at the edge
+    for (std::size_t i = 0; i < turned.parts.size(); ++i) {
+        const LoadPart& part = turned.parts[i];
+        shear += part.shear * (i == 0 ? cauchy_integral_at_edge(part.contact, Edge::right)
+                                      : cauchy_integral(part.contact, Box(a)).value.real());
+    }
+    return {edge, field.bulk - shear * 2 / Ball::pi(field.bits())};
+}
+
+bool PlaneJet::is_finite() const {
+    const auto finite = [](const Ball& x) { return x.is_finite(); };
+    return value.is_finite() && std::ranges::all_of(first, finite) &&
+           std::ranges::all_of(second, finite);
+}
+
+bool PlaneJet::concave() const {
+    return certainly_negative(second[0]) &&
+           certainly_positive(second[0] * second[2] - square(second[1]));
+}
+
+StressMeasure::StressMeasure(StressField field, const StressNorm& norm)
+    : field_(std::move(field)), deviator_(norm.poisson ? 3 : 1, field_.bits()),
+      mean_(norm.poisson ? square(1 - *norm.poisson * 2) : Ball(0, field_.bits())),
+      bulk_(field_.bulk * Ball::pi(field_.bits()) / 2) {
+    for (const LoadPart& part : field_.parts) {
+        weights_.emplace_back(part.pressure, -part.shear);
+        forces_.push_back(part.contact.piecewise_linear() ? part.contact.zone_force()
+                                                          : part.contact.force());
+    }
+}
+
+Ball StressMeasure::stress(const Ball& F) const { return sqrt(F) / Ball::pi(field_.bits()); }
+
+Ball StressMeasure::measure(const Box& D, const Ball& S) const {
+    return deviator_ * square_of_size(D) + mean_ * square(S);
+}
+
+// A part with the force F at the distance d or more has |T| <= F/d, and |z dT/dzeta| <= F z/d^2,
+// z <= d.
+Ball StressMeasure::far(const Ball& distance) const {
+    Ball deviator = abs(bulk_);
+    Ball mean = deviator;
+    for (std::size_t i = 0; i < weights_.size(); ++i) {
+        const Ball size = forces_[i] / distance;
+        const Ball shear = abs(field_.parts[i].shear);
+        deviator += size * (abs(weights_[i]) + shear);
+        mean += size * (abs(field_.parts[i].pressure) + shear);
+    }
+    return Ball((deviator_ * square(deviator) + mean_ * square(mean)).upper(), field_.bits());
+}
+
+Ball StressMeasure::bound(const Box& zeta) const {
+    const long bits = field_.bits();
+    Box D(bulk_);
+    Ball S = bulk_;
+    for (std::size_t i = 0; i < weights_.size(); ++i) {
+        const LoadPart& part = field_.parts[i];
+        CauchyBounds bounds = cauchy_bounds(part.contact, zeta);
+        const Ball d = distance(part.contact, zeta);
+        const Ball most = forces_[i] / d;
+        const Box T = within(bounds.value, most);
+        const Box with_depth =
+            within(bounds.with_depth, most * Ball(zeta.imaginary().upper(), bits) / d);
+        D = D + with_depth * weights_[i] - T * part.shear;
+        S += T.imaginary() * part.pressure - T.real() * part.shear;
+    }
+    return measure(D, S);
+}
+
+PlaneJet StressMeasure::jet(const Box& zeta) const {
+    const long bits = field_.bits();
+    const Ball z = zeta.imaginary();
+    std::array<Box, 3> G{Box(bits), Box(bits), Box(bits)}; // P' - i T' and its derivatives
+    std::array<Box, 3> T{Box(bits), Box(bits), Box(bits)};
+    Ball S = bulk_;
+    for (std::size_t i = 0; i < weights_.size(); ++i) {
+        const LoadPart& part = field_.parts[i];
+        CauchyDerivatives t = cauchy_derivatives(part.contact, zeta);
+        const Ball d = distance(part.contact, zeta);
+        Ball most = forces_[i] / d; // |d^n T/dzeta^n| <= n! F/d^(n+1)
+        for (std::size_t n = 0; n < t.size(); ++n) {
+            t[n] = within(t[n], most);
+            most = most * static_cast<long>(n + 1) / d;
+        }
+        for (std::size_t n = 0; n < G.size(); ++n) {
+            G[n] = G[n] + t[n + 1] * weights_[i];
+            T[n] = T[n] + t[n] * part.shear;
+        }
+        S += t[0].imaginary() * part.pressure - t[0].real() * part.shear;
+    }
+    const Ball two(2, bits);
+    const Box D = G[0] * z - T[0] + bulk_;
+    const Box D_x = G[1] * z - T[1];
+    const Box D_z = G[0] - times_i(T[1]) + times_i(G[1]) * z;
+    const Box D_xx = G[2] * z - T[2];
+    const Box D_xz = G[1] - times_i(T[2]) + times_i(G[2]) * z;
+    const Box D_zz = times_i(G[1]) * two - D_xx;
+    const auto sum = [&](const Ball& deviator, const Ball& mean) {
+        return (deviator_ * deviator + mean_ * mean) * 2;
+    };
+    // S is the real part of an analytic function whose derivative is -i G.
+    const Ball S_x = G[0].imaginary();
+    const Ball S_z = G[0].real();
+    const Ball S_xx = G[1].imaginary();
+    const Ball S_xz = G[1].real();
+    return {measure(D, S),
+            {sum(dot(D, D_x), S * S_x), sum(dot(D, D_z), S * S_z)},
+            {sum(square_of_size(D_x) + dot(D, D_xx), square(S_x) + S * S_xx),
+             sum(dot(D_x, D_z) + dot(D, D_xz), S_x * S_z + S * S_xz),
+             sum(square_of_size(D_z) + dot(D, D_zz), square(S_z) - S * S_xx)}};
+}
+
+Ball StressMeasure::at_edge(std::size_t part, Edge edge) const {
+    if (edge == Edge::left) {
+        return reflected().at_edge(part, Edge::right);
+    }
+    const Sums at = at_right_edge(part);
+    return measure(at.D, at.S);
+}
+
+StressMeasure StressMeasure::reflected() const {
+    StressMeasure turned = *this;
+    turned.field_ = field_.reflected();
+    for (Box& w : turned.weights_) {
+        w = conj(w);
+    }
+    return turned;
+}
+
+StressMeasure::Sums StressMeasure::at_right_edge(std::size_t part) const {
+    const Box e(field_.parts[part].contact.a());
+    Sums sums{Box(bulk_), bulk_};
+    for (std::size_t i = 0; i < field_.parts.size(); ++i) {
+        const LoadPart& other = field_.parts[i];
+        const Box T = i == part ? Box(cauchy_integral_at_edge(other.contact, Edge::right))
+                                : cauchy_integral(other.contact, e).value;
+        sums.D = sums.D - T * other.shear;
+        sums.S += T.imaginary() * other.pressure - T.real() * other.shear;
+    }
+    return sums;
+}
+
+// docs/stress.md, "The greatest values": with zeta = e + s^2, s = rho e^(i phi), F - F(e) is rho
+// times A(phi) + rho B(rho, phi).
+bool StressMeasure::greatest_at_right_edge(std::size_t part, const Ball& radius) const {
+    const long bits = field_.bits();
+    const LoadPart& own = field_.parts[part];
+    const Ball& p = own.pressure;
+    const Ball& t = own.shear;
+    const auto near = edge_form(own.contact, radius);
+    if (!near) {
+        return false;
+    }
+    Sums at = at_right_edge(part);
+    if (part == 0) { // T and P are real at an edge of the contact
+        at.D = Box(at.D.real());
+    } else if (field_.untilted) {
+        at.D = Box(Ball(0, bits), at.D.imaginary());
+    }
+    // The parts that are analytic at the edge, by their derivative over the half disc.
+    Box others_G(bits);
+    Box others_T(bits);
+    for (std::size_t i = 0; i < field_.parts.size(); ++i) {
+        if (i != part) {
+            const LoadPart& other = field_.parts[i];
+            const Box around(own.contact.a() + Ball::hull(-radius, radius), up_to(radius));
+            const Box rate = cauchy_derivatives(other.contact, around)[1];
+            others_G = others_G + rate * weights_[i];
+            others_T = others_T + rate * other.shear;
+        }
+    }
+    const Box minus_i(Ball(0, bits), Ball(-1, bits));
+    const Ball rho = Ball::hull(Ball(0, bits), sqrt(radius));
+    const auto less_in = [&](const Ball& phi) {
+        const Ball c = cos(phi);
+        const Ball s = sin(phi);
+        const Box unit(c, s);
+        const Box turn = unit * unit;
+        const Box root = unit * rho;
+        const Ball depth = c * s * 2; // z/rho^2
+        // D = D_e + rho a + rho^2 b and S = S_e + rho a_S + rho^2 b_S
+        const Box a = (unit * t - weights_[part] * conj(unit) * (depth / 2)) * near->root;
+        const Box slope = near->rate + root * near->cubic;
+        const Box own_G = near->rate + root * near->cubic * Ball(Rational(3, 2), bits) +
+                          root * root * root * near->cubic_rate;
+        const Box b = (own_G * weights_[part] + others_G) * depth - turn * (slope * t + others_T);
+        const Box a_S = unit * weights_[part] * minus_i * (-near->root);
+        const Box b_S = turn * (slope * weights_[part] + others_G) * minus_i;
+        const Ball B = (deviator_ * dot(at.D, b) + mean_ * at.S * b_S.real()) * 2 +
+                       measure(a + b * rho, a_S.real() + b_S.real() * rho);
+        // A = 2 root (X cos phi + Y sin phi)
+        const Ball X = deviator_ * at.D.real() * (t * (1 + s * s) - p * c * s) + mean_ * at.S * t;
+        const Ball Y =
+            deviator_ * at.D.imaginary() * (t * (1 + c * c) + p * c * s) - mean_ * at.S * p;
+        const bool falls = arb_is_nonpositive(X.data()) != 0 && arb_is_nonpositive(Y.data()) != 0;
+        return (falls && certainly_negative(B)) ||
+               certainly_negative(near->root * (X * c + Y * s) * 2 + rho * B);
+    };
+    // Sectors, in parts of a right angle, are divided where they do not decide.
+    constexpr double narrowest = 0x1p-14;
+    std::vector<std::array<double, 2>> sectors{{0, 1}};
+    while (!sectors.empty()) {
+        const auto [from, width] = sectors.back();
+        sectors.pop_back();
+        const Ball turned = Ball::hull(Ball(Real(from), bits), Ball(Real(from + width), bits));
+        if (width <= 1.0 / 16 && less_in(Ball::pi(bits) / 2 * turned)) {
+            continue;
+        }
+        if (width <= narrowest) {
+            return false;
+        }
+        sectors.push_back({from + width / 2, width / 2});
+        sectors.push_back({from, width / 2});
+    }
+    return true;
+}
+
+} // namespace edgeproof::contact

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/stress/cauchy_integral.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace edgeproof::contact {
+
+/// The pressure of a contact, or of a zone of its profile, as a part of the load on a body.
+struct LoadPart {
+    BallContact contact;
+    Ball pressure; ///< its factor in p
+    Ball shear;    ///< its factor in the shear traction on the body
+};
+
+/// A half-plane under pressure, shear traction and bulk stress, in balls of one precision.
+struct StressField {
+    std::vector<LoadPart> parts; ///< the contact first, then its stick zone if there is one
+    Ball bulk;                   ///< stress
+    /// True if the load is known to be symmetric: then all stresses at (-x, z) are those at (x, z).
+    bool mirrored = false;
+    /// True if tau_max is known to be the same at (-x, 0) and at (x, 0).
+    bool surface_mirrored = false;
+    /// True if sxx is known to be -p in the stick zone: neither a bulk stress nor a tilt.
+    bool untilted = false;
+
+    [[nodiscard]] long bits() const { return bulk.bits(); }
+    [[nodiscard]] const BallContact& contact() const { return parts.front().contact; }
+    /// The field of the mirror image.
+    [[nodiscard]] StressField reflected() const;
+};
+
+/// The greatest stress sxx along the surface, tension positive (stress), and the edge of the
+/// contact at which it is, for a shear traction between the surfaces that has one direction, as in
+/// partial slip: at the trailing edge (docs/stress.md, "The greatest values"). Infinite nowhere.
+struct SurfaceTension {
+    Edge edge;
+    Ball value;
+};
+/// The shear factor of the first part must not be zero.
+[[nodiscard]] SurfaceTension greatest_surface_tension(const StressField& field);
+
+/// The quantity whose greatest value is searched for.
+struct StressNorm {
+    /// Poisson's ratio for the stress of von Mises in plane strain; without it tau_max.
+    std::optional<Ball> poisson;
+};
+
+/// A function of x and z with its first and second derivatives.
+struct PlaneJet {
+    Ball value;
+    std::array<Ball, 2> first;  ///< by x, by z
+    std::array<Ball, 3> second; ///< by xx, xz, zz
+    [[nodiscard]] bool is_finite() const;
+    /// True if the function is proved to be strictly concave.
+    [[nodiscard]] bool concave() const;
+};
+
+/// F = pi^2 tau_max^2, or pi^2 mises^2, of a field (stress^2), as a function of the place. With
+/// D = z (P' - i T') - T + pi bulk/2 and S = Im P - Re T + pi bulk/2 it is |D|^2, or
+/// 3 |D|^2 + (1 - 2 nu)^2 S^2 (docs/stress.md, "The greatest values").
+class StressMeasure {
+public:
+    StressMeasure(StressField field, const StressNorm& norm);
+
+    [[nodiscard]] const StressField& field() const { return field_; }
+    /// The stress of a value of F.
+    [[nodiscard]] Ball stress(const Ball& F) const;
+    /// F for every place of a box with z >= 0; not finite if the box is too wide.
+    [[nodiscard]] Ball bound(const Box& zeta) const;
+    /// The same with derivatives; not finite if F is not smooth in the box.
+    [[nodiscard]] PlaneJet jet(const Box& zeta) const;
+    /// An upper bound of F everywhere at the distance (length) from the contact or further.
+    [[nodiscard]] Ball far(const Ball& distance) const;
+    /// F at an edge of a part (0: the contact, 1: the stick zone).
+    [[nodiscard]] Ball at_edge(std::size_t part, Edge edge) const;
+    /// True if F is proved to be less than at the right edge of a part at all other places within
+    /// `radius`, a power of two (length), of it.
+    [[nodiscard]] bool greatest_at_right_edge(std::size_t part, const Ball& radius) const;
+    /// The measure of the mirror image.
+    [[nodiscard]] StressMeasure reflected() const;
+
+private:
+    struct Sums; ///< D and S
+    [[nodiscard]] Ball measure(const Box& D, const Ball& S) const;
+    [[nodiscard]] Sums at_right_edge(std::size_t part) const;
+
+    StressField field_;
+    Ball deviator_; ///< the factor of |D|^2
+    Ball mean_;     ///< the factor of S^2
+    Ball bulk_;     ///< pi bulk/2
+    /// For each part its factor P' - i T' in G, and the force (force/length).
+    std::vector<Box> weights_;
+    std::vector<Ball> forces_;
+};
+
+} // namespace edgeproof::contact

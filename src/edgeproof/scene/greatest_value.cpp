@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/greatest_value.hpp"
+
+#include "edgeproof/contact/stress/greatest_stress.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/scene/route/ball_level.hpp"
+
+#include <functional>
+
+namespace edgeproof::scene {
+namespace {
+
+using contact::StressField;
+
+constexpr std::size_t most_boxes = 60'000;
+constexpr long search_bits = 128;
+/// The most bits, as a multiple of those of the plan.
+constexpr long most_raised = 64;
+
+[[noreturn]] void refuse(const Scene& scene, const std::string& problem,
+                         const std::string& instead) {
+    throw InputError(problem, instead).at(scene.file, scene.load_line);
+}
+
+/// Refuses stresses that are infinite, or that have no greatest value.
+void check(const Scene& scene, Quantity quantity) {
+    if (scene.history) {
+        refuse(scene, "the greatest stresses after a load history are not computed",
+               "give P and Q in [load] and [shear] instead of steps, or ask for stresses at points");
+    }
+    const bool sheared =
+        scene.shear && (scene.shear->Q.sign() != 0 || scene.shear->bulk_tension.sign() != 0);
+    if (sheared && !scene.slips() && !scene.together()) {
+        refuse(scene, "under full stick the stresses are infinite at the edges",
+               "give friction in [shear] (partial slip), or path = \"together\"");
+    }
+    if (quantity == Quantity::sxx && !sheared) {
+        refuse(scene,
+               "without shear traction sxx on the surface is nowhere above the bulk stress, and "
+               "has that value everywhere outside the contact",
+               "ask for tau_max or mises, or give Q and friction in [shear]");
+    }
+}
+
+/// The field of a scene at a number of bits; nothing if these do not suffice.
+class Fields {
+public:
+    Fields(const Scene& scene, Quantity quantity, Body body)
+        : scene_(asking(scene, {AskedValue{quantity}}, scene.ask.digits)), plan_(plan(scene_)),
+          body_(body) {}
+
+    [[nodiscard]] const Plan& plan() const { return plan_; }
+    [[nodiscard]] std::optional<StressField> at(long bits) const {
+        try {
+            BallLevel level(scene_, plan_, {}, bits);
+            return level.stress_field(body_);
+        } catch (const BudgetError&) {
+            return {};
+        } catch (const DomainError&) {
+            return {};
+        }
+    }
+    /// Calls f with fields of more and more bits until it returns true.
+    void raise(long bits, const std::function<bool(const StressField&)>& f) const {
+        for (const long last = most_raised * plan_.bits; bits <= last; bits *= 2) {
+            check_interruption();
+            const auto field = at(bits);
+            if (field && f(*field)) {
+                return;
+            }
+        }
+        throw BudgetError("no number of bits tried encloses the greatest value to these digits");
+    }
+
+private:
+    static Plan plan(const Scene& scene) { return make_plan(scene); }
+    Scene scene_;
+    Plan plan_;
+    Body body_;
+};
+
+BoundedValue proved(const Ball& x, const std::string& route) { return {x, true, route}; }
+
+/// The coordinate of an edge of the contact, or of the stick zone.
+BoundedValue place_of_edge(const Scene& scene, bool stick, contact::Edge edge) {
+    const bool right = edge == contact::Edge::right;
+    const AskedValue asked{stick ? (right ? Quantity::stick_a : Quantity::stick_b)
+                                 : (right ? Quantity::a : Quantity::b)};
+    BoundedValue x = SceneValues(scene, {asked}, scene.ask.digits).value(asked);
+    if (!right) {
+        x.value = -x.value;
+        if (x.exactly) {
+            x.exactly = Rational(-*x.exactly);
+        }
+    }
+    return x;
+}
+
+BoundedValue zero(const std::string& route) {
+    return {Ball(0, search_bits), true, route, Rational(0)};
+}
+
+GreatestValue greatest_tension(const Scene& scene, const Fields& fields) {
+    std::optional<contact::SurfaceTension> found;
+    fields.raise(fields.plan().bits, [&](const StressField& field) {
+        found = greatest_surface_tension(field);
+        return has_digits(found->value, scene.ask.digits);
+    });
+    return {proved(found->value, "trailing edge"),
+            place_of_edge(scene, false, found->edge),
+            zero("trailing edge"),
+            {"sxx is greatest at the trailing edge of the contact"}};
+}
+
+GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity quantity,
+                              Body body) {
+    using contact::GreatestPlace;
+    const auto measure = [&](const StressField& field) {
+        contact::StressNorm norm;
+        if (quantity == Quantity::mises) {
+            norm.poisson = ball_of(*scene.poisson(body), field.bits());
+        }
+        return contact::StressMeasure(field, norm);
+    };
+    std::optional<contact::GreatestStress> found;
+    fields.raise(search_bits, [&](const StressField& field) {
+        for (const contact::LoadPart& part : field.parts) {
+            for (std::size_t i = 0; i < part.contact.slope().knots.size(); ++i) {
+                if (part.contact.piecewise_linear() && part.contact.bends_inside(i) &&
+                    part.contact.slope().has_corner(i)) {
+                    refuse(scene,
+                           "the profile has a corner inside the contact, where the stress has no "
+                           "finite limit",
+                           "give a profile without corners");
+                }
+            }
+        }
+        if (field.contact().edge_may_be_on_knot()) {
+            return false;
+        }
+        found = greatest_stress(measure(field), most_boxes);
+        return true;
+    });
+    GreatestPlace place = found->places.front();
+    Ball stress;
+    fields.raise(fields.plan().bits, [&](const StressField& field) {
+        const contact::StressMeasure F = measure(field);
+        const auto at = refined(F, place);
+        if (!at) {
+            return false;
+        }
+        stress = F.stress(at->F);
+        place.x = at->x;
+        place.z = at->z;
+        const auto enough = [&](const Ball& x) { return has_digits(x, scene.ask.digits); };
+        const bool has_x = place.kind == GreatestPlace::Kind::axis ||
+                           place.kind == GreatestPlace::Kind::edge || enough(place.x);
+        const bool has_z = contains_zero(place.z) || enough(place.z);
+        return enough(stress) && has_x && has_z;
+    });
+    const std::string route = "branch and bound";
+    GreatestValue result{proved(stress, route), proved(place.x, route), proved(place.z, route), {}};
+    switch (place.kind) {
+    case GreatestPlace::Kind::axis:
+        result.x = zero(route);
+        break;
+    case GreatestPlace::Kind::surface:
+        result.z = zero(route);
+        break;
+    case GreatestPlace::Kind::edge:
+        result.x = place_of_edge(scene, place.part == 1, place.edge);
+        result.z = zero(route);
+        result.notes.push_back(place.part == 1 ? "the place is an edge of the stick zone"
+                                               : "the place is an edge of the contact");
+        break;
+    case GreatestPlace::Kind::inside:
+        break;
+    }
+    const bool twins = found->places.size() == 2 || (fields.at(search_bits)->mirrored &&
+                                                     place.kind != GreatestPlace::Kind::axis);
+    result.notes.push_back(twins ? "the mirror image of the place, at -x, has the same value"
+                                 : "at all other places the value is less");
+    result.notes.push_back(std::to_string(found->boxes) + " boxes were examined");
+    return result;
+}
+
+} // namespace
+
+GreatestValue greatest_value(const Scene& scene, Quantity quantity, Body body) {
+    check(scene, quantity);
+    const Fields fields(scene, quantity, body);
+    if (!fields.plan().proved) {
+        refuse(scene, "the greatest value is proved by closed forms only",
+               "leave out the route in [ask]");
+    }
+    return quantity == Quantity::sxx ? greatest_tension(scene, fields)
+                                     : greatest_inside(scene, fields, quantity, body);
+}
+
+} // namespace edgeproof::scene

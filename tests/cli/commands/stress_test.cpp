@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/run_program.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace edgeproof::test;
+
+namespace {
+
+const std::string pressed_cylinder = "[profile]\nkind = \"hertz\"\nR = \"1\"\n[load]\na = \"1\"\n"
+                                     "contact_modulus = \"2\"\n";
+
+/// Returns the lines that hold data, and the names of the columns.
+std::string data_lines(const std::string& csv) {
+    std::string data;
+    for (const std::string& line : lines(csv)) {
+        data += line.rfind('#', 0) == 0 ? "" : line + "\n";
+    }
+    return data;
+}
+
+} // namespace
+
+// z = a sqrt((sqrt(5) - 1)/2), tau_max = p_0 sqrt((5 sqrt(5) - 11)/2) (johnson1985, sec. 4.2(a)).
+TEST_CASE("stress: the greatest value is one row with its place") {
+    const Folder folder;
+    folder.write("s.toml", pressed_cylinder);
+    const Outcome o = run(folder, "stress s.toml --greatest tau_max --digits 12 --body B");
+    CHECK(o.code == 0);
+    CHECK(o.err.empty());
+    const std::string data = data_lines(o.out);
+    CHECK(has(data, "body,x,x_bound,z,z_bound,tau_max,tau_max_bound,route\nB,0,0,0.786151377757,"));
+    CHECK(has(data, ",0.300283106001,"));
+    CHECK(has(data, ",branch and bound\n"));
+    CHECK(lines(data).size() == 2);
+    CHECK(has(o.out, "# the greatest tau_max in body B\n"));
+    CHECK(has(o.out, "# at all other places the value is less\n"));
+}
+
+TEST_CASE("stress: requests for a greatest value that make no sense") {
+    const Folder folder;
+    folder.write("s.toml", pressed_cylinder);
+    const auto refused = [&](const std::string& options, const std::string& message) {
+        CAPTURE(options);
+        const Outcome o = run(folder, "stress s.toml " + options);
+        CHECK(o.code == 2);
+        CHECK(o.out.empty());
+        CHECK(lines(o.err).size() == 1);
+        CHECK(has(o.err, message));
+    };
+    refused("--greatest szz", "--greatest szz is not searched for; write mises, tau_max");
+    refused("--greatest mises", "s.toml:5: mises needs Poisson's ratio; add nu");
+    refused("--greatest tau_max --point 0,1", "--greatest and --point exclude each other");
+    refused("--greatest sxx", "without shear traction sxx on the surface is nowhere above");
+    folder.write("s.toml", pressed_cylinder + "[shear]\nQ = \"pi/4\"\npath = \"together\"\n");
+    refused("--greatest tau_max", "boxes do not decide at which one place the stress is greatest");
+}

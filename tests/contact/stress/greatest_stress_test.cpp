@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/stress/greatest_stress.hpp"
+
+#include "edgeproof/contact/stress/plane_stress.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/split_mix.hpp"
+#include "edgeproof/quadrature/tanh_sinh.hpp"
+#include "tests/contact/scenes.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace {
+
+constexpr long greatest_bits = 128;
+constexpr std::size_t greatest_boxes = 60'000;
+
+Ball greatest_ball(const std::string& text) {
+    return formula::enclosed_constant(scenes::exact(text), greatest_bits);
+}
+
+struct SmoothContact {
+    std::string name;
+    BallContact contact;
+};
+
+/// Contacts without a corner, of scenes.hpp and power laws of other exponents.
+std::vector<SmoothContact> smooth_contacts() {
+    std::vector<scenes::Contact> all = scenes::symmetric();
+    for (const scenes::Contact& c : scenes::tilted()) {
+        all.push_back(c);
+    }
+    for (const char* m : {"2", "5/2", "4"}) {
+        all.push_back({std::string("power-law m=") + m,
+                       Profile::power_law(scenes::exact("3/7"), scenes::exact(m)),
+                       scenes::exact("7/3"), Load::right_edge(scenes::exact("5/4"))});
+    }
+    std::vector<SmoothContact> smooth;
+    for (const scenes::Contact& c : all) {
+        const bool corner = c.name.find("wedge") != std::string::npos || c.name == "power-law m=0";
+        if (!corner) {
+            smooth.push_back({c.name, BallContact(c.profile, c.modulus, c.load, greatest_bits)});
+        }
+    }
+    return smooth;
+}
+
+double unit_number(SplitMix64& random) {
+    return static_cast<double>(random.next() >> 11) * 0x1p-53;
+}
+
+/// A power of two in units of the length of the contact.
+Ball dyadic_part(const BallContact& c, double part) {
+    return Ball(Real(std::ldexp(part, std::ilogb(c.a().midpoint().convert_to<double>()))),
+                greatest_bits);
+}
+
+/// A box [x - r, x + r] x [z, z + 2 r] with r a power of two; z = 0 is exact.
+struct DrawnBox {
+    double x;
+    double z;
+    double r;
+    [[nodiscard]] Box all(const BallContact& c) const {
+        Ball across = dyadic_part(c, x);
+        Ball down = dyadic_part(c, z + r);
+        const long scale = std::ilogb(c.a().midpoint().convert_to<double>());
+        mag_set_ui_2exp_si(arb_radref(across.data()), 1, std::ilogb(r) + scale);
+        mag_set_ui_2exp_si(arb_radref(down.data()), 1, std::ilogb(r) + scale);
+        return {across, down};
+    }
+    [[nodiscard]] Box point(const BallContact& c, double s, double t) const {
+        return {dyadic_part(c, x + r * (2 * s - 1)), dyadic_part(c, z + 2 * r * t)};
+    }
+};
+
+/// A contact that slides as a whole (`stick` 0), or whose stick zone is that part of it.
+StressField sheared(const BallContact& c, const std::string& friction, const std::string& stick,
+                    const std::string& bulk) {
+    StressField field{.parts = {{c, Ball(1, greatest_bits), greatest_ball(friction)}},
+                      .bulk = c.force() / (c.a() + c.b()) * greatest_ball(bulk)};
+    if (stick != "0") {
+        const Ball part = greatest_ball(stick);
+        field.parts.push_back({c.between(c.a() * part, c.b() * part), Ball(0, greatest_bits),
+                               -greatest_ball(friction)});
+    }
+    return field;
+}
+
+StressState state_at(const StressField& field, const Box& zeta) {
+    CauchyIntegral p{Box(greatest_bits), Box(greatest_bits)};
+    CauchyIntegral q = p;
+    for (const LoadPart& part : field.parts) {
+        const CauchyIntegral t = cauchy_integral(part.contact, zeta);
+        p = {p.value + t.value * part.pressure, p.derivative + t.derivative * part.pressure};
+        q = {q.value + t.value * part.shear, q.derivative + t.derivative * part.shear};
+    }
+    return stress_of(p, q, zeta, field.bulk);
+}
+
+/// Compares greatest stresses with those at points. Most searches must be decided; two places may
+/// be equally good.
+void compare_with_points(const std::function<bool(const std::string&)>& wanted) {
+    SplitMix64 random(34);
+    struct Load {
+        const char* friction;
+        const char* stick;
+        const char* bulk;
+    };
+    std::size_t decided = 0;
+    std::size_t tried = 0;
+    for (const auto& [name, c] : smooth_contacts()) {
+        if (!wanted(name)) {
+            continue;
+        }
+        for (const Load load : {Load{"0", "0", "0"}, Load{"1/7", "0", "0"}, Load{"0.7", "0", "1/3"},
+                                Load{"-0.4", "3/5", "0"}, Load{"0.3", "1/2", "-0.4"}}) {
+            CAPTURE(name);
+            CAPTURE(load.friction);
+            CAPTURE(load.stick);
+            CAPTURE(load.bulk);
+            const StressField field = sheared(c, load.friction, load.stick, load.bulk);
+            for (const bool mises : {false, true}) {
+                StressNorm norm;
+                if (mises) {
+                    norm.poisson = greatest_ball("0.3");
+                }
+                const StressMeasure F(field, norm);
+                ++tried;
+                std::optional<GreatestStress> found;
+                try {
+                    found = greatest_stress(F, 20'000);
+                } catch (const BudgetError&) {
+                    continue; // two places may be equally good
+                }
+                ++decided;
+                const GreatestPlace& place = found->places.front();
+                const Ball most = F.stress(place.F);
+                CHECK(most.relative_accuracy_bits() > 40);
+                const auto stress = [&](const Box& zeta) {
+                    const StressState s = state_at(field, zeta);
+                    return mises ? s.mises(*norm.poisson) : s.tau_max();
+                };
+                if (place.kind == GreatestPlace::Kind::inside) {
+                    CHECK(overlaps(stress(Box(place.x, place.z)), most));
+                }
+                for (int i = 0; i < 40; ++i) {
+                    const double near = i % 2 == 0 ? 1 : std::ldexp(1, -i / 2);
+                    const Ball x = i % 2 == 0 ? Ball(0, greatest_bits)
+                                              : Ball(place.x.midpoint(), greatest_bits);
+                    const Box zeta(x + dyadic_part(c, (4 * unit_number(random) - 2) * near),
+                                   dyadic_part(c, 2 * unit_number(random) * near));
+                    CHECK_FALSE(certainly_less(most, stress(zeta)));
+                }
+            }
+        }
+    }
+    CAPTURE(tried);
+    CHECK(decided * 2 > tried);
+}
+
+} // namespace
+
+// The n-th derivative is (-1)^n n! times the integral of p/(zeta - s)^(n+1), by tanh-sinh
+// quadrature of the pressure.
+TEST_CASE("derivatives of the Cauchy integral agree with quadrature") {
+    const PrecisionScope precision(50);
+    for (const auto& [name, c] : smooth_contacts()) {
+        if (name == "power-law m=100" || name == "flat-and-rounded t=1e-6") {
+            continue; // the quadrature needs more points there
+        }
+        CAPTURE(name);
+        const Real a = at_working_precision(c.a().midpoint());
+        const Real b = at_working_precision(c.b().midpoint());
+        std::vector<Real> at{Real(-b), a};
+        for (const Ball& knot : c.slope().knots) {
+            at.push_back(at_working_precision(knot.midpoint()));
+        }
+        std::erase_if(at, [&](const Real& s) { return s < -b || s > a; });
+        std::sort(at.begin(), at.end());
+        const Box zeta(c.a() * greatest_ball("2/7"), c.a() * greatest_ball("5/6"));
+        const CauchyDerivatives t = cauchy_derivatives(c, zeta);
+        const Real x = at_working_precision(zeta.real().midpoint());
+        const Real z = at_working_precision(zeta.imaginary().midpoint());
+        Real factor(1);
+        for (std::size_t n = 0; n < t.size(); ++n) {
+            CAPTURE(n);
+            for (const bool imaginary : {false, true}) {
+                Real sum(0);
+                for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+                    const Real length = at[i + 1] - at[i];
+                    if (length == 0) {
+                        continue;
+                    }
+                    const auto f = [&](const Real& lo, const Real& hi) {
+                        const Real s = at[i] + length * lo;
+                        const Edge edge = s > 0 ? Edge::right : Edge::left;
+                        const Real u = edge == Edge::right ? Real(a - at[i + 1] + length * hi)
+                                                           : Real(b + at[i] + length * lo);
+                        const Ball p = c.pressure(edge, Ball(u, greatest_bits));
+                        // (x - s + i z)^-(n+1) in polar form
+                        const Real d = x - s;
+                        const Real angle = -Real(static_cast<long>(n + 1)) * atan2(z, d);
+                        const Real size = pow(Real(d * d + z * z), Real(-Real(n + 1) / 2));
+                        return Real(p.midpoint() * size * length *
+                                    (imaginary ? sin(angle) : cos(angle)));
+                    };
+                    sum += quadrature::tanh_sinh<Real>(f, {.target_digits = 20}).value;
+                }
+                const Ball part = imaginary ? t[n].imaginary() : t[n].real();
+                const Real scale = Real(abs(factor) * c.force().midpoint() / pow(z, Real(n + 1)));
+                CHECK(part.is_finite());
+                CHECK(abs(Real(part.midpoint() - factor * sum)) < scale * Real("1e-14"));
+                CHECK(part.radius() < scale * Real("1e-20"));
+            }
+            factor *= -Real(n + 1);
+        }
+    }
+}
+
+TEST_CASE("bounds over boxes contain the values at their points, and become narrow") {
+    SplitMix64 random(20261125);
+    std::size_t narrow = 0;
+    std::size_t wide = 0;
+    for (const auto& [name, c] : smooth_contacts()) {
+        if (name == "power-law m=100" || name == "power-law m=10") {
+            continue; // boxes near the origin must be smaller
+        }
+        CAPTURE(name);
+        const double unit = std::ldexp(1, std::ilogb(c.a().midpoint().convert_to<double>()));
+        std::vector<double> places{c.a().midpoint().convert_to<double>() / unit,
+                                   -c.b().midpoint().convert_to<double>() / unit, 0, 0.4};
+        for (const Ball& knot : c.slope().knots) {
+            places.push_back(knot.midpoint().convert_to<double>() / unit);
+        }
+        for (int i = 0; i < 60; ++i) {
+            const double r = std::ldexp(1, -static_cast<int>(random.below(40)));
+            const double x = places[random.below(places.size())] +
+                             (static_cast<double>(random.below(3)) - 1) * r / 3;
+            const DrawnBox box{x, random.below(2) == 0 ? 0.0 : unit_number(random) * r, r};
+            CAPTURE(box.x);
+            CAPTURE(box.z);
+            CAPTURE(box.r);
+            const Box all = box.all(c);
+            const CauchyBounds bounds = cauchy_bounds(c, all);
+            const CauchyDerivatives derivatives = cauchy_derivatives(c, all);
+            const Box point = box.point(c, unit_number(random), 1 - unit_number(random) / 2);
+            const CauchyIntegral exact = cauchy_integral(c, point);
+            const Box with_depth = exact.derivative * point.imaginary();
+            if (bounds.value.is_finite()) {
+                CHECK(overlaps(bounds.value.real(), exact.value.real()));
+                CHECK(overlaps(bounds.value.imaginary(), exact.value.imaginary()));
+            }
+            if (bounds.with_depth.is_finite()) {
+                CHECK(overlaps(bounds.with_depth.real(), with_depth.real()));
+                CHECK(overlaps(bounds.with_depth.imaginary(), with_depth.imaginary()));
+            }
+            const CauchyDerivatives there = cauchy_derivatives(c, point);
+            for (std::size_t n = 0; n < there.size(); ++n) {
+                if (derivatives[n].is_finite()) {
+                    CHECK(overlaps(derivatives[n].real(), there[n].real()));
+                    CHECK(overlaps(derivatives[n].imaginary(), there[n].imaginary()));
+                }
+            }
+            if (r < 1e-9) {
+                const Ball scale = c.force() / c.a() + abs(exact.value);
+                ++(bounds.value.is_finite() && bounds.with_depth.is_finite() &&
+                           certainly_less(Ball(abs(bounds.with_depth).upper(), greatest_bits),
+                                          scale / 10)
+                       ? narrow
+                       : wide);
+            }
+        }
+    }
+    CAPTURE(narrow);
+    CAPTURE(wide);
+    CHECK(narrow > 5 * wide);
+}
+
+// The stresses at the points are those of plane_stress.hpp, which are compared with Johnson's
+// integrals in stress_test.cpp.
+TEST_CASE("no point of a cylinder has a greater stress than the greatest one") {
+    compare_with_points([](const std::string& name) { return name == "power-law m=1"; });
+}
+
+TEST_CASE("no point of a contact has a greater stress than the greatest one" *
+          doctest::test_suite("slow")) {
+    compare_with_points([](const std::string& name) {
+        return name == "power-law m=1/2" || name == "flat-and-rounded t=0.4" ||
+               name == "tilted flat-and-rounded a=0.9";
+    });
+}
+
+TEST_CASE("a budget of boxes that does not suffice is refused with the limits") {
+    const BallContact c(Profile::power_law(scenes::exact("1/70"), scenes::exact("1")),
+                        scenes::exact("7/3"), Load::right_edge(scenes::exact("0.02")),
+                        greatest_bits);
+    const StressMeasure F(sheared(c, "0", "0", "0"), {});
+    CHECK_THROWS_AS((void)greatest_stress(F, 10), BudgetError);
+    CHECK(greatest_stress(F, greatest_boxes).places.size() == 1);
+}

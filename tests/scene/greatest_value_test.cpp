@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/greatest_value.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+using scene::Body, scene::GreatestValue, scene::Quantity;
+
+namespace {
+
+std::string greatest_scene_text(const std::string& profile, const std::string& modulus,
+                                const std::string& shear, const std::string& digits = "14") {
+    return "[profile]\n" + profile + "\n[load]\na = \"1\"\ncontact_modulus = \"" + modulus +
+           "\"\nnu = \"0.3\"\n" + (shear.empty() ? "" : "[shear]\n" + shear + "\n") +
+           "[ask]\ndigits = " + digits + "\n";
+}
+
+const std::string cylinder = "kind = \"hertz\"\nR = \"1\"";
+const std::string rounded = "kind = \"flat-and-rounded\"\nt = \"0.4\"\nR = \"1\"";
+const std::string tilted_punch =
+    "kind = \"tilted-flat-and-rounded\"\nalpha = \"0.1\"\nt = \"0.4\"\nR = \"2\"";
+
+GreatestValue greatest_of(const std::string& text, Quantity quantity, Body body = Body::A) {
+    return greatest_value(scene::parse_scene(text, "scene.toml"), quantity, body);
+}
+
+std::string refusal_of(const std::string& text, Quantity quantity) {
+    try {
+        (void)greatest_of(text, quantity);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+Ball decimal(const std::string& text) {
+    return formula::enclosed_constant(Exact::parse(text), 256);
+}
+
+/// True if the value is proved and agrees with a decimal to 2e-13.
+bool is_near(const scene::BoundedValue& x, const std::string& text) {
+    return x.proved && abs(Ball(x.value - decimal(text))).upper() < Real("2e-13");
+}
+
+} // namespace
+
+// johnson1985, sec. 4.2(a): the derivative by z vanishes at z = a sqrt((sqrt(5) - 1)/2), where
+// tau_max = p_0 sqrt((5 sqrt(5) - 11)/2).
+TEST_CASE("the greatest shear stress under a cylinder") {
+    const GreatestValue found =
+        greatest_of(greatest_scene_text(cylinder, "2", "", "40"), Quantity::tau_max);
+    const Ball root = sqrt(Ball(5, 256));
+    const Ball value = sqrt((root * 5 - 11) / 2);
+    const Ball depth = sqrt((root - 1) / 2);
+    CHECK(overlaps(found.value.value, value));
+    CHECK(overlaps(found.z.value, depth));
+    CHECK(found.x.exactly == Rational(0));
+    CHECK(found.value.proved);
+    CHECK(found.value.value.radius() < Real("1e-40"));
+    CHECK(found.z.value.radius() < Real("1e-40"));
+}
+
+// Places and values by mpmath at 30 digits: the Cauchy integral as (E*/2) W times the integral of
+// g'(s)/(zeta - s) over the angle, the edges from the consistency condition, and Newton's method on
+// gradients by differences.
+TEST_CASE("greatest stresses inside a body agree with a second route") {
+    struct Case {
+        std::string text;
+        Quantity quantity;
+        Body body;
+        const char* x;
+        const char* z;
+        const char* value;
+    };
+    const std::string together = "Q = \"pi/10\"\npath = \"together\"";
+    const std::string partial = "Q = \"-0.1\"\nfriction = \"0.2\"";
+    const auto power = [](const char* m) {
+        return std::string("kind = \"power-law\"\nC = \"1\"\nm = \"") + m + "\"";
+    };
+    const std::vector<Case> cases{
+        {greatest_scene_text(rounded, "1", ""), Quantity::tau_max, Body::B, "0.81480538863537",
+         "0.3707261881692", "0.07056134898240817"},
+        {greatest_scene_text(rounded, "1", ""), Quantity::mises, Body::A, "0.77681380346464",
+         "0.33945878722186", "0.1315135658732427"},
+        {greatest_scene_text(cylinder, "2", together), Quantity::tau_max, Body::A,
+         "0.62516903651631", "0.60131827605924", "0.3189885150105984"},
+        {greatest_scene_text(cylinder, "2", together), Quantity::mises, Body::B,
+         "-0.55334114619886", "0.56597972877751", "0.5899927545783283"},
+        {greatest_scene_text(tilted_punch, "3/2", partial), Quantity::tau_max, Body::A,
+         "0.33057071627221", "0.70456848689353", "0.09677976633790655"},
+        {greatest_scene_text(power("1/2"), "1", ""), Quantity::tau_max, Body::A, "0",
+         "0.6062183890806", "0.1918046832797098"},
+        {greatest_scene_text(power("2"), "1", ""), Quantity::tau_max, Body::A, "0.76159414058546",
+         "0.5129037803365", "0.1138565393402687"},
+        {greatest_scene_text(power("5/2"), "1", ""), Quantity::tau_max, Body::A, "0.85657930952693",
+         "0.36174760131635", "0.1075890018226155"}};
+    for (const Case& c : cases) {
+        CAPTURE(c.text);
+        CAPTURE(c.value);
+        const GreatestValue found = greatest_of(c.text, c.quantity, c.body);
+        CHECK(is_near(found.x, c.x));
+        CHECK(is_near(found.z, c.z));
+        CHECK(is_near(found.value, c.value));
+    }
+}
+
+// mpmath at 30 digits: the stresses of Hertz on the surface of the slip zone, with
+// Re T = pi f (x - (x - sqrt(x^2 - c^2))), where the derivative of the stress of von Mises
+// vanishes.
+TEST_CASE("the greatest stress of von Mises on the surface of a slip zone") {
+    const GreatestValue found = greatest_of(
+        greatest_scene_text(cylinder, "2", "Q = \"0.3\"\nfriction = \"0.6\""), Quantity::mises);
+    CHECK(is_near(found.x, "0.8751849022350385"));
+    CHECK(found.z.exactly == Rational(0));
+    CHECK(is_near(found.value, "0.6426810315483776"));
+}
+
+// At the trailing edge p = q = 0 and szz = sxz = 0: tau_max is sxx/2. For Hertz without tension
+// Re T = pi f p_0 (x/a - (x/a - sqrt(x^2 - c^2)/a)) outside the stick zone, with c^2/a^2 =
+// 1 - Q/(f P), so that sxx = 2 f p_0 sqrt(Q/(f P)) there (`hills-nowell1994`); bulk_A adds.
+TEST_CASE("the greatest stresses at the trailing edge") {
+    const std::string shear = "Q = \"pi/10\"\nfriction = \"0.8\"\nbulk_A = \"0.5\"";
+    const std::string text = greatest_scene_text(cylinder, "2", shear, "20");
+    const Ball sxx = decimal("1/2") + decimal("1.6") * sqrt(decimal("1/4"));
+    const GreatestValue tension = greatest_of(text, Quantity::sxx);
+    CHECK(overlaps(tension.value.value, sxx));
+    CHECK(tension.value.value.radius() < Real("1e-20"));
+    CHECK(tension.x.exactly == Rational(-1));
+    CHECK(tension.z.exactly == Rational(0));
+    const GreatestValue tau = greatest_of(text, Quantity::tau_max);
+    CHECK(overlaps(tau.value.value, sxx / 2));
+    CHECK(tau.value.value.radius() < Real("1e-20"));
+    CHECK(tau.x.exactly == Rational(-1));
+    // Full sliding: 2 (Q/P) p_0, and on body B at the other edge (johnson1985, sec. 7.1).
+    const std::string together =
+        greatest_scene_text(cylinder, "2", "Q = \"pi/10\"\npath = \"together\"");
+    const GreatestValue of_B = greatest_of(together, Quantity::sxx, Body::B);
+    CHECK(contains(of_B.value.value, Rational(2, 5)));
+    CHECK(of_B.x.exactly == Rational(1));
+}
+
+TEST_CASE("sxx is nowhere greater on the surface than at the trailing edge") {
+    const std::string wedge = "kind = \"tilted-wedge\"\nphi = \"0.2\"\nalpha = \"0.05\"";
+    const std::vector<std::string> texts{
+        greatest_scene_text(tilted_punch, "3/2",
+                            "Q = \"-0.1\"\nfriction = \"0.6\"\nbulk_tension = \"0.03\"\n"
+                            "bulk_A = \"0.2\""),
+        greatest_scene_text(wedge, "3/2", "Q = \"0.02\"\nfriction = \"0.3\""),
+        greatest_scene_text("kind = \"power-law\"\nC = \"1\"\nm = \"5/2\"", "1",
+                            "Q = \"0.1\"\nfriction = \"0.5\"\nbulk_A = \"-0.1\"")};
+    for (const std::string& text : texts) {
+        for (const Body body : {Body::A, Body::B}) {
+            CAPTURE(text);
+            const GreatestValue found = greatest_of(text, Quantity::sxx, body);
+            scene::Scene s = scene::parse_scene(text, "scene.toml");
+            s.ask.quantities = {scene::QuantityGroup::stress};
+            for (int i = -40; i <= 40; ++i) {
+                s.ask.in_bodies.push_back(
+                    {Exact::parse(std::to_string(2 * i + 1) + "/32"), Exact::parse("0"), body});
+            }
+            Ball least = found.value.value;
+            const scene::SceneResult result = run_scene(s);
+            for (const auto& at : result.at_places(scene::QuantityRow::Place::body)) {
+                const Ball sxx = at.at(Quantity::sxx).value;
+                CHECK(certainly_less(sxx, found.value.value));
+                least = min(least, found.value.value - sxx);
+            }
+            CHECK(certainly_less(least, found.value.value / 5)); // some point is near
+        }
+    }
+}
+
+TEST_CASE("greatest values that do not exist, or are not one, are refused") {
+    const auto refused = [](const std::string& text, Quantity quantity, const std::string& part) {
+        const std::string message = refusal_of(text, quantity);
+        CAPTURE(message);
+        CHECK(message.find(part) != std::string::npos);
+    };
+    refused(greatest_scene_text(cylinder, "2", ""), Quantity::sxx, "without shear traction");
+    refused(greatest_scene_text(cylinder, "2", "Q = \"0.1\""), Quantity::tau_max,
+            "scene.toml:5: under full stick");
+    refused(greatest_scene_text(cylinder, "2", "Q = \"0.1\""), Quantity::sxx, "under full stick");
+    refused(
+        greatest_scene_text("kind = \"tilted-wedge\"\nphi = \"0.2\"\nalpha = \"0.05\"", "1", ""),
+        Quantity::tau_max, "corner inside the contact");
+    // In full sliding tau_max of Hertz is f p_0 on all of the surface of the contact.
+    refused(greatest_scene_text(cylinder, "2", "Q = \"pi/4\"\npath = \"together\""),
+            Quantity::tau_max, "boxes do not decide");
+}

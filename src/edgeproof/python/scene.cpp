@@ -122,7 +122,7 @@ py::dict asked_of(const scene::Scene& scene) {
     d["quantities"] = texts_of(scene.ask.quantities, scene::group_name);
     d["edges"] = texts_of(scene.ask.edges, scene::edge_name);
     d["terms"] = scene.ask.terms;
-    d["u"] = texts_of(scene.ask.u, &scene::AskedPoint::text);
+    d["u"] = texts_of(scene.ask.u, [](const scene::AskedPoint& point) { return point.text(); });
     d["tolerance"] = text_or_none(tolerance ? tolerance->text() : "");
     d["digits"] = scene.ask.digits.count;
     return d;

@@ -349,7 +349,7 @@ TEST_CASE("check --only: a program that knows one profile is asked and judged fo
                               "p,right,0.2,0.3\nw:1" + hertz_cells + "p,right,0.2,7\n");
     CHECK(run(folder, "check b.csv --only 'h:*'").code == 0);
     CHECK(run(folder, "check b.csv").code == 1);
-    for (const std::string none :
+    for (const std::string& none :
          {asked, std::string("check b.csv"), std::string("check a.csv --recipe r.toml")}) {
         const Outcome o = run(folder, none + " --only 'x*'");
         CHECK(o.code == 2);

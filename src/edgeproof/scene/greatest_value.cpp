@@ -26,8 +26,9 @@ constexpr long most_raised = 64;
 /// Refuses stresses that are infinite, or that have no greatest value.
 void check(const Scene& scene, Quantity quantity) {
     if (scene.history) {
-        refuse(scene, "the greatest stresses after a load history are not computed",
-               "give P and Q in [load] and [shear] instead of steps, or ask for stresses at points");
+        refuse(
+            scene, "the greatest stresses after a load history are not computed",
+            "give P and Q in [load] and [shear] instead of steps, or ask for stresses at points");
     }
     const bool sheared =
         scene.shear && (scene.shear->Q.sign() != 0 || scene.shear->bulk_tension.sign() != 0);

@@ -51,6 +51,9 @@ public:
     /// The state after a history of P and Q without a bulk tension (docs/histories.md). Keeps
     /// references to the contact and the zones. Throws BudgetError where the bits do not isolate a
     /// zone.
+    /// @param contact the contact
+    /// @param zones the solver of its zones
+    /// @param friction coefficient of friction
     /// @param Q the shear force (force/length)
     /// @param layers by ascending force; the last one ends at P
     /// @param stick the force of the zone that stuck in the last step; empty if nothing slipped

@@ -165,7 +165,7 @@ public:
             const Cell cell = open_.top().cell;
             const Real upper = open_.top().upper;
             open_.pop();
-            if (is_settled(cell) || settle(cell)) {
+            if (is_decided(cell) || decide(cell)) {
                 continue;
             }
             if (boxes_ >= most_boxes_ || cell.half_x < least_half) {
@@ -236,7 +236,7 @@ private:
     }
 
     /// Keeps the cell unless F is proved to be greater elsewhere than in any part of it that is
-    /// not settled.
+    /// not decided.
     void add(const Cell& cell) {
         if (F_.field().mirrored && cell.x + cell.half_x <= 0) {
             return;
@@ -281,7 +281,7 @@ private:
         }
     }
 
-    [[nodiscard]] bool is_settled(const Cell& cell) const {
+    [[nodiscard]] bool is_decided(const Cell& cell) const {
         const Box zeta = box(cell);
         return std::ranges::any_of(places_, [&](const GreatestPlace& place) {
             if (place.kind == Kind::edge) { // a half disc, by its radius
@@ -295,7 +295,7 @@ private:
 
     /// Adds the place of a region around the cell in which F is concave, or increases towards the
     /// surface and is concave along it: then it is the only one there.
-    bool settle(const Cell& cell) {
+    bool decide(const Cell& cell) {
         const PlaneJet own = F_.jet(box(cell));
         if (!own.is_finite() ||
             !(own.concave() || (cell.on_surface() && certainly_negative(own.second[0]) &&
@@ -309,13 +309,13 @@ private:
             } else if (region.z < region.half_z) {
                 continue;
             }
-            if (settle_in(region)) {
-                return is_settled(cell);
+            if (decide_in(region)) {
+                return is_decided(cell);
             }
         }
         return false;
     }
-    bool settle_in(const Cell& region) {
+    bool decide_in(const Cell& region) {
         const Box zeta = box(region);
         const PlaneJet over = F_.jet(zeta);
         if (!over.is_finite()) {

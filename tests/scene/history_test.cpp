@@ -80,8 +80,7 @@ std::vector<LoadPath> load_paths() {
 
 // A second way to follow a history, which shares no formula with the exact one: the contact is a
 // pile of thin layers dL, each carries a shear force of at most f dL, and small increments of the
-// load are taken up from the newest layer inwards (Jaeger; Barber, Davies and Hills,
-// barber-davies-hills2011).
+// load are taken up from the newest layer inwards (`jaeger1998`).
 TEST_CASE("the layers of a load history agree with small increments of the load") {
     constexpr double f = 0.5;
     constexpr double width = 0.0005; // all forces below are whole multiples of it

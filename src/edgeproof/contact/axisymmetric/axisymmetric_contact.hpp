@@ -14,7 +14,7 @@ namespace edgeproof::contact {
 /// An axisymmetric contact whose slope g'(r) is piecewise linear, in ball arithmetic
 /// (docs/axisymmetric.md). x is the radius r, a the radius of the contact, u = a - r; the left edge
 /// is the mirror image of the right one. The radius, the force and the approach are elementary
-/// functions (`sneddon1965`, eqs. 6.1, 6.2); the pressure is found by Arb's rigorous integration
+/// functions (`sneddon1965`); the pressure is found by Arb's rigorous integration
 /// (`johansson2018`).
 class AxisymmetricContact : public ProvedContact {
 public:

@@ -8,6 +8,7 @@
 #include <pty.h>
 
 #include <array>
+#include <sstream>
 
 using namespace edgeproof::test;
 
@@ -131,6 +132,28 @@ TEST_CASE("a terminal shows a short answer, a pipe and every option of the outpu
     CHECK(shown({"pressure", "s.toml", "--out", "-"}) == piped);
     CHECK(shown({"pressure", "s.toml", "--out", "p.csv"}).empty());
     CHECK(file_text(folder.path() / "p.csv") == piped);
+}
+
+TEST_CASE("the first answer of the README is what a terminal shows") {
+    const std::string readme = file_text(source_dir() / "README.md");
+    const std::string start = "    build/release/bin/edgeproof extent --flat-and-rounded ";
+    std::size_t compared = 0;
+    for (const std::string& line : lines(readme)) {
+        if (!line.starts_with(start)) {
+            continue;
+        }
+        std::vector<std::string> words;
+        std::istringstream text(line.substr(line.find("extent")));
+        for (std::string word; text >> word;) {
+            words.push_back(word);
+        }
+        const Folder folder;
+        for (const std::string& shown : lines(on_terminal(folder, {"TERM=xterm"}, words))) {
+            CHECK_MESSAGE(has(readme, "\n" + shown.substr(0, shown.find('\r')) + "\n"), shown);
+            ++compared;
+        }
+    }
+    CHECK(compared == 5);
 }
 
 TEST_CASE("quantities on a terminal: no echo of the scene unless --show-scene asks for it") {

@@ -224,6 +224,7 @@ Ball integral_of(const std::function<Box(const Box& t)>& f, const IntegralGoal& 
 
 namespace {
 
+// docs/axisymmetric.md, "What is integrated"
 /// h'(s)/s for r > v, in boxes or in series of them: `d2` = r^2 - v^2 (exactly 0: `on_the_bend`).
 template <class T>
 T outside_value(const RingBend& bend, const T& r2, const T& d2, const T& W, const T& v,

@@ -9,6 +9,7 @@ Ball StressState::mises(const Ball& nu) const {
     return sqrt((square(sxx - szz) + square(szz - y) + square(y - sxx)) / 2 + square(sxz) * 3);
 }
 
+// johnson1985, eq. 2.23 (docs/stress.md, "Stresses")
 StressState stress_of(const CauchyIntegral& p, const CauchyIntegral& q, const Box& zeta,
                       const Ball& bulk) {
     const Ball z = zeta.imaginary();

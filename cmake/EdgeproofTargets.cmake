@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+include(CheckCXXCompilerFlag)
 
 # Settings that every target of this build shares. Installed targets do not pass them on, except
 # -ffp-contract=off, which edgeproof_precision does.
@@ -47,9 +48,18 @@ endfunction()
 
 # Compiles a target that does little arithmetic at -O1 in release builds: a quarter to a third of
 # the compiler's time less, and no measurable loss at run time.
+# From GCC 13 on, -O2 sets two options for x86 without which the precompiled header, made at -O2, is
+# not used.
 function(edgeproof_build_quickly target)
     target_compile_options(${target} PRIVATE
         $<$<AND:$<CXX_COMPILER_ID:GNU,Clang>,$<CONFIG:Release>>:-O1>)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+        check_cxx_compiler_flag("-munroll-only-small-loops -mvzeroupper" EDGEPROOF_UNROLLS_AT_O2)
+        if(EDGEPROOF_UNROLLS_AT_O2)
+            target_compile_options(${target} PRIVATE
+                $<$<CONFIG:Release>:-munroll-only-small-loops> $<$<CONFIG:Release>:-mvzeroupper>)
+        endif()
+    endif()
 endfunction()
 
 # edgeproof_add_module(<module> [QUICK] [LAB] [DEPENDS <modules below>] [LIBS <in its headers>]

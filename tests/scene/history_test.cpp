@@ -216,6 +216,37 @@ TEST_CASE("a history of one step of Q is the partial slip of a scene without ste
     }
 }
 
+// The steps of a body of revolution are total forces: each state of an increasing P is that of a
+// scene without steps, and so is one step of Q.
+TEST_CASE("the steps of bodies of revolution are total forces") {
+    for (const char* profile :
+         {"kind = \"hertz\"\nR = \"2\"", "kind = \"power-law\"\nm = \"3/2\"\nC = \"1/3\"",
+          "kind = \"flat-and-rounded\"\nt = \"1/2\"\nR = \"3\""}) {
+        CAPTURE(std::string(profile));
+        const std::string round = std::string("geometry = \"axisymmetric\"\n") + profile;
+        const std::string ask = "[ask]\nu = [\"1/100\", \"a/2\", \"a\"]\ndigits = 25\n";
+        for (const auto& [count, loads] :
+             {std::pair{std::size_t{1}, "P = \"1/2\"\n"}, std::pair{std::size_t{2}, "P = 1\n"},
+              std::pair{std::size_t{3}, "P = 1\n"}}) {
+            CAPTURE(count);
+            scene::Scene steps = scene::parse_scene(
+                history_text(round, {{0.5, 0}, {1, 0}, {1, 0.25}}, ask), "steps");
+            set_step(steps, count);
+            const scene::SceneResult after = run_scene(steps);
+            const scene::SceneResult plain = run_scene(scene::parse_scene(
+                "[profile]\n" + round + "\n[load]\n" + loads + "contact_modulus = \"1\"\n" +
+                    (count == 3 ? "[shear]\nQ = \"1/4\"\nfriction = \"1/2\"\n" : "") + ask,
+                "plain"));
+            REQUIRE(after.rows.size() == plain.rows.size());
+            for (std::size_t i = 0; i < plain.rows.size(); ++i) {
+                REQUIRE(after.rows[i].asked.quantity == plain.rows[i].asked.quantity);
+                CHECK(overlaps(after.rows[i].value->value, plain.rows[i].value->value));
+                CHECK(after.rows[i].value->proved);
+            }
+        }
+    }
+}
+
 // johnson1985, section 7.4 (after Mindlin and Deresiewicz): Q is unloaded from Q_1 to 0 at constant
 // P; the zone |x| > c' slips back, with c'/a = (1 - (Q_1 - Q)/(2 f P))^(1/2) for cylinders, and
 // there q = -f p.
@@ -243,6 +274,16 @@ TEST_CASE("load histories that are not computed are refused") {
     const std::string tension = "[[step]]\nbulk_tension = \"1/100\"\n";
     CHECK(history_refusal(history_text(hertz, {{1, 0}, {1, 0.1}}, tension)).find("applied once") !=
           std::string::npos);
+    CHECK(history_refusal("[profile]\n" + hertz +
+                          "\n[load]\nM = \"1\"\ncontact_modulus = \"1\"\n[[step]]\nP = \"1\"\n")
+              .find("in addition to the steps") != std::string::npos);
+    // The routes in Real have the force of the plane, and one step of Q.
+    const std::string sphere = "geometry = \"axisymmetric\"\n" + hertz;
+    for (const std::string& profile : {hertz, sphere}) {
+        CHECK(history_refusal(history_text(profile, {{1, 0}, {1, 0.1}},
+                                           "[ask]\nu = [\"1/9\"]\nroute = \"singular-integral\"\n"))
+                  .find("computed in balls only") != std::string::npos);
+    }
     CHECK(history_refusal("[profile]\n" + hertz +
                           "\n[load]\nP = \"1\"\ncontact_modulus = \"1\"\n[[step]]\nP = \"1\"\n")
               .find("in addition to the steps") != std::string::npos);

@@ -23,6 +23,12 @@ Expr gamma_ratio(const Expr& m) {
     return ratio;
 }
 
+/// P/a^(m + 2) of a power law.
+Expr force_factor(const Scene& scene) {
+    const auto& [kappa, m] = *scene.round->law;
+    return whole(2) * scene.contact_modulus.expr() * (m + whole(1)) * kappa / (m + whole(2));
+}
+
 } // namespace
 
 bool is_axisymmetric(const io::TomlSection& profile) {
@@ -49,37 +55,51 @@ void make_axisymmetric(const io::TomlSection& profile, const io::TomlSection& lo
                        "write kind = \"power-law\" (sphere: m = 1, C = 1/R; cone: m = 0), "
                        "flat-and-rounded, or piecewise with symmetric = true and linear slopes");
     }
-    const char* const size_from = load.has("P")       ? "from P"
-                                  : load.has("delta") ? "from delta"
-                                                      : "given";
-    if (scene.profile->kind() != contact::Profile::Kind::power_law) {
+    const bool power_law = scene.profile->kind() == contact::Profile::Kind::power_law;
+    const bool by_force = load.has("P") || !scene.steps.empty();
+    const formula::Exact given = scene.load.value;
+    scene.round = Axisymmetric{{}, {}, load.has("delta") ? "from delta" : "given"};
+    if (power_law) {
+        const Expr m = scene.profile->parameters().at("m").expr();
+        const Expr C = scene.profile->parameters().at("C").expr();
+        const Expr ratio = gamma_ratio(m);
+        scene.round->law =
+            Axisymmetric::Law{C * Expr::call("sqrt", {Expr::pi()}) * ratio / whole(2), m};
+        scene.profile = contact::Profile::power_law(
+            formula::Exact(C * (m + whole(1)) * ratio * ratio / whole(2)), formula::Exact(m));
+    } else {
         scene.profile = scene.profile->revolved();
-        scene.round = Axisymmetric{{}, {}, size_from};
-        if (load.has("P")) {
-            scene.round->force = scene.load.value;
-        } else if (load.has("delta")) {
-            scene.round->approach = scene.load.value;
-            scene.load = contact::Load::approach(scene.load.value);
-        }
+    }
+    if (by_force) {
+        set_total_force(scene, given);
         return;
     }
-    const Expr m = scene.profile->parameters().at("m").expr();
-    const Expr C = scene.profile->parameters().at("C").expr();
-    const Expr E = scene.contact_modulus.expr();
-    const Expr ratio = gamma_ratio(m);
-    const Expr kappa = C * Expr::call("sqrt", {Expr::pi()}) * ratio / whole(2);
-    const Expr per_size = whole(2) * E * (m + whole(1)) * kappa / (m + whole(2)); // P/a^(m+2)
-    const Expr given = scene.load.value.expr();
-    const Expr a = load.has("P")       ? pow(given / per_size, whole(1) / (m + whole(2)))
-                   : load.has("delta") ? pow(given / kappa, whole(1) / (m + whole(1)))
-                                       : given;
-    scene.round = Axisymmetric{
-        load.has("P") ? scene.load.value : formula::Exact(per_size * pow(a, m + whole(2))),
-        load.has("delta") ? scene.load.value : formula::Exact(kappa * pow(a, m + whole(1))),
-        size_from};
-    scene.load = contact::Load::right_edge(formula::Exact(a));
-    scene.profile = contact::Profile::power_law(
-        formula::Exact(C * (m + whole(1)) * ratio * ratio / whole(2)), formula::Exact(m));
+    if (load.has("delta")) {
+        scene.round->approach = given;
+        scene.load = contact::Load::approach(given);
+    }
+    if (power_law) {
+        const auto& [kappa, m] = *scene.round->law;
+        const Expr a =
+            load.has("delta") ? pow(given.expr() / kappa, whole(1) / (m + whole(1))) : given.expr();
+        scene.round->force = formula::Exact(force_factor(scene) * pow(a, m + whole(2)));
+        if (!scene.round->approach) {
+            scene.round->approach = formula::Exact(kappa * pow(a, m + whole(1)));
+        }
+        scene.load = contact::Load::right_edge(formula::Exact(a));
+    }
+}
+
+void set_total_force(Scene& scene, const formula::Exact& P) {
+    scene.round->size_from = "from P";
+    scene.round->force = P;
+    scene.load = contact::Load::force(P);
+    if (scene.round->law) {
+        const auto& [kappa, m] = *scene.round->law;
+        const Expr a = pow(P.expr() / force_factor(scene), whole(1) / (m + whole(2)));
+        scene.round->approach = formula::Exact(kappa * pow(a, m + whole(1)));
+        scene.load = contact::Load::right_edge(formula::Exact(a));
+    }
 }
 
 } // namespace edgeproof::scene

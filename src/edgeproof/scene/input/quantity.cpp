@@ -142,10 +142,11 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
     if (needs == Needs::friction_alone && scene.shear->bulk_tension.sign() != 0) {
         return lack("there is a bulk tension", "leave bulk_tension out");
     }
-    if (needs == Needs::friction_alone && scene.history) {
+    const bool series_of_slip = row_of(asked.quantity).searched;
+    if ((needs == Needs::friction_alone || series_of_slip) && scene.history) {
         return lack("is not computed for load histories", "");
     }
-    if (needs == Needs::friction_alone && scene.round) {
+    if ((needs == Needs::friction_alone || series_of_slip) && scene.round) {
         return lack("is not computed for axisymmetric contacts", "");
     }
     if (needs == Needs::friction_alone && scene.profile && !scene.profile->has_closed_form()) {

@@ -228,7 +228,7 @@ Place::Names names_of(const Scene& scene) {
             names.insert_or_assign(name, value.expr());
         }
     }
-    if (scene.load.kind == contact::Load::Kind::right_edge &&
+    if (scene.load.kind == contact::Load::Kind::right_edge && scene.steps.empty() &&
         (!scene.round || scene.load.value.is_rational())) {
         names.insert_or_assign("a", scene.load.value.expr());
     }

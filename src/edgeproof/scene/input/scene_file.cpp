@@ -81,6 +81,10 @@ void read_load(const io::TomlSection& load, Scene& scene) {
             load.reject(given, given + " is given in addition to the steps",
                         "leave it out: P of the steps is the load");
         }
+        if (load.has("M")) {
+            load.reject("M", "M is given in addition to the steps",
+                        "leave it out: the tilt alpha is given in [profile], and keeps its value");
+        }
         scene.load = contact::Load::force(scene.steps.back().P);
         return;
     }
@@ -453,11 +457,15 @@ void set_step(Scene& scene, std::size_t count) {
         throw InputError("step " + std::to_string(count) + ": " + problem, instead)
             .at(scene.file, last.line);
     };
-    scene.load = contact::Load::force(last.P);
     scene.load_line = last.line;
     scene.history.reset();
     if (last.P.sign() <= 0) {
         reject("there is no contact: P = " + last.P.text(), "give P > 0");
+    }
+    if (scene.round) {
+        set_total_force(scene, last.P);
+    } else {
+        scene.load = contact::Load::force(last.P);
     }
     const auto begin = scene.steps.begin();
     const auto end = begin + static_cast<std::ptrdiff_t>(count);
@@ -467,6 +475,7 @@ void set_step(Scene& scene, std::size_t count) {
         }
         scene.shear.reset();
         scene.ask.quantities.erase(QuantityGroup::shear);
+        scene.ask.quantities.erase(QuantityGroup::slip);
         return;
     }
     if (!scene.shear || !scene.shear->friction) {

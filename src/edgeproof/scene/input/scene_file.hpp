@@ -90,9 +90,15 @@ struct Radii {
 /// (docs/axisymmetric.md). The force and the approach are those of a power law, or as given; those
 /// of other profiles are computed with the contact.
 struct Axisymmetric {
+    /// A power law: delta = kappa a^(m + 1).
+    struct Law {
+        formula::Expr kappa;
+        formula::Expr m;
+    };
     std::optional<formula::Exact> force;    ///< P, the total force
     std::optional<formula::Exact> approach; ///< delta (length)
     const char* size_from;                  ///< the route of a: "given", "from P" or "from delta"
+    std::optional<Law> law = {};
 };
 
 /// A scene as its file gives it: exact, complete, and checked as far as possible without solving
@@ -135,6 +141,11 @@ struct Scene {
     [[nodiscard]] std::optional<formula::Exact> poisson(Body body) const {
         return !bodies ? nu : body == Body::A ? bodies->nu1 : bodies->nu2;
     }
+    /// True if the routes in Real do not compute the scene: axisymmetric profiles that are no power
+    /// laws, axisymmetric slip, load histories.
+    [[nodiscard]] bool only_in_balls() const {
+        return history || (profile && profile->axisymmetric()) || (round && slips());
+    }
     /// True if b = a without solving.
     [[nodiscard]] bool symmetric() const { return profile && profile->symmetric(); }
 };
@@ -151,7 +162,8 @@ struct Scene {
 [[nodiscard]] Scene scene_of(const io::TomlSection& top,
                              const std::vector<io::TomlEntry>& asked = {});
 
-/// Sets the state of a scene with steps to that after the first `count` of them. Throws
+/// Sets the state of a scene with steps, as it was read, to that after the first `count` of them;
+/// without a shear load until then, the friction and the questions about shear are left out. Throws
 /// InputError, with the line of the step, where the contact opens or slides, and for a bulk tension
 /// that is not applied once, in the last step and at constant P.
 void set_step(Scene& scene, std::size_t count);

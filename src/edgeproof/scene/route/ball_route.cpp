@@ -43,8 +43,8 @@ BallRoute::BallRoute(const Scene& scene, const Plan& plan, contact::Work& work)
     work.counts.consistency += scene.symmetric() ? 0 : 1;
     work.counts.tilts += scene.punch ? 1 : 0;
     work.counts.load_inversions += by_force ? 1 : 0;
-    if (!length_ && scene.profile && scene.profile->axisymmetric()) {
-        throw BudgetError("no number of bits encloses the radius of the contact");
+    if (!length_ && scene.only_in_balls()) {
+        throw BudgetError("no number of bits encloses the edges of the contact");
     }
     // There is no contact at any precision: the routes in Real report the reason.
     if (!length_) {
@@ -106,9 +106,6 @@ BoundedValue BallRoute::value(const AskedValue& asked) {
         throw BudgetError(
             "no number of bits encloses the value, which may be infinite there: at an "
             "edge under full stick, or at a corner");
-    }
-    if (!found && scene_.history && row.of_shear()) {
-        throw BudgetError("no number of bits encloses the shear traction of the load history");
     }
     if (!found) {
         return others().value(asked);
@@ -272,9 +269,8 @@ void BallRoute::count(const AskedValue& asked) {
 }
 
 ValueRoute& BallRoute::others() {
-    if (scene_.profile && scene_.profile->axisymmetric()) {
-        throw BudgetError("no number of bits decides the value, and an axisymmetric contact of "
-                          "this profile has no other route");
+    if (scene_.only_in_balls()) {
+        throw BudgetError("no number of bits decides the value, and there is no other route");
     }
     if (!others_) {
         others_ = make_real_route(scene_, plan_, work_of_others_);
@@ -295,8 +291,14 @@ std::unique_ptr<ValueRoute> make_route(const Scene& scene, const Plan& plan, con
             throw error.file().empty() ? error.at(scene.file, scene.load_line) : error;
         }
     }
-    if (scene.history || (scene.profile && scene.profile->axisymmetric())) {
-        throw BudgetError("the contact is not enclosed in balls, and has no other route");
+    if (scene.only_in_balls()) {
+        if (scene.ask.route != contact::Route::automatic) {
+            throw InputError("this contact is computed in balls only, not by the route " +
+                                 route_name(scene.ask.route),
+                             "write route = \"automatic\"")
+                .at(scene.file, scene.ask_line);
+        }
+        throw BudgetError("this contact is computed in balls only, and they do not enclose it");
     }
     return make_real_route(scene, plan, work);
 }

@@ -202,6 +202,7 @@ private:
         add("shear", plan_.shear,
             !plan_.shear         ? none
             : similar            ? "similar to p: P and Q grow together"
+            : scene_.history     ? "partial slip after the steps"
             : plan_.partial_slip ? "partial slip, P held"
                                  : "full stick, P held",
             &Counts::shear_points, similar ? points_of_p : ask_.u.size() * edges);
@@ -212,7 +213,9 @@ private:
         const std::string none =
             !scene_.slips() ? "there is no friction" : "neither q nor a slip zone is asked for";
         add("partial slip", plan_.partial_slip,
-            plan_.partial_slip ? "f = " + scene_.shear->friction->text() + ", P held" : none,
+            plan_.partial_slip ? "f = " + scene_.shear->friction->text() +
+                                     (scene_.history ? ", after the steps" : ", P held")
+                               : none,
             &Counts::stick_zones, 1);
         add("slip zones", plan_.slip,
             !plan_.slip          ? (scene_.slips() ? "not asked for" : none)

@@ -7,22 +7,18 @@ From Interval Require Import Tactic.
 From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Unique Tactics FlatAndRounded.
 Open Scope R_scope.
 
-Definition Es : R := 1.
-Definition t : R := 1.
-Definition R0 : R := 1.
-Definition a : R := 2.
-Definition x : R := (3 / 2).
-Definition punch : list part := cons (Part t 0 (1 / R0)) nil.
-Ltac constants := unfold punch, x, a, R0, t, Es in *.
+Ltac constants := idtac.
 Ltac positive := constants; repeat split; lra.
 
-Theorem EQ19_L_agrees : exists r0 r1 r2,
-  is_the_right_series Es (slope punch) a r0 r1 r2 /\
-  Rabs ((sqrt (2 * a) * Es / (PI * R0) * (PI / 2 - asin (t / a))) - (r0)) <= 1 / 10 ^ 12 * Rabs (r0).
+Theorem EQ19_L (Es t R0 a : R) : 0 < t < a /\ 0 < R0 ->
+  exists r0 r1 r2,
+  is_the_right_series Es (slope (cons (Part t 0 (1 / R0)) nil)) a r0 r1 r2 /\
+  sqrt (2 * a) * Es / (PI * R0) * (PI / 2 - asin (t / a)) = r0.
 Proof.
+  intros form. assert (0 < 1 / R0) by (apply Rdiv_lt_0_compat; lra).
   eexists. eexists. eexists. 
-  split. { apply (the_right_series _ _ (first punch)); [apply punch_rises; convex constants | before constants | apply right_edge with (1 := smooth_contact Es punch ((t + x) / 2) a ltac:(sides constants) ltac:(sides constants))]. }
-  apply Rminus_le. numbers constants.
+  split. { apply (the_right_series _ _ (first (cons (Part t 0 (1 / R0)) nil))); [apply punch_rises; convex constants | before constants | apply right_edge with (1 := smooth_contact Es (cons (Part t 0 (1 / R0)) nil) ((t + a) / 2) a ltac:(sides constants) ltac:(sides constants))]. }
+  identity_of_rounded t a.
 Qed.
-Print Assumptions EQ19_L_agrees.
+Print Assumptions EQ19_L.
 

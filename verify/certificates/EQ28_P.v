@@ -7,21 +7,18 @@ From Interval Require Import Tactic.
 From Edgeproof Require Import Contact Coefficients Edges ClosedForm Tactics TiltedWedge Unique.
 Open Scope R_scope.
 
-Definition Es : R := 1.
-Definition phi : R := 1.
-Definition gam : R := (1 / 4).
-Definition a : R := 1.
-Definition x : R := (1 / 2).
-Ltac constants := unfold x, a, gam, phi, Es in *.
+Ltac constants := idtac.
 Ltac positive := constants; repeat split; lra.
 
-Theorem EQ28_P_agrees : exists P0,
+Theorem EQ28_P (Es phi gam a : R) : 0 < phi /\ 0 < gam /\ 0 < a ->
+  exists P0,
   is_the_load Es (slope phi (tilt phi gam)) a (gam * a) P0 /\
-  Rabs ((Es * phi * sqrt gam * a) - (P0)) <= 1 / 10 ^ 12 * Rabs (P0).
+  Es * phi * sqrt gam * a = P0.
 Proof.
+  intros form. assert (0 < gam * a) by (apply Rmult_lt_0_compat; lra).
   eexists. 
   split. { apply (the_load _ _ 0); [apply wedge_rises, tilt_range; positive | positive | positive | apply wedge_consistent; positive | apply wedge_load; positive]. }
-  apply Rminus_le. numbers constants.
+  identity_of_wedge a gam.
 Qed.
-Print Assumptions EQ28_P_agrees.
+Print Assumptions EQ28_P.
 

@@ -7,20 +7,17 @@ From Interval Require Import Tactic.
 From Edgeproof Require Import Contact Coefficients Edges ClosedForm Tactics TiltedWedge Unique.
 Open Scope R_scope.
 
-Definition Es : R := 1.
-Definition phi : R := 1.
-Definition gam : R := (1 / 4).
-Definition a : R := 1.
-Definition x : R := (1 / 2).
-Ltac constants := unfold x, a, gam, phi, Es in *.
+Ltac constants := idtac.
 Ltac positive := constants; repeat split; lra.
 
-Theorem EQ28_b_agrees : 
+Theorem EQ28_b (Es phi gam a : R) : 0 < phi /\ 0 < gam /\ 0 < a ->
+  
   is_the_left_edge (slope phi (tilt phi gam)) a (gam * a) /\
-  Rabs ((gam * a) - ((gam * a))) <= 1 / 10 ^ 12 * Rabs ((gam * a)).
+  gam * a = (gam * a).
 Proof.
+  intros form. assert (0 < gam * a) by (apply Rmult_lt_0_compat; lra).
   split. { apply (the_left_edge _ 0); [apply wedge_rises, tilt_range; positive | positive | positive | apply wedge_consistent; positive]. }
-  apply Rminus_le. numbers constants.
+  identity_of_wedge a gam.
 Qed.
-Print Assumptions EQ28_b_agrees.
+Print Assumptions EQ28_b.
 

@@ -7,6 +7,24 @@ From Interval Require Import Tactic.
 From Edgeproof Require Import Contact Coefficients Edges ClosedForm Tactics TiltedWedge Unique.
 Open Scope R_scope.
 
+Module Correction.
+Ltac constants := idtac.
+Ltac positive := constants; repeat split; lra.
+
+Theorem EQ30_M_corrected (Es phi gam a : R) : 0 < phi /\ 0 < gam /\ 0 < a ->
+  exists r0 r1 r2,
+  is_the_right_series Es (slope phi (tilt phi gam)) a r0 r1 r2 /\
+  sqrt gam * ((3 + 2 * gam) * (Es * phi) / (3 * PI * Rpower (1 + gam) (3 / 2) * Rpower a (3 / 2))) = r1.
+Proof.
+  intros form. assert (0 < gam * a) by (apply Rmult_lt_0_compat; lra).
+  eexists. eexists. eexists. 
+  split. { apply (the_right_series _ _ 0); [apply wedge_rises, tilt_range; positive | positive | eapply right_edge, smooth_contact; positive]. }
+  identity_of_wedge a gam.
+Qed.
+Print Assumptions EQ30_M_corrected.
+
+End Correction.
+
 Definition Es : R := 1.
 Definition phi : R := 1.
 Definition gam : R := (1 / 9).
@@ -24,14 +42,4 @@ Proof.
   numbers constants.
 Qed.
 Print Assumptions EQ30_M_refuted.
-
-Theorem EQ30_M_corrected : exists r0 r1 r2,
-  is_the_right_series Es (slope phi (tilt phi gam)) a r0 r1 r2 /\
-  Rabs ((sqrt gam * ((3 + 2 * gam) * (Es * phi) / (3 * PI * Rpower (1 + gam) (3 / 2) * Rpower a (3 / 2)))) - (r1)) <= 1 / 10 ^ 12 * Rabs (r1).
-Proof.
-  eexists. eexists. eexists. 
-  split. { apply (the_right_series _ _ 0); [apply wedge_rises, tilt_range; positive | positive | eapply right_edge, smooth_contact; positive]. }
-  apply Rminus_le. numbers constants.
-Qed.
-Print Assumptions EQ30_M_corrected.
 

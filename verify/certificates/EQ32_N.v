@@ -7,6 +7,24 @@ From Interval Require Import Tactic.
 From Edgeproof Require Import Contact Coefficients Edges ClosedForm Tactics TiltedWedge Unique.
 Open Scope R_scope.
 
+Module Correction.
+Ltac constants := idtac.
+Ltac positive := constants; repeat split; lra.
+
+Theorem EQ32_N_corrected (Es phi gam a : R) : 0 < phi /\ 0 < gam /\ 0 < a ->
+  exists l0 l1 l2,
+  is_the_left_series Es (slope phi (tilt phi gam)) (gam * a) l0 l1 l2 /\
+  (8 + 20 * gam + 15 * gam ^ 2) * (Es * phi) / (20 * PI * Rpower gam (5 / 2) * Rpower (1 + gam) (5 / 2) * Rpower a (5 / 2)) = l2.
+Proof.
+  intros form. assert (0 < gam * a) by (apply Rmult_lt_0_compat; lra).
+  eexists. eexists. eexists. 
+  split. { apply (the_left_series _ _ 0); [apply mirrored_wedge_rises, tilt_range; positive | positive | refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive]. }
+  identity_of_wedge a gam.
+Qed.
+Print Assumptions EQ32_N_corrected.
+
+End Correction.
+
 Definition Es : R := 1.
 Definition phi : R := 1.
 Definition gam : R := (1 / 9).
@@ -24,14 +42,4 @@ Proof.
   numbers constants.
 Qed.
 Print Assumptions EQ32_N_refuted.
-
-Theorem EQ32_N_corrected : exists l0 l1 l2,
-  is_the_left_series Es (slope phi (tilt phi gam)) (gam * a) l0 l1 l2 /\
-  Rabs (((8 + 20 * gam + 15 * gam ^ 2) * (Es * phi) / (20 * PI * Rpower gam (5 / 2) * Rpower (1 + gam) (5 / 2) * Rpower a (5 / 2))) - (l2)) <= 1 / 10 ^ 12 * Rabs (l2).
-Proof.
-  eexists. eexists. eexists. 
-  split. { apply (the_left_series _ _ 0); [apply mirrored_wedge_rises, tilt_range; positive | positive | refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive]. }
-  apply Rminus_le. numbers constants.
-Qed.
-Print Assumptions EQ32_N_corrected.
 

@@ -7,21 +7,18 @@ From Interval Require Import Tactic.
 From Edgeproof Require Import Contact Coefficients Edges Tactics Shear Unique.
 Open Scope R_scope.
 
-Definition a : R := 4.
-Definition Q : R := 1.
-Definition x : R := 2.
-Definition b : R := 1.
-Definition sig0 : R := 1.
-Ltac constants := unfold sig0, b, x, Q, a in *.
+Ltac constants := idtac.
 Ltac positive := constants; repeat split; lra.
 
-Theorem EQ39_Kminus_agrees : exists v0 v1 v2,
+Theorem EQ39_Kminus (a b Q sig0 : R) : 0 < a + b ->
+  exists v0 v1 v2,
   is_the_left_shear_series (full_stick Q sig0 a b) b v0 v1 v2 /\
-  Rabs ((1 / sqrt (2 * ((a + b) / 2)) * (Q / PI - sig0 * ((a + b) / 2) / 4)) - (v0)) <= 1 / 10 ^ 12 * Rabs (v0).
+  1 / sqrt (2 * ((a + b) / 2)) * (Q / PI - sig0 * ((a + b) / 2) / 4) = v0.
 Proof.
+  intros form.
   eexists. eexists. eexists. 
   split. { apply the_left_shear_series, left_shear; positive. }
-  apply Rminus_le. numbers constants.
+  identity_of_shear a b.
 Qed.
-Print Assumptions EQ39_Kminus_agrees.
+Print Assumptions EQ39_Kminus.
 

@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Unique Tactics Expansions HalfPowers PressureExpansions.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Unique Tactics Expansions HalfPowers PressureExpansions Curved.
 Open Scope R_scope.
 
 Theorem EQ44_refuted (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) :
@@ -39,4 +39,14 @@ Proof.
   apply (agrees_ext _ _ _ _ derived). intros u. field; repeat split; lra.
 Qed.
 Print Assumptions EQ44_corrected.
+
+Theorem EQ44_instance : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R),
+  is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 /\
+  is_left_edge a b b1 b2 b3 alpha /\
+  (rises_at g1 y /\ y < a /\ rises_at (mirrored g1) z /\ z < b a) /\
+  exists X : R, (X ^ 3 * (3 * (b2 a) ^ 2 - (b1 a) * (b3 a)) / (6 * (b1 a) ^ 5)) - (- (X ^ 3 * (3 * (b2 a) ^ 2 - (b1 a) * (b3 a)) / (6 * (b1 a) ^ 5))) <> 0.
+Proof.
+  exists_curved_contact. exists 2. apply apart. curved_numbers.
+Qed.
+Print Assumptions EQ44_instance.
 

@@ -5,7 +5,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Unique Tactics Expansions HalfPowers PressureExpansions.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Unique Tactics Expansions HalfPowers PressureExpansions Curved.
 Open Scope R_scope.
 
 Theorem EQ45_refuted_1 (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) :
@@ -41,6 +41,17 @@ Proof.
 Qed.
 Print Assumptions EQ45_corrected_1.
 
+Theorem EQ45_instance_1 : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R),
+  is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 /\
+  is_left_edge a b b1 b2 b3 alpha /\
+  (rises_at g1 y /\ y < a /\ rises_at (mirrored g1) z /\ z < b a) /\
+  exists X sigma : R, 0 < X /\ 0 < sigma < 1 /\
+  (1 / sqrt (1 - sigma)) - (1 / (sqrt X * sqrt (1 - sigma))) <> 0.
+Proof.
+  exists_curved_contact. exists 2, (1 / 2). split; [lra |]. split; [lra |]. apply apart. curved_numbers.
+Qed.
+Print Assumptions EQ45_instance_1.
+
 Theorem EQ45_refuted_2 (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) :
   is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 ->
   is_left_edge a b b1 b2 b3 alpha ->
@@ -73,4 +84,15 @@ Proof.
   apply (agrees_trans _ _ _ _ derived). in_half_powers.
 Qed.
 Print Assumptions EQ45_corrected_2.
+
+Theorem EQ45_instance_2 : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R),
+  is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 /\
+  is_left_edge a b b1 b2 b3 alpha /\
+  (rises_at g1 y /\ y < a /\ rises_at (mirrored g1) z /\ z < b a) /\
+  exists sigma : R, 0 < sigma < 1 /\
+  (- (sigma * (15 * (b2 a) ^ 2 * sigma + 24 * (b2 a) ^ 2 + 9 * (b2 a) ^ 2 * sigma ^ 2 - 8 * (b1 a) * (b3 a) - 8 * (b1 a) * (b3 a) * sigma ^ 2) / (96 * (b1 a) ^ 4 * Rpower (1 - sigma) (3 / 2)))) - (sigma * (24 * (b2 a) ^ 2 + 9 * (b2 a) ^ 2 * sigma - 8 * (b1 a) * (b3 a) - 8 * (b1 a) * (b3 a) * sigma) / (96 * (b1 a) ^ 4 * sqrt (1 - sigma))) <> 0.
+Proof.
+  exists_curved_contact. exists (1 / 2). split; [lra |]. apply apart. curved_numbers.
+Qed.
+Print Assumptions EQ45_instance_2.
 

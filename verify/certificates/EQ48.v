@@ -8,7 +8,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Unique Tactics Expansions HalfPowers PressureExpansions.
+From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Unique Tactics Expansions HalfPowers PressureExpansions Curved.
 Open Scope R_scope.
 
 Theorem EQ48_refuted_1 (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R) :
@@ -50,6 +50,17 @@ Proof.
 Qed.
 Print Assumptions EQ48_corrected_1.
 
+Theorem EQ48_instance_1 : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R),
+  is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 /\
+  is_left_edge a b b1 b2 b3 alpha /\
+  (rises_at g1 y /\ y < a /\ rises_at (mirrored g1) z /\ z < b a) /\
+  exists X : R, 0 < X /\
+  (2 * (P1 a) / (PI * sqrt (a + (b a)))) - (2 * (P1 a) / (PI * sqrt X * sqrt (a + (b a)))) <> 0.
+Proof.
+  exists_curved_contact. exists 2. split; [lra |]. apply apart. curved_numbers.
+Qed.
+Print Assumptions EQ48_instance_1.
+
 Theorem EQ48_refuted_2 (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R) :
   is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 ->
   is_left_edge a b b1 b2 b3 alpha ->
@@ -86,4 +97,14 @@ Proof.
   apply (agrees_trans _ _ _ _ derived). in_half_powers.
 Qed.
 Print Assumptions EQ48_corrected_2.
+
+Theorem EQ48_instance_2 : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R),
+  is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 /\
+  is_left_edge a b b1 b2 b3 alpha /\
+  (rises_at g1 y /\ y < a /\ rises_at (mirrored g1) z /\ z < b a) /\
+  (((10 * a * (b2 a) * (b1 a) ^ 2 + 10 * (b a) * (b2 a) * (b1 a) ^ 2 + 146 * a ^ 2 * (b2 a) ^ 2 + 146 * (b a) ^ 2 * (b2 a) ^ 2 + 24 * (b1 a) ^ 2 + 28 * a * (b1 a) * (b2 a) + 28 * (b a) * (b1 a) * (b2 a) + 292 * a * (b a) * (b2 a) ^ 2 + 45 * (b1 a) ^ 4 + 60 * (b1 a) ^ 3 - 104 * a * (b a) * (b1 a) * (b3 a) - 52 * (b1 a) * (b3 a) * a ^ 2 - 52 * (b1 a) * (b3 a) * (b a) ^ 2) * (P1 a) - 8 * (b1 a) * (a + (b a)) * (4 * (b1 a) + 5 * (b1 a) ^ 2 + 7 * a * (b2 a) + 7 * (b a) * (b2 a)) * (P2 a) + 32 * (b1 a) ^ 2 * (a + (b a)) ^ 2 * (P3 a)) / (60 * PI * (b1 a) ^ 4 * Rpower (a + (b a)) (5 / 2))) - (((10 * a * (b2 a) * (b1 a) ^ 2 + 10 * (b a) * (b2 a) * (b1 a) ^ 2 + 24 * (b1 a) ^ 2 + 26 * a ^ 2 * (b2 a) ^ 2 + 26 * (b a) ^ 2 * (b2 a) ^ 2 + 28 * a * (b1 a) * (b2 a) + 28 * (b a) * (b1 a) * (b2 a) + 45 * (b1 a) ^ 4 + 52 * a * (b a) * (b2 a) ^ 2 + 60 * (b1 a) ^ 3 - 12 * (b1 a) * (b3 a) * a ^ 2 - 12 * (b1 a) * (b3 a) * (b a) ^ 2 - 24 * a * (b a) * (b1 a) * (b3 a)) * (P1 a) - 8 * (b1 a) * (a + (b a)) * (4 * (b1 a) + 5 * (b1 a) ^ 2 + 7 * a * (b2 a) + 7 * (b a) * (b2 a)) * (P2 a) + 32 * (b1 a) ^ 2 * (a + (b a)) ^ 2 * (P3 a)) / (60 * PI * (b1 a) ^ 4 * Rpower (a + (b a)) (5 / 2))) <> 0.
+Proof.
+  exists_curved_contact. apply apart. curved_numbers.
+Qed.
+Print Assumptions EQ48_instance_2.
 

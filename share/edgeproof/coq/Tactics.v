@@ -112,6 +112,67 @@ Ltac identity_of_power contact load a P1 P2 P3 :=
   rewrite (power_load _ _ _ _ _ _ _ _ _ _ _ _ contact ltac:(lra) load);
   identity_symmetric contact a P1 P2 P3.
 
+(* ---- Identities for all contacts of a form, in their parameters ---- *)
+
+(* Closes an identity over the rationals in numbers whose squares are given by E1, E2 and E3. *)
+Ltac by_squares E1 E2 E3 :=
+  first [reflexivity | field; repeat split; nra | field_simplify_eq; [ring [E1 E2 E3] | repeat split; nra]].
+
+(* Full stick between the edges a and -b, in the root of a + b. *)
+Ltac identity_of_shear a b :=
+  let E := fresh "E" in let Hpi := fresh "Hpi" in let Hr := fresh "Hr" in let r := fresh "r" in
+  assert (Hpi := PI_RGT_0);
+  unfold shear_0, shear_1, shear_2; cbv beta;
+  replace (2 * ((a + b) / 2)) with (a + b) by field;
+  rewrite ?power_3_2, ?power_5_2 by lra;
+  assert (Hr : 0 < sqrt (a + b)) by (apply sqrt_lt_R0; lra);
+  assert (E : a + b = sqrt (a + b) * sqrt (a + b)) by (symmetry; apply sqrt_sqrt; lra);
+  set (r := sqrt (a + b)) in *; clearbody r; rewrite ?E; field; repeat split; lra.
+
+(* A tilted wedge with the edges a and - gam a, in the roots of a, gam and 1 + gam. *)
+Ltac identity_of_wedge a gam :=
+  let Hg := fresh "Hg" in let Ha := fresh "Ha" in let Hw := fresh "Hw" in let Hpi := fresh "Hpi" in
+  let Eg := fresh "Eg" in let Ea := fresh "Ea" in let Ew := fresh "Ew" in
+  let g := fresh "g" in let r := fresh "r" in let w := fresh "w" in
+  assert (Hpi := PI_RGT_0);
+  unfold c0, c1, c2, left_c0, left_c1, left_c2; cbv beta;
+  rewrite ?sin_of_tilt by lra;
+  replace (a + gam * a) with ((1 + gam) * a) by ring;
+  rewrite ?power_3_2, ?power_5_2 by nra;
+  rewrite ?(sqrt_mult (1 + gam) a) by lra;
+  assert (Hg : 0 < sqrt gam) by (apply sqrt_lt_R0; lra);
+  assert (Ha : 0 < sqrt a) by (apply sqrt_lt_R0; lra);
+  assert (Hw : 0 < sqrt (1 + gam)) by (apply sqrt_lt_R0; lra);
+  assert (Eg : gam = sqrt gam * sqrt gam) by (symmetry; apply sqrt_sqrt; lra);
+  assert (Ea : a = sqrt a * sqrt a) by (symmetry; apply sqrt_sqrt; lra);
+  assert (Ew : sqrt (1 + gam) ^ 2 = 1 + gam) by (apply pow2_sqrt; lra);
+  set (g := sqrt gam) in *; set (r := sqrt a) in *; set (w := sqrt (1 + gam)) in *;
+  clearbody g r w; rewrite ?Eg in Ew; rewrite ?Eg, ?Ea; by_squares Ew Ew Ew.
+
+(* A flat punch with rounded edges, in asin (t / a) and the roots of a, 2 and a^2 - t^2. *)
+Ltac identity_of_rounded t a :=
+  let Hpi := fresh "Hpi" in let Hd := fresh "Hd" in let Hr := fresh "Hr" in let Hq := fresh "Hq" in
+  let Hs := fresh "Hs" in let E := fresh "E" in let E2 := fresh "E2" in let E3 := fresh "E3" in
+  let w := fresh "w" in let z := fresh "z" in let r := fresh "r" in let q := fresh "q" in
+  assert (Hpi := PI_RGT_0);
+  assert (Hd : 0 < a ^ 2 - t ^ 2) by
+    (replace (a ^ 2 - t ^ 2) with ((a - t) * (a + t)) by ring; apply Rmult_lt_0_compat; lra);
+  unfold c0, c1, c2, load, rate, rate_2, rate_3, total, List.fold_right, part_load, part_rate, part_rate_2,
+    part_rate_3, angle, from, corner, curvature; cbv beta;
+  rewrite ?asin_sqrt by lra;
+  rewrite ?power_3_2, ?power_5_2 by lra;
+  replace (2 * a) with (a + a) by ring;
+  rewrite ?root_of_twice by lra;
+  assert (Hr : 0 < sqrt a) by (apply sqrt_lt_R0; lra);
+  assert (Hq : 0 < sqrt 2) by (apply sqrt_lt_R0; lra);
+  assert (Hs : 0 < sqrt (a ^ 2 - t ^ 2)) by (apply sqrt_lt_R0; lra);
+  generalize (atan (t / sqrt (a ^ 2 - t ^ 2))); intros z;
+  assert (E : sqrt a ^ 2 = a) by (apply pow2_sqrt; lra);
+  assert (E2 : sqrt 2 ^ 2 = 2) by (apply pow2_sqrt; lra);
+  assert (E3 : sqrt (a ^ 2 - t ^ 2) ^ 2 = a ^ 2 - t ^ 2) by (apply pow2_sqrt; lra);
+  set (w := sqrt (a ^ 2 - t ^ 2)) in *; set (r := sqrt a) in *; set (q := sqrt 2) in *;
+  clearbody w r q; by_squares E E2 E3.
+
 (* What the numbers of a theorem are made of. `constants` unfolds those of its file. *)
 Ltac plain constants :=
   constants;

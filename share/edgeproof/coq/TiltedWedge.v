@@ -179,3 +179,11 @@ Proof.
   replace ((1 - (1 - sin z) / (1 + sin z)) / (1 + (1 - sin z) / (1 + sin z))) with (sin z) by (field; lra).
   rewrite asin_sin by lra. unfold z. field. lra.
 Qed.
+
+(* The angle of the tilt in a printed formula for the ratio of the edges. *)
+Lemma sin_of_tilt phi gam : 0 < phi -> 0 < gam -> sin (PI * tilt phi gam / (2 * phi)) = (1 - gam) / (1 + gam).
+Proof.
+  intros Hphi Hgam. assert (Hpi := PI_RGT_0). unfold tilt.
+  replace (PI * (2 * phi / PI * asin ((1 - gam) / (1 + gam))) / (2 * phi)) with (asin ((1 - gam) / (1 + gam))) by (field; lra).
+  apply sin_asin. generalize (k_range gam Hgam). lra.
+Qed.

@@ -151,10 +151,16 @@ Certificate certify(const audit::ClaimResult& result, const audit::Ledger& ledge
     certificate.verdict = std::string(name_of(result.outcome.verdict));
     certificate.file = coq_name(result.claim.id) + ".v";
     static const std::map<std::string_view, decltype(&certify_identity)> kinds{
-        {"identity", certify_identity},     {"value", certify_value},
-        {"extent", certify_extent},         {"expansion", certify_expansion},
-        {"monotone", certify_monotone},     {"vanishing", certify_vanishing},
-        {"uniformity", certify_uniformity}, {"figure", certify_figure}};
+        {"identity", certify_identity},
+        {"value", certify_value},
+        {"extent", certify_extent},
+        {"expansion", certify_expansion},
+        {"monotone", certify_monotone},
+        {"vanishing", certify_vanishing},
+        {"uniformity", certify_uniformity},
+        {"figure", certify_figure},
+        {"superposition", certify_superposition},
+        {"relation", certify_relation}};
     try {
         const auto kind = kinds.find(result.claim.kind);
         if (kind == kinds.end()) {
@@ -327,14 +333,16 @@ const std::vector<TheoryFile>& theory_files() {
         {"Symmetric", coq_files::Symmetric_v, "Edges.vo ClosedForm.vo"},
         {"TiltedWedge", coq_files::TiltedWedge_v, "Edges.vo ClosedForm.vo"},
         {"FlatAndRounded", coq_files::FlatAndRounded_v, "Contact.vo"},
-        {"Shear", coq_files::Shear_v, ""},
+        {"Shear", coq_files::Shear_v, "Contact.vo"},
         {"Unique", coq_files::Unique_v, "Symmetric.vo TiltedWedge.vo Shear.vo"},
         {"Scaling", coq_files::Scaling_v, "Unique.vo"},
         {"Tactics", coq_files::Tactics_v, "Unique.vo"},
         {"Expansions", coq_files::Expansions_v, "Tactics.vo"},
         {"HalfPowers", coq_files::HalfPowers_v, "Expansions.vo"},
         {"PressureExpansions", coq_files::PressureExpansions_v, "HalfPowers.vo"},
-        {"Uniform", coq_files::Uniform_v, "Expansions.vo"}};
+        {"Uniform", coq_files::Uniform_v, "Expansions.vo"},
+        {"Curved", coq_files::Curved_v, "Unique.vo"},
+        {"Sides", coq_files::Sides_v, "Tactics.vo"}};
     return all;
 }
 

@@ -28,6 +28,11 @@ void certify_figure(const audit::ClaimResult& result, const audit::Ledger& ledge
 void certify_uniformity(const audit::ClaimResult& result, const audit::Ledger& ledger,
                         Certificate& certificate);
 
+void certify_superposition(const audit::ClaimResult& result, const audit::Ledger& ledger,
+                           Certificate& certificate);
+void certify_relation(const audit::ClaimResult& result, const audit::Ledger& ledger,
+                      Certificate& certificate);
+
 /// Returns the text changed so that it can stand inside a Coq comment: it opens and closes no
 /// comment and begins no string.
 [[nodiscard]] std::string in_comment(std::string text);

@@ -5,7 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace edgeproof::certificate {
 namespace {
@@ -27,6 +31,69 @@ std::string theorem(const std::string& name, const Theory& theory, const Expr& f
         statement.proof(least ? "numbers constants" : "apply Rminus_le. numbers constants"));
 }
 
+/// Whether the tactics for all contacts of a form can prove identities with this formula: it is
+/// made of fractions, pi, square roots and half powers, and of angles and integrals with a lemma.
+bool is_algebraic(const Expr& e) {
+    using Kind = Expr::Kind;
+    switch (e.kind()) {
+    case Kind::pow:
+        return e.arg(1).rational() != nullptr && denominator(*e.arg(1).rational()) <= 2 &&
+               is_algebraic(e.arg(0));
+    case Kind::call: {
+        const std::string text = to_text(e);
+        return text == "asin(t/a)" || text == "sin(Pi*alpha/(2*phi))" ||
+               (e.builtin() == formula::Builtin::sqrt && is_algebraic(e.arg(0)));
+    }
+    case Kind::integral:
+        return true;
+    case Kind::pv:
+        return false;
+    default:
+        return std::all_of(e.args().begin(), e.args().end(), is_algebraic);
+    }
+}
+
+/// Whether the contacts of the family are as the theory of the form assumes: larger than their
+/// flat, and the parameter gam, if there is one, is b/a.
+bool are_of_the_form(const audit::Claim& claim, const audit::Ledger& ledger) {
+    const auto scenes = draw_scenes(ledger.family(claim.text("over")), ledger.families);
+    return std::all_of(scenes.begin(), scenes.end(), [](const audit::SceneSpec& scene) {
+        const auto& given = scene.parameters;
+        if (given.contains("a") && given.contains("t") &&
+            formula::Exact(given.at("a").expr() - given.at("t").expr()).sign() <= 0) {
+            return false;
+        }
+        if (!given.contains("gam") || !given.contains("phi") || !given.contains("alpha")) {
+            return true;
+        }
+        const double sine = std::sin(std::numbers::pi / 2 * given.at("alpha").to<double>() /
+                                     given.at("phi").to<double>());
+        const auto gam = given.at("gam").to<double>();
+        return std::abs(sine - (1 - gam) / (1 + gam)) < 1e-9;
+    });
+}
+
+/// Returns the theorem that the formula is exact for all contacts of the theory's form, with its
+/// definitions; no value if the theory does not have all the quantities.
+std::optional<std::string> theorem_for_all(const std::string& name, const Theory& theory,
+                                           const Expr& formula, const Expr& exact) {
+    if (!is_algebraic(formula) || !is_algebraic(exact)) {
+        return std::nullopt;
+    }
+    try {
+        Statement statement(theory);
+        const std::string conclusion = fmt::format("{} = {}", statement(formula), statement(exact));
+        const Theory::AllOfForm& all = theory.all_of_form.value();
+        return constants({}) +
+               bare_theorem(fmt::format("{} ({} : R)", name, all.parameters),
+                            fmt::format("{} ->\n  {}", all.condition, statement.text(conclusion)),
+                            fmt::format("  {}.\n{}", all.begin, statement.proof(all.identity))) +
+               fmt::format("Print Assumptions {}.\n\n", name);
+    } catch (const NotStated&) {
+        return std::nullopt;
+    }
+}
+
 std::optional<Expr> correction(const audit::ClaimResult& result) {
     if (!result.outcome.correct) {
         return std::nullopt;
@@ -39,10 +106,16 @@ std::optional<Expr> correction(const audit::ClaimResult& result) {
     }
 }
 
+/// Replaces the load of a symmetric punch that is written as its integral. `is_load` in Contact.v
+/// is this integral.
+Expr load_of_integral(const Expr& e) {
+    return to_text(e) == "Es/2*integral(s*g1(s)/sqrt(a^2 - s^2), s, -a, a)" ? Expr::symbol("P") : e;
+}
+
 bool is_of_shear(const Expr& e) {
     const auto symbols = free_symbols(e);
     return std::any_of(symbols.begin(), symbols.end(), [](const std::string& name) {
-        return name.starts_with("right_s") || name.starts_with("left_s");
+        return name.starts_with("right_s") || name.starts_with("left_s") || name == "sig0";
     });
 }
 
@@ -73,18 +146,26 @@ void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger
         throw NotStated("variables of its own and several readings are not stated in Coq");
     }
     const Expr printed = claim.formula("says");
-    const Expr exact = claim.formula("of");
+    const Expr exact = load_of_integral(claim.formula("of"));
     if (is_same_for_all(printed, exact, claim.edge())) {
         throw NotStated(
             "the formula is the quantity itself, whatever the coefficients are: a theorem "
             "would contain no mechanics");
     }
     std::vector<SampledTheory> theories;
+    const auto profiles = profiles_of(ledger, claim.text("over"));
+    std::optional<Theory> form;
     if (is_of_shear(printed) || is_of_shear(exact)) {
         theories.push_back(
             sheared_contact(claim.edge(), {"sig0", "1", formula::Exact::parse("1")}));
+        form = theory_of_shear(claim.edge(), "sig0");
+    } else if (profiles.size() == 1) {
+        if (!are_of_the_form(claim, ledger)) {
+            throw NotStated("the Coq files have no theory of these contacts of the profile");
+        }
+        form = theory_of_form(profiles.front());
     }
-    for (const std::string& profile : profiles_of(ledger, claim.text("over"))) {
+    for (const std::string& profile : profiles) {
         for (SampledTheory& t : sampled_theories(profile)) {
             theories.push_back(std::move(t));
         }
@@ -93,7 +174,16 @@ void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger
         throw NotStated("the Coq files have no theory of the profile");
     }
     const std::string name = coq_name(claim.id);
+    const auto for_all = [&](const std::string& theorem, const Expr& formula) {
+        return form ? theorem_for_all(theorem, *form, formula, exact) : std::nullopt;
+    };
     if (!refuted) {
+        if (const auto all = for_all(name, printed)) {
+            certificate.text = file_head(claim, ledger, *form) + *all;
+            certificate.theorems = {{name, "for all contacts of this form, printed = exact"}};
+            certificate.whole_verdict = true;
+            return;
+        }
         const Theory& theory = theories.front().theory;
         certificate.text = file_head(claim, ledger, theory) + constants(theory.constants) +
                            theorem(name + "_agrees", theory, printed, exact, std::nullopt);
@@ -109,16 +199,27 @@ void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger
     }
     const Theory& theory = sample->theory;
     const std::string least = fraction_below(gap.least);
-    certificate.text = file_head(claim, ledger, theory) + constants(theory.constants) +
-                       theorem(name + "_refuted", theory, printed, exact, least);
+    const std::string refutation =
+        constants(theory.constants) + theorem(name + "_refuted", theory, printed, exact, least);
+    certificate.text = file_head(claim, ledger, theory);
     certificate.theorems = {
         {name + "_refuted", fmt::format("at one contact, |printed - exact| >= {}", least)}};
-    if (const auto corrected = correction(result)) {
+    certificate.whole_verdict = true; // for which one contact suffices
+    const auto corrected = correction(result);
+    const auto all = corrected ? for_all(name + "_corrected", *corrected) : std::nullopt;
+    if (all) {
+        // A module, so that the numbers of the refutation can have the names of the parameters.
+        certificate.text += "Module Correction.\n" + *all + "End Correction.\n\n" + refutation;
+        certificate.theorems.push_back(
+            {name + "_corrected", "for all contacts of this form, corrected = exact"});
+        return;
+    }
+    certificate.text += refutation;
+    if (corrected) {
         certificate.text += theorem(name + "_corrected", theory, *corrected, exact, std::nullopt);
         certificate.theorems.push_back(
             {name + "_corrected", "at the same contact, |corrected - exact| <= 1e-12 |exact|"});
     }
-    certificate.whole_verdict = true; // for which one contact suffices
     certificate.leaves_out = "that the correction holds for all contacts";
 }
 

@@ -69,6 +69,18 @@ TEST_CASE("the energy of a cycle by quadrature keeps its digits under little she
     }
 }
 
+TEST_CASE("the energy of a cycle in balls and by quadrature agree where slip passes a knot") {
+    const formula::Symbols x{"x"};
+    const Profile profile = Profile::piecewise_symmetric(
+        {scenes::exact("1/2")}, {formula::parse("x/10", x), formula::parse("x - 9/20", x)});
+    const Slipping s = slipping(profile, "1", "3/5", "9/10", "0", cycle_bits);
+    REQUIRE(certainly_less(s.slip->stick().a, Ball(Rational(1, 2), cycle_bits)));
+    const Real in_balls = cycle_energy(*s.of->closed_form(), *s.slip).midpoint();
+    CHECK(within(energy_in_real(s, profile, "1", "3/5", "9/10"), in_balls, "1e-24"));
+}
+
+TEST_SUITE_BEGIN("slow");
+
 TEST_CASE("the energy of a cycle by quadrature where slip passes corners") {
     const formula::Symbols x{"x"};
     const Profile profile = Profile::piecewise_symmetric(
@@ -79,12 +91,4 @@ TEST_CASE("the energy of a cycle by quadrature where slip passes corners") {
     CHECK(within(energy_in_real(s, profile, "1", "3/5", "99/100"), in_balls, "1e-24"));
 }
 
-TEST_CASE("the energy of a cycle in balls and by quadrature agree where slip passes a knot") {
-    const formula::Symbols x{"x"};
-    const Profile profile = Profile::piecewise_symmetric(
-        {scenes::exact("1/2")}, {formula::parse("x/10", x), formula::parse("x - 9/20", x)});
-    const Slipping s = slipping(profile, "1", "3/5", "9/10", "0", cycle_bits);
-    REQUIRE(certainly_less(s.slip->stick().a, Ball(Rational(1, 2), cycle_bits)));
-    const Real in_balls = cycle_energy(*s.of->closed_form(), *s.slip).midpoint();
-    CHECK(within(energy_in_real(s, profile, "1", "3/5", "9/10"), in_balls, "1e-24"));
-}
+TEST_SUITE_END();

@@ -69,7 +69,7 @@ Theory flat_and_rounded() {
     Theory theory = symmetric_punch("punch", "Part t 0 (1 / R0)", "((t + x) / 2)");
     theory.imports.emplace_back("FlatAndRounded");
     theory.integrals = {{"integral((Pi/2 - asin(t/s))*s/sqrt(s^2 - x^2), s, max(x, t), a)",
-                         "apply rounded_integral; positive"}};
+                         "is_improper_integral", "apply rounded_integral; positive"}};
     return theory;
 }
 
@@ -132,21 +132,75 @@ std::vector<SampledTheory> sampled_theories(std::string_view profile) {
     return {};
 }
 
-SampledTheory sheared_contact(contact::Edge edge, const Tension& tension) {
+std::optional<Theory> theory_of_form(std::string_view profile) {
+    if (profile == "tilted-wedge") {
+        Theory theory = tilted_wedge();
+        for (const char* name : {"Es", "phi", "gam", "a"}) {
+            theory.names.emplace(name, name);
+        }
+        theory.names.emplace("alpha", "(tilt phi gam)");
+        theory.pressure = {};
+        theory.all_of_form = {"Es phi gam a", "0 < phi /\\ 0 < gam /\\ 0 < a",
+                              "intros form. assert (0 < gam * a) by (apply Rmult_lt_0_compat; lra)",
+                              "identity_of_wedge a gam"};
+        return theory;
+    }
+    if (profile == "flat-and-rounded") {
+        const std::string parts = "Part t 0 (1 / R0)";
+        const std::string punch = fmt::format("(cons ({}) nil)", parts);
+        Theory theory = symmetric_punch(punch, parts, "((t + a) / 2)");
+        theory.constants.clear();
+        theory.imports.emplace_back("FlatAndRounded");
+        for (const char* name : {"Es", "t", "a"}) {
+            theory.names.emplace(name, name);
+        }
+        theory.names.emplace("R", "R0"); // R is Coq's type of real numbers
+        theory.pressure = {};
+        theory.all_of_form = {"Es t R0 a", "0 < t < a /\\ 0 < R0",
+                              "intros form. assert (0 < 1 / R0) by (apply Rdiv_lt_0_compat; lra)",
+                              "identity_of_rounded t a"};
+        return theory;
+    }
+    return std::nullopt;
+}
+
+namespace {
+
+Theory full_stick(contact::Edge edge, const std::string& tension) {
     Theory theory;
     theory.imports = {"Contact", "Coefficients", "Edges", "Tactics", "Shear", "Unique"};
     const bool right = edge == contact::Edge::right;
-    theory.names = {{"u", right ? "(a - x)" : "(b + x)"}, {"sig0", tension.name}, {"b", "b"}};
-    const std::string traction = fmt::format("(full_stick Q {} a b)", tension.name);
+    theory.names = {{"u", right ? "(a - x)" : "(b + x)"}, {"sig0", tension}, {"b", "b"}};
+    const std::string traction = fmt::format("(full_stick Q {} a b)", tension);
     theory.right_shear = {{"s0", "s1", "s2"},
                           fmt::format("is_the_right_shear_series {} a s0 s1 s2", traction),
                           "apply the_right_shear_series, right_shear; positive"};
     theory.left_shear = {{"v0", "v1", "v2"},
                          fmt::format("is_the_left_shear_series {} b v0 v1 v2", traction),
                          "apply the_left_shear_series, left_shear; positive"};
+    return theory;
+}
+
+} // namespace
+
+Theory theory_of_shear(contact::Edge edge, const std::string& tension) {
+    Theory theory = full_stick(edge, tension);
+    theory.names.emplace("a", "a");
+    theory.names.emplace("Q", "Q");
+    theory.names.erase("u");
+    theory.integrals = {{fmt::format("integral(Q/(Pi*sqrt((a - s)*(s + b))) + {}*(2*s + b - "
+                                     "a)/(8*sqrt((a - s)*(s + b))), s, -b, a)",
+                                     tension),
+                         "is_integral_between", "apply force_of_traction; lra"}};
+    theory.all_of_form = {"a b Q " + tension, "0 < a + b", "intros form", "identity_of_shear a b"};
+    return theory;
+}
+
+SampledTheory sheared_contact(contact::Edge edge, const Tension& tension) {
+    const bool right = edge == contact::Edge::right;
     // A wedge with these edges, so that the enclosures have the positions of the edges.
-    SampledTheory s = sampled(std::move(theory), "tilted-wedge", {{"a", "4"}, {"Q", "1"}}, "2",
-                              right ? "2/5" : "3/5");
+    SampledTheory s = sampled(full_stick(edge, tension.name), "tilted-wedge",
+                              {{"a", "4"}, {"Q", "1"}}, "2", right ? "2/5" : "3/5");
     s.theory.constants.push_back({"b", "1"});
     s.theory.constants.push_back({tension.name, tension.coq});
     for (const auto& [name, value] :

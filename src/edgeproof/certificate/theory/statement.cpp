@@ -24,15 +24,15 @@ void Statement::need(const Fact& fact, const std::string& what) {
 
 std::string Statement::integral(const formula::Expr& e, CoqNames names) {
     const std::string written = to_text(e);
-    for (const auto& [lemma, proof] : theory_.integrals) {
+    for (const auto& [lemma, is, proof] : theory_.integrals) {
         if (lemma == written) {
             const std::string& variable = e.arg(1).name();
             const std::string ends =
                 fmt::format("({}) ({})", coq_text(e.arg(2), names), coq_text(e.arg(3), names));
             names.insert_or_assign(variable, variable);
             need({{"l0"},
-                  fmt::format("is_improper_integral (fun {} => {}) {} l0", variable,
-                              coq_text(e.arg(0), names), ends),
+                  fmt::format("{} (fun {} => {}) {} l0", is, variable, coq_text(e.arg(0), names),
+                              ends),
                   proof},
                  "the integral");
             return "l0";
@@ -179,9 +179,9 @@ std::string constants(const std::vector<Constant>& all) {
         // A definition that uses others is unfolded before them.
         names = names.empty() ? c.name : c.name + ", " + names;
     }
-    return text + fmt::format("Ltac constants := unfold {} in *.\n"
+    return text + fmt::format("Ltac constants := {}.\n"
                               "Ltac positive := constants; repeat split; lra.\n\n",
-                              names);
+                              names.empty() ? "idtac" : fmt::format("unfold {} in *", names));
 }
 
 std::string assumptions(const std::vector<std::string>& theorems) {

@@ -3,6 +3,7 @@
 #include "edgeproof/audit/sample/audit_context.hpp"
 #include "edgeproof/certificate/theory/coq_text.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -40,9 +41,22 @@ struct Theory {
     Fact pressure;      ///< the pressure p0 at x
     /// The theorems assume a contact, which defines all names; they are not about one with numbers.
     bool assumes_contact = false;
-    /// Integrals in printed formulas for which there is a lemma: the integral in the syntax of
-    /// ledgers, and the proof that it equals l0.
-    std::vector<std::pair<std::string, std::string>> integrals;
+    /// For a theory of all contacts of a form: the parameters that a theorem is stated for, the
+    /// condition on them, the beginning of a proof, and the tactic that proves identities.
+    struct AllOfForm {
+        std::string parameters; ///< "a b Q sig0"
+        std::string condition;  ///< "0 < a + b"
+        std::string begin;      ///< "intros Hab"
+        std::string identity;   ///< "identity_of_shear a b"
+    };
+    std::optional<AllOfForm> all_of_form;
+    /// An integral in printed formulas for which there is a lemma.
+    struct Integral {
+        std::string integral; ///< in the syntax of ledgers
+        std::string is;       ///< what its value is: "is_improper_integral"
+        std::string proof;    ///< that it equals l0
+    };
+    std::vector<Integral> integrals;
 };
 
 /// A theory with numbers: a contact and a place in it for the counterexample or example of a claim.
@@ -51,6 +65,11 @@ struct SampledTheory {
     Theory theory;
     audit::Sample sample; ///< the same contact, for enclosures
 };
+
+/// The theory for all contacts of a profile, in its parameters; no value if there is none.
+[[nodiscard]] std::optional<Theory> theory_of_form(std::string_view profile);
+/// The same for full stick between any edges, whose tension has the given name.
+[[nodiscard]] Theory theory_of_shear(contact::Edge edge, const std::string& tension);
 
 /// The theory for all contacts, symmetric (b = a) or not, whose load and left edge are smooth
 /// functions of the right edge.

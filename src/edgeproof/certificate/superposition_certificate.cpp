@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/certificate/parts.hpp"
+#include "edgeproof/certificate/theory/statement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace edgeproof::certificate {
+namespace {
+
+using formula::Expr;
+
+/// A coefficient of the shear traction: "right_s1".
+struct Coefficient {
+    bool right = true;
+    std::size_t index = 0;
+};
+
+Coefficient coefficient(const Expr& e) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (const bool right : {true, false}) {
+            if (e == Expr::symbol(fmt::format("{}_s{}", right ? "right" : "left", k))) {
+                return {right, k};
+            }
+        }
+    }
+    throw NotStated(fmt::format("{} is not one of the first three coefficients of the shear "
+                                "traction",
+                                to_text(e)));
+}
+
+/// Returns the fact that `name`0 to `name`2 are the coefficients at an edge under these loads.
+Fact series(bool right, const std::string& name, std::string_view Q, std::string_view sig0) {
+    const std::string side = right ? "right" : "left";
+    return {{name + "0", name + "1", name + "2"},
+            fmt::format("is_the_{0}_shear_series (full_stick {1} {2} a b) {3} {4}0 {4}1 {4}2", side,
+                        Q, sig0, right ? "a" : "b", name),
+            fmt::format("apply the_{0}_shear_series, {0}_shear; lra", side)};
+}
+
+/// Returns "exists" and the facts, and their proofs.
+std::pair<std::string, std::string> exist(const std::vector<Fact>& facts) {
+    std::string unknowns;
+    std::string statements;
+    std::string begin;
+    std::string proofs;
+    for (const Fact& fact : facts) {
+        for (const std::string& unknown : fact.unknowns) {
+            unknowns += " " + unknown;
+            begin += "eexists. ";
+        }
+        statements += "  " + fact.statement + " /\\\n";
+        proofs += "  split. { " + fact.proof + ". }\n";
+    }
+    return {fmt::format("exists{},\n{}", unknowns, statements),
+            fmt::format("  {}\n{}", begin, proofs)};
+}
+
+Theory imports() {
+    Theory theory;
+    theory.imports = {"Contact", "Coefficients", "Edges", "Tactics", "Shear", "Unique"};
+    return theory;
+}
+
+} // namespace
+
+// The claim is that where one coefficient vanishes, the parts of another that the force and the
+// tension make have one sign ("add") or opposite signs ("subtract").
+void certify_superposition(const audit::ClaimResult& result, const audit::Ledger& ledger,
+                           Certificate& certificate) {
+    const audit::Claim& claim = result.claim;
+    if (result.outcome.verdict != audit::Verdict::confirmed || !claim.readings.empty() ||
+        !claim.has("when_zero")) {
+        throw NotStated("of superpositions, only those that are confirmed where another "
+                        "coefficient vanishes are stated");
+    }
+    const Coefficient of = coefficient(claim.formula("of"));
+    const Coefficient zero = coefficient(claim.formula("when_zero"));
+    const auto [facts, proof] =
+        exist({series(zero.right, "s", "Q", "sig0"), series(of.right, "t", "Q", "0"),
+               series(of.right, "v", "0", "sig0")});
+    const bool add = claim.text("says") == "add";
+    const std::string product = fmt::format("t{0} * v{0}", of.index);
+    const std::string name = coq_name(claim.id);
+    certificate.text =
+        file_head(claim, ledger, imports()) +
+        bare_theorem(name + " (a b Q sig0 : R)",
+                     fmt::format("0 < a + b /\\ Q <> 0 ->\n  {}  (s{} = 0 -> {})", facts,
+                                 zero.index, add ? "0 < " + product : product + " < 0"),
+                     "  intros form.\n" + proof + "  intros H. parts_by_sign H a b sig0.\n") +
+        assumptions({name});
+    certificate.theorems = {
+        {name, fmt::format("for all contacts under full stick, where {} = 0, the parts of {} by Q "
+                           "and by sig0 have {}",
+                           claim.text("when_zero"), claim.text("of"),
+                           add ? "the same sign" : "opposite signs")}};
+    certificate.whole_verdict = true;
+}
+
+} // namespace edgeproof::certificate

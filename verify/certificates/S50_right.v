@@ -1,0 +1,25 @@
+(* Claim S50.right of the ledger moore-hills, lines 410 to 410 of its source.
+   Printed: and this occurs at the side of the contact where the effects of applied shear force and differential tension are additive
+   Says: add *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Tactics Shear Unique.
+Open Scope R_scope.
+
+Theorem S50_right (a b Q sig0 : R) : 0 < a + b /\ Q <> 0 ->
+  exists s0 s1 s2 t0 t1 t2 v0 v1 v2,
+  is_the_right_shear_series (full_stick Q sig0 a b) a s0 s1 s2 /\
+  is_the_right_shear_series (full_stick Q 0 a b) a t0 t1 t2 /\
+  is_the_right_shear_series (full_stick 0 sig0 a b) a v0 v1 v2 /\
+  (s1 = 0 -> 0 < t0 * v0).
+Proof.
+  intros form.
+  eexists. eexists. eexists. eexists. eexists. eexists. eexists. eexists. eexists. 
+  split. { apply the_right_shear_series, right_shear; lra. }
+  split. { apply the_right_shear_series, right_shear; lra. }
+  split. { apply the_right_shear_series, right_shear; lra. }
+  intros H. parts_by_sign H a b sig0.
+Qed.
+Definition all_theorems := (S50_right).
+Print Assumptions all_theorems.

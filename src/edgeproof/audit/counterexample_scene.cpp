@@ -7,6 +7,7 @@
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace edgeproof::audit {
 namespace {
@@ -28,6 +29,20 @@ double effort_of_text(const Exact& value) {
                                : 20 + static_cast<double>(value.text().size());
 }
 
+/// Computes the parameters that depend on others (t = a*2/5) from the present values of these,
+/// except those in `kept`.
+void compute_dependent(SceneSpec& scene, const Family& family,
+                       const std::set<std::string_view>& kept) {
+    formula::Definitions given;
+    for (const auto& [name, texts] : family.parameters) {
+        const bool dependent = !free_symbols(texts.front()).empty() && !kept.contains(name);
+        given.emplace(name, dependent ? texts.front() : scene.parameter(name).expr());
+    }
+    for (const auto& [name, value] : put_into_each_other(given)) {
+        scene.parameters.insert_or_assign(name, Exact(value));
+    }
+}
+
 /// Returns the drawn scene with simpler numbers: a, C, Es and R are 1 if the family gives them as
 /// numbers, and the parameters that depend on others (t = a*2/5) are computed from them.
 SceneSpec simplest_scene(const SceneSpec& drawn, const Family& family) {
@@ -40,16 +55,7 @@ SceneSpec simplest_scene(const SceneSpec& drawn, const Family& family) {
             scene.parameters.insert_or_assign(name, Exact::parse("1"));
         }
     }
-    for (const auto& [name, texts] : family.parameters) {
-        formula::Expr e = texts.front();
-        if (free_symbols(e).empty()) {
-            continue;
-        }
-        for (const auto& [other, value] : scene.parameters) {
-            e = substitute(e, other, value.expr());
-        }
-        scene.parameters.insert_or_assign(name, Exact(e));
-    }
+    compute_dependent(scene, family, {});
     return scene;
 }
 
@@ -293,6 +299,7 @@ std::optional<Evidence> integral_counterexample(const RefutedReading& refuted,
     if (sample.scene.parameters.contains("t")) {
         sample.scene.parameters.insert_or_assign("t", Exact::parse("1"));
     }
+    compute_dependent(sample.scene, context.ledger().family(sample.scene.family), {"a", "t"});
     sample.fraction = Exact::parse("1/2");
     Evidence found;
     found.add("with", numbers_of(sample.scene).add("x", "0"))

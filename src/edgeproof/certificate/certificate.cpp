@@ -166,6 +166,9 @@ Certificate certify(const audit::ClaimResult& result, const audit::Ledger& ledge
         if (kind == kinds.end()) {
             throw NotStated(fmt::format("claims of kind {} are not stated", result.claim.kind));
         }
+        if (result.claim.has("over") && ledger.family(result.claim.text("over")).axisymmetric) {
+            throw NotStated("axisymmetric contacts are not stated");
+        }
         kind->second(result, ledger, certificate);
     } catch (const NotStated& reason) {
         certificate.theorems.clear();

@@ -65,7 +65,11 @@ struct EnclosedSample::State {
     // The quantities of quantity_names.hpp.
     [[nodiscard]] Ball left_edge() const { return contact().b(); }
     [[nodiscard]] Ball length() const { return contact().a() + contact().b(); }
-    [[nodiscard]] Ball force() const { return contact().force(); }
+    [[nodiscard]] bool axisymmetric() const { return sample.scene.axisymmetric; }
+    [[nodiscard]] Ball force() const {
+        return axisymmetric() ? ball_of(sample.scene.total_force(), bits) : contact().force();
+    }
+    [[nodiscard]] Ball approach() const { return ball_of(sample.scene.approach(), bits); }
     [[nodiscard]] Ball moment() const { return contact().moment(); }
     [[nodiscard]] Ball force_derivative(std::size_t k) const {
         if (k == 1 && contact().closed_form() == nullptr) {
@@ -247,6 +251,9 @@ Ball EnclosedSample::State::call(const Expr& node, std::span<const Ball> args) c
     }
     if (name == "g1") {
         return slope(args[0]);
+    }
+    if (name == "gap") {
+        return gap_at(closed_form(name), axisymmetric(), args[0]);
     }
     if (name == "right_local") {
         return local(contact::Edge::right, node, args);

@@ -118,9 +118,10 @@ Condition parse_condition(std::string_view text, const Vocabulary& vocabulary) {
 formula::Expr expand_definitions(const formula::Expr& e, const Vocabulary& vocabulary) {
     std::vector<std::string> replacing;
     formula::Expr result = expanded(e, vocabulary, replacing);
-    for (const std::string& name : free_symbols(result)) {
-        if (const auto it = vocabulary.refused.find(name); it != vocabulary.refused.end()) {
-            throw InputError(it->second.problem, it->second.instead);
+    const std::set<std::string> names = free_symbols(result);
+    for (const auto& [name, refusal] : vocabulary.refused) {
+        if (names.contains(name) || holds_call(result, name)) {
+            throw InputError(refusal.problem, refusal.instead);
         }
     }
     return result;

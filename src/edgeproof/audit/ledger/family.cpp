@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/family.hpp"
 
+#include "edgeproof/contact/axisymmetric/axisymmetric_power_law.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/formula/expr.hpp"
@@ -153,7 +154,20 @@ const formula::Exact& SceneSpec::parameter(std::string_view name) const {
     return it->second;
 }
 
-contact::Profile SceneSpec::make_profile() const { return maker_of(profile).make(*this); }
+contact::Profile SceneSpec::make_profile() const {
+    const Profile made = maker_of(profile).make(*this);
+    return axisymmetric ? contact::AxisymmetricPowerLaw::of(made).plane() : made;
+}
+
+formula::Exact SceneSpec::total_force() const {
+    return contact::AxisymmetricPowerLaw::of(maker_of(profile).make(*this))
+        .force(parameter("Es"), parameter("a"));
+}
+
+formula::Exact SceneSpec::approach() const {
+    return contact::AxisymmetricPowerLaw::of(maker_of(profile).make(*this))
+        .approach(parameter("a"));
+}
 
 contact::ProvedSlip SceneSpec::partial_slip(long bits) const {
     return {make_profile(),
@@ -215,6 +229,7 @@ std::vector<SceneSpec> draw_scenes(const Family& family, const std::vector<Famil
         SceneSpec scene;
         scene.family = family.name;
         scene.profile = family.profile;
+        scene.axisymmetric = family.axisymmetric;
         const formula::Definitions parameters = resolved(family, chosen);
         for (const auto& [name, value] : parameters) {
             scene.parameters.emplace(name, formula::Exact(value));

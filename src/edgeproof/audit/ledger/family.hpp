@@ -26,9 +26,16 @@ struct SceneSpec {
     /// For the profile "piecewise": slopes as functions of x between ascending knots.
     std::vector<formula::Exact> knots;
     std::vector<formula::Expr> slopes;
+    /// True for a body of revolution, a power law with x for the radius (docs/axisymmetric.md).
+    bool axisymmetric = false;
 
     [[nodiscard]] const formula::Exact& parameter(std::string_view name) const;
+    /// Returns the profile; for a body of revolution that of the plane contact with the same
+    /// pressure.
     [[nodiscard]] contact::Profile make_profile() const;
+    /// The total force P and the approach delta of a body of revolution.
+    [[nodiscard]] formula::Exact total_force() const;
+    [[nodiscard]] formula::Exact approach() const;
     /// True if there is friction: then q(x) is the traction in partial slip.
     [[nodiscard]] bool slips() const { return parameters.contains("friction"); }
     /// Returns the enclosed partial slip. Throws as ProvedSlip does.
@@ -42,6 +49,7 @@ struct SceneSpec {
 struct Family {
     std::string name;
     std::string profile;
+    bool axisymmetric = false; ///< as in SceneSpec
     std::vector<std::pair<std::string, std::vector<formula::Expr>>> parameters;
     std::vector<formula::Expr> knots;
     std::vector<formula::Expr> slopes;

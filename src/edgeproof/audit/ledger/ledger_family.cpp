@@ -22,8 +22,8 @@ class FamilyReader {
 public:
     FamilyReader(const io::TomlSection& table, const std::string& file)
         : table_(table), file_(file) {
-        table_.allow(
-            {"name", "profile", "parameters", "knots", "slopes", "u", "count", "points", "union"});
+        table_.allow({"name", "profile", "geometry", "parameters", "knots", "slopes", "u", "count",
+                      "points", "union"});
         family_.line = table_.line();
         family_.name = table_.written("name");
     }
@@ -49,6 +49,10 @@ public:
                 table_.reject("union", "there is no family '" + member + "' above",
                               "name families that are defined above the union");
             }
+            if (std::ranges::find(above, member, &Family::name)->axisymmetric) {
+                table_.reject("union", "the family '" + member + "' is axisymmetric",
+                              "name families of plane contacts only");
+            }
         }
         return std::move(family_);
     }
@@ -60,6 +64,7 @@ private:
     void read_own() {
         family_.profile = table_.written("profile");
         static_cast<void>(profile_keys(family_.profile)); // throws for an unknown profile
+        read_geometry();
         const std::size_t longest = read_parameters();
         read_shear();
         formula::Symbols with_x = names_;
@@ -77,6 +82,22 @@ private:
         family_.count = table_.has("count") ? table_.count("count", 1, most_scenes)
                                             : std::max<std::size_t>(longest, 8);
         family_.points = table_.has("points") ? table_.count("points", 1, most_points) : 1;
+    }
+
+    void read_geometry() {
+        const std::string geometry = table_.has("geometry") ? table_.written("geometry") : "plane";
+        family_.axisymmetric = geometry == "axisymmetric";
+        if (!family_.axisymmetric && geometry != "plane") {
+            table_.reject("geometry", "unknown geometry '" + geometry + "'",
+                          "write plane or axisymmetric");
+        }
+        if (family_.axisymmetric && family_.profile != "power-law") {
+            table_.reject("geometry",
+                          "of the bodies of revolution a family has power laws only, and the "
+                          "profile is " +
+                              family_.profile,
+                          "write profile = \"power-law\" (sphere: m = 1, C = 1/R; cone: m = 0)");
+        }
     }
 
     /// Returns the length of the longest list.
@@ -116,10 +137,11 @@ private:
     }
 
     /// Refuses a parameter that would hide a value computed by the scene.
-    static void refuse_computed(const io::TomlSection& parameters, const std::string& name) {
+    void refuse_computed(const io::TomlSection& parameters, const std::string& name) const {
         const bool given = name == "a" || name == "Es";
         const bool computed = std::ranges::find(scene_symbols(), name) != scene_symbols().end() ||
-                              std::ranges::find(slip_symbols(), name) != slip_symbols().end();
+                              std::ranges::find(slip_symbols(), name) != slip_symbols().end() ||
+                              (family_.axisymmetric && name == "delta");
         if (computed && !given) {
             parameters.reject(name,
                               name + " is computed from the other parameters and the place: a "
@@ -129,6 +151,14 @@ private:
     }
 
     void read_shear() const {
+        for (const char* shear : {"friction", "Q", "sig0"}) {
+            if (family_.axisymmetric && family_.has(shear)) {
+                throw InputError("the family " + family_.name + " is axisymmetric: " + shear +
+                                     " has no effect on it",
+                                 "leave it out, or give it another name")
+                    .at(file_, family_.lines.at(shear));
+            }
+        }
         if (family_.has("friction") && !family_.has("Q")) {
             throw InputError(
                 "the family " + family_.name + " has friction and no Q: nothing slips",

@@ -94,6 +94,32 @@ void refuse_names(Vocabulary& v, const Friction& friction, const std::string& fa
     }
 }
 
+/// Of a body of revolution, P is the total force, delta the approach, and p(x) the pressure;
+/// refuses the other quantities of the plane contact with the same pressure, and the kinds of claim
+/// that use them.
+void refuse_plane_names(Vocabulary& v, const Claim& claim, const std::string& family) {
+    const std::set<std::string_view> kinds{"definition", "value", "relation", "figure"};
+    if (!kinds.contains(claim.kind)) {
+        claim.reject("over",
+                     "family " + family + " is axisymmetric, and claim " + claim.id +
+                         " is of kind " + claim.kind,
+                     "write kind = \"value\", \"relation\" or \"figure\", or use a plane family");
+    }
+    const std::set<std::string_view> known{"a", "Es", "P", "u", "x", "L", "p", "gap"};
+    const auto refuse = [&](const std::string& name) {
+        if (!known.contains(name) && !name.starts_with("right_c") && !name.starts_with("left_c")) {
+            v.refused[name] = {"'" + dotted(name) +
+                                   "' is not available in the axisymmetric family " + family,
+                               "use a, Es, P (the total force), delta (the approach), u, x, p(x), "
+                               "gap(x) or right.c0, right.c1, ..."};
+        }
+    };
+    std::ranges::for_each(scene_symbols(), refuse);
+    for (const auto& [name, arity] : scene_functions()) {
+        refuse(name);
+    }
+}
+
 /// Splits "F(s)" into a function name and its argument; "gam" has no argument.
 std::pair<std::string, std::optional<std::string>> signature(const std::string& key) {
     const std::size_t open = key.find('(');
@@ -183,6 +209,10 @@ Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim) {
             parameters.insert(name);
         }
         refuse_names(v, friction_of(ledger, *it), over);
+        if (it->axisymmetric) {
+            add_name(v.symbols, "delta");
+            refuse_plane_names(v, claim, over);
+        }
     }
     const auto add = [&](std::string_view key, const std::string& name) {
         try {
@@ -250,7 +280,7 @@ bool is_full_stick_symbol(std::string_view name) {
 const std::vector<std::pair<std::string, unsigned>>& scene_functions() {
     static const std::vector<std::pair<std::string, unsigned>> functions{
         {"p", 1},    {"g1", 1},          {"Pof", 1},        {"P1of", 1}, {"bof", 1},
-        {"binv", 1}, {"right_local", 2}, {"left_local", 2}, {"q", 1}};
+        {"binv", 1}, {"right_local", 2}, {"left_local", 2}, {"q", 1},    {"gap", 1}};
     return functions;
 }
 
@@ -266,22 +296,18 @@ struct Word {
     std::string_view topic;
 };
 /// In lower case; the first match is used.
-constexpr std::array words{Word{"sig0", false, ""},           Word{"sig", true, below},
-                           Word{"tau", true, below},          Word{"sxx", false, below},
-                           Word{"syy", false, below},         Word{"szz", false, below},
-                           Word{"sxy", false, below},         Word{"sxz", false, below},
-                           Word{"s_", true, below},           Word{"mises", true, below},
-                           Word{"von_mises", true, below},    Word{"vonmises", true, below},
-                           Word{"tresca", true, below},       Word{"j2", false, below},
-                           Word{"y", false, below},           Word{"z", false, below},
-                           Word{"depth", true, below},        Word{"sphere", true, point},
-                           Word{"ball", true, point},         Word{"ellips", true, point},
-                           Word{"ellipt", true, point},       Word{"circular", true, point},
-                           Word{"cone", true, point},         Word{"parabol", true, point},
-                           Word{"axisymmetric", true, point}, Word{"point", true, point},
-                           Word{"mu", false, sliding},        Word{"mu_", true, sliding},
-                           Word{"friction", true, sliding},   Word{"slip", true, sliding},
-                           Word{"stick", true, sliding},      Word{"coulomb", true, sliding}};
+constexpr std::array words{
+    Word{"sig0", false, ""},         Word{"sig", true, below},       Word{"tau", true, below},
+    Word{"sxx", false, below},       Word{"syy", false, below},      Word{"szz", false, below},
+    Word{"sxy", false, below},       Word{"sxz", false, below},      Word{"s_", true, below},
+    Word{"mises", true, below},      Word{"von_mises", true, below}, Word{"vonmises", true, below},
+    Word{"tresca", true, below},     Word{"j2", false, below},       Word{"y", false, below},
+    Word{"z", false, below},         Word{"depth", true, below},     Word{"sphere", true, point},
+    Word{"ball", true, point},       Word{"ellips", true, point},    Word{"ellipt", true, point},
+    Word{"circular", true, point},   Word{"cone", true, point},      Word{"parabol", true, point},
+    Word{"point", true, point},      Word{"mu", false, sliding},     Word{"mu_", true, sliding},
+    Word{"friction", true, sliding}, Word{"slip", true, sliding},    Word{"stick", true, sliding},
+    Word{"coulomb", true, sliding}};
 
 } // namespace
 
@@ -314,12 +340,19 @@ InputError with_scope(const InputError& error) {
                               "it is something else")
                 .at(error.file(), error.line());
         }
-        if (topic) {
-            return InputError(problem + ": " + std::string(*topic) +
-                                  " is outside what Edgeproof computes",
-                              "it computes p(x) and q(x) of plane contacts, their "
-                              "edges, forces and expansions at the edges; leave the claim out, or "
-                              "define the name if it is something else")
+        if (topic == below) {
+            return InputError(
+                       problem + ": formulas have no names for stresses below the surface",
+                       "write them as integrals of p(s), as in docs/references.md, or define "
+                       "the name if it is something else")
+                .at(error.file(), error.line());
+        }
+        if (topic == point) {
+            return InputError(problem + ": a body of revolution is a family with geometry = "
+                                        "\"axisymmetric\"",
+                              "write P, delta, p(x) and gap(x) over such a family (a power law; "
+                              "elliptical contacts are not computed), or define the name if it is "
+                              "something else")
                 .at(error.file(), error.line());
         }
     }

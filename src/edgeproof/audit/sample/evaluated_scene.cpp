@@ -175,6 +175,9 @@ Real EvaluatedSceneState::call(const std::string& name, std::span<const Real> ar
     if (name == "q") {
         return traction(at_place(s) ? *place : place_of_x(s));
     }
+    if (name == "gap") {
+        return gap(s);
+    }
     if (name == "right_local" || name == "left_local") {
         const contact::Edge edge =
             name == "right_local" ? contact::Edge::right : contact::Edge::left;

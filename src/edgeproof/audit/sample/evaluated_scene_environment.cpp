@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/sample/evaluated_scene_environment.hpp"
+#include "edgeproof/audit/sample/quantity_names.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -147,6 +148,16 @@ Real EvaluatedSceneState::of_slip(const std::function<Ball(const contact::Proved
                           " bits do not enclose the partial slip");
     }
     return at_working_precision(best->midpoint());
+}
+
+Real EvaluatedSceneState::gap(const Real& x) const {
+    if (!contact::BallContact::has_closed_form(profile)) {
+        throw Error("'gap' of a curved slope has no enclosure");
+    }
+    const long bits = 2 * formula::bits_for(precision.integrand());
+    const contact::BallContact enclosed(profile, spec.parameter("Es"),
+                                        contact::Load::right_edge(spec.parameter("a")), bits);
+    return at_working_precision(gap_at(enclosed, spec.axisymmetric, Ball(x, bits)).midpoint());
 }
 
 Real EvaluatedSceneState::traction(const Place& at) {

@@ -65,7 +65,9 @@ struct EvaluatedSceneState {
     // The quantities of quantity_names.hpp.
     Real left_edge() { return here().extent.b; }
     Real length() { return here().extent.length(); }
-    Real force() { return contact.force(); }
+    [[nodiscard]] bool axisymmetric() const { return spec.axisymmetric; }
+    Real force() { return spec.axisymmetric ? spec.total_force().to<Real>() : contact.force(); }
+    [[nodiscard]] Real approach() const { return spec.approach().to<Real>(); }
     Real moment() { return contact.moment(); }
     Real force_derivative(std::size_t k) {
         return contact.force_derivative(static_cast<unsigned>(k));
@@ -95,6 +97,8 @@ struct EvaluatedSceneState {
     [[nodiscard]] Place place_of_x(const Real& x) const;
     /// Returns the middle of the enclosure of a quantity of partial slip.
     Real of_slip(const std::function<Ball(const contact::ProvedSlip&)>& quantity);
+    /// Returns the middle of the enclosure of the gap at x > a.
+    [[nodiscard]] Real gap(const Real& x) const;
     /// Returns q(x), under partial slip if the scene has friction.
     Real traction(const Place& at);
 };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
+#include "edgeproof/contact/stress/surface_gap.hpp"
+#include "edgeproof/precision/error.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -24,6 +27,7 @@ namespace edgeproof::audit {
 /// balls. Returns the value of a name, or nothing for other names. `of` has the values:
 ///   left_edge(), length(), force(), moment(), force_derivative(k), left_edge_derivative(k),
 ///   coefficient(edge, k) of the pressure, shear_coefficient(edge, k) under full stick,
+///   axisymmetric(), and for bodies of revolution approach(),
 ///   slips(), and for scenes that slip, slip_size(edge) and stick_edge(edge).
 template <class Quantities>
 [[nodiscard]] auto named_quantity(Quantities& of, std::string_view name)
@@ -36,6 +40,9 @@ template <class Quantities>
     }
     if (name == "P") {
         return of.force();
+    }
+    if (of.axisymmetric() && name == "delta") {
+        return of.approach();
     }
     if (name == "M") {
         return of.moment();
@@ -72,6 +79,17 @@ template <class T> [[nodiscard]] T sum_of_terms(std::span<const T> c, const T& u
         sum = sum * u + c[k];
     }
     return sum * sqrt(u);
+}
+
+/// Returns the gap (length) at x > a (length), right of the contact.
+[[nodiscard]] inline Ball gap_at(const contact::BallContact& contact, bool axisymmetric,
+                                 const Ball& x) {
+    const Ball beyond = x - contact.a();
+    if (!certainly_positive(beyond)) {
+        throw DomainError("the gap at a place that may be inside the contact");
+    }
+    return axisymmetric ? axisymmetric_gap(contact, beyond)
+                        : gap_beyond(contact, contact::Edge::right, beyond);
 }
 
 } // namespace edgeproof::audit

@@ -2,34 +2,6 @@
 #include "edgeproof/scene/input/readers.hpp"
 
 namespace edgeproof::scene {
-namespace {
-
-using formula::Expr;
-
-/// Gamma((m + 1)/2)/Gamma(m/2 + 1); for whole m up to 100 without the gamma function, from
-/// sqrt(pi) and 2/sqrt(pi) by Gamma(x + 1) = x Gamma(x) (DLMF 5.5.1).
-Expr gamma_ratio(const Expr& m) {
-    const Rational* q = m.rational();
-    if (q == nullptr || denominator(*q) != 1 || *q > 100) {
-        return Expr::call("gamma", {(m + whole(1)) / whole(2)}) /
-               Expr::call("gamma", {m / whole(2) + whole(1)});
-    }
-    const long n = q->convert_to<long>();
-    const Expr root = Expr::call("sqrt", {Expr::pi()});
-    Expr ratio = n % 2 == 0 ? root : whole(2) / root;
-    for (long k = n % 2 + 2; k <= n; k += 2) {
-        ratio = ratio * whole(k - 1) / whole(k);
-    }
-    return ratio;
-}
-
-/// P/a^(m + 2) of a power law.
-Expr force_factor(const Scene& scene) {
-    const auto& [kappa, m] = *scene.round->law;
-    return whole(2) * scene.contact_modulus.expr() * (m + whole(1)) * kappa / (m + whole(2));
-}
-
-} // namespace
 
 bool is_axisymmetric(const io::TomlSection& profile) {
     if (!profile.has("geometry")) {
@@ -43,8 +15,6 @@ bool is_axisymmetric(const io::TomlSection& profile) {
     return geometry == "axisymmetric";
 }
 
-// docs/axisymmetric.md, "Power laws": with h(s) = s integral_0^s g'(r)/sqrt(s^2 - r^2) dr = kappa
-// s^(m+1), the pressure is that of a plane contact whose P'(s) is E* h'(s).
 void make_axisymmetric(const io::TomlSection& profile, const io::TomlSection& load, Scene& scene) {
     if (!scene.profile || !scene.profile->symmetric() ||
         (scene.profile->kind() != contact::Profile::Kind::power_law &&
@@ -60,13 +30,8 @@ void make_axisymmetric(const io::TomlSection& profile, const io::TomlSection& lo
     const formula::Exact given = scene.load.value;
     scene.round = Axisymmetric{{}, {}, load.has("delta") ? "from delta" : "given"};
     if (power_law) {
-        const Expr m = scene.profile->parameters().at("m").expr();
-        const Expr C = scene.profile->parameters().at("C").expr();
-        const Expr ratio = gamma_ratio(m);
-        scene.round->law =
-            Axisymmetric::Law{C * Expr::call("sqrt", {Expr::pi()}) * ratio / whole(2), m};
-        scene.profile = contact::Profile::power_law(
-            formula::Exact(C * (m + whole(1)) * ratio * ratio / whole(2)), formula::Exact(m));
+        scene.round->law = contact::AxisymmetricPowerLaw::of(*scene.profile);
+        scene.profile = scene.round->law->plane();
     } else {
         scene.profile = scene.profile->revolved();
     }
@@ -79,14 +44,12 @@ void make_axisymmetric(const io::TomlSection& profile, const io::TomlSection& lo
         scene.load = contact::Load::approach(given);
     }
     if (power_law) {
-        const auto& [kappa, m] = *scene.round->law;
-        const Expr a =
-            load.has("delta") ? pow(given.expr() / kappa, whole(1) / (m + whole(1))) : given.expr();
-        scene.round->force = formula::Exact(force_factor(scene) * pow(a, m + whole(2)));
+        const formula::Exact a = load.has("delta") ? scene.round->law->radius_at(given) : given;
+        scene.round->force = scene.round->law->force(scene.contact_modulus, a);
         if (!scene.round->approach) {
-            scene.round->approach = formula::Exact(kappa * pow(a, m + whole(1)));
+            scene.round->approach = scene.round->law->approach(a);
         }
-        scene.load = contact::Load::right_edge(formula::Exact(a));
+        scene.load = contact::Load::right_edge(a);
     }
 }
 
@@ -95,10 +58,9 @@ void set_total_force(Scene& scene, const formula::Exact& P) {
     scene.round->force = P;
     scene.load = contact::Load::force(P);
     if (scene.round->law) {
-        const auto& [kappa, m] = *scene.round->law;
-        const Expr a = pow(P.expr() / force_factor(scene), whole(1) / (m + whole(2)));
-        scene.round->approach = formula::Exact(kappa * pow(a, m + whole(1)));
-        scene.load = contact::Load::right_edge(formula::Exact(a));
+        const formula::Exact a = scene.round->law->radius(scene.contact_modulus, P);
+        scene.round->approach = scene.round->law->approach(a);
+        scene.load = contact::Load::right_edge(a);
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/axisymmetric/axisymmetric_power_law.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/routes/extent.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"
@@ -90,15 +91,10 @@ struct Radii {
 /// (docs/axisymmetric.md). The force and the approach are those of a power law, or as given; those
 /// of other profiles are computed with the contact.
 struct Axisymmetric {
-    /// A power law: delta = kappa a^(m + 1).
-    struct Law {
-        formula::Expr kappa;
-        formula::Expr m;
-    };
     std::optional<formula::Exact> force;    ///< P, the total force
     std::optional<formula::Exact> approach; ///< delta (length)
     const char* size_from;                  ///< the route of a: "given", "from P" or "from delta"
-    std::optional<Law> law = {};
+    std::optional<contact::AxisymmetricPowerLaw> law = {};
 };
 
 /// A scene as its file gives it: exact, complete, and checked as far as possible without solving

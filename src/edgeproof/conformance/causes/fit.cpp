@@ -97,48 +97,52 @@ WrongRows wrong_rows(const Answers& answers, const Agreements& agreements,
     return rows;
 }
 
-std::optional<Fit> fit_of(const WrongRows& rows, const std::vector<std::optional<Real>>& values,
-                          double noise, const FitRule& rule) {
+Fit remainder_of(const WrongRows& rows, const std::vector<std::optional<Real>>& values,
+                 const FitRule& rule) {
     Fit fit;
-    std::vector<double> before; // |answer/ours - 1|
-    std::vector<double> change; // |value/ours - 1|
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const Real& value = values[k] ? *values[k] : rows.ours[k];
         const auto relative = [](const Real& x, const Real& y) {
             return std::clamp(Real(x / y - 1).convert_to<double>(), -1e300, 1e300);
         };
         fit.off.push_back(relative(rows.answers[k], value));
-        before.push_back(std::abs(relative(rows.answers[k], rows.ours[k])));
-        change.push_back(values[k] ? std::abs(relative(value, rows.ours[k])) : 0);
-    }
-    if (rows.size() < least_rows) {
-        return {};
+        fit.before.push_back(std::abs(relative(rows.answers[k], rows.ours[k])));
+        fit.change.push_back(values[k] ? std::abs(relative(value, rows.ours[k])) : 0);
     }
     fit.held = sorted_at(absolute(fit.off), least_share);
     fit.scatter = of_a_deviation * sorted_at(absolute(fit.off), 0.5);
-    // A few rows of much scatter agree with some named factor by chance.
-    if (!(fit.held <= (rows.size() < rows_for_scatter ? most_remainder : most_scatter))) {
-        return {};
-    }
     fit.noise_like = is_noise_like(rows, fit.off, fit.held);
-    std::vector<double> left;
-    std::vector<double> left_before;
-    std::size_t changed = 0;
     for (std::size_t k = 0; k < rows.size(); ++k) {
-        const bool changes = change[k] > std::max(same_value, rule.change * fit.scatter);
+        const bool changes = fit.change[k] > std::max(same_value, rule.change * fit.scatter);
         const bool follows = std::abs(fit.off[k]) <= std::max(same_value, of_held * fit.held);
-        changed += changes ? 1 : 0;
-        fit.explains.push_back(changes && follows);
-        if (changes) {
-            left.push_back(fit.off[k]);
-            left_before.push_back(before[k]);
-        }
+        fit.changes.push_back(changes);
         if (changes && follows) {
             ++fit.rows;
             fit.worst = std::max(fit.worst, std::abs(fit.off[k]));
         }
     }
-    if (!enough(fit.rows, changed)) {
+    return fit;
+}
+
+std::optional<Fit> fit_of(const WrongRows& rows, const std::vector<std::optional<Real>>& values,
+                          double noise, const FitRule& rule) {
+    if (rows.size() < least_rows) {
+        return {};
+    }
+    Fit fit = remainder_of(rows, values, rule);
+    // A few rows of much scatter agree with some named factor by chance.
+    if (!(fit.held <= (rows.size() < rows_for_scatter ? most_remainder : most_scatter))) {
+        return {};
+    }
+    std::vector<double> left;
+    std::vector<double> left_before;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        if (fit.changes[k]) {
+            left.push_back(fit.off[k]);
+            left_before.push_back(fit.before[k]);
+        }
+    }
+    if (!enough(fit.rows, left.size())) {
         return {};
     }
     const double few = 1 / static_cast<double>(left.size());

@@ -30,8 +30,10 @@ struct WrongRows {
 /// What remains of the relative errors of a group if a cause is corrected.
 struct Fit {
     std::vector<double> off;    ///< answer over the value of the cause, minus 1, of each row
-    std::vector<bool> explains; ///< the cause changes the row, and the row follows it
-    std::size_t rows = 0;       ///< of these
+    std::vector<double> before; ///< |answer over ours, minus 1|
+    std::vector<double> change; ///< |value of the cause over ours, minus 1|
+    std::vector<bool> changes;  ///< the cause changes the row clearly
+    std::size_t rows = 0;       ///< those changed clearly that follow the cause
     double worst = 0;           ///< the largest |off| of these
     double held = 0;            ///< the |off| that nine of ten rows do not exceed
     double scatter = 0;         ///< the standard deviation, from the median of the absolute values
@@ -63,7 +65,11 @@ struct FitRule {
 inline constexpr FitRule same_as_another{1.5, 2};
 
 /// Compares the answers with the values of a cause; rows without a value are not changed by it.
-/// Returns a fit if nine of ten rows follow it, if it leaves less than a quarter of the error of
+/// There must be one row or more.
+[[nodiscard]] Fit remainder_of(const WrongRows& rows,
+                               const std::vector<std::optional<Real>>& values,
+                               const FitRule& rule = {});
+/// Returns the remainder if nine of ten rows follow it, if it leaves less than a quarter of the error of
 /// the rows that it changes (less if they are few), and if these rows have no common factor other
 /// than 1 left, within four standard errors (more if they are few): another cause may have nearly
 /// the same effect. If the remainder is smooth and not noise, half its size is allowed for that,

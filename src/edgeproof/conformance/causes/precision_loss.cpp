@@ -18,7 +18,8 @@ namespace edgeproof::conformance {
 namespace {
 
 constexpr double least_digits_kept = 5.5;
-constexpr unsigned binary32_digits = 9; // identify every binary32
+constexpr unsigned binary32_digits = 9;         // identify every binary32
+constexpr unsigned binary32_decimal_digits = 6; // every such decimal is identified by a binary32
 constexpr unsigned full_digits = 15;
 
 /// Counts the significant digits of a decimal as written; 0 for any other text.
@@ -51,14 +52,17 @@ unsigned digits_carried(const Answer& answer) {
     return std::min(digits_written(answer.text), static_cast<unsigned>(last - first));
 }
 
-/// True if the answer is a binary32, or one written with the few digits that identify it.
+/// True if the answer is a binary32, or one written with the few digits that identify it. A short
+/// decimal is no evidence: every one survives in binary32.
 bool is_single(const Answer& answer) {
+    const unsigned digits = digits_written(answer.text);
+    if (digits > 0 && digits_carried(answer) <= binary32_decimal_digits) {
+        return false;
+    }
     const auto near = answer.value.convert_to<float>();
     if (static_cast<double>(near) == answer.value.convert_to<double>()) {
-        // A short decimal such as 0.5 is no evidence.
-        return digits_written(answer.text) == 0 || digits_written(answer.text) > 4;
+        return true;
     }
-    const unsigned digits = digits_written(answer.text);
     const std::string text = fmt::format("{:.{}e}", static_cast<double>(near), binary32_digits - 1);
     return digits > 0 && digits <= binary32_digits && read_answer(text).value == answer.value;
 }

@@ -243,6 +243,31 @@ TEST_CASE("causes: an unknown error has none, and the error of a mesh is no mist
     CHECK(scatter.diagnosis->at_edges_only);
     CHECK(scatter.diagnosis->largest_inside);
     CHECK(scatter.diagnosis->causes.empty());
+    // Corners and middles of the sides of quadratic elements: the middles 24 % too large, or both
+    // off by a fifth in opposite directions.
+    for (const double corner : {1.0, 0.8}) {
+        CAPTURE(corner);
+        const double middle = corner == 1 ? 1.24 : 1.2;
+        const FileComparison quadratic =
+            diagnosed([&](double x) { return right.p(x) * (++node % 2 == 0 ? middle : corner); });
+        REQUIRE(quadratic.diagnosis);
+        REQUIRE(quadratic.diagnosis->causes.size() == 1);
+        CHECK(quadratic.diagnosis->causes[0].name == "mid-side-nodes");
+        CHECK((quadratic.diagnosis->causes[0].what.find("1.24 times") != std::string::npos) ==
+              (corner == 1));
+    }
+    // m and Pa, where the scene has mm and MPa.
+    std::string si = "x,p\n";
+    for (int i = -80; i <= 80; ++i) {
+        char row[80];
+        std::snprintf(row, sizeof row, "%.17g,%.17g\n", i * a / 60e3, 1e6 * right.p(i * a / 60));
+        si += row;
+    }
+    const FileComparison in_si =
+        compare_file(parse_result(si, "r"), exact, {}, Rational(0), &suspects);
+    REQUIRE(in_si.diagnosis);
+    REQUIRE(in_si.diagnosis->causes.size() == 1);
+    CHECK(in_si.diagnosis->causes[0].name == "si-units");
     // Right data are not diagnosed.
     CHECK_FALSE(diagnosed([&](double x) { return right.p(x); }).diagnosis);
 }

@@ -150,6 +150,14 @@ TEST_CASE("half of a symmetric contact") {
     const FileComparison left = compared(table(even_places(-2, 0, 32), p), within(1e-12));
     CHECK(left.data.half == Edge::left);
     CHECK(left.passes());
+    // Data that begin beyond the middle are a part of the contact, not its half.
+    for (const auto& [from, to] : {std::pair{-0.3 * a, 2.0}, std::pair{-2.0, 0.3 * a}}) {
+        Tolerances part = within(1e-12);
+        part.partial = true;
+        const FileComparison file = compared(table(even_places(from, to, 32), p), part);
+        CHECK_FALSE(file.data.half);
+        CHECK(file.passes());
+    }
 }
 
 TEST_CASE("tolerances of a, P and c_0: a contact of another size fails in each") {

@@ -178,10 +178,53 @@ TEST_CASE("results that cannot be read: one line, with the place") {
         begins(refusal("x,p,pressure\n1,2,3\n4,5,6\n"), "r.csv:1: columns 2 and 3 may both be p"));
     CHECK(begins(refusal("x,p\n0,5,1,5\n1,5,1,0\n"), "r.csv:1: the header names 2 columns"));
     CHECK(begins(refusal("0,5, 1,5\n1,5, 1,0\n"), "r.csv:1: commas may be decimal"));
-    CHECK(begins(refusal("\xFF\xFEx"), "r.csv:1: the file is in UTF-16"));
+    CHECK(contains_text(refusal("n,u,v\n1,2,3\n4,5,6\n"),
+                        "--columns x=N, one of 1 (n), 2 (u), 3 (v)"));
+    CHECK(contains_text(refusal("x,p,pressure\n1,2,3\n4,5,6\n"), "--columns p=2 or p=3"));
+    CHECK(begins(refusal("\xFF\xFEx"), "r.csv: the file is in UTF-16 with an incomplete"));
+    // Half of a pair of UTF-16.
+    CHECK(begins(refusal(std::string("\xFF\xFE\x00\xD8x\x00", 6)), "r.csv: the file is in UTF-16"));
     CHECK(contains_text(refusal("x,p\n1,2\n2,3\n", with_columns("x=1,p=3")), "no such column"));
     CHECK(
         contains_text(refusal("x,p\n1,2\n2,3\n", with_columns("x=1,p=1")), "one column is taken"));
+}
+
+TEST_CASE("results: tables as Workbench, COMSOL and Code_Aster write them") {
+    check_three(parsed_result("Node Number\tX Location (mm)\tY Location (mm)\tPressure (MPa)\n"
+                              "1\t-0.5\t0\t1\n2\t0\t0\t1.5\n3\t0.5\t0\t1\n",
+                              in_mm_and_MPa()));
+    check_three(parsed_result("% Model,hertz.mph\n% x (m),solid.Tn (N/m^2)\n"
+                              "-5e-4,1e6\n0,1.5e6\n5e-4,1e6\n",
+                              in_mm_and_MPa()));
+    check_three(parsed_result("#TABLE\n INST NOEUD COOR_X COOR_Y LAGS_C\n"
+                              " 1.0 N1 -0.5 0 1\n 1.0 N2 0 0 1.5\n 1.0 N3 0.5 0 1\n"));
+}
+
+TEST_CASE("results: of several load steps at the same places the last is compared") {
+    const std::string rows = "1,-0.5,7\n1,0,8\n1,0.5,7\n2,-0.5,1\n2,0,1.5\n2,0.5,1\n";
+    const ResultTable last = parsed_result("Step,x,p\n" + rows);
+    check_three(last);
+    CHECK(found(last, "column 1 has 2 steps: the last, '2', is compared"));
+    CHECK(last.rows[1].line == 6);
+    // A column of another name does not divide the rows, and neither do steps at other places.
+    CHECK(parsed_result("part,x,p\n" + rows).rows.size() == 6);
+    check_three(parsed_result("time,x,p\n1,-0.5,1\n2,0,1.5\n3,0.5,1\n"));
+}
+
+TEST_CASE("results: UTF-16 with a byte order mark is read as the same text in UTF-8") {
+    // The micro sign, and a letter beyond 16 bits (U+1D465 is D835 DC65).
+    const std::u16string text =
+        u"# \u00B5 \u2202 \xD835\xDC65\r\nx,p\r\n-0.5,1\r\n0,1.5\r\n0.5,1\r\n";
+    for (const bool big_endian : {false, true}) {
+        std::string bytes = big_endian ? "\xFE\xFF" : "\xFF\xFE";
+        for (const char16_t c : text) {
+            const char high = static_cast<char>(c >> 8);
+            const char low = static_cast<char>(c & 0xFF);
+            bytes += big_endian ? high : low;
+            bytes += big_endian ? low : high;
+        }
+        check_three(parsed_result(bytes));
+    }
 }
 
 TEST_CASE("results: blanks separate the columns, and a name has several words") {

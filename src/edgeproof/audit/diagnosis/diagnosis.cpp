@@ -88,7 +88,7 @@ void diagnose(const RefutedFormula& refuted, Outcome& outcome) {
         }
     }
     if (refuted.derived && accept(refuted, *refuted.derived, outcome)) {
-        outcome.note = "no single edit makes it right; the derived form is given";
+        outcome.note = "no edit makes it right; the derived form is given";
         outcome.evidence.add("derived_instead", true);
         return;
     }

@@ -25,6 +25,9 @@ public:
             node_ = at(formula_, path);
             edit_node();
         }
+        path_.clear();
+        node_ = formula_;
+        throughout();
         std::stable_sort(edits_.begin(), edits_.end(),
                          [](const Edit& x, const Edit& y) { return x.cost < y.cost; });
         std::unordered_set<formula::Expr, formula::ExprHash> seen{formula_};
@@ -106,10 +109,56 @@ private:
         if (!is_exponent() && node_.kind() != Kind::number) {
             powers();
         }
+        if (node_.height() >= 2) {
+            exchange_names();
+        }
         if (is_term()) {
             factors();
             if (node_.kind() != Kind::neg && !is_exponent()) {
                 put(-node_, "sign", 1);
+            }
+        }
+    }
+
+    /// Changes the same thing at every place of a part of the formula: two names exchanged, such as
+    /// a and b in a kernel.
+    void exchange_names() {
+        std::vector<std::string> written;
+        for (const std::string& name : alphabet_.symbols) {
+            if (holds_symbol(node_, name)) {
+                written.push_back(name);
+            }
+        }
+        const std::string between = "_"; // no name of a ledger
+        for (std::size_t i = 0; i < written.size(); ++i) {
+            for (std::size_t k = i + 1; k < written.size(); ++k) {
+                const auto name = [](const std::string& n) { return formula::Expr::symbol(n); };
+                put(substitute(substitute(substitute(node_, written[i], name(between)), written[k],
+                                          name(written[i])),
+                               between, name(written[k])),
+                    "names exchanged", 4);
+            }
+        }
+    }
+
+    /// Changes a name everywhere: another name, a lost exponent, a half or a double of it.
+    void throughout() {
+        for (const std::string& name : alphabet_.symbols) {
+            if (!holds_symbol(formula_, name)) {
+                continue;
+            }
+            const auto everywhere = [&](const formula::Expr& value, const char* what) {
+                put(substitute(formula_, name, value), what, 4);
+            };
+            const formula::Expr x = formula::Expr::symbol(name);
+            everywhere(pow(x, whole(2)), "exponent throughout");
+            everywhere(formula::Expr::call("sqrt", {x}), "root throughout");
+            everywhere(whole(2) * x, "factor missing throughout");
+            everywhere(x / whole(2), "factor missing throughout");
+            for (const std::string& other : alphabet_.symbols) {
+                if (other != name) {
+                    everywhere(formula::Expr::symbol(other), "symbol throughout");
+                }
             }
         }
     }
@@ -171,6 +220,10 @@ private:
         put(plus ? y : -y, "term too many", 3);
         // -(x + y) for -x + y: the sign applies to the first term only, or to both.
         put(plus ? -x + y : -x - y, "sign", 1);
+        if (x.kind() == Kind::symbol && y.kind() == Kind::symbol) {
+            const formula::Expr squares[] = {pow(x, whole(2)), pow(y, whole(2))};
+            put(plus ? squares[0] + squares[1] : squares[0] - squares[1], "exponents", 3);
+        }
     }
 
     void call() {
@@ -181,8 +234,10 @@ private:
             return;
         }
         using Pair = std::pair<std::string_view, std::string_view>;
-        static constexpr std::array<Pair, 7> swaps{{{"sin", "cos"},
+        static constexpr std::array<Pair, 9> swaps{{{"sin", "cos"},
                                                     {"asin", "acos"},
+                                                    {"atan", "asin"},
+                                                    {"sin", "tan"},
                                                     {"right_local", "left_local"},
                                                     {"bof", "binv"},
                                                     {"Pof", "P1of"},
@@ -195,6 +250,20 @@ private:
                         name == one ? other : one,
                         std::vector<formula::Expr>(node_.args().begin(), node_.args().end())),
                     "function", 2);
+            }
+        }
+        // Degrees for radians, in an angle or in the argument of a function.
+        const formula::Expr degree = formula::Expr::pi() / whole(180);
+        for (const std::string_view of_angle : {"sin", "cos", "tan"}) {
+            if (node_.name() == of_angle) {
+                put(formula::Expr::call(of_angle, {node_.arg(0) * degree}), "degrees", 3);
+                put(formula::Expr::call(of_angle, {node_.arg(0) / degree}), "degrees", 3);
+            }
+        }
+        for (const std::string_view angle : {"asin", "acos", "atan"}) {
+            if (node_.name() == angle) {
+                put(node_ * degree, "degrees", 3);
+                put(node_ / degree, "degrees", 3);
             }
         }
         if (node_.builtin() == formula::Builtin::abs) {

@@ -180,6 +180,70 @@ bool explains(const Fit& fit, double allowance, double unexplained) {
     return fit.is_scatter(allowance) && fit.left < share_left * unexplained;
 }
 
+/// Every second node, from the first or the second one.
+std::pair<Observed, Suspect> every_second(const Observed& data, const Suspect& right,
+                                          std::size_t first) {
+    Observed part{{data.nodes.data, {}}, {}, data.element, data.corners};
+    Suspect values{right.name, right.what, right.a, right.b, {}};
+    for (std::size_t i = first; i < data.nodes.size(); i += 2) {
+        part.nodes.nodes.push_back(data.nodes.nodes[i]);
+        part.values.push_back(data.values[i]);
+        values.values.push_back(right.values[i]);
+    }
+    return {std::move(part), std::move(values)};
+}
+
+/// Means over three neighbours, with weights 1/4, 1/2 and 1/4.
+std::pair<Observed, Suspect> means_of_three(const Observed& data, const Suspect& right) {
+    Observed part{{data.nodes.data, {}}, {}, 2 * data.element, data.corners};
+    Suspect values{right.name, right.what, right.a, right.b, {}};
+    const auto mean = [](const std::vector<double>& v, std::size_t i) {
+        return (v[i - 1] + 2 * v[i] + v[i + 1]) / 4;
+    };
+    for (std::size_t i = 1; i + 1 < data.nodes.size(); ++i) {
+        part.nodes.nodes.push_back(data.nodes.nodes[i]);
+        part.values.push_back(mean(data.values, i));
+        values.values.push_back(mean(right.values, i));
+    }
+    return {std::move(part), std::move(values)};
+}
+
+/// Recognises data that alternate from node to node, as those at the corners and in the middles of
+/// the sides of quadratic elements do: every second node is right, or the means over neighbours
+/// are. Noise does not become three times smaller by either.
+std::optional<Cause> alternation(const Observed& data, const Suspect& right, double allowance,
+                                 double unexplained) {
+    if (data.nodes.size() != data.nodes.data.nodes.size()) {
+        return {}; // only some nodes are used
+    }
+    for (const std::size_t first : {0U, 1U}) {
+        const auto [part, values] = every_second(data, right, first);
+        const auto fit = fit_of(part, values);
+        if (fit && explains(*fit, allowance, unexplained)) {
+            const auto [others, other_values] = every_second(data, right, 1 - first);
+            return Cause{
+                "mid-side-nodes",
+                fmt::format("every second node is right, and the others are {:.3g} times that: "
+                            "corners and middles of the sides of quadratic elements",
+                            median_ratio(others, other_values.values)),
+                1,
+                fit->left,
+                {}};
+        }
+    }
+    const auto [part, values] = means_of_three(data, right);
+    const auto fit = fit_of(part, values);
+    if (fit && explains(*fit, allowance, unexplained)) {
+        return Cause{"mid-side-nodes",
+                     "p alternates about the right one from node to node: corners and middles of "
+                     "the sides of quadratic elements; give means over neighbours",
+                     1,
+                     fit->left,
+                     {}};
+    }
+    return {};
+}
+
 Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
                             const std::vector<Suspect>& suspects) {
     Diagnosis diagnosis;
@@ -199,6 +263,11 @@ Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
         }
     }
     rank(diagnosis.causes);
+    if (diagnosis.causes.empty() && as_it_is) {
+        if (auto cause = alternation(data, right, allowance, diagnosis.unexplained)) {
+            diagnosis.causes.push_back(std::move(*cause));
+        }
+    }
     if (!diagnosis.causes.empty()) {
         diagnosis.noise = diagnosis.causes.front().scatter;
     } else if (as_it_is && !diagnosis.at_edges_only) {

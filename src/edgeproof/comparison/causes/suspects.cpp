@@ -146,6 +146,10 @@ private:
             scale("power-of-ten", std::pow(10.0, n));
             scale("power-of-ten", std::pow(10.0, -n));
         }
+        const double origin = nodes_.data.origin;
+        add("si-units", "x in m and p in Pa, for mm and MPa: --scale x=1e3,p=1e-6",
+            exact_.a().value / 1000 - origin, exact_.b().value / 1000 + origin,
+            [&](std::size_t i) { return 1e6 * pressure(exact_, 1000 * (nodes_[i].x + origin)); });
         scale("unit-inch", 25.4);
         scale("unit-inch", 1 / 25.4);
         scale("full-width-for-half", 2);

@@ -17,10 +17,12 @@ struct KnownNames {
 };
 
 // Abaqus: COORD1, CPRESS, CSHEAR1; COORD.COOR1 in its reports. ANSYS: CONT,PRES. CalculiX: CONTACT
-// STRESS. ParaView: Points:0.
+// STRESS. ParaView: Points:0. ANSYS Workbench: X Location. Code_Aster: COOR_X, LAGS_C. COMSOL:
+// solid.Tn.
 constexpr KnownNames known_names[] = {
     {"x", ColumnRole::place, 1},
-    {"x1 coord1 coor1 coordcoor1 xcoord xcoordinate coordx coordinatex xcoor xpos xposition xloc",
+    {"x1 coord1 coor1 coordcoor1 xcoord xcoordinate coordx coordinatex xcoor xpos xposition xloc "
+     "xlocation coorx",
      ColumnRole::place, 2},
     {"points0 pointsx", ColumnRole::place, 3},
     {"position pos coordinate coord", ColumnRole::place, 4},
@@ -30,7 +32,7 @@ constexpr KnownNames known_names[] = {
     {"p cpress pressure contactpressure contpres contpress", ColumnRole::pressure, 1},
     {"pcontact normalpressure contactstress normaltraction tractionnormal normalstress",
      ColumnRole::pressure, 2},
-    {"tn pn pres press", ColumnRole::pressure, 3},
+    {"tn pn pres press solidtn lagsc", ColumnRole::pressure, 3},
     {"sigman sn", ColumnRole::pressure, 4},
     {"s22 sy syy sigmayy sigmay", ColumnRole::pressure, 5},
     {"q cshear1 cshear", ColumnRole::shear, 1},
@@ -42,7 +44,10 @@ constexpr KnownNames known_names[] = {
 constexpr std::string_view other_names =
     "node nodelabel nodenumber nodeno nodeid element elem elementlabel elementnumber elementid "
     "label number no id partinstance partinstancename y z ycoord ycoordinate zcoord zcoordinate "
-    "coordinatey coordinatez cstatus copen gap status";
+    "coordinatey coordinatez cstatus copen gap status ylocation zlocation noeud coory coorz";
+/// Columns that number the steps of a computation, or give their time.
+constexpr std::string_view step_names =
+    "step stepnumber stepid loadstep substep time steptime inst increment inc frame numordre";
 constexpr std::size_t most_words_of_a_name = 4; // for example "True distance along path"
 constexpr std::size_t most_words_of_a_header = 64;
 
@@ -58,9 +63,15 @@ bool has_word(std::string_view words, std::string_view word) {
     });
 }
 
+} // namespace
+
+bool is_step_name(std::string_view plain_name) { return has_word(step_names, plain_name); }
+
+namespace {
+
 bool is_known(const std::string& written) {
     const std::string plain = read_column_name(written).plain;
-    return role_of(plain).has_value() || has_word(other_names, plain);
+    return role_of(plain).has_value() || is_step_name(plain) || has_word(other_names, plain);
 }
 
 /// True for a word that does not occur in prose.

@@ -155,6 +155,12 @@ private:
             text_.reject(header_line_, "one column is taken for two quantities",
                          "name them by --columns x=1,p=2");
         }
+        const auto step = std::ranges::find_if(header_, [](const Cell& name) {
+            return is_step_name(read_column_name(name.text).plain);
+        });
+        if (step != header_.end()) {
+            found_.step = at_column(static_cast<std::size_t>(step - header_.begin()));
+        }
         find_units();
         found_.findings.push_back(fmt::format("columns: x is {}, p is {}{}; {} separate them",
                                               column_text(found_.x), column_text(found_.p),
@@ -178,7 +184,8 @@ private:
                 text_.reject(header_line_,
                              fmt::format("columns {} and {} may both be {}",
                                          *found->second.index + 1, *found->second.twin + 1, key),
-                             "name the right one by --columns x=1,p=2");
+                             fmt::format("name the right one: --columns {0}={1} or {0}={2}", key,
+                                         *found->second.index + 1, *found->second.twin + 1));
             }
             return at_column(*found->second.index);
         }
@@ -199,7 +206,17 @@ private:
             header_.empty()
                 ? fmt::format("the rows have {} columns and no header names them", text_.size)
                 : fmt::format("no column has the name {} or a usual name for it", key),
-            "name the columns by --columns x=1,p=2");
+            header_.empty() ? "name the columns by --columns x=1,p=2" : proposal(key));
+    }
+    /// The columns of the header, to choose from.
+    [[nodiscard]] std::string proposal(const char* key) const {
+        constexpr std::size_t most = 12;
+        std::string list;
+        for (std::size_t i = 0; i < std::min(header_.size(), most); ++i) {
+            list += fmt::format("{}{} ({})", i > 0 ? ", " : "", i + 1, printable(header_[i].text));
+        }
+        return fmt::format("give its number by --columns {}=N, one of {}{}", key, list,
+                           header_.size() > most ? ", ..." : "");
     }
     [[nodiscard]] UsedColumn at_column(std::size_t index) const {
         return {index,

@@ -55,11 +55,11 @@ struct ResultText {
                              const std::string& instead) const;
 };
 
-/// Reads a text in UTF-8, with or without a byte order mark, whose lines end in LF, CR LF or CR,
-/// and finds the separator of the rows. Of rows of several lengths, the most frequent length of
-/// the first hundred is used. Throws InputError for a text that is empty, in UTF-16 or with a zero
-/// byte, if no row has two numbers or more, and if commas may be decimal or separators and the
-/// header does not decide.
+/// Reads a text in UTF-8, with or without a byte order mark, or in UTF-16 with one, whose lines end
+/// in LF, CR LF or CR, and finds the separator of the rows. Of rows of several lengths, the most
+/// frequent length of the first hundred is used. Throws InputError for a text that is empty, with
+/// an incomplete character of UTF-16 or a zero byte, if no row has two numbers or more, and if
+/// commas may be decimal or separators and the header does not decide.
 [[nodiscard]] ResultText result_text(std::string_view text, const std::string& file);
 
 /// Returns half a unit of the last digit of each number of a column. Numbers with an exponent have
@@ -81,6 +81,7 @@ struct TableHeader {
     UsedColumn x;
     UsedColumn p;
     std::optional<UsedColumn> q;
+    std::optional<UsedColumn> step;    ///< of several load steps
     std::vector<std::string> findings; ///< notes on how they were found
 };
 

@@ -16,6 +16,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace edgeproof::comparison {
 namespace {
@@ -161,7 +163,41 @@ private:
             q_texts_.push_back(*number_of(cells[header_.q->index], text_.separator));
             row.q = value(line, q_texts_.back(), header_.p.factor);
         }
+        if (header_.step) {
+            const bool given = header_.step->index < cells.size();
+            steps_.push_back(given ? cells[header_.step->index].text : "");
+        }
         table_.rows.push_back(std::move(row));
+    }
+
+    /// Of several load steps at the same places, keeps the rows of the last.
+    void keep_last_step() {
+        auto& rows = table_.rows;
+        std::set<Rational> places;
+        std::ranges::for_each(rows, [&](const ResultRow& row) { places.insert(row.x); });
+        const std::set<std::string> steps(steps_.begin(), steps_.end());
+        if (steps.size() < 2 || places.size() == rows.size()) {
+            return;
+        }
+        const std::string last = steps_.back();
+        const auto keep_last = [&](auto& list) {
+            std::size_t kept = 0;
+            for (std::size_t i = 0; i < list.size(); ++i) {
+                if (steps_[i] == last) {
+                    std::swap(list[kept++], list[i]);
+                }
+            }
+            list.resize(kept);
+        };
+        keep_last(rows);
+        keep_last(x_texts_);
+        keep_last(p_texts_);
+        if (header_.q) {
+            keep_last(q_texts_);
+        }
+        table_.findings.push_back(fmt::format("column {} has {} steps: the last, {}, is compared",
+                                              header_.step->index + 1, steps.size(),
+                                              shown_cell(last)));
     }
 
     [[nodiscard]] bool is_even() const {
@@ -174,6 +210,9 @@ private:
 
     void finish() {
         auto& rows = table_.rows;
+        if (!rows.empty() && header_.step) {
+            keep_last_step();
+        }
         if (rows.size() < 2) {
             text_.reject(
                 rows.empty() ? 0 : rows.front().line,
@@ -229,6 +268,7 @@ private:
     std::vector<std::string> x_texts_;
     std::vector<std::string> p_texts_;
     std::vector<std::string> q_texts_;
+    std::vector<std::string> steps_; ///< of each row
     std::size_t skipped_ = 0;
     std::size_t first_skipped_ = 0;
 };

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <string_view>
@@ -26,7 +27,7 @@ public:
 
     AlignedResult align(const std::optional<Rational>& given) {
         const auto support = support_of(points_);
-        find_half(support);
+        find_half(support, given ? given->convert_to<double>() : 0);
         if (given) {
             result_.origin = given->convert_to<double>();
             exact_origin_ = Real(*given);
@@ -56,9 +57,18 @@ private:
         }
     }
 
-    /// A mesh of half of a symmetric contact ends where p is high.
-    void find_half(const std::optional<Support>& support) {
+    /// A mesh of half of a symmetric contact ends where p is high, and not beyond the middle.
+    void find_half(const std::optional<Support>& support, double origin) {
         if (!support || !exact_.symmetric() || support->left_falls == support->right_falls) {
+            return;
+        }
+        const std::size_t last = points_.size() - 1;
+        const auto [end, next, other] = support->right_falls
+                                            ? std::array<std::size_t, 3>{0, 1, last}
+                                            : std::array<std::size_t, 3>{last, last - 1, 0};
+        const double beyond = points_[end].x - origin;
+        const bool both_sides = beyond * (points_[other].x - origin) < 0;
+        if (both_sides && std::abs(beyond) > std::abs(points_[next].x - points_[end].x)) {
             return;
         }
         result_.half = support->right_falls ? contact::Edge::right : contact::Edge::left;

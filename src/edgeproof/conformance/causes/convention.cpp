@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -109,6 +110,8 @@ std::vector<Convention> merged(const std::vector<Convention>& found) {
     return merged;
 }
 
+constexpr int rank_of_constant = 3;
+
 /// A cause that explains a group.
 struct Likely {
     std::string name;
@@ -120,6 +123,7 @@ struct Likely {
     bool contradicted = false;
     double doubtful = 0; ///< the uncertainty of the common ratio
     Fit fit;
+    std::optional<std::size_t> reading = {}; ///< `factor` times the values of it, or times ours
 };
 struct Explained {
     Group group;
@@ -187,6 +191,7 @@ public:
                 }
             }
         }
+        add_causes_of_others();
         std::vector<Convention> found;
         for (Explained& explained : explained_) {
             found.push_back(convention(explained));
@@ -220,11 +225,10 @@ private:
 
     /// The fit of a reading to some rows, and if it fits these, to all.
     [[nodiscard]] std::optional<Fit> fit(std::size_t reading, const WrongRows& some,
-                                         const WrongRows& all, const FitRule& rule) {
-        const auto fit = fit_of(some, values(reading, some.questions), noise_, rule);
-        return fit && some.size() < all.size()
-                   ? fit_of(all, values(reading, all.questions), noise_, rule)
-                   : fit;
+                                         const WrongRows& all) {
+        const auto fit = fit_of(some, values(reading, some.questions), noise_);
+        return fit && some.size() < all.size() ? fit_of(all, values(reading, all.questions), noise_)
+                                               : fit;
     }
 
     /// True if a reading of the contact would have made a quantity wrong that is right.
@@ -245,8 +249,8 @@ private:
     }
 
     /// Adds the named factors between the answers and these values.
-    void add_factors(const WrongRows& rows, const Values& values, const std::string& ours,
-                     const char* other_name, const char* other_hint, Explained& to) {
+    void add_factors(const WrongRows& rows, const Values& values,
+                     std::optional<std::size_t> swapped, Explained& to) {
         const auto ratio = common_ratio(rows, values);
         if (!ratio) {
             return;
@@ -255,19 +259,13 @@ private:
             if (abs(Real(ratio->value / factor.value - 1)) > most_scatter) {
                 continue;
             }
-            Values scaled = values;
-            for (auto& value : scaled) {
-                if (value) {
-                    *value *= factor.value;
-                }
-            }
-            if (auto fit = fit_of(rows, scaled, noise_)) {
-                const bool other = other_name != nullptr;
-                to.likely.push_back({other ? other_name : factor.name, factor.words + ours,
-                                     other ? other_hint : factor.hint,
+            if (auto fit = fit_of(rows, times(values, factor.value), noise_)) {
+                const std::string ours = swapped ? "ours at the other edge" : "ours";
+                to.likely.push_back({swapped ? "edges-swapped" : factor.name, factor.words + ours,
+                                     swapped ? "left taken for right, and a factor" : factor.hint,
                                      factor.value.convert_to<double>(),
-                                     factor.common && !other ? 0 : 2, false, false,
-                                     4 * ratio->error, std::move(*fit)});
+                                     factor.common && !swapped ? 0 : 2, false, false,
+                                     4 * ratio->error, std::move(*fit), swapped});
             }
         }
     }
@@ -276,25 +274,63 @@ private:
         return {rows.ours.begin(), rows.ours.end()};
     }
 
+    [[nodiscard]] Likely likely(std::size_t reading, Fit fit) {
+        const Reading& r = readings_[reading];
+        const bool refuted = contradicted(reading, fit);
+        const int rank = r.name.starts_with("factor") ? 2 : 1;
+        return {r.name, r.relation, r.hint, 1, rank, true, refuted, 0, std::move(fit), reading};
+    }
+
     /// Adds the readings that explain the rows: mistakes in the data of a contact and in the value
     /// only if these are all failing rows of the quantity.
-    void add_readings(const WrongRows& some, const WrongRows& all, const FitRule& rule,
-                      Explained& to) {
-        const bool of_all = all.size() == rows_of_family_.at(to.group.family);
-        const bool swapped_too = rule.gain == FitRule{}.gain;
+    void add_readings(const WrongRows& some, const WrongRows& all, Explained& to) {
+        const bool whole = is_whole(to.group);
         for (std::size_t r = 0; r < readings_.size(); ++r) {
-            const Reading& reading = readings_[r];
-            if (auto fitted = of_all || reading.place ? fit(r, some, all, rule) : std::nullopt) {
-                const bool refuted = contradicted(r, *fitted);
-                const bool as_factor = reading.name.starts_with("factor");
-                to.likely.push_back({reading.name, reading.relation, reading.hint, 1,
-                                     as_factor ? 2 : 1, true, refuted, 0, std::move(*fitted)});
-            } else if (swapped_too && reading.name == "edges-swapped" &&
+            if (auto fitted = whole || readings_[r].place ? fit(r, some, all) : std::nullopt) {
+                to.likely.push_back(likely(r, std::move(*fitted)));
+            } else if (readings_[r].name == "edges-swapped" &&
                        common_ratio(some, values(r, some.questions))) {
-                add_factors(all, values(r, all.questions), "ours at the other edge",
-                            "edges-swapped", "left taken for right, and a factor", to);
+                add_factors(all, values(r, all.questions), r, to);
             }
         }
+    }
+
+    /// Adds the readings that fit the rows as well as the causes found, however little they change:
+    /// the answers do not distinguish them. If the answers have noise, it may hide what a mistake
+    /// in the data of a contact does to other rows of the quantity.
+    void add_undistinguished(const WrongRows& some, const WrongRows& all, Explained& to) {
+        if (to.likely.empty()) {
+            return;
+        }
+        const double unit = unit_of(to);
+        std::vector<double> found;
+        for (const Likely& l : to.likely) {
+            found.push_back(misfit(remainder_of(some, values_of(l, some)), unit));
+        }
+        const double most =
+            *std::ranges::min_element(found) + indistinguishable_misfit(to.likely.front().fit);
+        for (std::size_t r = 0; r < readings_.size(); ++r) {
+            const bool known = std::ranges::any_of(
+                to.likely, [&](const Likely& l) { return l.reading == r && l.factor == 1; });
+            const bool possible = is_whole(to.group) || readings_[r].place || unit > same_value;
+            if (known || !possible) {
+                continue;
+            }
+            Fit fit = remainder_of(some, values(r, some.questions));
+            if (misfit(fit, unit) <= most) {
+                to.likely.push_back(likely(r, some.size() < all.size()
+                                                  ? remainder_of(all, values(r, all.questions))
+                                                  : std::move(fit)));
+            }
+        }
+    }
+
+    [[nodiscard]] bool is_whole(const Group& group) const {
+        return group.rows.size() == rows_of_family_.at(group.family);
+    }
+    [[nodiscard]] Values values_of(const Likely& cause, const WrongRows& rows) {
+        return times(cause.reading ? values(*cause.reading, rows.questions) : all_of(rows),
+                     cause.factor);
     }
 
     [[nodiscard]] Explained by_name(const Group& group) {
@@ -302,8 +338,9 @@ private:
         const WrongRows all = wrong_rows(answers_, agreements_, group.rows);
         const WrongRows some =
             wrong_rows(answers_, agreements_, evenly(group.rows, most_rows_tried));
-        add_factors(all, all_of(all), "ours", nullptr, "", explained);
-        add_readings(some, all, {}, explained);
+        add_factors(all, all_of(all), {}, explained);
+        add_readings(some, all, explained);
+        add_undistinguished(some, all, explained);
         keep_best(explained);
         add_doubt(all, explained);
         return explained;
@@ -315,23 +352,23 @@ private:
                 ratio.text() + " times ours",
                 "a constant of proportionality that differs; scale by its inverse",
                 ratio.value.convert_to<double>(),
-                3,
+                rank_of_constant,
                 false,
                 false,
                 0,
                 std::move(fit)};
     }
-    [[nodiscard]] std::optional<Fit> fit_of_constant(const WrongRows& rows,
-                                                     const Real& value) const {
-        Values scaled = all_of(rows);
-        for (auto& scaled_value : scaled) {
-            *scaled_value *= value;
+    [[nodiscard]] static Values times(Values values, const Real& factor) {
+        for (auto& value : values) {
+            if (value) {
+                *value *= factor;
+            }
         }
-        return fit_of(rows, scaled, noise_);
+        return values;
     }
-    /// A constant without a name: only if the answers scatter about it from point to point, or no
-    /// more than those of the other quantities, so that it is one to the accuracy of the answers.
-    /// Other quantities that have the same factor within their scatter get it as a likely cause.
+    /// A constant without a name: only of all failing rows of a quantity, and only if the answers
+    /// scatter about it from point to point, or no more than those of the other quantities, so that
+    /// it is one to the accuracy of the answers.
     [[nodiscard]] Explained by_constant(const Group& group) {
         Explained explained{group, {}};
         const WrongRows all = wrong_rows(answers_, agreements_, group.rows);
@@ -339,26 +376,43 @@ private:
         if (!ratio || abs(Real(ratio->value - 1)) < std::max(least_constant, 3 * noise_)) {
             return explained;
         }
-        auto fit = fit_of_constant(all, ratio->value);
+        auto fit = fit_of(all, times(all_of(all), ratio->value), noise_);
         const double unscattered = std::max(same_value, 3 * noise_);
-        if (fit && fit->noise_like.value_or(fit->held <= unscattered) &&
+        if (fit && (is_whole(group) || fit->held <= same_value) &&
+            fit->noise_like.value_or(fit->held <= unscattered) &&
             (all.size() >= least_rows_of_constant || fit->held <= same_value)) {
             noise_ = std::max(noise_, fit->scatter);
             explained.likely.push_back(constant(*ratio, std::move(*fit)));
-            add_readings(wrong_rows(answers_, agreements_, evenly(group.rows, most_rows_tried)),
-                         all, same_as_another, explained);
+            add_undistinguished(
+                wrong_rows(answers_, agreements_, evenly(group.rows, most_rows_tried)), all,
+                explained);
             keep_best(explained);
-            for (Explained& other : explained_) {
-                const WrongRows rows = wrong_rows(answers_, agreements_, other.group.rows);
-                if (auto same = fit_of_constant(rows, ratio->value)) {
-                    other.likely.push_back(constant(*ratio, std::move(*same)));
-                }
-            }
         }
         return explained;
     }
 
-    /// Adds a constant without a name, if noise leaves room for one that fits better than the
+    /// Adds to each group the causes of other groups that fit it as well as its own or better: a
+    /// cause that is established for one quantity need not change another clearly.
+    void add_causes_of_others() {
+        const std::vector<Explained> before = explained_;
+        for (Explained& group : explained_) {
+            const WrongRows rows = wrong_rows(answers_, agreements_, group.group.rows);
+            for (const Explained& other : before) {
+                for (Likely cause : other.likely) {
+                    const bool known = std::ranges::any_of(group.likely, [&](const Likely& l) {
+                        return l.relation == cause.relation;
+                    });
+                    if (!known) {
+                        cause.fit = remainder_of(rows, values_of(cause, rows));
+                        group.likely.push_back(std::move(cause));
+                    }
+                }
+            }
+            keep_best(group);
+        }
+    }
+
+    /// Adds a constant without a name, if noise leaves room for one that fits no worse than the
     /// causes found by more than two standard deviations.
     void add_doubt(const WrongRows& rows, Explained& to) const {
         const auto ratio = common_ratio(rows, all_of(rows));
@@ -366,14 +420,25 @@ private:
             return;
         }
         constexpr double two_deviations = 4;
-        auto fit = fit_of_constant(rows, ratio->value);
-        const bool better = fit && std::ranges::all_of(to.likely, [&](const Likely& l) {
-                                const double unit = std::max(fit->scatter, noise_);
-                                return misfit(l.fit, unit) > misfit(*fit, unit) + two_deviations;
-                            });
-        if (better && fit->noise_like.value_or(true)) {
+        auto fit = fit_of(rows, times(all_of(rows), ratio->value), noise_);
+        const bool as_well = fit && std::ranges::all_of(to.likely, [&](const Likely& l) {
+                                 const double unit = std::max(fit->scatter, noise_);
+                                 const double allowed =
+                                     l.rank == 0 ? -two_deviations : two_deviations;
+                                 return misfit(*fit, unit) <= misfit(l.fit, unit) + allowed;
+                             });
+        if (as_well && fit->noise_like.value_or(true)) {
             to.likely.push_back(constant(*ratio, std::move(*fit)));
         }
+    }
+
+    /// The standard deviation by which causes are distinguished.
+    [[nodiscard]] double unit_of(const Explained& explained) const {
+        double least = std::numeric_limits<double>::max();
+        for (const Likely& l : explained.likely) {
+            least = std::min(least, l.fit.scatter);
+        }
+        return std::max(least * uncertainty_of_scatter(explained.group.rows.size()), noise_);
     }
 
     /// Removes the causes that explain the answers less well than the best, and those that right
@@ -386,9 +451,7 @@ private:
         if (likely.empty()) {
             return;
         }
-        const auto scatter = [](const Likely& l) { return l.fit.scatter; };
-        const double unit =
-            std::max(scatter(*std::ranges::min_element(likely, {}, scatter)), noise_);
+        const double unit = unit_of(explained);
         const auto misfit_in_units = [&](const Likely& l) { return misfit(l.fit, unit); };
         const Likely& best = *std::ranges::min_element(likely, {}, misfit_in_units);
         const double most = misfit_in_units(best) + indistinguishable_misfit(best.fit);
@@ -416,11 +479,13 @@ private:
         return rows;
     }
 
-    /// The cause of a group that explains most rows of all groups, and the others.
+    /// The cause of a group that explains most rows of all groups, and the others. A constant
+    /// without a name is the first only if it is the only one.
     [[nodiscard]] Convention convention(const Explained& explained) const {
         const auto& likely = explained.likely;
-        const Likely& first =
-            *std::ranges::max_element(likely, {}, [&](const Likely& l) { return rows_of(l); });
+        const Likely& first = *std::ranges::max_element(likely, {}, [&](const Likely& l) {
+            return std::pair(l.rank != rank_of_constant, rows_of(l));
+        });
         Convention c;
         c.of = first.of_family ? explained.group.family : explained.group.name;
         c.relation = first.relation;

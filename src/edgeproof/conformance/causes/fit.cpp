@@ -14,14 +14,20 @@ namespace {
 /// A row follows a cause that nine of ten follow to `held` if it does so to three times that.
 constexpr double of_held = 3;
 constexpr double deviations_of_median = 4;
+/// How clearly a cause must change an answer, and by what factor it must reduce the error.
+constexpr double deviations_of_change = 3;
+constexpr double least_gain = 4;
 constexpr std::size_t rows_for_scatter = 6;
 constexpr double rows_for_less_gain = 6;  // with this number of rows, twice the gain is needed
 constexpr double rows_for_less_error = 4; // the scatter of few rows is not well known
 constexpr double of_a_median = 1.25;      // the standard error of a median, over that of a mean
 constexpr double of_a_deviation = 1.483;  // a standard deviation over the median of absolute values
 constexpr std::size_t least_neighbours = 6;
-constexpr double like_noise = 0.4; // half the mean square of differences, over the variance: 1
-constexpr double rounding = 1e-7;  // smaller scatter is not used to distinguish causes
+/// Half the mean square of the differences of neighbours, over the variance, is 1 for noise, with a
+/// standard deviation of 1 over the root of their number.
+constexpr double like_noise = 0.4;
+constexpr double deviations_of_noise = 3.5;
+constexpr double rounding = 1e-7; // smaller scatter is not used to distinguish causes
 
 double sorted_at(std::vector<double> list, double share) {
     const auto at =
@@ -55,7 +61,9 @@ std::optional<bool> is_noise_like(const WrongRows& rows, const std::vector<doubl
         differences += apart * apart / 2;
         all += (limited(i) * limited(i) + limited(k) * limited(k)) / 2;
     }
-    return all == 0 || differences > like_noise * all;
+    const double least =
+        std::max(like_noise, 1 - deviations_of_noise / root(rows.neighbours.size()));
+    return all == 0 || differences > least * all;
 }
 
 } // namespace
@@ -97,54 +105,62 @@ WrongRows wrong_rows(const Answers& answers, const Agreements& agreements,
     return rows;
 }
 
-std::optional<Fit> fit_of(const WrongRows& rows, const std::vector<std::optional<Real>>& values,
-                          double noise, const FitRule& rule) {
+double uncertainty_of_scatter(std::size_t rows) {
+    return 1 + rows_for_less_error / static_cast<double>(rows);
+}
+
+Fit remainder_of(const WrongRows& rows, const std::vector<std::optional<Real>>& values) {
     Fit fit;
-    std::vector<double> before; // |answer/ours - 1|
-    std::vector<double> change; // |value/ours - 1|
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const Real& value = values[k] ? *values[k] : rows.ours[k];
         const auto relative = [](const Real& x, const Real& y) {
             return std::clamp(Real(x / y - 1).convert_to<double>(), -1e300, 1e300);
         };
         fit.off.push_back(relative(rows.answers[k], value));
-        before.push_back(std::abs(relative(rows.answers[k], rows.ours[k])));
-        change.push_back(values[k] ? std::abs(relative(value, rows.ours[k])) : 0);
-    }
-    if (rows.size() < least_rows) {
-        return {};
+        fit.before.push_back(std::abs(relative(rows.answers[k], rows.ours[k])));
+        fit.change.push_back(values[k] ? std::abs(relative(value, rows.ours[k])) : 0);
     }
     fit.held = sorted_at(absolute(fit.off), least_share);
     fit.scatter = of_a_deviation * sorted_at(absolute(fit.off), 0.5);
-    // A few rows of much scatter agree with some named factor by chance.
-    if (!(fit.held <= (rows.size() < rows_for_scatter ? most_remainder : most_scatter))) {
-        return {};
-    }
     fit.noise_like = is_noise_like(rows, fit.off, fit.held);
-    std::vector<double> left;
-    std::vector<double> left_before;
-    std::size_t changed = 0;
     for (std::size_t k = 0; k < rows.size(); ++k) {
-        const bool changes = change[k] > std::max(same_value, rule.change * fit.scatter);
+        const bool changes =
+            fit.change[k] > std::max(same_value, deviations_of_change * fit.scatter);
         const bool follows = std::abs(fit.off[k]) <= std::max(same_value, of_held * fit.held);
-        changed += changes ? 1 : 0;
-        fit.explains.push_back(changes && follows);
-        if (changes) {
-            left.push_back(fit.off[k]);
-            left_before.push_back(before[k]);
-        }
+        fit.changes.push_back(changes);
         if (changes && follows) {
             ++fit.rows;
             fit.worst = std::max(fit.worst, std::abs(fit.off[k]));
         }
     }
-    if (!enough(fit.rows, changed)) {
+    return fit;
+}
+
+std::optional<Fit> fit_of(const WrongRows& rows, const std::vector<std::optional<Real>>& values,
+                          double noise) {
+    if (rows.size() < least_rows) {
+        return {};
+    }
+    Fit fit = remainder_of(rows, values);
+    // A few rows of much scatter agree with some named factor by chance.
+    if (!(fit.held <= (rows.size() < rows_for_scatter ? most_remainder : most_scatter))) {
+        return {};
+    }
+    std::vector<double> left;
+    std::vector<double> left_before;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        if (fit.changes[k]) {
+            left.push_back(fit.off[k]);
+            left_before.push_back(fit.before[k]);
+        }
+    }
+    if (!enough(fit.rows, left.size())) {
         return {};
     }
     const double few = 1 / static_cast<double>(left.size());
     const double before_half = sorted_at(left_before, 0.5);
     const double left_half = sorted_at(absolute(left), 0.5);
-    const double gain = rule.gain * (1 + rows_for_less_gain * few);
+    const double gain = least_gain * (1 + rows_for_less_gain * few);
     const bool dominates = before_half >= dominant_gain * left_half;
     if (before_half < gain * left_half || (fit.held > std::max(most_remainder, of_held * noise) &&
                                            !dominates && !fit.noise_like.value_or(false))) {
@@ -157,7 +173,7 @@ std::optional<Fit> fit_of(const WrongRows& rows, const std::vector<std::optional
     }
     const double deviation = std::max(of_a_deviation * sorted_at(std::move(about), 0.5), noise);
     const double error =
-        of_a_median * deviation * (1 + rows_for_less_error * few) / root(left.size());
+        of_a_median * deviation * uncertainty_of_scatter(left.size()) / root(left.size());
     const double smooth = fit.noise_like.value_or(!dominates) ? 0 : fit.held / (dominates ? 1 : 2);
     return std::abs(middle) <= std::max({same_value, deviations_of_median * error, smooth})
                ? std::optional(std::move(fit))

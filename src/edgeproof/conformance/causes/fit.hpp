@@ -30,8 +30,10 @@ struct WrongRows {
 /// What remains of the relative errors of a group if a cause is corrected.
 struct Fit {
     std::vector<double> off;    ///< answer over the value of the cause, minus 1, of each row
-    std::vector<bool> explains; ///< the cause changes the row, and the row follows it
-    std::size_t rows = 0;       ///< of these
+    std::vector<double> before; ///< |answer over ours, minus 1|
+    std::vector<double> change; ///< |value of the cause over ours, minus 1|
+    std::vector<bool> changes;  ///< the cause changes the row clearly
+    std::size_t rows = 0;       ///< those changed clearly that follow the cause
     double worst = 0;           ///< the largest |off| of these
     double held = 0;            ///< the |off| that nine of ten rows do not exceed
     double scatter = 0;         ///< the standard deviation, from the median of the absolute values
@@ -53,25 +55,21 @@ inline constexpr double dominant_gain = 25;
 /// True if this number of rows suffices to explain the failing ones.
 [[nodiscard]] bool enough(std::size_t rows, std::size_t failing);
 
-/// How clearly a cause must change the answers: by this number of standard deviations, and so that
-/// the error without it is this number of times that with it.
-struct FitRule {
-    double change = 3;
-    double gain = 4;
-};
-/// For a cause that is not distinguished from one that satisfies the rule.
-inline constexpr FitRule same_as_another{1.5, 2};
+/// The factor by which the standard deviation of this number of rows may exceed their scatter.
+[[nodiscard]] double uncertainty_of_scatter(std::size_t rows);
 
 /// Compares the answers with the values of a cause; rows without a value are not changed by it.
-/// Returns a fit if nine of ten rows follow it, if it leaves less than a quarter of the error of
-/// the rows that it changes (less if they are few), and if these rows have no common factor other
-/// than 1 left, within four standard errors (more if they are few): another cause may have nearly
-/// the same effect. If the remainder is smooth and not noise, half its size is allowed for that,
-/// and all of it if the cause leaves less than a twenty-fifth of the error. `noise`: the least
-/// standard deviation of the answers, as far as it is known.
-[[nodiscard]] std::optional<Fit> fit_of(const WrongRows& rows,
-                                        const std::vector<std::optional<Real>>& values,
-                                        double noise, const FitRule& rule = {});
+/// There must be one row or more.
+[[nodiscard]] Fit remainder_of(const WrongRows& rows,
+                               const std::vector<std::optional<Real>>& values);
+/// Returns the remainder if nine of ten rows follow it, if it leaves less than a quarter of the
+/// error of the rows that it changes (less if they are few), and if these rows have no common
+/// factor other than 1 left, within four standard errors (more if they are few): another cause may
+/// have nearly the same effect. If the remainder is smooth and not noise, half its size is allowed
+/// for that, and all of it if the cause leaves less than a twenty-fifth of the error. `noise`: the
+/// least standard deviation of the answers, as far as it is known.
+[[nodiscard]] std::optional<Fit>
+fit_of(const WrongRows& rows, const std::vector<std::optional<Real>>& values, double noise);
 
 /// The sum of squares of what remains, relative to `scatter`; outliers are limited.
 [[nodiscard]] double misfit(const Fit& fit, double scatter);

@@ -18,7 +18,8 @@ namespace edgeproof::conformance {
 namespace {
 
 constexpr double least_digits_kept = 5.5;
-constexpr unsigned binary32_digits = 9; // identify every binary32
+constexpr unsigned binary32_digits = 9;         // identify every binary32
+constexpr unsigned binary32_decimal_digits = 6; // every such decimal is identified by a binary32
 constexpr unsigned full_digits = 15;
 
 /// Counts the significant digits of a decimal as written; 0 for any other text.
@@ -37,21 +38,31 @@ unsigned digits_written(const std::string& text) {
 }
 
 /// The significant digits of a decimal as written, or of the shortest decimal that is the same
-/// binary64: a program may round and then write all digits.
+/// binary64 (12300 has three): a program may round and then write all digits.
 unsigned digits_carried(const Answer& answer) {
-    const unsigned written = digits_written(answer.text);
-    const std::string shortest = fmt::format("{}", answer.value.convert_to<double>());
-    return std::min(written, std::max(digits_written(shortest), 1U));
+    std::string digits;
+    for (const char c : fmt::format("{}", answer.value.convert_to<double>())) {
+        if (c == 'e') {
+            break;
+        }
+        digits += std::isdigit(static_cast<unsigned char>(c)) != 0 ? std::string(1, c) : "";
+    }
+    const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
+    const std::size_t last = std::max(digits.find_last_not_of('0') + 1, first + 1);
+    return std::min(digits_written(answer.text), static_cast<unsigned>(last - first));
 }
 
-/// True if the answer is a binary32, or one written with the few digits that identify it.
+/// True if the answer is a binary32, or one written with the few digits that identify it. A short
+/// decimal is no evidence: every one survives in binary32.
 bool is_single(const Answer& answer) {
+    const unsigned digits = digits_written(answer.text);
+    if (digits > 0 && digits_carried(answer) <= binary32_decimal_digits) {
+        return false;
+    }
     const auto near = answer.value.convert_to<float>();
     if (static_cast<double>(near) == answer.value.convert_to<double>()) {
-        // A short decimal such as 0.5 is no evidence.
-        return digits_written(answer.text) == 0 || digits_written(answer.text) > 4;
+        return true;
     }
-    const unsigned digits = digits_written(answer.text);
     const std::string text = fmt::format("{:.{}e}", static_cast<double>(near), binary32_digits - 1);
     return digits > 0 && digits <= binary32_digits && read_answer(text).value == answer.value;
 }
@@ -69,12 +80,12 @@ bool is_cut(const Answer& answer, const Reference& reference, unsigned digits) {
 }
 
 struct Tally {
-    std::size_t wrong = 0;
+    std::vector<std::size_t> wrong;
     std::size_t failing = 0; ///< of these, the rows that are not otherwise wrong
-    std::size_t single = 0;
-    std::size_t cut = 0;
     unsigned written = 0;
     double digits = 40;
+    std::vector<std::size_t> single;
+    std::size_t cut = 0;
 };
 
 } // namespace
@@ -93,20 +104,22 @@ std::vector<Convention> infer_precision_loss(const Answers& answers, const Agree
             continue;
         }
         Tally& t = families[family_of(answers.questions.list[i])];
-        ++t.wrong;
+        t.wrong.push_back(i);
         if (held.digits < least_digits_kept && !cut) {
             continue;
         }
         ++t.failing;
-        t.single += is_single(answer) ? 1 : 0;
+        if (is_single(answer)) {
+            t.single.push_back(i);
+        }
         t.cut += cut ? 1 : 0;
         t.written = std::max(t.written, written);
         t.digits = std::min(t.digits, held.digits);
     }
     std::vector<Convention> found;
     for (const auto& [family, t] : families) {
-        const bool cut = enough(t.cut, t.wrong);
-        if (!cut && !enough(t.single, t.failing)) {
+        const bool cut = enough(t.cut, t.wrong.size());
+        if (!cut && !enough(t.single.size(), t.failing)) {
             continue;
         }
         Convention c;
@@ -114,7 +127,15 @@ std::vector<Convention> infer_precision_loss(const Answers& answers, const Agree
         c.relation = cut ? fmt::format("right, and cut to {} digits when written", t.written)
                          : "in single precision (binary32)";
         c.digits = c.held = t.digits;
-        c.rows = cut ? t.cut : t.single;
+        c.rows = cut ? t.cut : t.single.size();
+        c.which = t.single;
+        if (cut) { // also those that other errors have moved by a unit of the last digit
+            c.which = t.wrong;
+            std::erase_if(c.which, [&](std::size_t i) {
+                return digits_carried(answers.given[i]) > t.written ||
+                       agreements.cases[i].digits < t.written - 1;
+            });
+        }
         c.failing = t.failing;
         c.hint = cut ? "write all 17 digits of a double (%.17g), or state what you write with "
                        "--digits"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/self_test.hpp"
 #include "edgeproof/conformance/causes/convention.hpp"
+#include "edgeproof/parallel/parallel.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 #include <optional>
 #include <random>
@@ -325,10 +327,10 @@ std::vector<Mistake> mistakes(const SceneKeys& keys, const ReferenceOptions& opt
 
 class CauseTrials {
 public:
-    CauseTrials(std::uint64_t seed, const ReferenceOptions& options, scene::MistakeCounts& counts)
-        : seed_(seed), options_(options), counts_(counts) {}
+    CauseTrials(std::uint64_t seed, ReferenceOptions options)
+        : seed_(seed), options_(std::move(options)) {}
 
-    void profile(const TestedProfile& tested) {
+    std::vector<scene::MistakeTrial> profile(const TestedProfile& tested) {
         const PrecisionScope scope(60);
         const Asked asked = asked_about(tested.keys, options_);
         Answers answers{asked.questions, {}, {}};
@@ -369,6 +371,7 @@ public:
                       changed(asked, without_noise, std::max(no_change, above_noise * noise)));
             }
         }
+        return std::move(trials_);
     }
 
 private:
@@ -397,12 +400,12 @@ private:
             trial.measured += (trial.measured.empty() ? "" : "; ") + c.of + ": " + c.relation;
         }
         trial.measured += fmt::format("{}{} answers changed", found.empty() ? "" : "; ", changed);
-        counts_.count(trial);
+        trials_.push_back(std::move(trial));
     }
 
     std::uint64_t seed_;
     ReferenceOptions options_;
-    scene::MistakeCounts& counts_;
+    std::vector<scene::MistakeTrial> trials_;
 };
 
 } // namespace
@@ -410,22 +413,28 @@ private:
 scene::MistakeCounts test_causes(std::uint64_t seed, unsigned threads,
                                  const std::vector<std::string>& contacts,
                                  const std::function<void(std::size_t, std::size_t)>& progress) {
-    scene::MistakeCounts counts({cause_noise_levels.begin(), cause_noise_levels.end()});
     ReferenceOptions options;
     options.digits = {30, Rounding::nearest, false};
-    options.threads = threads;
+    options.threads = 1; // each contact has a thread
     const std::vector<TestedProfile> profiles = tested_profiles();
+    std::vector<std::vector<scene::MistakeTrial>> trials(profiles.size());
+    std::mutex mutex;
     std::size_t done = 0;
-    for (const TestedProfile& profile : profiles) {
-        if (contacts.empty() || std::ranges::find(contacts, profile.name) != contacts.end()) {
+    parallel::work_through(parallel::all_pieces(profiles.size()), threads, [&](std::size_t i) {
+        if (contacts.empty() || std::ranges::find(contacts, profiles[i].name) != contacts.end()) {
             // The same answers whichever contacts are tested.
-            CauseTrials(seed * 1'000'003 + done * 10'007, options, counts).profile(profile);
-            ++counts.contacts;
+            trials[i] = CauseTrials(seed * 1'000'003 + i * 10'007, options).profile(profiles[i]);
         }
+        const std::scoped_lock lock(mutex);
         ++done;
         if (progress) {
             progress(done, profiles.size());
         }
+    });
+    scene::MistakeCounts counts({cause_noise_levels.begin(), cause_noise_levels.end()});
+    for (const auto& of_contact : trials) {
+        counts.contacts += of_contact.empty() ? 0 : 1;
+        std::ranges::for_each(of_contact, [&](const auto& trial) { counts.count(trial); });
     }
     return counts;
 }

@@ -23,6 +23,7 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
     for (const QuantityRow& row : quantity_rows()) {
         const bool wanted = row.quantity == Quantity::a || row.quantity == Quantity::b ||
                             row.quantity == Quantity::alpha || row.quantity == Quantity::delta ||
+                            row.quantity == Quantity::stiffness ||
                             (row.group == QuantityGroup::peak ? plan.peak : plan.resultants);
         if ((row.group == QuantityGroup::contact || row.group == QuantityGroup::peak) && wanted &&
             !row.at_edge() && !lack_of(scene, {row.quantity})) {

@@ -312,7 +312,8 @@ Ball AxisymmetricContact::majorant(Edge /*edge*/, const Ball& rho) const {
         if (bend.at_origin) {
             most += abs(bend.jump) * Ball::pi(bits_) / 2 + abs(bend.rate) * abs(s) * 2;
         } else if (inside(bend.knot)) {
-            const Box y = principal_root((s - v) * (s + v));
+            // The product of the roots is tighter than the root of the product.
+            const Box y = principal_root(s - v) * principal_root(s + v);
             const Box A = principal_arctangent(y / v);
             most += abs(bend.rate) * (abs(y) * 2 + v * abs(A));
             if (!contains_zero(bend.jump)) {
@@ -323,11 +324,7 @@ Ball AxisymmetricContact::majorant(Edge /*edge*/, const Ball& rho) const {
     return modulus_ / Ball::pi(bits_) * most * 2 / sqrt((a_ - rho) * 2);
 }
 
-std::vector<Ball> AxisymmetricContact::expansion(Edge /*edge*/, std::size_t terms) const {
-    if (terms == 0) {
-        return {};
-    }
-    // The plane contact with P'(s) = E* h'(s) has the same pressure.
+BallSeries AxisymmetricContact::approach_rate_series(std::size_t terms) const {
     const BallSeries s = BallSeries::variable(a_, terms);
     BallSeries rate(Ball(0, bits_), terms);
     for (const Bend& bend : bends_) {
@@ -335,7 +332,7 @@ std::vector<Ball> AxisymmetricContact::expansion(Edge /*edge*/, std::size_t term
             rate = rate + s * (bend.rate * 2) + bend.jump * Ball::pi(bits_) / 2;
         } else if (!on_edge_[bend.knot] && !certainly_less(a_, bend.v)) {
             if (!certainly_less(bend.v, a_)) {
-                return std::vector<Ball>(terms, unknown_ball(bits_));
+                return unknown_series(terms, bits_);
             }
             BallSeries y2 = s * s + -(bend.v * bend.v);
             y2.set(0, (a_ - bend.v) * (a_ + bend.v));
@@ -347,6 +344,26 @@ std::vector<Ball> AxisymmetricContact::expansion(Edge /*edge*/, std::size_t term
             }
         }
     }
+    return rate;
+}
+
+std::vector<Ball> AxisymmetricContact::force_rates(std::size_t terms) const {
+    const BallSeries rate =
+        approach_rate_series(terms) * BallSeries::variable(a_, terms) * (modulus_ * 2);
+    std::vector<Ball> rates;
+    for (std::size_t k = 0; k < terms; ++k) {
+        rates.push_back(k % 2 == 0 ? rate[k] : -rate[k]);
+    }
+    return rates;
+}
+
+std::vector<Ball> AxisymmetricContact::expansion(Edge /*edge*/, std::size_t terms) const {
+    if (terms == 0) {
+        return {};
+    }
+    // The plane contact with P'(s) = E* h'(s) has the same pressure.
+    const BallSeries rate = approach_rate_series(terms);
+    const BallSeries s = BallSeries::variable(a_, terms);
     const auto list = [&](const BallSeries& f) {
         std::vector<Ball> c;
         for (std::size_t k = 0; k < terms; ++k) {
@@ -358,17 +375,85 @@ std::vector<Ball> AxisymmetricContact::expansion(Edge /*edge*/, std::size_t term
     return coefficients_of(right_edge_brackets(law, a_), Ball(a_ * 2));
 }
 
+Ball AxisymmetricContact::loop_integral(const Ball& from, const Ball& tau) const {
+    // Between two bends h' is analytic, and with s = s0 + t^2 (s1 - s0) also at a bend at s0.
+    std::vector<Ball> ends{from};
+    std::vector<std::size_t> begins{bends_.size()}; // the bend at which a part begins
+    for (std::size_t i = 0; i < bends_.size(); ++i) {
+        const Ball& v = bends_[i].v;
+        if (bends_[i].at_origin || !inside(bends_[i].knot) || certainly_less(v, from)) {
+            continue;
+        }
+        if (!certainly_less(from, v)) {
+            return unknown_ball(bits_);
+        }
+        ends.push_back(v);
+        begins.push_back(i);
+    }
+    ends.push_back(a_);
+    const Ball whole = force();
+    const Ball mean = whole * (1 - tau / 2);
+    const Ball scale = whole * tau * (approach() - approach_at(from)) / (a_ - from);
+    const long known = std::min((a_ - from).relative_accuracy_bits(), tau.relative_accuracy_bits());
+    const IntegralGoal goal{bits_, useful_accuracy(known, bits_), scale, a_ - from};
+    Ball sum(0, bits_);
+    for (std::size_t part = 0; part + 1 < ends.size(); ++part) {
+        const Ball& begin = ends[part];
+        const Ball width = ends[part + 1] - begin;
+        sum += width * 2 * integral_of(
+                               [&](const Box& t) {
+                                   const Box beyond = t * t * width; // s - s0
+                                   const Box s = beyond + begin;
+                                   Box rate(bits_); // t h'(s)
+                                   Box force(bits_);
+                                   for (std::size_t i = 0; i < bends_.size(); ++i) {
+                                       const Bend& bend = bends_[i];
+                                       const Ball& v = bend.v;
+                                       const bool begun = bend.at_origin || i == begins[part] ||
+                                                          certainly_less(v, begin);
+                                       if (!begun) {
+                                           break;
+                                       }
+                                       const bool here = i == begins[part];
+                                       const Box root =
+                                           bend.at_origin ? s
+                                           : here ? principal_root((s + v) * width)
+                                                  : principal_root(beyond + (begin - v)) *
+                                                        principal_root(s + v);
+                                       const Box y = here ? root * t : root;
+                                       const Box A = bend.at_origin
+                                                         ? Box(Ball::pi(bits_) / 2)
+                                                         : principal_arctangent(y / v);
+                                       const Box slope =
+                                           bend.at_origin ? A * t
+                                           : here         ? A * t + Box(v) / root : (A + Box(v) / y) * t;
+                                       rate = rate + (y * Ball(2, bits_) - A * v) * t * bend.rate +
+                                              slope * bend.jump;
+                                       const Box s2A = s * s * A;
+                                       force = force + (s2A + y * v) * bend.jump +
+                                               (y * y * y * (Ball(4, bits_) / 3) -
+                                                (s2A - y * v) * v) *
+                                                   bend.rate;
+                                   }
+                                   return (Box(mean) - force * modulus_) * rate;
+                               },
+                               goal);
+    }
+    return sum;
+}
+
 namespace {
 
 /// The part of a bend at v in the gap at r: the integral of h'(s) arccos(s/r) over s0 < s < r,
 /// s = v + (r - v) cos^2(psi), psi = t psi_0 (docs/axisymmetric.md, "The gap").
 /// @param beyond r - s0 (length)
+/// @param before s0 - v, 0 or more (length)
 /// @param rate h'(s) cos(psi) for s, cos(psi)
-Ball gap_integral(const Ball& v, const Ball& r, const Ball& beyond,
+Ball gap_integral(const Ball& v, const Ball& r, const Ball& beyond, const Ball& before,
                   const std::function<Box(const Box& s, const Box& cosine)>& rate) {
     const long bits = r.bits();
     const Ball span = r - v;
-    const Ball angle = asin(sqrt(min(beyond / span, Ball(1, bits))));
+    const Ball angle = atan2(sqrt(beyond), Field<Ball>::root(before)); // psi_0
     const Ball ratio = sqrt(span / (r * 2));
     const IntegralGoal goal{bits, useful_accuracy(beyond.relative_accuracy_bits(), bits),
                             Ball(0, bits), Ball(1, bits)};
@@ -396,12 +481,13 @@ Ball AxisymmetricContact::gap_beyond(const Ball& beyond) const {
     Ball sum(0, bits_);
     for (const Bend& bend : bends_) {
         if (bend.at_origin) {
-            sum += gap_integral(bend.v, r, beyond, [&](const Box& s, const Box& cosine) {
+            sum += gap_integral(bend.v, r, beyond, a_, [&](const Box& s, const Box& cosine) {
                 return (s * (bend.rate * 2) + bend.jump * Ball::pi(bits_) / 2) * cosine;
             });
         } else if (certainly_less(bend.v, r)) {
             const Ball from = min(beyond, r - bend.v);
-            sum += gap_integral(bend.v, r, from, [&](const Box& s, const Box& cosine) {
+            const Ball before = clamped(a_ - bend.v);
+            sum += gap_integral(bend.v, r, from, before, [&](const Box& s, const Box& cosine) {
                 const Box root = principal_root((s + bend.v) * (r - bend.v)); // y/cos(psi)
                 const Box y = root * cosine;
                 const Box A = principal_arctangent(y / bend.v);
@@ -409,7 +495,11 @@ Ball AxisymmetricContact::gap_beyond(const Ball& beyond) const {
                        (A * cosine + Box(bend.v) / root) * bend.jump;
             });
         } else if (!certainly_less(r, bend.v)) {
-            return unknown_ball(bits_);
+            // At most the greatest arccos times h(r).
+            const Ball y = Field<Ball>::root(clamped(r - bend.v) * (r + bend.v));
+            const Ball A = atan2(y, bend.v);
+            const Ball most = r * A * (abs(bend.jump) * A + abs(bend.rate) * y);
+            sum += Ball::hull(-most, most) * 2 / Ball::pi(bits_);
         }
     }
     return sum;
@@ -421,7 +511,7 @@ Ball axisymmetric_gap(const BallContact& plane, const Ball& beyond) {
     const Ball rate = plane.force_rate() / plane.modulus(); // h'(a)
     const std::optional<PowerLaw<Ball>>& power = plane.power_law();
     const Box exponent(power ? power->exponent : Ball(plane.slope().has_corner(0) ? 0 : 1, bits));
-    return gap_integral(Ball(0, bits), a + beyond, beyond, [&](const Box& s, const Box& cosine) {
+    return gap_integral(Ball(0, bits), a + beyond, beyond, a, [&](const Box& s, const Box& cosine) {
         if (!certainly_positive(s.real())) {
             return unknown_box(bits); // near a cut
         }
@@ -449,6 +539,9 @@ public:
                                 const BallZone& /*near*/) const override {
         const Ball a = contact_.radius_for(force);
         return {a, a};
+    }
+    [[nodiscard]] std::vector<Ball> force_rates(const Ball& a, std::size_t terms) const override {
+        return contact_.with_radius(a).force_rates(terms);
     }
     [[nodiscard]] BallZone core() const override {
         return {contact_.minimum_end(), contact_.minimum_end()};
@@ -479,6 +572,18 @@ public:
                                 const BallZone& /*near*/) const override {
         const Ball a = plane_.a() * pow(force / force_, 1 / power_);
         return {a, a};
+    }
+    [[nodiscard]] std::vector<Ball> force_rates(const Ball& a, std::size_t terms) const override {
+        const Ball rate = values({a, a}).right_rate;
+        const BallSeries rates =
+            pow(-BallSeries::variable(Ball(0, bits()), terms) * (1 / a) + Ball(1, bits()),
+                power_ - 1) *
+            rate;
+        std::vector<Ball> list;
+        for (std::size_t k = 0; k < terms; ++k) {
+            list.push_back(rates[k]);
+        }
+        return list;
     }
 
 private:

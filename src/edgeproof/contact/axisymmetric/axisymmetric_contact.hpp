@@ -51,8 +51,8 @@ public:
     [[nodiscard]] Ball radius_for(const Ball& P) const;
     /// Returns the coefficients of dP/da (force/length) at the radius a - d in powers of d.
     [[nodiscard]] std::vector<Ball> force_rates(std::size_t terms) const;
-    /// Returns the integral of (1 - tau/2) P - L over the approach (force x length), where the force
-    /// L grows from (1 - tau) P, at the radius `from` (length), to P.
+    /// Returns the integral of (1 - tau/2) P - L over the approach (force x length), where the
+    /// force L grows from (1 - tau) P, at the radius `from` (length), to P.
     [[nodiscard]] Ball loop_integral(const Ball& from, const Ball& tau) const;
     /// The radius (length) at which g' begins to rise.
     [[nodiscard]] Ball minimum_end() const;

@@ -219,8 +219,8 @@ void read_shear(const io::TomlSection& shear, Scene& scene) {
         shear.reject("bulk_tension", "P and Q grow together under a bulk tension",
                      "give bulk_tension = \"0\": only then is q = (Q/P) p");
     }
-    if (scene.round && (!shear.has("friction") || spec.bulk_tension.sign() != 0 ||
-                        spec.bulk_A.sign() != 0)) {
+    if (scene.round &&
+        (!shear.has("friction") || spec.bulk_tension.sign() != 0 || spec.bulk_A.sign() != 0)) {
         refuse_round_shear(shear, shear.line(),
                            "give Q and friction without bulk stresses, or leave [shear] out");
     }

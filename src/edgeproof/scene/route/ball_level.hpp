@@ -25,7 +25,10 @@ namespace edgeproof::scene {
 
 /// True if BallLevel::cycle_energy has a formula for the scene's profile.
 [[nodiscard]] inline bool encloses_cycle_energy(const Scene& scene) {
-    return scene.round || scene.profile &&
+    if (scene.round) {
+        return true;
+    }
+    return scene.profile &&
            (scene.profile->kind() == contact::Profile::Kind::tilted_wedge ||
             (scene.symmetric() && contact::BallContact::has_closed_form(*scene.profile)));
 }
@@ -173,7 +176,7 @@ public:
         using Kind = contact::Profile::Kind;
         const Kind kind = scene_.profile->kind();
         return of_slip([&](const contact::BallSlip& slip) {
-            return scene_.round                  ? round_cycle_energy(slip)
+            return scene_.round                 ? round_cycle_energy(slip)
                    : kind == Kind::tilted_wedge ? similar_cycle_energy(slip, Ball(1, bits_))
                    : kind == Kind::power_law
                        ? similar_cycle_energy(

@@ -147,7 +147,8 @@ private:
         const contact::Load::Kind load = scene_.load.kind;
         const bool force = load != contact::Load::Kind::right_edge;
         add("size from force", force,
-            scene_.round && scene_.round->law && scene_.round->size_from != std::string_view("given")
+            scene_.round && scene_.round->law &&
+                    scene_.round->size_from != std::string_view("given")
                 ? scene_.round->load + "; a is in closed form"
             : load == contact::Load::Kind::force    ? "P is given"
             : load == contact::Load::Kind::approach ? "delta is given"
@@ -220,9 +221,10 @@ private:
                                : none,
             &Counts::stick_zones, 1);
         add("slip zones", plan_.slip,
-            !plan_.slip          ? (scene_.slips() ? "not asked for" : none)
-            : ask_.terms.empty() || scene_.history ? "their sizes"
-                                 : "their sizes, and of " + count_of(ask_.most_terms(), "term"),
+            !plan_.slip ? (scene_.slips() ? "not asked for" : none)
+            : ask_.terms.empty() || scene_.history
+                ? "their sizes"
+                : "their sizes, and of " + count_of(ask_.most_terms(), "term"),
             &Counts::slip_sizes, ask_.edges.size());
         add("extent", plan_.extents,
             plan_.extents ? "within " + ask_.tolerance->text() + " of p" : "not asked for",

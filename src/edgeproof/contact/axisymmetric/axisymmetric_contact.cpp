@@ -400,42 +400,42 @@ Ball AxisymmetricContact::loop_integral(const Ball& from, const Ball& tau) const
     for (std::size_t part = 0; part + 1 < ends.size(); ++part) {
         const Ball& begin = ends[part];
         const Ball width = ends[part + 1] - begin;
-        sum +=
-            width * 2 *
-            integral_of(
-                [&](const Box& t) {
-                    const Box beyond = t * t * width; // s - s0
-                    const Box s = beyond + begin;
-                    Box rate(bits_); // t h'(s)
-                    Box force(bits_);
-                    for (std::size_t i = 0; i < bends_.size(); ++i) {
-                        const Bend& bend = bends_[i];
-                        const Ball& v = bend.v;
-                        const bool begun =
-                            bend.at_origin || i == begins[part] || certainly_less(v, begin);
-                        if (!begun) {
-                            break;
-                        }
-                        const bool here = i == begins[part];
-                        const Box root =
-                            bend.at_origin ? s
-                            : here         ? principal_root((s + v) * width)
-                                   : principal_root(beyond + (begin - v)) * principal_root(s + v);
-                        const Box y = here ? root * t : root;
-                        const Box A =
-                            bend.at_origin ? Box(Ball::pi(bits_) / 2) : principal_arctangent(y / v);
-                        const Box slope = bend.at_origin ? A * t
-                                          : here         ? A * t + Box(v) / root
-                                                         : (A + Box(v) / y) * t;
-                        rate =
-                            rate + (y * Ball(2, bits_) - A * v) * t * bend.rate + slope * bend.jump;
-                        const Box s2A = s * s * A;
-                        force = force + (s2A + y * v) * bend.jump +
-                                (y * y * y * (Ball(4, bits_) / 3) - (s2A - y * v) * v) * bend.rate;
-                    }
-                    return (Box(mean) - force * modulus_) * rate;
-                },
-                goal);
+        sum += width * 2 *
+               integral_of(
+                   [&](const Box& t) {
+                       const Box beyond = t * t * width; // s - s0
+                       const Box s = beyond + begin;
+                       Box rate(bits_);    // t h'(s)
+                       Box carried(bits_); // L/E*
+                       for (std::size_t i = 0; i < bends_.size(); ++i) {
+                           const Bend& bend = bends_[i];
+                           const Ball& v = bend.v;
+                           const bool begun =
+                               bend.at_origin || i == begins[part] || certainly_less(v, begin);
+                           if (!begun) {
+                               break;
+                           }
+                           const bool here = i == begins[part];
+                           const Box root = bend.at_origin ? s
+                                            : here         ? principal_root((s + v) * width)
+                                                           : principal_root(beyond + (begin - v)) *
+                                                         principal_root(s + v);
+                           const Box y = here ? root * t : root;
+                           const Box A = bend.at_origin ? Box(Ball::pi(bits_) / 2)
+                                                        : principal_arctangent(y / v);
+                           const Box slope = bend.at_origin ? A * t
+                                             : here         ? A * t + Box(v) / root
+                                                            : (A + Box(v) / y) * t;
+                           rate = rate + (y * Ball(2, bits_) - A * v) * t * bend.rate +
+                                  slope * bend.jump;
+                           const Box s2A = s * s * A;
+                           carried =
+                               carried + (s2A + y * v) * bend.jump +
+                               (y * y * y * (Ball(4, bits_) / 3) - (s2A - y * v) * v) * bend.rate;
+                       }
+                       return (Box(mean) - carried * modulus_) * rate;
+                   },
+                   goal);
     }
     return sum;
 }

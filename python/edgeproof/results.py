@@ -78,8 +78,8 @@ class Contact(_Plain):
     M      moment about the origin per unit length
     alpha  radians; None if the tilt is given, or there is none
 
-    Of an axisymmetric contact, P is the total force, M is None, and delta is the approach of the
-    bodies (a length).
+    Of an axisymmetric contact, P is the total force, M is None, delta is the approach of the
+    bodies (a length), and stiffness is dP/d delta.
     """
 
     a: Value
@@ -88,6 +88,7 @@ class Contact(_Plain):
     M: Value
     alpha: Value | None
     delta: Value | None = None
+    stiffness: Value | None = None
 
 
 @dataclasses.dataclass(frozen=True)
@@ -195,8 +196,8 @@ class StickZone(_Plain):
                         edges slip in the direction of Q; other scenes are refused. None if the
                         bound was not found
     cycle_energy        energy per unit length that friction dissipates in a cycle from -Q to Q and
-                        back at constant P; None with a bulk tension, with curved slopes, or if none
-                        was found
+                        back at constant P (the whole energy of an axisymmetric contact with a Poisson's
+                        ratio); None with a bulk tension, with curved slopes, or if none was found
     in_proportion       True: Q and the bulk tension may grow in proportion; False: Q must be first
     """
 
@@ -379,8 +380,8 @@ def result_of(found: dict[str, Any]) -> Result:
         whole.value("least-bulk-tension"), whole.value("most-bulk-tension"),
         whole.value("cycle_energy"), found["in_proportion"])
     contact = {name: whole.value(name) for name in ("a", "b", "P", "M", "alpha")}
-    contact |= {name: whole.value(name) for name in ("delta", "p_max") if whole.value(name)
-                is not None}
+    contact |= {name: whole.value(name) for name in ("delta", "stiffness", "p_max")
+                if whole.value(name) is not None}
     in_bodies = found["points"]
     return Result(
         contact=contact,

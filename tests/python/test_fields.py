@@ -268,6 +268,7 @@ def test_axisymmetric_contacts(source):
     scene = edgeproof.read_scene(source / "examples/scenes/sphere.toml")
     contact = scene.contact()
     assert contact.delta is not None and contact.M is None
+    assert contact.stiffness is not None
     # p_0 = 3 P/(2 pi a^2) (johnson1985, eq. 4.24)
     with mpmath.workdps(60):
         p_0 = 3 * contact.P.mpmath() / (2 * mpmath.pi * contact.a.mpmath()**2)

@@ -8,6 +8,7 @@
 
 #include <ios>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -52,6 +53,30 @@ TEST_CASE("a sphere") {
     CHECK(overlaps(value_of_contact(s, scene::Quantity::p_max), p_0));
     const scene::Scene by_delta = round_scene("1", "1/2", "delta = \"2\"");
     CHECK(overlaps(value_of_contact(by_delta, scene::Quantity::a), Ball(2, 200)));
+}
+
+// Values that the tests of two public programs state: MOOSE,
+// modules/contact/test/tests/hertz_spherical (examples/scenes/two-spheres.toml), and
+// ContactMechanics, test/ReferenceSolutions/test_reference_solutions.py (to 1e-7).
+TEST_CASE("spheres of the tests of public programs") {
+    const scene::Scene moose = scene::parse_scene(
+        "[profile]\nkind = \"hertz\"\ngeometry = \"axisymmetric\"\nR1 = \"2\"\nR2 = \"2\"\n"
+        "[load]\nP = \"10000\"\nE1 = \"1.40625e7\"\nnu1 = \"0.25\"\nE2 = \"1.40625e7\"\n"
+        "nu2 = \"0.25\"\n",
+        "moose.toml");
+    CHECK(contains(value_of_contact(moose, scene::Quantity::a), Rational(1, 10)));
+    CHECK(contains(value_of_contact(moose, scene::Quantity::delta), Rational(1, 100)));
+    const scene::Scene other = scene::parse_scene(
+        "[profile]\nkind = \"hertz\"\ngeometry = \"axisymmetric\"\nR = \"4\"\n[load]\nP = \"7\"\n"
+        "contact_modulus = \"5\"\n",
+        "contact-mechanics.toml");
+    for (const auto& [quantity, stated] :
+         {std::pair{scene::Quantity::delta, "0.6507879989531481"},
+          std::pair{scene::Quantity::a, "1.6134286460245437"},
+          std::pair{scene::Quantity::p_max, "1.2839257217043503"}}) {
+        const Real ratio = value_of_contact(other, quantity).midpoint() / Real(stated);
+        CHECK(abs(Real(ratio - 1)) < Real("1e-7"));
+    }
 }
 
 // sneddon1965: h(s) = s integral_0^s g'(r)/sqrt(s^2 - r^2) dr, delta = h(a), P = 2 E* integral of s

@@ -136,7 +136,8 @@ std::string unit_of(const scene::Scene& scene, scene::Quantity quantity, std::si
         return "";
     }
     const auto& [length, force, pressure] = *scene.units;
-    const bool whole_force = scene.round && quantity == scene::Quantity::P;
+    const bool whole_force = scene.round && (quantity == scene::Quantity::P ||
+                                             quantity == scene::Quantity::cycle_energy);
     const double order =
         row.index == scene::QuantityRow::Index::order ? static_cast<double>(k) : 0.0;
     const int halves =
@@ -146,6 +147,9 @@ std::string unit_of(const scene::Scene& scene, scene::Quantity quantity, std::si
     }
     if (halves == 2 && force) {
         return force->name;
+    }
+    if (halves == 4 && force && length) {
+        return force->name + " " + length->name;
     }
     if (halves == 0 && force && length) {
         return force->name + "/" + length->name;

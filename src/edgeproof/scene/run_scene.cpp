@@ -23,6 +23,7 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
     for (const QuantityRow& row : quantity_rows()) {
         const bool wanted = row.quantity == Quantity::a || row.quantity == Quantity::b ||
                             row.quantity == Quantity::alpha || row.quantity == Quantity::delta ||
+                            row.quantity == Quantity::stiffness ||
                             (row.group == QuantityGroup::peak ? plan.peak : plan.resultants);
         if ((row.group == QuantityGroup::contact || row.group == QuantityGroup::peak) && wanted &&
             !row.at_edge() && !lack_of(scene, {row.quantity})) {
@@ -109,7 +110,7 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
     for (const contact::Edge edge : plan.slip ? plan.edges : std::vector<contact::Edge>{}) {
         add({Quantity::slip, 0, edge});
         for (const std::size_t n :
-             scene.round || scene.history ? std::vector<std::size_t>{} : scene.ask.terms) {
+             scene.history ? std::vector<std::size_t>{} : scene.ask.terms) {
             add({Quantity::slip_terms, n, edge, {}, scene.ask.tolerance});
         }
     }

@@ -178,7 +178,8 @@ TEST_CASE("each quantity is evaluated in balls and in Real: Hertz and a wedge by
         // (1/2) (x sqrt(x^2 - 1) - arcosh x) at x = 5/4 (johnson1985, sec. 5.4)
         {Quantity::gap, (Ball(Rational(15, 16), bits) - log(Ball(2, bits))) / 2},
         {Quantity::slip_displacement, Ball(0, bits)},
-        {Quantity::delta, Ball(1, bits)}, // a^2/R of a sphere
+        {Quantity::delta, Ball(1, bits)},     // a^2/R of a sphere
+        {Quantity::stiffness, Ball(2, bits)}, // dP/da = 4 E* a^2/R, d delta/da = 2 a/R
     };
     for (const QuantityRow& row : quantity_rows()) {
         CAPTURE(row.name);
@@ -240,7 +241,7 @@ TEST_CASE("the dimension of each quantity: lengths doubled, moduli three times a
 TEST_CASE("a name that is not a quantity: how to write one, and which one was likely meant") {
     const std::string all =
         "write p, q, c_0, c_1, ..., s_0, s_1, ..., a, b, P, M, alpha, "
-        "extent_1, measure_1, slip, stick_a, stick_b, p_max, cycle_energy or delta";
+        "extent_1, measure_1, slip, stick_a, stick_b, p_max, cycle_energy, delta or stiffness";
     CHECK(quantity_advice("temperature") == all);
     CHECK(quantity_advice("c1") == "did you mean c_1? " + all);
     CHECK(quantity_advice("alhpa") == "did you mean alpha? " + all);

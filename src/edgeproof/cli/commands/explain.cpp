@@ -22,11 +22,12 @@ std::string profile_text(const scene::Scene& scene) {
                    : "tilted-flat-and-rounded, t = " + punch.t.text() + ", R = " + punch.R.text() +
                          ", alpha to be found";
     }
-    std::string text = scene.profile->kind_name();
-    for (const auto& [name, value] : scene.profile->parameters()) {
+    const contact::Profile& profile = scene.round ? *scene.round->profile : *scene.profile;
+    std::string text = profile.kind_name();
+    for (const auto& [name, value] : profile.parameters()) {
         text += fmt::format(", {} = {}", name, value.text());
     }
-    return text;
+    return text + (scene.round ? ", axisymmetric" : "");
 }
 
 std::string asked_text(const scene::Scene& scene) {
@@ -100,10 +101,9 @@ int explain(const ExplainOptions& o) {
     report::Table table;
     table.title = scene.title.empty() ? scene.file : scene.title;
     using Kind = contact::Load::Kind;
-    std::string load = (scene.load.kind == Kind::force      ? "P = "
-                        : scene.load.kind == Kind::approach ? "delta = "
-                                                            : "a = ") +
-                       scene.load.value.text();
+    std::string load =
+        scene.round ? scene.round->load
+                    : (scene.load.kind == Kind::force ? "P = " : "a = ") + scene.load.value.text();
     if (scene.moment) {
         load += ", M = " + scene.moment->text();
     }
@@ -111,7 +111,7 @@ int explain(const ExplainOptions& o) {
                    {"profile", profile_text(scene)},
                    {"load", load + ", contact_modulus = " + scene.contact_modulus.text()},
                    {"asked", asked_text(scene)},
-                   {"route", route_name(plan.route)},
+                   {"route", way_of_pressure(scene, plan)},
                    {"bounds", (plan.proved ? "proved: " : "estimated: ") + plan.proved_why},
                    {"precision",
                     plan.proved ? fmt::format("balls of {} bits at first{}, more where {} digits "

@@ -29,7 +29,7 @@ int slip(const SceneOptions& o) {
                          "add friction = \"0.6\" to [shear], in addition to Q")
             .at(scene.file, scene.load_line);
     }
-    const bool series = !scene.round && !scene.history; // the series is that of one step of Q
+    const bool series = !scene.history; // the series is that of one step of Q
     if (!series) {
         scene.ask.terms.clear();
     } else {
@@ -42,17 +42,19 @@ int slip(const SceneOptions& o) {
                    "contact, -stick_b < x < stick_a, sticks"};
     if (series) {
         table.notes.emplace_back(
-            "d_n: the first n terms of d in powers of Q/f, P and bulk_tension/Q held; d_1 = "
-            "2 s_0/(f c_0); rel_n: |1 - d_n/d|");
+            scene.round ? "d_n: the first n terms of d in powers of Q/f, P held; rel_n: |1 - d_n/d|"
+                        : "d_n: the first n terms of d in powers of Q/f, P and bulk_tension/Q "
+                          "held; d_1 = 2 s_0/(f c_0); rel_n: |1 - d_n/d|");
     }
-    if (scene.ask.tolerance) {
+    if (series && scene.ask.tolerance) {
         table.notes.push_back("slip_load_n: the Q/(f P) up to which |1 - d_n/d| stays within " +
                               scene.ask.tolerance->text() +
                               ", P and bulk_tension/Q held; 1: up to full sliding");
     }
     if (result.find(scene::Quantity::cycle_energy) != nullptr) {
-        table.notes.emplace_back("cycle_energy: what friction takes, per unit length, in a cycle "
-                                 "from -Q to Q and back, P held");
+        table.notes.emplace_back(std::string("cycle_energy: what friction takes") +
+                                 (scene.round ? "" : ", per unit length,") +
+                                 " in a cycle from -Q to Q and back, P held");
     }
     table.asked =
         "size d of the slip zone at each edge, and d_n by the first n terms of its series";

@@ -5,6 +5,7 @@
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/quadrature/theta_cells.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -181,6 +182,11 @@ BallSeries integrals_of(const std::function<BoxSeries(const Box& t)>& f, std::si
 }
 
 } // namespace
+
+long useful_accuracy(long known, long bits) {
+    constexpr long spare_bits = 24;
+    return std::min(bits, std::clamp(known, 0L, bits) + spare_bits);
+}
 
 Box principal_root(const Box& x) { return meets_cut_of_root(x) ? unknown_box(x.bits()) : sqrt(x); }
 

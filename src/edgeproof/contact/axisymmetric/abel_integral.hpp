@@ -59,4 +59,8 @@ struct IntegralGoal {
 /// where it is not.
 [[nodiscard]] Ball integral_of(const std::function<Box(const Box& t)>& f, const IntegralGoal& goal);
 
+/// Returns the bits of accuracy that are useful in an integral whose parameters have `known` bits;
+/// exact parameters have more than any other number.
+[[nodiscard]] long useful_accuracy(long known, long bits);
+
 } // namespace edgeproof::contact

@@ -16,13 +16,6 @@ namespace {
 
 constexpr long bits_of_searches = 48;
 
-/// Returns the bits of accuracy that are useful in an integral whose parameters have `known` bits;
-/// exact parameters have more than any other number.
-long useful_accuracy(long known, long bits) {
-    constexpr long spare_bits = 24;
-    return std::min(bits, std::clamp(known, 0L, bits) + spare_bits);
-}
-
 } // namespace
 
 /// The radius by its distances from the edge, r = a - u, and from the opposite edge.
@@ -312,7 +305,8 @@ Ball AxisymmetricContact::majorant(Edge /*edge*/, const Ball& rho) const {
         if (bend.at_origin) {
             most += abs(bend.jump) * Ball::pi(bits_) / 2 + abs(bend.rate) * abs(s) * 2;
         } else if (inside(bend.knot)) {
-            const Box y = principal_root((s - v) * (s + v));
+            // The product of the roots is tighter than the root of the product.
+            const Box y = principal_root(s - v) * principal_root(s + v);
             const Box A = principal_arctangent(y / v);
             most += abs(bend.rate) * (abs(y) * 2 + v * abs(A));
             if (!contains_zero(bend.jump)) {
@@ -323,11 +317,7 @@ Ball AxisymmetricContact::majorant(Edge /*edge*/, const Ball& rho) const {
     return modulus_ / Ball::pi(bits_) * most * 2 / sqrt((a_ - rho) * 2);
 }
 
-std::vector<Ball> AxisymmetricContact::expansion(Edge /*edge*/, std::size_t terms) const {
-    if (terms == 0) {
-        return {};
-    }
-    // The plane contact with P'(s) = E* h'(s) has the same pressure.
+BallSeries AxisymmetricContact::approach_rate_series(std::size_t terms) const {
     const BallSeries s = BallSeries::variable(a_, terms);
     BallSeries rate(Ball(0, bits_), terms);
     for (const Bend& bend : bends_) {
@@ -335,7 +325,7 @@ std::vector<Ball> AxisymmetricContact::expansion(Edge /*edge*/, std::size_t term
             rate = rate + s * (bend.rate * 2) + bend.jump * Ball::pi(bits_) / 2;
         } else if (!on_edge_[bend.knot] && !certainly_less(a_, bend.v)) {
             if (!certainly_less(bend.v, a_)) {
-                return std::vector<Ball>(terms, unknown_ball(bits_));
+                return unknown_series(terms, bits_);
             }
             BallSeries y2 = s * s + -(bend.v * bend.v);
             y2.set(0, (a_ - bend.v) * (a_ + bend.v));
@@ -347,6 +337,26 @@ std::vector<Ball> AxisymmetricContact::expansion(Edge /*edge*/, std::size_t term
             }
         }
     }
+    return rate;
+}
+
+std::vector<Ball> AxisymmetricContact::force_rates(std::size_t terms) const {
+    const BallSeries rate =
+        approach_rate_series(terms) * BallSeries::variable(a_, terms) * (modulus_ * 2);
+    std::vector<Ball> rates;
+    for (std::size_t k = 0; k < terms; ++k) {
+        rates.push_back(k % 2 == 0 ? rate[k] : -rate[k]);
+    }
+    return rates;
+}
+
+std::vector<Ball> AxisymmetricContact::expansion(Edge /*edge*/, std::size_t terms) const {
+    if (terms == 0) {
+        return {};
+    }
+    // The plane contact with P'(s) = E* h'(s) has the same pressure.
+    const BallSeries rate = approach_rate_series(terms);
+    const BallSeries s = BallSeries::variable(a_, terms);
     const auto list = [&](const BallSeries& f) {
         std::vector<Ball> c;
         for (std::size_t k = 0; k < terms; ++k) {
@@ -356,79 +366,6 @@ std::vector<Ball> AxisymmetricContact::expansion(Edge /*edge*/, std::size_t term
     };
     const LawSeries<Ball> law{list(rate * modulus_), list(s)};
     return coefficients_of(right_edge_brackets(law, a_), Ball(a_ * 2));
-}
-
-namespace {
-
-/// The part of a bend at v in the gap at r: the integral of h'(s) arccos(s/r) over s0 < s < r,
-/// s = v + (r - v) cos^2(psi), psi = t psi_0 (docs/axisymmetric.md, "The gap").
-/// @param beyond r - s0 (length)
-/// @param rate h'(s) cos(psi) for s, cos(psi)
-Ball gap_integral(const Ball& v, const Ball& r, const Ball& beyond,
-                  const std::function<Box(const Box& s, const Box& cosine)>& rate) {
-    const long bits = r.bits();
-    const Ball span = r - v;
-    const Ball angle = asin(sqrt(min(beyond / span, Ball(1, bits))));
-    const Ball ratio = sqrt(span / (r * 2));
-    const IntegralGoal goal{bits, useful_accuracy(beyond.relative_accuracy_bits(), bits),
-                            Ball(0, bits), Ball(1, bits)};
-    return integral_of(
-               [&](const Box& t) {
-                   Box sine(bits);
-                   Box cosine(bits);
-                   acb_sin_cos(sine.get(), cosine.get(), (t * angle).get(), bits);
-                   Box arc = sine * ratio;
-                   if (!certainly_less(abs(arc), Ball(1, bits))) {
-                       return unknown_box(bits); // near a cut
-                   }
-                   acb_asin(arc.get(), arc.get(), bits);
-                   const Box s = cosine * cosine * span + v;
-                   return sine * arc * rate(s, cosine);
-               },
-               goal) *
-           angle * span * 8 / Ball::pi(bits);
-}
-
-} // namespace
-
-Ball AxisymmetricContact::gap_beyond(const Ball& beyond) const {
-    const Ball r = a_ + beyond;
-    Ball sum(0, bits_);
-    for (const Bend& bend : bends_) {
-        if (bend.at_origin) {
-            sum += gap_integral(bend.v, r, beyond, [&](const Box& s, const Box& cosine) {
-                return (s * (bend.rate * 2) + bend.jump * Ball::pi(bits_) / 2) * cosine;
-            });
-        } else if (certainly_less(bend.v, r)) {
-            const Ball from = min(beyond, r - bend.v);
-            sum += gap_integral(bend.v, r, from, [&](const Box& s, const Box& cosine) {
-                const Box root = principal_root((s + bend.v) * (r - bend.v)); // y/cos(psi)
-                const Box y = root * cosine;
-                const Box A = principal_arctangent(y / bend.v);
-                return (y * Ball(2, bits_) - A * bend.v) * bend.rate * cosine +
-                       (A * cosine + Box(bend.v) / root) * bend.jump;
-            });
-        } else if (!certainly_less(r, bend.v)) {
-            return unknown_ball(bits_);
-        }
-    }
-    return sum;
-}
-
-Ball axisymmetric_gap(const BallContact& plane, const Ball& beyond) {
-    const long bits = plane.bits();
-    const Ball& a = plane.a();
-    const Ball rate = plane.force_rate() / plane.modulus(); // h'(a)
-    const std::optional<PowerLaw<Ball>>& power = plane.power_law();
-    const Box exponent(power ? power->exponent : Ball(plane.slope().has_corner(0) ? 0 : 1, bits));
-    return gap_integral(Ball(0, bits), a + beyond, beyond, [&](const Box& s, const Box& cosine) {
-        if (!certainly_positive(s.real())) {
-            return unknown_box(bits); // near a cut
-        }
-        Box grown(bits);
-        acb_pow(grown.get(), (s / a).get(), exponent.get(), bits);
-        return grown * rate * cosine;
-    });
 }
 
 namespace {
@@ -449,6 +386,9 @@ public:
                                 const BallZone& /*near*/) const override {
         const Ball a = contact_.radius_for(force);
         return {a, a};
+    }
+    [[nodiscard]] std::vector<Ball> force_rates(const Ball& a, std::size_t terms) const override {
+        return contact_.with_radius(a).force_rates(terms);
     }
     [[nodiscard]] BallZone core() const override {
         return {contact_.minimum_end(), contact_.minimum_end()};
@@ -479,6 +419,18 @@ public:
                                 const BallZone& /*near*/) const override {
         const Ball a = plane_.a() * pow(force / force_, 1 / power_);
         return {a, a};
+    }
+    [[nodiscard]] std::vector<Ball> force_rates(const Ball& a, std::size_t terms) const override {
+        const Ball rate = values({a, a}).right_rate;
+        const BallSeries rates =
+            pow(-BallSeries::variable(Ball(0, bits()), terms) * (1 / a) + Ball(1, bits()),
+                power_ - 1) *
+            rate;
+        std::vector<Ball> list;
+        for (std::size_t k = 0; k < terms; ++k) {
+            list.push_back(rates[k]);
+        }
+        return list;
     }
 
 private:

@@ -49,6 +49,11 @@ public:
     [[nodiscard]] AxisymmetricContact with_radius(const Ball& a) const;
     /// The radius (length) of the contact of the same profile under the total force P.
     [[nodiscard]] Ball radius_for(const Ball& P) const;
+    /// Returns the coefficients of dP/da (force/length) at the radius a - d in powers of d.
+    [[nodiscard]] std::vector<Ball> force_rates(std::size_t terms) const;
+    /// Returns the integral of (1 - tau/2) P - L over the approach (force x length), where the
+    /// force L grows from (1 - tau) P, at the radius `from` (length), to P.
+    [[nodiscard]] Ball loop_integral(const Ball& from, const Ball& tau) const;
     /// The radius (length) at which g' begins to rise.
     [[nodiscard]] Ball minimum_end() const;
 
@@ -66,6 +71,9 @@ private:
     /// Returns h'(s) (docs/axisymmetric.md, "Piecewise linear slopes").
     [[nodiscard]] Ball approach_rate(const Ball& s) const;
     [[nodiscard]] Ball approach_at(const Ball& s) const;
+    /// Returns h'(a + z) as a series in z; its coefficients are not finite if a bend may lie on the
+    /// edge.
+    [[nodiscard]] BallSeries approach_rate_series(std::size_t terms) const;
     template <class F> [[nodiscard]] Ball over_bends(const Ball& s, const F& f) const;
     [[nodiscard]] bool inside(std::size_t knot) const override;
     [[nodiscard]] Ball pressure(const Place& at, bool least) const;

@@ -2,6 +2,7 @@
 #include "edgeproof/contact/slip/ball_slip.hpp"
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/precision/ball/ball_series.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
@@ -152,6 +153,21 @@ Ball BallSlip::traction(Edge edge, const Ball& u, const Ball& p) const {
 // docs/partial-slip.md, "The series"
 SlipSeries<Ball> BallSlip::series(std::size_t terms) const {
     const long bits = zones_.bits();
+    const std::vector<Ball> rates = zones_.force_rates(whole_.a, terms);
+    if (!rates.empty()) {
+        // The integral of the rates over the slip zone is tau P.
+        BallSeries over_force(Ball(0, bits), terms + 1);
+        for (std::size_t k = 0; k < terms; ++k) {
+            over_force.set(k + 1, rates[k] / (force_ * static_cast<long>(k + 1)));
+        }
+        const BallSeries d = inverse_function(over_force);
+        SlipSeries<Ball> series;
+        for (std::size_t k = 1; k <= terms; ++k) {
+            series.right.push_back(d[k]);
+        }
+        series.left = series.right;
+        return series;
+    }
     const Ball D = whole_.length();
     const Ball root_D = sqrt(D);
     return slip_series<Ball>(contact_.expansion(Edge::right, terms),

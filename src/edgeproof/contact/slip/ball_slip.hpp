@@ -94,7 +94,8 @@ public:
     [[nodiscard]] SlipState state(Edge edge, const Ball& u) const;
     /// Returns q (stress) at the distance `u` from an edge (length), where the pressure is `p`.
     [[nodiscard]] Ball traction(Edge edge, const Ball& u, const Ball& p) const;
-    /// Returns kappa_1 ... kappa_terms (slip_series.hpp).
+    /// Returns kappa_1 ... kappa_terms (slip_series.hpp; of an axisymmetric contact
+    /// docs/axisymmetric.md, "Partial slip").
     [[nodiscard]] SlipSeries<Ball> series(std::size_t terms) const;
     [[nodiscard]] const ZoneSolver& zones() const { return zones_; }
 

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace edgeproof::contact {
 
@@ -62,6 +63,12 @@ public:
                                         const BallZone& near) const;
     /// Finds the zone by Newton's method on midpoints, which proves nothing.
     [[nodiscard]] BallZone search(const Ball& force, const Ball& tilt, const BallZone& near) const;
+    /// Returns the coefficients of dP/da (force/length) at the radius a - d in powers of d, of an
+    /// axisymmetric contact; none for plane contacts.
+    [[nodiscard]] virtual std::vector<Ball> force_rates(const Ball& /*a*/,
+                                                        std::size_t /*terms*/) const {
+        return {};
+    }
     /// The minimum of g', which every stick zone without a tilt contains.
     [[nodiscard]] virtual BallZone core() const { return {Ball(0, bits()), Ball(0, bits())}; }
     /// See ProvedContact::cost.

@@ -106,5 +106,10 @@ BallSeries pow(const BallSeries& x, const Ball& exponent) {
                             x.bits_);
     return r;
 }
+BallSeries inverse_function(const BallSeries& x) {
+    BallSeries r(x.order_, x.bits_);
+    arb_poly_revert_series(r.poly_, x.poly_, static_cast<slong>(x.order_), x.bits_);
+    return r;
+}
 
 } // namespace edgeproof

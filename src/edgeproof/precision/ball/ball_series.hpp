@@ -36,6 +36,8 @@ public:
     friend BallSeries sqrt(const BallSeries& x);
     friend BallSeries atan(const BallSeries& x);
     friend BallSeries pow(const BallSeries& x, const Ball& exponent);
+    /// Returns the series y with x(y(z)) = z; x has no constant term.
+    friend BallSeries inverse_function(const BallSeries& x);
 
 private:
     BallSeries(std::size_t order, long bits);

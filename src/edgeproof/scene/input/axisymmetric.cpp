@@ -29,6 +29,8 @@ void make_axisymmetric(const io::TomlSection& profile, const io::TomlSection& lo
     const bool by_force = load.has("P") || !scene.steps.empty();
     const formula::Exact given = scene.load.value;
     scene.round = Axisymmetric{{}, {}, load.has("delta") ? "from delta" : "given"};
+    scene.round->profile = scene.profile;
+    scene.round->load = (load.has("delta") ? "delta = " : "a = ") + given.text();
     if (power_law) {
         scene.round->law = contact::AxisymmetricPowerLaw::of(*scene.profile);
         scene.profile = scene.round->law->plane();
@@ -55,6 +57,7 @@ void make_axisymmetric(const io::TomlSection& profile, const io::TomlSection& lo
 
 void set_total_force(Scene& scene, const formula::Exact& P) {
     scene.round->size_from = "from P";
+    scene.round->load = "P = " + P.text();
     scene.round->force = P;
     scene.load = contact::Load::force(P);
     if (scene.round->law) {

@@ -146,10 +146,11 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
     if ((needs == Needs::friction_alone || series_of_slip) && scene.history) {
         return lack("is not computed for load histories", "");
     }
-    if ((needs == Needs::friction_alone || series_of_slip) && scene.round) {
-        return lack("is not computed for axisymmetric contacts", "");
+    if (needs == Needs::friction_alone && scene.round && !scene.poisson(Body::A)) {
+        return lack("there is no Poisson's ratio", "add nu to [load]");
     }
-    if (needs == Needs::friction_alone && scene.profile && !scene.profile->has_closed_form()) {
+    if (needs == Needs::friction_alone && !scene.round && scene.profile &&
+        !scene.profile->has_closed_form()) {
         return lack("is not computed for curved slopes", "");
     }
     return {};

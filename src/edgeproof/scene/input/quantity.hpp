@@ -70,6 +70,7 @@ enum class Quantity {
     gap,               ///< gap between the bodies outside the contact
     slip_displacement, ///< u_A - u_B along the surface, inside the contact
     delta,             ///< approach of the bodies of an axisymmetric contact
+    stiffness,         ///< dP/d delta
 };
 
 /// Quantities that are planned and computed together; `quantities` of a scene file names them.

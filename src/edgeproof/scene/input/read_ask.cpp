@@ -311,7 +311,10 @@ void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene&
         if (result.route == contact::Route::closed_form && scene.profile &&
             !contact::BallContact::has_closed_form(*scene.profile)) {
             ask.reject("route",
-                       "only a power law or a piecewise linear g' has its pressure in closed form",
+                       scene.round ? "only a power law has its pressure in closed form as an "
+                                     "axisymmetric contact"
+                                   : "only a power law or a piecewise linear g' has its pressure "
+                                     "in closed form",
                        "write route = \"automatic\"");
         }
     }

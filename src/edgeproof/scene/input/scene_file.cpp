@@ -182,6 +182,12 @@ void check_materials(const io::TomlSection& shear, const contact::ShearSpec& spe
     }
 }
 
+[[noreturn]] void refuse_round_shear(const io::TomlSection& section, std::size_t line,
+                                     const char* instead) {
+    section.reject(line, "of the shear of axisymmetric contacts only partial slip is computed",
+                   instead);
+}
+
 void read_shear(const io::TomlSection& shear, Scene& scene) {
     shear.allow({"Q", "bulk_tension", "bulk_A", "path", "friction"});
     if (!shear.has("Q") && !shear.has("bulk_tension")) {
@@ -213,10 +219,10 @@ void read_shear(const io::TomlSection& shear, Scene& scene) {
         shear.reject("bulk_tension", "P and Q grow together under a bulk tension",
                      "give bulk_tension = \"0\": only then is q = (Q/P) p");
     }
-    if (scene.round && (!shear.has("friction") || spec.bulk_tension.sign() != 0)) {
-        shear.reject(shear.line(),
-                     "of the shear of axisymmetric contacts only partial slip is computed",
-                     "give Q and friction without a bulk tension, or leave [shear] out");
+    if (scene.round &&
+        (!shear.has("friction") || spec.bulk_tension.sign() != 0 || spec.bulk_A.sign() != 0)) {
+        refuse_round_shear(shear, shear.line(),
+                           "give Q and friction without bulk stresses, or leave [shear] out");
     }
     if (shear.has("friction")) {
         read_friction(shear, spec, scene);
@@ -245,6 +251,11 @@ void read_steps(const io::TomlSection& top, Scene& scene) {
 
 /// [shear] of a scene with steps: the friction, and bulk_A.
 void read_shear_of_steps(const io::TomlSection& top, Scene& scene) {
+    for (const LoadStep& step : scene.steps) {
+        if (scene.round && step.bulk_tension.sign() != 0) {
+            refuse_round_shear(top, step.line, "leave bulk_tension out of the step");
+        }
+    }
     if (top.has("shear")) {
         const io::TomlSection shear = top.section("shear");
         shear.allow({"friction", "bulk_A"});
@@ -255,6 +266,9 @@ void read_shear_of_steps(const io::TomlSection& top, Scene& scene) {
             scene.friction_line = scene.tension_line = shear.line("friction");
             require_positive(shear, "friction", *spec.friction,
                              "give a coefficient of friction > 0");
+        }
+        if (scene.round && spec.bulk_A.sign() != 0) {
+            refuse_round_shear(shear, shear.line("bulk_A"), "leave bulk_A out");
         }
         check_materials(shear, spec, scene);
         scene.shear = spec;

@@ -95,6 +95,8 @@ struct Axisymmetric {
     std::optional<formula::Exact> approach; ///< delta (length)
     const char* size_from;                  ///< the route of a: "given", "from P" or "from delta"
     std::optional<contact::AxisymmetricPowerLaw> law = {};
+    std::optional<contact::Profile> profile = {}; ///< as the scene gives it
+    std::string load = {};                        ///< the same, such as "P = 100"
 };
 
 /// A scene as its file gives it: exact, complete, and checked as far as possible without solving

@@ -126,12 +126,12 @@ Ball BallLevel::slip_displacement(const AskedValue& at) {
     if (certainly_positive(x - a()) || certainly_positive(-x - b())) {
         throw DomainError("the place lies outside the contact");
     }
+    if (!scene_.slips()) {
+        return {0, bits_};
+    }
     if (scene_.round) {
         throw InputError("the slip displacement of an axisymmetric contact is not computed",
                          "give places outside the contact, |x| > a");
-    }
-    if (!scene_.slips()) {
-        return {0, bits_};
     }
     const auto* const zones = part_contacts();
     if (zones == nullptr) {
@@ -151,6 +151,33 @@ Ball BallLevel::slip_displacement(const AskedValue& at) {
                     : gap_beyond(zone, contact::Edge::right, contact::clamped(right)));
     }
     return sum;
+}
+
+// docs/axisymmetric.md, "The energy of a cycle"
+Ball BallLevel::round_cycle_energy(const contact::BallSlip& slip) const {
+    const auto number = [&](const formula::Exact& x) { return ball_of(x, bits_); };
+    Ball ratio(0, bits_); // of the tangential compliance to the normal one
+    if (scene_.bodies) {
+        const auto compliance = [&](const formula::Exact& E, const formula::Exact& nu) {
+            return (2 - number(nu)) * (1 + number(nu)) / (number(E) * 2);
+        };
+        const Bodies& bodies = *scene_.bodies;
+        ratio = (compliance(bodies.E1, bodies.nu1) + compliance(bodies.E2, bodies.nu2)) *
+                contact_->modulus();
+    } else {
+        const Ball nu = number(*scene_.nu);
+        ratio = (2 - nu) / ((1 - nu) * 2);
+    }
+    const Ball factor = slip.friction() * slip.friction() * ratio * 8;
+    if (!scene_.round->law) {
+        return factor * of_revolution().loop_integral(slip.stick().a, slip.load_ratio());
+    }
+    const Ball m = number(formula::Exact(scene_.round->law->m));
+    const Ball power = (m + 2) / (m + 1); // P is proportional to delta^power
+    const Ball tau = slip.load_ratio();
+    const Ball left = pow(1 - tau, 1 / power);
+    return factor * whole_force() * approach() *
+           ((1 - tau / 2) * (1 - left) - (1 - (1 - tau) * left) / (power + 1));
 }
 
 } // namespace edgeproof::scene

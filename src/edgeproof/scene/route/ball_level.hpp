@@ -25,6 +25,9 @@ namespace edgeproof::scene {
 
 /// True if BallLevel::cycle_energy has a formula for the scene's profile.
 [[nodiscard]] inline bool encloses_cycle_energy(const Scene& scene) {
+    if (scene.round) {
+        return true;
+    }
     return scene.profile &&
            (scene.profile->kind() == contact::Profile::Kind::tilted_wedge ||
             (scene.symmetric() && contact::BallContact::has_closed_form(*scene.profile)));
@@ -73,6 +76,8 @@ public:
         return scene_.round->approach ? ball_of(*scene_.round->approach, bits_)
                                       : of_revolution().approach();
     }
+    /// dP/d delta of an axisymmetric contact (docs/axisymmetric.md, "Contact stiffness").
+    [[nodiscard]] Ball stiffness() const { return contact_->modulus() * a() * 2; }
     [[nodiscard]] Ball moment() const { return contact_->moment(); }
     /// Keeps the last value if it is used more than once.
     [[nodiscard]] Ball p(contact::Edge edge, const Distance& u) {
@@ -171,7 +176,8 @@ public:
         using Kind = contact::Profile::Kind;
         const Kind kind = scene_.profile->kind();
         return of_slip([&](const contact::BallSlip& slip) {
-            return kind == Kind::tilted_wedge ? similar_cycle_energy(slip, Ball(1, bits_))
+            return scene_.round                 ? round_cycle_energy(slip)
+                   : kind == Kind::tilted_wedge ? similar_cycle_energy(slip, Ball(1, bits_))
                    : kind == Kind::power_law
                        ? similar_cycle_energy(
                              slip, ball_of(scene_.profile->parameters().at("m"), bits_) + 1)
@@ -229,6 +235,7 @@ public:
     }
 
 private:
+    [[nodiscard]] Ball round_cycle_energy(const contact::BallSlip& slip) const;
     /// Keeps the last value.
     [[nodiscard]] const contact::StressState& stress(const AskedValue& at);
     [[nodiscard]] Ball bulk_stress(Body body) const;

@@ -35,6 +35,9 @@ public:
         return scene_.round ? Number::of(scene_.round->force->expr()) : force();
     }
     [[nodiscard]] Number approach() const { return Number::of(scene_.round->approach->expr()); }
+    [[nodiscard]] Number stiffness() const {
+        return Number::of(scene_.contact_modulus.expr()) * a() * Number(2);
+    }
     [[nodiscard]] Number moment() const { return contact_.moment(); }
     /// The distance of a place from its edge.
     [[nodiscard]] Number place(const AskedValue& asked) const {

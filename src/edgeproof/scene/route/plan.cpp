@@ -147,7 +147,10 @@ private:
         const contact::Load::Kind load = scene_.load.kind;
         const bool force = load != contact::Load::Kind::right_edge;
         add("size from force", force,
-            load == contact::Load::Kind::force      ? "P is given"
+            scene_.round && scene_.round->law &&
+                    scene_.round->size_from != std::string_view("given")
+                ? scene_.round->load + "; a is in closed form"
+            : load == contact::Load::Kind::force    ? "P is given"
             : load == contact::Load::Kind::approach ? "delta is given"
                                                     : "a is given",
             &Counts::load_inversions, 1);
@@ -180,7 +183,7 @@ private:
                                 : plan_.print_pressure ? points
                                                        : points + ": q = (Q/P) p";
         const bool power_law = scene_.profile && !scene_.profile->piecewise_linear();
-        const std::string route = route_name(plan_.route);
+        const std::string route = way_of_pressure(scene_, plan_);
         add("pressure, closed form", plan_.pressure && closed_,
             !plan_.pressure ? why
             : closed_       ? why + (power_law ? "; Gauss's 2F1" : "; logarithms")
@@ -218,9 +221,10 @@ private:
                                : none,
             &Counts::stick_zones, 1);
         add("slip zones", plan_.slip,
-            !plan_.slip          ? (scene_.slips() ? "not asked for" : none)
-            : ask_.terms.empty() ? "their sizes"
-                                 : "their sizes, and of " + count_of(ask_.most_terms(), "term"),
+            !plan_.slip ? (scene_.slips() ? "not asked for" : none)
+            : ask_.terms.empty() || scene_.history
+                ? "their sizes"
+                : "their sizes, and of " + count_of(ask_.most_terms(), "term"),
             &Counts::slip_sizes, ask_.edges.size());
         add("extent", plan_.extents,
             plan_.extents ? "within " + ask_.tolerance->text() + " of p" : "not asked for",
@@ -255,6 +259,11 @@ private:
 };
 
 } // namespace
+
+std::string way_of_pressure(const Scene& scene, const Plan& plan) {
+    return scene.profile && scene.profile->axisymmetric() ? "Abel integral"
+                                                          : route_name(plan.route);
+}
 
 Plan make_plan(const Scene& scene) {
     check(scene);

@@ -57,6 +57,9 @@ struct Plan {
     }
 };
 
+/// Returns how the plan computes pressures, in words.
+[[nodiscard]] std::string way_of_pressure(const Scene& scene, const Plan& plan);
+
 /// Throws InputError if the scene lacks the data for its request: pressures without points,
 /// coefficients or extents without a number of terms, extents without a tolerance.
 [[nodiscard]] Plan make_plan(const Scene& scene);

@@ -328,6 +328,11 @@ constexpr auto quantity_table = std::to_array<Def>({
         .needing(Needs::round)
         .explained("approach of the bodies")
         .by("closed-form"),
+    of_contact<&BallLevel::stiffness, &ExactValues::stiffness, &RealLevel::stiffness>(
+        Quantity::stiffness, "stiffness", "contact-stiffness", Group::contact, units::force)
+        .needing(Needs::round)
+        .explained("contact stiffness dP/d delta")
+        .by("closed-form"),
 });
 
 /// The rows are in the order of QuantityGroup.

@@ -38,6 +38,11 @@ public:
     [[nodiscard]] BoundedValue distance(contact::Edge edge) const;
     [[nodiscard]] BoundedValue force() const;
     [[nodiscard]] BoundedValue approach() const { return given(*scene_.round->approach); }
+    /// Only for power laws, whose a is a given number.
+    [[nodiscard]] BoundedValue stiffness() const {
+        return given(formula::Exact(formula::Expr::number(Rational(2)) *
+                                    scene_.contact_modulus.expr() * scene_.load.value.expr()));
+    }
     [[nodiscard]] BoundedValue moment() const;
     [[nodiscard]] BoundedValue alpha() const;
     [[nodiscard]] BoundedValue p(contact::Edge edge, const formula::Exact& u);

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Integrals over the approach: the gap outside the contact, and the energy of a cycle.
+#include "edgeproof/contact/axisymmetric/abel_integral.hpp"
+#include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace edgeproof::contact {
+
+namespace {
+
+/// The part of a bend at v in the gap at r: the integral of h'(s) arccos(s/r) over s0 < s < r,
+/// s = v + (r - v) cos^2(psi), psi = t psi_0 (docs/axisymmetric.md, "The gap").
+/// @param beyond r - s0 (length)
+/// @param before s0 - v, 0 or more (length)
+/// @param rate h'(s) cos(psi) for s, cos(psi)
+Ball gap_integral(const Ball& v, const Ball& r, const Ball& beyond, const Ball& before,
+                  const std::function<Box(const Box& s, const Box& cosine)>& rate) {
+    const long bits = r.bits();
+    const Ball span = r - v;
+    const Ball angle = atan2(sqrt(beyond), Field<Ball>::root(before)); // psi_0
+    const Ball ratio = sqrt(span / (r * 2));
+    const IntegralGoal goal{bits, useful_accuracy(beyond.relative_accuracy_bits(), bits),
+                            Ball(0, bits), Ball(1, bits)};
+    return integral_of(
+               [&](const Box& t) {
+                   Box sine(bits);
+                   Box cosine(bits);
+                   acb_sin_cos(sine.get(), cosine.get(), (t * angle).get(), bits);
+                   Box arc = sine * ratio;
+                   if (!certainly_less(abs(arc), Ball(1, bits))) {
+                       return unknown_box(bits); // near a cut
+                   }
+                   acb_asin(arc.get(), arc.get(), bits);
+                   const Box s = cosine * cosine * span + v;
+                   return sine * arc * rate(s, cosine);
+               },
+               goal) *
+           angle * span * 8 / Ball::pi(bits);
+}
+
+} // namespace
+
+Ball AxisymmetricContact::gap_beyond(const Ball& beyond) const {
+    const Ball r = a_ + beyond;
+    Ball sum(0, bits_);
+    for (const Bend& bend : bends_) {
+        if (bend.at_origin) {
+            sum += gap_integral(bend.v, r, beyond, a_, [&](const Box& s, const Box& cosine) {
+                return (s * (bend.rate * 2) + bend.jump * Ball::pi(bits_) / 2) * cosine;
+            });
+        } else if (certainly_less(bend.v, r)) {
+            const Ball from = min(beyond, r - bend.v);
+            const Ball before = clamped(a_ - bend.v);
+            sum += gap_integral(bend.v, r, from, before, [&](const Box& s, const Box& cosine) {
+                const Box root = principal_root((s + bend.v) * (r - bend.v)); // y/cos(psi)
+                const Box y = root * cosine;
+                const Box A = principal_arctangent(y / bend.v);
+                return (y * Ball(2, bits_) - A * bend.v) * bend.rate * cosine +
+                       (A * cosine + Box(bend.v) / root) * bend.jump;
+            });
+        } else if (!certainly_less(r, bend.v)) {
+            // At most the greatest arccos times h(r).
+            const Ball y = Field<Ball>::root(clamped(r - bend.v) * (r + bend.v));
+            const Ball A = atan2(y, bend.v);
+            const Ball most = r * A * (abs(bend.jump) * A + abs(bend.rate) * y);
+            sum += Ball::hull(-most, most) * 2 / Ball::pi(bits_);
+        }
+    }
+    return sum;
+}
+
+Ball axisymmetric_gap(const BallContact& plane, const Ball& beyond) {
+    const long bits = plane.bits();
+    const Ball& a = plane.a();
+    const Ball rate = plane.force_rate() / plane.modulus(); // h'(a)
+    const std::optional<PowerLaw<Ball>>& power = plane.power_law();
+    const Box exponent(power ? power->exponent : Ball(plane.slope().has_corner(0) ? 0 : 1, bits));
+    return gap_integral(Ball(0, bits), a + beyond, beyond, a, [&](const Box& s, const Box& cosine) {
+        if (!certainly_positive(s.real())) {
+            return unknown_box(bits); // near a cut
+        }
+        Box grown(bits);
+        acb_pow(grown.get(), (s / a).get(), exponent.get(), bits);
+        return grown * rate * cosine;
+    });
+}
+
+// docs/axisymmetric.md, "The energy of a cycle"
+Ball AxisymmetricContact::loop_integral(const Ball& from, const Ball& tau) const {
+    // Between two bends h' is analytic, and with s = s0 + t^2 (s1 - s0) also at a bend at s0.
+    std::vector<Ball> ends{from};
+    std::vector<std::size_t> begins{bends_.size()}; // the bend at which a part begins
+    for (std::size_t i = 0; i < bends_.size(); ++i) {
+        const Ball& v = bends_[i].v;
+        if (bends_[i].at_origin || !inside(bends_[i].knot) || certainly_less(v, from)) {
+            continue;
+        }
+        if (!certainly_less(from, v)) {
+            return unknown_ball(bits_);
+        }
+        ends.push_back(v);
+        begins.push_back(i);
+    }
+    ends.push_back(a_);
+    const Ball whole = force();
+    const Ball mean = whole * (1 - tau / 2);
+    const Ball scale = whole * tau * (approach() - approach_at(from)) / (a_ - from);
+    const long known = std::min((a_ - from).relative_accuracy_bits(), tau.relative_accuracy_bits());
+    const IntegralGoal goal{bits_, useful_accuracy(known, bits_), scale, a_ - from};
+    Ball sum(0, bits_);
+    for (std::size_t part = 0; part + 1 < ends.size(); ++part) {
+        const Ball& begin = ends[part];
+        const Ball width = ends[part + 1] - begin;
+        sum += width * 2 *
+               integral_of(
+                   [&](const Box& t) {
+                       const Box beyond = t * t * width; // s - s0
+                       const Box s = beyond + begin;
+                       Box rate(bits_);    // t h'(s)
+                       Box carried(bits_); // L/E*
+                       for (std::size_t i = 0; i < bends_.size(); ++i) {
+                           const Bend& bend = bends_[i];
+                           const Ball& v = bend.v;
+                           const bool begun =
+                               bend.at_origin || i == begins[part] || certainly_less(v, begin);
+                           if (!begun) {
+                               break;
+                           }
+                           const bool here = i == begins[part];
+                           const Box root = bend.at_origin ? s
+                                            : here         ? principal_root((s + v) * width)
+                                                           : principal_root(beyond + (begin - v)) *
+                                                         principal_root(s + v);
+                           const Box y = here ? root * t : root;
+                           const Box A = bend.at_origin ? Box(Ball::pi(bits_) / 2)
+                                                        : principal_arctangent(y / v);
+                           const Box slope = bend.at_origin ? A * t
+                                             : here         ? A * t + Box(v) / root
+                                                            : (A + Box(v) / y) * t;
+                           rate = rate + (y * Ball(2, bits_) - A * v) * t * bend.rate +
+                                  slope * bend.jump;
+                           const Box s2A = s * s * A;
+                           carried =
+                               carried + (s2A + y * v) * bend.jump +
+                               (y * y * y * (Ball(4, bits_) / 3) - (s2A - y * v) * v) * bend.rate;
+                       }
+                       return (Box(mean) - carried * modulus_) * rate;
+                   },
+                   goal);
+    }
+    return sum;
+}
+
+} // namespace edgeproof::contact

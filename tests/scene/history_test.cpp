@@ -263,6 +263,135 @@ TEST_CASE("unloading of the shear force of a cylinder") {
     CHECK(overlaps(stick * stick, a * a * Ball(Rational(5, 8), stick.bits())));
 }
 
+// Cylinders with g' = x/2 and E* = 1, P = pi a^2/8. A part of q in proportion to the pressure of
+// the half-width a moves x by minus the ratio times this (johnson1985, eqs. 2.24 and 4.41: the
+// strain is that of PV int p/(x - s) ds = pi (x - sqrt(x^2 - a^2))/4). The slip is the change of
+// u_A - u_B since P rose to pi x^2/8, relative to the middle.
+TEST_CASE("the slip displacement of a history is the movement since the place came into contact") {
+    const auto half_width = [](double P) { return std::sqrt(8 * P / std::acos(-1.0)); };
+    using Layers = std::vector<std::pair<double, double>>; // force, ratio
+    const auto moved = [&](const Layers& layers, double x) {
+        double sum = 0;
+        for (std::size_t j = 0; j < layers.size(); ++j) {
+            const double a = half_width(layers[j].first);
+            const double beyond =
+                x > a ? x * std::sqrt(x * x - a * a) - a * a * std::acosh(x / a) : 0.0;
+            const double next = j + 1 < layers.size() ? layers[j + 1].second : 0.0;
+            sum -= (layers[j].second - next) * (x * x - beyond) / 4;
+        }
+        return sum;
+    };
+    const auto slip = [](const LoadPath& path, double x) {
+        const scene::SceneResult result = run_scene(scene::parse_scene(
+            history_text(history_profiles[0], path,
+                         "[ask]\nx = [\"" + std::to_string(x) +
+                             "\"]\ndigits = 15\nquantities = [\"displacement\"]\n"),
+            "steps.toml"));
+        return result.at_places(scene::QuantityRow::Place::surface)
+            .at(0)
+            .at(scene::Quantity::slip_displacement)
+            .value;
+    };
+    const LoadPath grown{{1, 0.1}, {2, 0.3}};
+    const LoadPath reversed{{1, 0.1}, {2, 0.3}, {2, -0.6}};
+    const LoadPath reloaded{{1, 0.1}, {2, 0.3}, {1.2, -0.2}, {1.8, 0}};
+    struct Case {
+        LoadPath path;
+        double force; ///< P when the place comes into contact
+        Layers then;
+        Layers now;
+    };
+    const std::vector<Case> cases{
+        {reversed, 1.5, {{1, 0.1}, {1.5, 0.2}}, {{2.0 / 3, 0.1}, {2, -0.5}}},
+        {reversed, 0.9, {{0.9, 0.1}}, {{2.0 / 3, 0.1}, {2, -0.5}}},
+        {reloaded, 1.1, {{1, 0.1}, {1.1, 0.2}}, {{2.0 / 3, 0.1}, {1.2, -0.5}, {1.8, 1.0 / 3}}},
+    };
+    for (const auto& [path, force, then, now] : cases) {
+        const double x = std::stod(std::to_string(half_width(force)));
+        Layers exact = then;
+        exact.back().first = std::acos(-1.0) * x * x / 8;
+        const double expected = moved(now, x) - moved(exact, x);
+        CAPTURE(force);
+        CHECK(std::abs(expected) > 1e-3);
+        CHECK(slip(path, x).midpoint().convert_to<double>() ==
+              doctest::Approx(expected).epsilon(1e-11));
+        CHECK(slip(path, -x).midpoint().convert_to<double>() ==
+              doctest::Approx(expected).epsilon(1e-11));
+    }
+    for (const double force : {0.5, 1.5}) {
+        const Ball none = slip(grown, half_width(force));
+        CHECK((none.is_exact() && contains_zero(none)));
+    }
+    const Ball again = slip(reloaded, half_width(1.6)); // it left the contact, and stuck since then
+    CHECK((again.is_exact() && contains_zero(again)));
+    const scene::Scene stuck =
+        scene::parse_scene(history_text(history_profiles[0], grown), "steps.toml");
+    const Ball size =
+        scene::SceneValues(stuck, {{scene::Quantity::slip}}, {20, Rounding::nearest, false})
+            .value({scene::Quantity::slip})
+            .value;
+    CHECK((size.is_exact() && contains_zero(size)));
+    CHECK_THROWS_WITH_AS((void)slip({{1, 0}, {2, 0.9}}, half_width(1.5)),
+                         doctest::Contains("while the edges slipped"), Error);
+    CHECK(certainly_negative(slip({{1, 0}, {2, 0.9}}, half_width(0.9))));
+}
+
+// A step that leaves out a load keeps that of the step before, also in later passes.
+TEST_CASE("cycles repeat the steps from one to the last") {
+    const std::string head = "[profile]\n" + std::string(history_profiles[0]) +
+                             "\n[load]\ncontact_modulus = \"1\"\n[shear]\nfriction = \"1/2\"\n";
+    const std::string first = "[[step]]\nP = \"1\"\n";
+    const std::string grow = "[[step]]\nQ = \"0.3\"\n";
+    const std::string rest = "[[step]]\nP = \"1.25\"\n[[step]]\nQ = \"-1/4\"\n";
+    const auto history = [&](const std::string& steps) {
+        return scene::parse_scene(head + steps, "steps.toml");
+    };
+    const std::string again = grow + rest;
+    const scene::Scene by_cycles = history(first + grow + "cycles = 3\n" + rest);
+    const scene::Scene explicitly = history(first + again + again + again);
+    REQUIRE(by_cycles.steps.size() == 10);
+    REQUIRE(explicitly.steps.size() == 10);
+    for (std::size_t i = 0; i < 10; ++i) {
+        CHECK(by_cycles.steps[i].P == explicitly.steps[i].P);
+        CHECK(by_cycles.steps[i].Q == explicitly.steps[i].Q);
+    }
+    CHECK(by_cycles.steps[4].P.text() == "1.25");
+    REQUIRE(by_cycles.history->layers.size() == explicitly.history->layers.size());
+    for (std::size_t j = 0; j < by_cycles.history->layers.size(); ++j) {
+        const auto& one = by_cycles.history->layers[j];
+        const auto& other = explicitly.history->layers[j];
+        CHECK(one.force.to<double>() == other.force.to<double>());
+        CHECK(one.ratio.to<double>() == other.ratio.to<double>());
+    }
+    CHECK(history_refusal(head + first + "cycles = 2\n" + grow + "cycles = 2\n")
+              .find("cycles is given in two steps") != std::string::npos);
+    for (const char* count : {"0", "1001", "\"2\"", "1.5"}) {
+        CAPTURE(count);
+        CHECK_FALSE(history_refusal(head + first + "cycles = " + count + "\n").empty());
+    }
+}
+
+// Return-point memory: at constant P each pass ends in the state of the first.
+TEST_CASE("at constant P the first cycle is the steady state") {
+    for (const std::string cycles : {"1", "2", "5"}) {
+        const scene::Scene s = scene::parse_scene(
+            "[profile]\n" + std::string(history_profiles[0]) +
+                "\n[load]\ncontact_modulus = \"1\"\n[shear]\nfriction = \"1/2\"\n"
+                "[[step]]\nP = \"1\"\n[[step]]\nQ = \"0.4\"\ncycles = " +
+                cycles + "\n[[step]]\nQ = \"-0.2\"\n[[step]]\nQ = \"0.1\"\n",
+            "steps.toml");
+        // By hand: from 0.4 (slip outside L = 1/5) down by 0.6 (outside 2/5), then up by 0.3
+        // (outside 7/10).
+        REQUIRE(s.history->layers.size() == 4);
+        const double forces[] = {0.2, 0.4, 0.7, 1};
+        const double ratios[] = {0, 0.5, -0.5, 0.5};
+        for (std::size_t j = 0; j < 4; ++j) {
+            CHECK(s.history->layers[j].force.to<double>() == doctest::Approx(forces[j]));
+            CHECK(s.history->layers[j].ratio.to<double>() == doctest::Approx(ratios[j]));
+        }
+    }
+}
+
 TEST_CASE("load histories that are not computed are refused") {
     const std::string hertz = history_profiles[0];
     CHECK(history_refusal(history_text(hertz, {{1, 0}, {1, 0.6}})).find("slide") !=

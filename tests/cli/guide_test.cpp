@@ -38,7 +38,7 @@ std::vector<CodeBlock> code_blocks(const std::string& page) {
     return blocks;
 }
 
-/// Returns the lines that a terminal shows in the end. The line of the progress is overwritten.
+/// Returns the lines that a terminal shows in the end, without the line of the progress.
 std::vector<std::string> shown_by_terminal(const std::string& written) {
     std::vector<std::string> shown;
     for (std::string line : lines(written)) {
@@ -46,7 +46,11 @@ std::vector<std::string> shown_by_terminal(const std::string& written) {
             line.pop_back();
         }
         const std::size_t cleared = line.rfind("\x1b[K");
-        shown.push_back(cleared == std::string::npos ? line : line.substr(cleared + 3));
+        if (cleared == std::string::npos) {
+            shown.push_back(line);
+        } else if (cleared + 3 < line.size()) {
+            shown.push_back(line.substr(cleared + 3));
+        }
     }
     return shown;
 }
@@ -154,11 +158,10 @@ TEST_CASE("the README: its commands print what it shows") {
 }
 
 TEST_CASE("the guide: its commands print what it shows" * doctest::test_suite("slow")) {
-    for (const auto& [page, commands] :
-         {std::pair{"start.md", 3}, std::pair{"contacts.md", 13},
-          std::pair{"slip-and-stress.md", 7}, std::pair{"checks.md", 7}}) {
-        CAPTURE(page);
-        CHECK(run_commands(guide_page(page)) == commands);
+    const std::pair<std::string, std::size_t> pages[] = {
+        {"start.md", 3}, {"contacts.md", 15}, {"slip-and-stress.md", 7}, {"checks.md", 7}};
+    for (const auto& [page, commands] : pages) {
+        CHECK_MESSAGE(run_commands(guide_page(page)) == commands, page);
     }
 }
 

@@ -15,4 +15,5 @@ install(FILES
     cmake/ImportLibrary.cmake cmake/FindGMP.cmake cmake/FindMPFR.cmake cmake/FindFLINT.cmake
     cmake/FindGiNaC.cmake
     DESTINATION ${package_dir})
-install(DIRECTORY examples/cpp examples/scenes examples/compare examples/design DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+install(DIRECTORY examples/cpp examples/scenes examples/recipes examples/compare examples/design
+    DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)

@@ -18,7 +18,7 @@ foreach(file README.md CHANGELOG.md CONTRIBUTING.md LICENSE CITATION.cff)
     install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
 endforeach()
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation
-    PATTERN Doxyfile EXCLUDE)
+    PATTERN Doxyfile EXCLUDE PATTERN pages.css EXCLUDE)
 # A script in Python with the page that describes it: the program's package does not need Python.
 install(DIRECTORY examples/third-party/solvers
     DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples/third-party COMPONENT documentation

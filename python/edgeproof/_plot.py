@@ -115,7 +115,7 @@ def plot(scene: Any, terms: list[int], edge: str) -> matplotlib.figure.Figure:
     # Exact errors: those of binary64 numbers would end at 1e-16.
     places = [repr(v) for v in length * 0.99999 * 10.0 ** (
         numpy.arange(-_DECADES * _PLACES_A_DECADE, 1) / _PLACES_A_DECADE)]
-    points = scene._points(places, edge, "pressure", terms, 24)
+    _, points = scene._points(places, None, edge, "pressure", terms, 24)
     for k, (n, extent, (colour, style), mark) in enumerate(
             zip(terms, extents, itertools.cycle(_PENS), itertools.cycle(_MARKS))):
         errors = [(float(point.u), 100 * abs(float(point.p_local[k].relative_error)))

@@ -120,6 +120,7 @@ class Scene:
     M                moment about the origin per unit length, with P and a tilted profile without
                      alpha: the tilt is then found
     contact_modulus  E*, or E1, nu1, E2, nu2: Young's moduli and Poisson's ratios of both bodies
+    E, nu            in their place: those of two equal bodies
     nu               with contact_modulus: Poisson's ratio of both bodies, for stresses of von Mises
     Q, bulk_tension  shear force per unit length, and differential bulk tension
     bulk_A           the bulk stress of body A; B has bulk_A + bulk_tension
@@ -145,13 +146,19 @@ class Scene:
     def __init__(self, profile: Profile, *, a: Number | None = None, P: Number | None = None,
                  M: Number | None = None, contact_modulus: Number | None = None,
                  E1: Number | None = None, nu1: Number | None = None, E2: Number | None = None,
-                 nu2: Number | None = None, nu: Number | None = None, Q: Number | None = None,
+                 nu2: Number | None = None, E: Number | None = None,
+                 nu: Number | None = None, Q: Number | None = None,
                  bulk_tension: Number | None = None, bulk_A: Number | None = None,
                  friction: Number | None = None, path: str | None = None,
                  title: str = "") -> None:
         if not isinstance(profile, Profile):
             raise TypeError(f"profile is {type(profile).__name__}, not a Profile: give "
                             "edgeproof.hertz(R=...), edgeproof.power_law(m=..., C=...), ...")
+        if E is not None:
+            if nu is None or not contact_modulus is E1 is nu1 is E2 is nu2 is None:
+                raise InputError("E is given without nu, or with other moduli",
+                                 "give E and nu for two equal bodies, or E1, nu1, E2 and nu2")
+            E1, nu1, E2, nu2, nu = E, nu, E, nu, None
         given = dict(zip(_LOAD, (a, P, M, contact_modulus, E1, nu1, E2, nu2, nu)))
         load = [(k, exact_text(v, k)) for k, v in given.items() if v is not None]
         shear = [(k, exact_text(v, k))

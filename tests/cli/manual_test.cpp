@@ -46,6 +46,8 @@ TEST_CASE("the manual and the completions name every subcommand and option of th
     const std::string help = run(folder, "--help").out;
     const auto subcommands = matches_in(help.substr(help.find("Subcommands:")), a_subcommand);
     REQUIRE(subcommands.size() >= 11);
+    CHECK(has(zsh, "'*:file: _alternative \"shipped:"));
+    CHECK_FALSE(has(zsh, ":_alternative")); // without the blank it is called with -J
     for (const std::string& sub : subcommands) {
         CAPTURE(sub);
         CHECK(has(whole, "edgeproof\\-" + in_roff(sub) + "\\fR(1)"));
@@ -92,10 +94,12 @@ TEST_CASE("a file that came with the program is found by its name") {
 
 TEST_CASE("help: five usual options and an example that runs; all options on request") {
     const Folder folder;
+    std::filesystem::create_directory_symlink(source_dir() / "examples",
+                                              folder.path() / "examples");
     std::size_t examples = 0;
     for (const std::string command :
          {"pressure", "expand", "extent", "slip", "stress", "displacement", "plot", "slip-table",
-          "explain", "relations", "design", "points", "check", "verify"}) {
+          "explain", "relations", "design", "points", "check", "compare", "verify"}) {
         CAPTURE(command);
         const Outcome help = run(folder, command + " --help");
         CHECK(help.code == 0);
@@ -123,7 +127,7 @@ TEST_CASE("help: five usual options and an example that runs; all options on req
             ++examples;
         }
     }
-    CHECK(examples == 13);
+    CHECK(examples == 14);
     CHECK(has(run(folder, "help").out, "Subcommands:"));
     CHECK(has(run(folder, "help nonsense").err, "unknown subcommand 'nonsense'"));
 }

@@ -22,8 +22,8 @@ std::optional<std::string> browser() {
     return std::nullopt;
 }
 
-/// Measures the layout of the page, and writes its findings, one on each line, into an element of
-/// the dumped document.
+/// Measures the layout of the page, and sends its findings, one on each line, to the page around
+/// it.
 const std::string measuring = R"js(<script>
 addEventListener("load", () => {
   const found = [];
@@ -65,24 +65,30 @@ addEventListener("load", () => {
     if (node.parentElement.closest("code, script, style")) continue;
     if (/[$\\]|\bEQ\d\d\b.* prints/.test(node.data)) found.push("raw TeX: " + node.data.trim().slice(0, 60));
   }
-  const out = document.createElement("pre");
-  out.id = "measured";
-  out.textContent = "width " + innerWidth + "\n" + [...new Set(found)].join("\n") + "\nend";
-  document.body.append(out);
+  parent.postMessage("width " + innerWidth + "\n" + [...new Set(found)].join("\n") + "\nend", "*");
 });
 </script>)js";
+
+/// A page that shows the report in a frame of this width: a window of Chromium is at least 500
+/// wide.
+std::string framed(const std::string& width) {
+    return "<!doctype html><iframe src=\"report.html\" style=\"height:900px; width:" + width +
+           "px; border:0\"></iframe><pre id=\"measured\"></pre><script>onmessage = (sent) => {"
+           " document.getElementById(\"measured\").textContent = sent.data; };</script>";
+}
 
 struct Opened {
     std::string page;     ///< the document after its scripts have run
     std::string messages; ///< the browser's messages, including its console
 };
 
-Opened open_page(const Folder& folder, const std::string& fragment, const std::string& more = "") {
+Opened open_page(const Folder& folder, const std::string& fragment, const std::string& more = "",
+                 const std::string& file = "report.html") {
     const std::string command =
         "cd '" + folder.path().string() + "' && timeout 120 " + *browser() +
         " --headless --no-sandbox --disable-gpu --enable-logging=stderr --v=0" +
         " --user-data-dir='" + folder.path().string() + "/browser' " + more +
-        " --dump-dom 'file://" + folder.path().string() + "/out/report.html" + fragment +
+        " --dump-dom 'file://" + folder.path().string() + "/out/" + file + fragment +
         "' >page.txt 2>messages.txt </dev/null";
     REQUIRE(std::system(command.c_str()) == 0);
     return {file_text(folder.path() / "page.txt"), file_text(folder.path() / "messages.txt")};
@@ -93,11 +99,14 @@ std::string faults_of(const Folder& folder, const std::string& width) {
     const auto page = folder.path() / "out" / "report.html";
     const std::string kept = file_text(page);
     (void)folder.write("out/report.html", kept + measuring);
-    const Opened opened = open_page(folder, "", "--window-size=" + width + ",900");
+    (void)folder.write("out/framed.html", framed(width));
+    const Opened opened =
+        open_page(folder, "", "--window-size=1400,900 --virtual-time-budget=20000", "framed.html");
     (void)folder.write("out/report.html", kept);
     const std::size_t at = opened.page.find("<pre id=\"measured\">");
     REQUIRE(at != std::string::npos);
     const std::size_t begin = opened.page.find('\n', at) + 1;
+    CHECK(has(opened.page, ">width " + width + "\n"));
     return opened.page.substr(begin, opened.page.find("\nend", begin) - begin);
 }
 

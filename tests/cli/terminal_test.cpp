@@ -1,56 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/hertz_ledger.hpp"
-#include "tests/cli/run_program.hpp"
+#include "tests/cli/on_terminal.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
-
-#include <pty.h>
-
-#include <array>
-#include <sstream>
 
 using namespace edgeproof::test;
 
 namespace {
 
-/// Returns what the program writes to a terminal, with these variables set (NAME=VALUE) or unset
-/// (NAME).
+/// Returns what the program writes to a terminal.
 std::string on_terminal(const Folder& folder, const std::vector<std::string>& environment,
                         const std::vector<std::string>& arguments) {
-    const std::string path = program().string();
-    int terminal = -1;
-    const ::pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
-    REQUIRE(child >= 0);
-    if (child == 0) {
-        for (const std::string& variable : environment) {
-            const std::size_t equals = variable.find('=');
-            if (equals == std::string::npos) {
-                ::unsetenv(variable.c_str());
-            } else {
-                ::setenv(variable.substr(0, equals).c_str(), variable.c_str() + equals + 1, 1);
-            }
-        }
-        std::vector<char*> words{const_cast<char*>(path.c_str())}; // NOLINT: execv's own type
-        for (const std::string& argument : arguments) {
-            words.push_back(const_cast<char*>(argument.c_str())); // NOLINT
-        }
-        words.push_back(nullptr);
-        if (::chdir(folder.path().c_str()) == 0) {
-            ::execv(words.front(), words.data());
-        }
-        ::_exit(127);
-    }
-    std::string text;
-    std::array<char, 4096> block{};
-    for (::ssize_t n = 0; (n = ::read(terminal, block.data(), block.size())) > 0;) {
-        text.append(block.data(), static_cast<std::size_t>(n));
-    }
-    ::close(terminal);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    CHECK(WIFEXITED(status));
-    return text;
+    std::vector<std::string> command{program().string()};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    return written_to_terminal(folder, environment, command);
 }
 
 } // namespace
@@ -132,28 +96,6 @@ TEST_CASE("a terminal shows a short answer, a pipe and every option of the outpu
     CHECK(shown({"pressure", "s.toml", "--out", "-"}) == piped);
     CHECK(shown({"pressure", "s.toml", "--out", "p.csv"}).empty());
     CHECK(file_text(folder.path() / "p.csv") == piped);
-}
-
-TEST_CASE("the first answer of the README is what a terminal shows") {
-    const std::string readme = file_text(source_dir() / "README.md");
-    const std::string start = "    build/release/bin/edgeproof extent --flat-and-rounded ";
-    std::size_t compared = 0;
-    for (const std::string& line : lines(readme)) {
-        if (!line.starts_with(start)) {
-            continue;
-        }
-        std::vector<std::string> words;
-        std::istringstream text(line.substr(line.find("extent")));
-        for (std::string word; text >> word;) {
-            words.push_back(word);
-        }
-        const Folder folder;
-        for (const std::string& shown : lines(on_terminal(folder, {"TERM=xterm"}, words))) {
-            CHECK_MESSAGE(has(readme, "\n" + shown.substr(0, shown.find('\r')) + "\n"), shown);
-            ++compared;
-        }
-    }
-    CHECK(compared == 5);
 }
 
 TEST_CASE("quantities on a terminal: no echo of the scene unless --show-scene asks for it") {

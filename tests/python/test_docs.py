@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The examples of docs/python.md and of the package print the results that are shown."""
+"""The examples of docs/guide/python.md and of the package print the results that are shown."""
 import doctest
 import os
 import re
@@ -21,8 +21,8 @@ def test_the_page(source):
     before = os.getcwd()
     os.chdir(source)
     try:
-        page = (source / "docs" / "python.md").read_text(encoding="utf-8")
-        assert run(page, "docs/python.md") >= 20
+        page = (source / "docs" / "guide" / "python.md").read_text(encoding="utf-8")
+        assert run(page, "docs/guide/python.md") >= 20
     finally:
         os.chdir(before)
 

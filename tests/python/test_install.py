@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The commands of README and docs/python.md install the package where Python finds it, and a
+"""The commands of README and docs/guide/python.md install the package where Python finds it, and a
 package without its compiled module states what to run."""
 import base64
 import csv

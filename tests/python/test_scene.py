@@ -65,6 +65,10 @@ def test_every_load():
     bodies = edgeproof.Scene(edgeproof.hertz(R=2), a=1, E1=4, nu1="1/2", E2=4, nu2="1/2")
     # 1/E* = 2 (1 - 1/4)/4, E* = 8/3; p = E*/(2R) sqrt(1 - x^2) at x = 4/5
     assert bodies.pressure("1/5").text == "0.4" + "0" * 49
+    assert edgeproof.Scene(edgeproof.hertz(R=2), a=1, E=4, nu="1/2") == bodies
+    for others in (dict(), dict(nu="1/2", E2=3), dict(nu="1/2", contact_modulus=1)):
+        with pytest.raises(edgeproof.InputError, match="E is given"):
+            edgeproof.Scene(edgeproof.hertz(R=2), a=1, E=4, **others)
     upright = edgeproof.Scene(edgeproof.tilted_wedge(phi="0.1"), P=1, M=0, **E)
     assert upright.alpha is not None and upright.alpha == 0
     tilted = edgeproof.Scene(edgeproof.tilted_wedge(phi="0.1"), P=1, M="0.5", **E)

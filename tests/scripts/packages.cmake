@@ -77,7 +77,7 @@ set(ENV{PYTHONPATH} "")
 run(root/usr/bin/edgeproof verify moore-hills --only "EQ18*" --digits 20)
 expect("as recorded in moore-hills.expected.csv")
 run(root/usr/bin/edgeproof table power-law --check --every 100)
-foreach(file share/doc/edgeproof/README.md share/doc/edgeproof/docs/python.md
+foreach(file share/doc/edgeproof/README.md share/doc/edgeproof/docs/guide/python.md
         share/man/man1/edgeproof-verify.1.gz share/bash-completion/completions/edgeproof
         share/zsh/vendor-completions/_edgeproof share/fish/vendor_completions.d/edgeproof.fish
         share/edgeproof/examples/python.ipynb share/edgeproof/reference/power-law.csv

@@ -89,8 +89,8 @@
   apply();
   follow();
 
-  // Browsers do not break formulas into lines. A formula is divided before its signs = + and - into
-  // parts, between which a line may end: on every screen, on paper, and with every font. Only a
+  // Browsers do not break formulas into lines. A formula is divided before its signs = + and -, and behind a
+  // fraction if a part is too wide, into parts, between which a line may end: on every screen, on paper, and with every font. Only a
   // fraction that is wider than its place gets a stroke, with both its sides divided. Widths are in
   // px; `paper` is that of A4 or letter without margins, and `onPaper` the size of a formula on
   // paper compared with the screen.
@@ -124,9 +124,9 @@
     let depth = 0;
     for (const token of tokens) {
       const before = parts.at(-1).at(-1);
-      if (depth <= most && /^[=+\u2212/]$/.test(token.textContent) && before && !/[=([]$/.test(before.textContent)) {
-        parts.push([]);
-      }
+      const ends = before && depth <= most;
+      if (ends && /^[=+\u2212/]$/.test(token.textContent) && !/[=([]$/.test(before.textContent)) parts.push([]);
+      if (ends && most > 0 && before.localName === "mfrac" && token.textContent === "(") parts.push([]);
       depth += token.textContent.split("(").length - token.textContent.split(")").length; // also in ")^2"
       parts.at(-1).push(token);
     }

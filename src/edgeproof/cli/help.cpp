@@ -57,7 +57,8 @@ constexpr CommandHelp helps[] = {
      "edgeproof check --ledger moore-hills",
      {"--exec", "--ledger", "--digits", "--format", "--figure"}},
     {"compare",
-     "edgeproof compare --self-test",
+     "edgeproof compare examples/compare/cylinder.toml examples/compare/mesh-192.csv --edge-zone "
+     "2e",
      {"--columns", "--tolerance", "--html", "--format", "--out-dir"}},
     {"verify",
      "edgeproof verify moore-hills --only EQ18 --digits 20",

@@ -266,8 +266,9 @@ std::string zsh_function(const CLI::App& app, const std::string& function) {
     const auto subs = subcommands(app);
     if (subs.empty()) {
         const std::string names = shipped_files_of(app);
+        // Behind a blank, zsh adds no options of its own, which _alternative refuses.
         const std::string files = names.empty() ? "_files"
-                                                : "_alternative \"shipped:shipped file:(" + names +
+                                                : " _alternative \"shipped:shipped file:(" + names +
                                                       ")\" \"files:file:_files\"";
         return out + "        " + single_quoted("*:file:" + files) + "\n}\n\n";
     }

@@ -20,7 +20,9 @@ void flush_printed() {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
         throw InputError("cannot write standard output" +
                              (errno != 0 ? std::string(": ") + std::strerror(errno) : ""),
-                         "make room where it is sent");
+                         errno == EPIPE
+                             ? "the program that reads it ended before the end of the output"
+                             : "make room where it is sent");
     }
 }
 

@@ -39,6 +39,31 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 } // namespace
 
+TEST_CASE("a range of a parameter is the grid of its values") {
+    const auto ids = [](const std::string& range) {
+        const Recipe recipe =
+            parse_recipe(replaced(grid, "a = [\"1\", \"3/2\"]", "a = " + range), "r.toml");
+        std::vector<std::string> list;
+        for (const auto& question : recipe.questions.list) {
+            if (question.id.starts_with("hertz:m=1:") && question.id.ends_with(":P")) {
+                list.push_back(question.id);
+            }
+        }
+        return list;
+    };
+    CHECK(ids("{ from = \"1\", to = \"3/2\", points = 3 }") ==
+          std::vector<std::string>{"hertz:m=1:a=1:P", "hertz:m=1:a=1.25:P", "hertz:m=1:a=3/2:P"});
+    CHECK(ids("{ from = \"1\", to = \"100\", per_decade = 1 }") ==
+          std::vector<std::string>{"hertz:m=1:a=1:P", "hertz:m=1:a=10:P", "hertz:m=1:a=100:P"});
+    const auto refused = [](const std::string& range) {
+        return refusal(replaced(grid, "a = [\"1\", \"3/2\"]", "a = " + range));
+    };
+    CHECK(refused("{ from = \"1\", to = \"2\" }").find("r.toml:11: a range of a needs one of") ==
+          0);
+    CHECK(refused("{ from = \"2\", to = \"1\", points = 3 }").find("r.toml:11: ") == 0);
+    CHECK(refused("{ from = \"1\", to = \"2\", step = 3 }") != "accepted");
+}
+
 TEST_CASE("a grid becomes questions in a fixed order, with ids that describe them") {
     const Recipe recipe = parse_recipe(grid, "r.toml");
     CHECK(recipe.digits.count == 20);

@@ -133,9 +133,18 @@ int pressure(const SceneOptions& o) {
             others.push_back(row.group);
         }
     }
+    // Values of the whole contact are given alone if no pressures are requested with them.
+    const bool of_contact = (scene.ask.wants(scene::QuantityGroup::contact) ||
+                             scene.ask.wants(scene::QuantityGroup::peak)) &&
+                            !scene.ask.wants(scene::QuantityGroup::pressure);
     ask_for(scene, o, scene::QuantityGroup::pressure, others);
-    if (scene.ask.u.empty() && scene.ask.wants(scene::QuantityGroup::peak)) {
+    const bool alone = of_contact && std::ranges::none_of(others, [&](scene::QuantityGroup group) {
+                           return group != scene::QuantityGroup::contact &&
+                                  group != scene::QuantityGroup::peak && scene.ask.wants(group);
+                       });
+    if (alone || (scene.ask.u.empty() && scene.ask.wants(scene::QuantityGroup::peak))) {
         scene.ask.quantities.erase(scene::QuantityGroup::pressure);
+        scene.ask.u.clear();
     }
     const scene::SceneResult result = done(scene);
     report::Table table = values_table(scene, result);
@@ -178,7 +187,8 @@ int pressure(const SceneOptions& o) {
     }
     table.asked = result.plan.print_pressure
                       ? "pressure p at the distance u from an edge (at the place x)"
-                      : "the greatest pressure";
+                  : result.plan.peak ? "the greatest pressure"
+                                     : "the edges and the load";
     table.remarks.push_back(bound_note(result.plan));
     columns_of(scene, result.plan).write(table, result.points());
     draw_figure_option(scene, o);

@@ -86,10 +86,13 @@ int greatest(const StressOptions& o, scene::Scene scene) {
     table.notes.push_back(bound_note(result.plan));
     using Kind = report::Column::Kind;
     Columns<scene::GreatestValue> columns(scene);
-    columns.add("body", Kind::text, [&o](const auto&) { return o.body; });
-    columns.add_value("x", "", [](const auto& value) { return value.x; });
-    columns.add_value("z", "", [](const auto& value) { return value.z; });
-    columns.add_value(name, "route", [](const auto& value) { return value.value; });
+    table.asked = table.notes.front() + ", and its place";
+    const std::string length = unit_of(scene, Quantity::x);
+    columns.add("body", Kind::text, [&o](const auto&) { return o.body; }).phrase = "body {}";
+    columns.add_value("x", "", [](const auto& value) { return value.x; }).unit = length;
+    columns.add_value("z", "", [](const auto& value) { return value.z; }).unit = length;
+    columns.add_value(name, "route", [](const auto& value) { return value.value; }).unit =
+        unit_of(scene, quantity);
     columns.write(table, {found});
     emit(table, o);
     return 0;

@@ -27,6 +27,26 @@ Rounding rounding_of(const io::TomlSection& top) {
     top.reject("rounding", "rounding = \"" + name + "\" is no way to round", one_of(name, ways));
 }
 
+/// Reads { from, to, per_decade } or { from, to, points }.
+scene::PointRange read_range(const io::TomlSection& section, const std::string& key) {
+    const std::size_t line = section.line(key);
+    const io::TomlSection range = section.section(key);
+    range.allow({"from", "to", "per_decade", "points"});
+    if (range.has("per_decade") == range.has("points")) {
+        section.reject(line, "a range of " + key + " needs one of per_decade and points",
+                       "write " + key + " = { from = \"1\", to = \"20\", points = 20 }");
+    }
+    const formula::Exact from = range.exact("from");
+    const formula::Exact to = range.exact("to");
+    try {
+        return range.has("per_decade")
+                   ? scene::PointRange::geometric(from, to, range.count("per_decade", 1, 10'000))
+                   : scene::PointRange::even(from, to, range.count("points", 2, 100'000));
+    } catch (const InputError& error) {
+        throw error.file().empty() ? error.at(section.file(), line) : error;
+    }
+}
+
 GridAxis read_axis(const io::TomlSection& section, const std::string& key) {
     GridAxis axis{key, {}, section.line(key), false};
     Parameter parameter{key, {}};
@@ -37,6 +57,11 @@ GridAxis read_axis(const io::TomlSection& section, const std::string& key) {
         values = {section.flag(key) ? "true" : "false"};
     } else if (parameter.is_word()) {
         values = {section.text(key)};
+    } else if (section.is_table(key) && !parameter.is_list()) {
+        axis.grid = true;
+        for (const formula::Exact& value : read_range(section, key).all()) {
+            values.push_back(value.text());
+        }
     } else {
         axis.grid = section.is_list(key) && !parameter.is_list();
         for (const auto& item : section.exacts(key)) {
@@ -94,24 +119,9 @@ AskedPoints read_points(const io::TomlSection& scene) {
         }
         return points;
     }
-    const io::TomlSection range = scene.section("u");
-    range.allow({"from", "to", "per_decade", "points"});
-    if (range.has("per_decade") == range.has("points")) {
-        scene.reject(line, "a range of u needs one of per_decade and points",
-                     "write u = { from = \"1e-12\", to = \"0.9\", per_decade = 5 }");
-    }
-    const formula::Exact from = range.exact("from");
-    const formula::Exact to = range.exact("to");
     points.range_line = line;
-    try {
-        points.range =
-            range.has("per_decade")
-                ? scene::PointRange::geometric(from, to, range.count("per_decade", 1, 10'000))
-                : scene::PointRange::even(from, to, range.count("points", 2, 100'000));
-    } catch (const InputError& error) {
-        throw error.file().empty() ? error.at(scene.file(), line) : error;
-    }
-    check(from, line); // the others are greater
+    points.range = read_range(scene, "u");
+    check(points.range->at(0), line); // the others are greater
     return points;
 }
 

@@ -24,7 +24,7 @@ namespace edgeproof::conformance {
 ///     u = ["1e-30", "0.1"]              # or { from, to, per_decade } or { from, to, points }
 ///     quantities = ["p", "c_0", "P"]    # p, q, c_k, s_k, a, b, P, M, alpha, extent_k, measure_k
 ///     tolerance = ["1%", "5%"]          # of extents
-///     [scenes.hertz.profile]            # as in a scene, but a list is a grid of values
+///     [scenes.hertz.profile]            # as in a scene, but a list or a range is a grid of values
 ///     kind = "power-law"
 ///     m = ["1", "2"]
 ///     C = "1"

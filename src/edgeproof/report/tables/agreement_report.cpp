@@ -241,6 +241,9 @@ std::string ConformanceSummary::text() const {
     for (const std::string& line : notes_) {
         out += line + "\n";
     }
+    if (counts_.missing > 0 && counts_.answers > 0) {
+        out += "--only 'PATTERN' compares only the questions whose id matches, such as 'hertz:*'\n";
+    }
     if (estimates_ > 0) {
         out +=
             fmt::format("{} of the references are estimates, without a proved bound\n", estimates_);

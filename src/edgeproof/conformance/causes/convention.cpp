@@ -282,13 +282,14 @@ private:
     }
 
     /// Adds the readings that explain the rows: mistakes in the data of a contact and in the value
-    /// only if these are all failing rows of the quantity.
+    /// only if these are all failing rows of the quantity, and so for exchanged edges with a
+    /// factor.
     void add_readings(const WrongRows& some, const WrongRows& all, Explained& to) {
         const bool whole = is_whole(to.group);
         for (std::size_t r = 0; r < readings_.size(); ++r) {
             if (auto fitted = whole || readings_[r].place ? fit(r, some, all) : std::nullopt) {
                 to.likely.push_back(likely(r, std::move(*fitted)));
-            } else if (readings_[r].name == "edges-swapped" &&
+            } else if (whole && readings_[r].name == "edges-swapped" &&
                        common_ratio(some, values(r, some.questions))) {
                 add_factors(all, values(r, all.questions), r, to);
             }

@@ -263,6 +263,79 @@ TEST_CASE("unloading of the shear force of a cylinder") {
     CHECK(overlaps(stick * stick, a * a * Ball(Rational(5, 8), stick.bits())));
 }
 
+// Cylinders with g' = x/2 and E* = 1, P = pi a^2/8. A part of q in proportion to the pressure of
+// the half-width a moves x by minus the ratio times this (johnson1985, eqs. 2.24 and 4.41: the
+// strain is that of PV int p/(x - s) ds = pi (x - sqrt(x^2 - a^2))/4). The slip is the change of
+// u_A - u_B since P rose to pi x^2/8, relative to the middle.
+TEST_CASE("the slip displacement of a history is the movement since the place came into contact") {
+    const auto half_width = [](double P) { return std::sqrt(8 * P / std::acos(-1.0)); };
+    using Layers = std::vector<std::pair<double, double>>; // force, ratio
+    const auto moved = [&](const Layers& layers, double x) {
+        double sum = 0;
+        for (std::size_t j = 0; j < layers.size(); ++j) {
+            const double a = half_width(layers[j].first);
+            const double beyond =
+                x > a ? x * std::sqrt(x * x - a * a) - a * a * std::acosh(x / a) : 0.0;
+            const double next = j + 1 < layers.size() ? layers[j + 1].second : 0.0;
+            sum -= (layers[j].second - next) * (x * x - beyond) / 4;
+        }
+        return sum;
+    };
+    const auto slip = [](const LoadPath& path, double x) {
+        const scene::SceneResult result = run_scene(scene::parse_scene(
+            history_text(history_profiles[0], path,
+                         "[ask]\nx = [\"" + std::to_string(x) +
+                             "\"]\ndigits = 15\nquantities = [\"displacement\"]\n"),
+            "steps.toml"));
+        return result.at_places(scene::QuantityRow::Place::surface)
+            .at(0)
+            .at(scene::Quantity::slip_displacement)
+            .value;
+    };
+    const LoadPath grown{{1, 0.1}, {2, 0.3}};
+    const LoadPath reversed{{1, 0.1}, {2, 0.3}, {2, -0.6}};
+    const LoadPath reloaded{{1, 0.1}, {2, 0.3}, {1.2, -0.2}, {1.8, 0}};
+    struct Case {
+        LoadPath path;
+        double force; ///< P when the place comes into contact
+        Layers then;
+        Layers now;
+    };
+    const std::vector<Case> cases{
+        {reversed, 1.5, {{1, 0.1}, {1.5, 0.2}}, {{2.0 / 3, 0.1}, {2, -0.5}}},
+        {reversed, 0.9, {{0.9, 0.1}}, {{2.0 / 3, 0.1}, {2, -0.5}}},
+        {reloaded, 1.1, {{1, 0.1}, {1.1, 0.2}}, {{2.0 / 3, 0.1}, {1.2, -0.5}, {1.8, 1.0 / 3}}},
+    };
+    for (const auto& [path, force, then, now] : cases) {
+        const double x = std::stod(std::to_string(half_width(force)));
+        Layers exact = then;
+        exact.back().first = std::acos(-1.0) * x * x / 8;
+        const double expected = moved(now, x) - moved(exact, x);
+        CAPTURE(force);
+        CHECK(std::abs(expected) > 1e-3);
+        CHECK(slip(path, x).midpoint().convert_to<double>() ==
+              doctest::Approx(expected).epsilon(1e-11));
+        CHECK(slip(path, -x).midpoint().convert_to<double>() ==
+              doctest::Approx(expected).epsilon(1e-11));
+    }
+    for (const double force : {0.5, 1.5}) {
+        const Ball none = slip(grown, half_width(force));
+        CHECK((none.is_exact() && contains_zero(none)));
+    }
+    const Ball again = slip(reloaded, half_width(1.6)); // it left the contact, and stuck since then
+    CHECK((again.is_exact() && contains_zero(again)));
+    const scene::Scene stuck =
+        scene::parse_scene(history_text(history_profiles[0], grown), "steps.toml");
+    const Ball size =
+        scene::SceneValues(stuck, {{scene::Quantity::slip}}, {20, Rounding::nearest, false})
+            .value({scene::Quantity::slip})
+            .value;
+    CHECK((size.is_exact() && contains_zero(size)));
+    CHECK_THROWS_WITH_AS((void)slip({{1, 0}, {2, 0.9}}, half_width(1.5)),
+                         doctest::Contains("while the edges slipped"), Error);
+    CHECK(certainly_negative(slip({{1, 0}, {2, 0.9}}, half_width(0.9))));
+}
+
 TEST_CASE("load histories that are not computed are refused") {
     const std::string hertz = history_profiles[0];
     CHECK(history_refusal(history_text(hertz, {{1, 0}, {1, 0.6}})).find("slide") !=

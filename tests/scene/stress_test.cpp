@@ -88,6 +88,29 @@ TEST_CASE("stresses of a cylinder") {
     CHECK(result.plan.counts == result.work.counts);
 }
 
+// Without shear szz = sxx on the surface; an incompressible body then has no mises stress, and on
+// the axis of symmetry there is no shear stress.
+TEST_CASE("stresses that vanish are exactly 0") {
+    for (const std::string profile :
+         {"kind = \"hertz\"\nR = \"1\"", "kind = \"power-law\"\nm = \"5/8\"\nC = \"1\"",
+          "kind = \"flat-and-rounded\"\nt = \"1/2\"\nR = \"1\"",
+          "kind = \"piecewise\"\nknots = [\"-1/2\", \"0\", \"1/4\"]\n"
+          "slopes = [\"2*x + 1/2\", \"x\", \"x\", \"3*x - 1/2\"]"}) {
+        CAPTURE(profile);
+        const Scene s = stress_scene(
+            with(with(hertz_text, "kind = \"hertz\"\nR = \"1\"", profile), "0.3", "1/2"));
+        const auto is_zero = [&](const char* x, const char* z, Quantity quantity) {
+            const Ball value = stress_at(s, x, z, Body::A, quantity);
+            return value.is_exact() && contains_zero(value);
+        };
+        CHECK(is_zero("1/3", "0", Quantity::tau_max));
+        CHECK(is_zero("1/3", "0", Quantity::mises));
+        if (s.symmetric()) {
+            CHECK(is_zero("0", "1/3", Quantity::sxz));
+        }
+    }
+}
+
 TEST_CASE("mises needs Poisson's ratio") {
     const auto places = run_scene(stress_scene(with(hertz_text, "nu = \"0.3\"\n", "")))
                             .at_places(QuantityRow::Place::body);

@@ -430,6 +430,16 @@ std::string percent_text(const formula::Exact& tolerance) {
                                    : tolerance.text();
 }
 
+void refuse_options(const std::vector<std::pair<std::string, std::string>>& texts_by_name,
+                    const std::string& why) {
+    for (const auto& [name, text] : texts_by_name) {
+        if (!text.empty()) {
+            throw InputError(name + " " + text + " has no effect: " + why,
+                             "leave " + name + " out");
+        }
+    }
+}
+
 void refuse_whole_tolerance(const std::string& option, const std::string& text) {
     if (text.empty() || text.back() == '%' ||
         text.find_first_not_of("0123456789.") != std::string::npos) {

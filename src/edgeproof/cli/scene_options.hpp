@@ -64,6 +64,9 @@ void add_table_options(CLI::App& sub, OutputOptions& options);
 /// parts joined by commas. The last word is the scene if that is not given otherwise.
 void add_list_option(CLI::App& sub, const std::string& name, std::string& target,
                      std::string* scene, const std::string& help);
+/// Refuses the options that are given although they have no effect: `why` states the reason.
+void refuse_options(const std::vector<std::pair<std::string, std::string>>& texts_by_name,
+                    const std::string& why);
 /// Adds --threads for threads_of().
 void add_threads_option(CLI::App& sub, std::string& threads);
 /// Adds --threads of a command that judges the claims of a ledger.

@@ -57,3 +57,33 @@ TEST_CASE("stress: requests for a greatest value that make no sense") {
     folder.write("s.toml", pressed_cylinder + "[shear]\nQ = \"pi/4\"\npath = \"together\"\n");
     refused("--greatest tau_max", "boxes do not decide at which one place the stress is greatest");
 }
+
+TEST_CASE("options without effect are refused by stress, displacement and slip after steps") {
+    const Folder folder;
+    folder.write("s.toml", pressed_cylinder);
+    folder.write("steps.toml", "[profile]\nkind = \"hertz\"\nR = \"1\"\n[load]\ncontact_modulus = "
+                               "\"1\"\n[shear]\nfriction = \"1/2\"\n[[step]]\nP = \"1\"\n"
+                               "[[step]]\nP = \"2\"\nQ = \"0.3\"\n");
+    for (const auto& [command, option] :
+         {std::pair{"stress s.toml --point 0,1", "--terms 3"},
+          std::pair{"stress s.toml --point 0,1", "--edge left"},
+          std::pair{"stress s.toml --point 0,1", "--x 0"},
+          std::pair{"stress s.toml --point 0,1", "--u 1/3"},
+          std::pair{"stress s.toml --greatest tau_max", "--process-zone 1/3"},
+          std::pair{"displacement s.toml --x 3", "--terms 3"},
+          std::pair{"displacement s.toml --x 3", "--edge left"},
+          std::pair{"slip steps.toml", "--terms 3"},
+          std::pair{"slip steps.toml", "--tolerance 1%"}}) {
+        CAPTURE(command);
+        CAPTURE(option);
+        const Outcome o = run(folder, std::string(command) + " " + option);
+        CHECK(o.code == 2);
+        CHECK(o.out.empty());
+        CHECK(has(o.err, std::string(option) + " has no effect: "));
+        CHECK(run(folder, command).code == 0);
+    }
+    // Nothing slipped in the last step.
+    const Outcome o = run(folder, "slip steps.toml --digits 12 --no-notes");
+    CHECK(o.out == "edge,d,d_bound,route\nright,0,0,stick zone\nleft,0,0,stick zone\n");
+    CHECK_FALSE(has(run(folder, "pressure steps.toml --x 0").out, "full stick does not hold"));
+}

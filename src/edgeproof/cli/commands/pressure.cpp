@@ -160,13 +160,17 @@ int pressure(const SceneOptions& o) {
     }
     if (result.plan.partial_slip) {
         add_slip_facts(table.facts, scene, result);
-        table.notes.emplace_back(
-            "q: shear traction in partial slip, positive towards +x on the body that Q acts on; "
-            "q_over_fp: |q|/(f p); state: slip where that is 1, stick where it is less; the q "
-            "columns are as those of p");
-        table.remarks.push_back("warning: full stick does not hold: the contact slips beyond the "
-                                "stick zone, -stick_b < "
-                                "x < stick_a (edgeproof slip has the sizes of the slip zones)");
+        table.notes.push_back(
+            std::string("q: shear traction in partial slip, positive towards +x on the body that Q "
+                        "acts on; q_over_fp: |q|/(f p); state: ") +
+            (scene.history ? "slip where the place slipped in the last step"
+                           : "slip where that is 1, stick where it is less") +
+            "; the q columns are as those of p");
+        if (!scene.history || scene.history->stick) {
+            table.remarks.push_back("warning: full stick does not hold: the contact slips beyond "
+                                    "the stick zone, -stick_b < x < stick_a (edgeproof slip has "
+                                    "the sizes of the slip zones)");
+        }
     } else if (result.plan.shear) {
         table.notes.emplace_back(
             "q: shear traction under full stick, positive towards +x on the body "

@@ -31,7 +31,12 @@ int slip(const SceneOptions& o) {
     }
     const bool series = !scene.round && !scene.history; // the series is that of one step of Q
     if (!series) {
+        const std::string why =
+            scene.history ? "a load history" : "an axisymmetric contact"; // no series
+        refuse_options({{"--terms", o.terms}, {"--tolerance", o.tolerance}},
+                       "the slip zones of " + why + " have no series");
         scene.ask.terms.clear();
+        scene.ask.tolerance.reset();
     } else {
         ask_terms(scene);
     }

@@ -24,6 +24,18 @@ scene::Body body_of(const std::string& name) {
     return name == "A" ? scene::Body::A : scene::Body::B;
 }
 
+/// Refuses the options for points and edges of the contact, except places x if `by_x`.
+void refuse_others(const SceneOptions& o, const std::string& why, bool by_x) {
+    std::vector<std::pair<std::string, std::string>> given{{"--edge", o.edges},
+                                                           {"--terms", o.terms}};
+    for (const auto& [key, text] : o.stated) {
+        if (key == "u" || key == "process_zone" || (key == "x" && !by_x)) {
+            given.emplace_back("--" + (key == "process_zone" ? "process-zone" : key), text);
+        }
+    }
+    refuse_options(given, why);
+}
+
 scene::BodyPoint point_of(const std::string& text) {
     const std::vector<std::string> parts = parts_of(text);
     if (parts.size() != 2) {
@@ -85,6 +97,7 @@ int greatest(const StressOptions& o, scene::Scene scene) {
 
 int stress(const StressOptions& o) {
     const scene::Body body = body_of(o.body);
+    refuse_others(o, "stresses are asked for at points of a body (--point X,Z)", false);
     scene::Scene scene = asked_scene(o);
     if (!o.greatest.empty()) {
         return greatest(o, std::move(scene));
@@ -155,6 +168,7 @@ std::optional<scene::BoundedValue> value_of(const RowsAt& at, Quantity quantity)
 }
 
 int displacement(const SceneOptions& o) {
+    refuse_others(o, "displacements are asked for at places (--x X)", true);
     scene::Scene scene = asked_scene(o);
     for (const scene::AskedPoint& point : scene.ask.u) {
         if (!point.place || point.place->from() != scene::Place::From::origin) {
@@ -173,8 +187,10 @@ int displacement(const SceneOptions& o) {
     ask_for(scene, o, scene::QuantityGroup::displacement, {scene::QuantityGroup::contact});
     const scene::SceneResult result = done(scene);
     report::Table table = values_table(scene, result);
-    table.notes = {"gap: the distance between the surfaces outside the contact; slip: u_A - u_B "
-                   "along the surface inside, 0 where the contact sticks"};
+    table.notes = {
+        std::string("gap: the distance between the surfaces outside the contact; slip: "
+                    "u_A - u_B along the surface inside, ") +
+        (scene.history ? "since the place last came into contact" : "0 where the contact sticks")};
     if (result.plan.partial_slip) {
         add_slip_facts(table.facts, scene, result);
     }

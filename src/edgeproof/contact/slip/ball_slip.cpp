@@ -39,7 +39,7 @@ BallSlip::BallSlip(const ProvedContact& contact, const ZoneSolver& zones, const 
     : contact_(contact), zones_(zones), whole_{contact.a(), contact.b()},
       force_(layers.back().force), friction_(friction), direction_(sgn(Q)),
       over_Q_(0, zones.bits()), ratio_(abs(Q) / (friction * force_)), stick_(whole_),
-      whole_ratio_(layers.back().ratio) {
+      sticks_(!stick), whole_ratio_(layers.back().ratio) {
     const auto zone_of = [&](const Ball& force) { return zones_.zone(force, over_Q_, whole_); };
     for (std::size_t j = 0; j + 1 < layers.size(); ++j) {
         parts_.push_back({layers[j].ratio - layers[j + 1].ratio, zone_of(layers[j].force)});

@@ -72,7 +72,9 @@ public:
     [[nodiscard]] const std::vector<ShearPart>& parts() const { return parts_; }
     [[nodiscard]] const Ball& whole_ratio() const { return whole_ratio_; }
     /// The size d of the slip zone at an edge (length).
-    [[nodiscard]] Ball size(Edge edge) const { return whole_.at(edge) - stick_->at(edge); }
+    [[nodiscard]] Ball size(Edge edge) const {
+        return sticks_ ? Ball(0, zones_.bits()) : whole_.at(edge) - stick_->at(edge);
+    }
     /// Returns the stick zone for the load ratio `tau`, 0 < tau < 1, with the same P and sigma_0/Q;
     /// the search begins at `near`.
     [[nodiscard]] BallZone stick_at(const Ball& tau, const BallZone& near) const;
@@ -111,7 +113,8 @@ private:
     Ball over_Q_;    ///< sigma_0/Q
     Ball ratio_;
     std::optional<BallZone> stick_;
-    Ball whole_ratio_; ///< of the whole contact
+    bool sticks_ = false; ///< nothing slipped in the last step of a history
+    Ball whole_ratio_;    ///< of the whole contact
     std::vector<ShearPart> parts_;
 };
 

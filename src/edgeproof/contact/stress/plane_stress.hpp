@@ -10,9 +10,10 @@ struct StressState {
     Ball sxx;
     Ball szz;
     Ball sxz;
+    Ball half_difference; ///< (sxx - szz)/2, computed without cancellation: exactly 0 where it is 0
 
     /// The greatest shear stress in the plane.
-    [[nodiscard]] Ball tau_max() const { return hypot((sxx - szz) / 2, sxz); }
+    [[nodiscard]] Ball tau_max() const { return hypot(half_difference, sxz); }
     /// The normal stress across the plane, in plane strain, for Poisson's ratio `nu`.
     [[nodiscard]] Ball syy(const Ball& nu) const { return nu * (sxx + szz); }
     /// The equivalent stress of von Mises in plane strain, for Poisson's ratio `nu`.

@@ -27,7 +27,7 @@ Ball gap_of_profile(const BallContact& contact, const Ball& beyond) {
     return sum + rate * beyond * beyond / 2;
 }
 
-// docs/displacement.md, "Piecewise linear slopes": h' = g' - (2/(pi E*)) P_1, integrated from the
+// docs/stress.md, "The gap": h' = g' - (2/(pi E*)) P_1, integrated from the
 // edge, with g'(a) = (1/pi) integral of (pi - h) dg' by the consistency condition.
 Ball linear_gap(const BallContact& contact, const Ball& beyond) {
     const LinearSlope<Ball>& slope = contact.slope();
@@ -58,7 +58,7 @@ Ball linear_gap(const BallContact& contact, const Ball& beyond) {
     return gap_of_profile(contact, beyond) + (at_edge * beyond - lost) / pi;
 }
 
-// docs/displacement.md, "Power laws": h = C x^(m+1)/(m+1) - (2/(pi E* (m+1))) (a P'(a) arcosh(x/a)
+// docs/stress.md, "The gap": h = C x^(m+1)/(m+1) - (2/(pi E* (m+1))) (a P'(a) arcosh(x/a)
 // + x P_1(x)), where C follows from P'(a) = E* C a^m sqrt(pi) Gamma(m/2 + 1)/Gamma((m + 1)/2).
 Ball power_law_gap(const BallContact& contact, const Ball& beyond) {
     const long bits = beyond.bits();

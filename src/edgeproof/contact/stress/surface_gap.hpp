@@ -3,7 +3,7 @@
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 
 /// The gap between the bodies outside a contact, or outside a zone of its profile that is a contact
-/// with a tilt (docs/displacement.md).
+/// with a tilt (docs/stress.md).
 namespace edgeproof::contact {
 
 /// The gap (length) at the distance `beyond` >= 0 (length) outwards from an edge of a contact with

@@ -26,10 +26,13 @@ public:
         const Expr excess = (direction < 0 ? -dQ : dQ) - f_ * dP;
         if (grows > 0 && sign_of_expr(excess) <= 0) {
             add(P, dQ / dP); // every new place sticks from its first contact
+            entries_.push_back({P, layers_});
         } else if (grows > 0) {
             slip(P, Q, direction);
+            entries_.push_back({P, {}});
         } else {
-            remove_above(P);
+            remove_above(layers_, P);
+            remove_above(entries_, P);
             const int sign = sign_of_expr(Q - carried());
             if (sign != 0) {
                 slip(P, Q, sign);
@@ -46,11 +49,17 @@ public:
         if (stick_) {
             state.stick = Exact(*stick_);
         }
+        for (const auto& [force, then] : entries_) {
+            state.entries.push_back(
+                {Exact(force), then ? std::optional(change_since(*then, force)) : std::nullopt});
+        }
         return state;
     }
 
 private:
     using Layers = std::vector<std::pair<Expr, Expr>>; ///< force, ratio
+    /// Of each entry: its force, and the layers at its end, unless the edges slipped.
+    using Entries = std::vector<std::pair<Expr, std::optional<Layers>>>;
 
     void add(const Expr& force, const Expr& ratio) {
         if (!layers_.empty() && sign_of_expr(layers_.back().second - ratio) == 0) {
@@ -59,15 +68,32 @@ private:
             layers_.emplace_back(force, ratio);
         }
     }
-    void remove_above(const Expr& P) {
-        while (!layers_.empty() &&
-               sign_of_expr((layers_.size() > 1 ? layers_[layers_.size() - 2].first : zero_) - P) >=
-                   0) {
-            layers_.pop_back();
+    template <class List> void remove_above(List& list, const Expr& P) const {
+        while (!list.empty() &&
+               sign_of_expr((list.size() > 1 ? list[list.size() - 2].first : zero_) - P) >= 0) {
+            list.pop_back();
         }
-        if (!layers_.empty()) {
-            layers_.back().first = P;
+        if (!list.empty()) {
+            list.back().first = P;
         }
+    }
+    /// Returns the ratios of today minus those of `then`, up to the force `end`.
+    [[nodiscard]] std::vector<LoadHistory::Layer> change_since(const Layers& then,
+                                                               const Expr& end) const {
+        std::vector<LoadHistory::Layer> change;
+        const auto covers = [](const auto& layer, const Expr& L) {
+            return sign_of_expr(layer->first - L) > 0;
+        };
+        Expr from = zero_;
+        for (auto old = then.begin(), now = layers_.begin(); sign_of_expr(end - from) > 0;) {
+            const Expr& inner = covers(old, now->first) ? now->first : old->first;
+            const Expr next = sign_of_expr(inner - end) < 0 ? inner : end;
+            change.push_back({Exact(next), Exact(now->second - old->second)});
+            from = next;
+            old += covers(old, from) ? 0 : 1;
+            now += covers(now, from) ? 0 : 1;
+        }
+        return change;
     }
     /// Returns the shear force of the layers.
     [[nodiscard]] Expr carried() const {
@@ -110,6 +136,7 @@ private:
     Expr P_ = Expr::number(Rational(0));
     Expr Q_ = Expr::number(Rational(0));
     Layers layers_;
+    Entries entries_;
     std::optional<Expr> stick_;
 };
 

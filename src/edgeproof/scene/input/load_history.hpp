@@ -30,6 +30,15 @@ struct LoadHistory {
     /// The contact under this force is the zone that stuck in the last step; empty if nothing
     /// slipped in it.
     std::optional<formula::Exact> stick = {};
+    /// The places that came into contact while P rose, for the last time, from the force of the
+    /// entry before to `force`.
+    struct Entry {
+        formula::Exact force;
+        /// The change of dq/dp since then, up to `force`. Nothing if the edges slipped as P rose:
+        /// it then depends on the place.
+        std::optional<std::vector<Layer>> change;
+    };
+    std::vector<Entry> entries; ///< by ascending force; the last one ends at P
 };
 
 /// Returns the state after the first `count` steps, in which no bulk tension acts. Throws

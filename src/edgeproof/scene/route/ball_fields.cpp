@@ -5,6 +5,21 @@
 #include "edgeproof/scene/route/ball_level.hpp"
 
 namespace edgeproof::scene {
+namespace {
+
+/// The gap at x of a zone as a contact of its own; 0 inside.
+Ball gap_of_zone(const contact::BallContact& zone, const Ball& x) {
+    const Ball right = x - zone.a();
+    const Ball left = -x - zone.b();
+    if (certainly_negative(right) && certainly_negative(left)) {
+        return {0, x.bits()};
+    }
+    return certainly_negative(right)
+               ? gap_beyond(zone, contact::Edge::left, contact::clamped(left))
+               : gap_beyond(zone, contact::Edge::right, contact::clamped(right));
+}
+
+} // namespace
 
 const std::vector<contact::BallContact>* BallLevel::part_contacts() {
     if (!part_contacts_ && slip() != nullptr && !slip()->sliding()) {
@@ -86,8 +101,16 @@ const contact::StressState& BallLevel::stress(const AskedValue& at) {
         return last_stress_->second;
     }
     const Box zeta(ball_of(point.x, bits_), ball_of(point.z, bits_));
-    const contact::CauchyIntegral p = cauchy_integral(*contact_->closed_form(), zeta);
+    contact::CauchyIntegral p = cauchy_integral(*contact_->closed_form(), zeta);
     contact::CauchyIntegral q = shear_integral(p, zeta);
+    const bool tension = scene_.shear && scene_.shear->bulk_tension.sign() != 0;
+    if (point.x.sign() == 0 && scene_.symmetric() && !tension) {
+        // P(-conj(zeta)) = -conj(P(zeta)), and the same for T: exact zeros on the axis of symmetry
+        for (contact::CauchyIntegral* const f : {&p, &q}) {
+            f->value = Box(Ball(0, bits_), f->value.imaginary());
+            f->derivative = Box(f->derivative.real(), Ball(0, bits_));
+        }
+    }
     if (point.body == Body::B) { // it carries -q
         q = q * Ball(-1, bits_);
     }
@@ -112,15 +135,66 @@ Ball BallLevel::gap(const AskedValue& at) {
         return form != nullptr ? axisymmetric_gap(*form, beyond)
                                : of_revolution().gap_beyond(beyond);
     }
-    const contact::BallContact& closed = *form;
-    return certainly_negative(right)
-               ? gap_beyond(closed, contact::Edge::left, contact::clamped(left))
-               : gap_beyond(closed, contact::Edge::right, contact::clamped(right));
+    return gap_of_zone(*form, x);
 }
 
-// docs/displacement.md, "The slip": -f times the gap of the corrective contact, in the direction of
-// Q. After a load history it is the sum over the parts of q, relative to the innermost zone
-// (docs/histories.md).
+const std::vector<BallLevel::SlipSince>* BallLevel::slip_since_contact() {
+    if (!slip_since_ && slip() != nullptr) {
+        const auto zone_of = [this](const formula::Exact& force) {
+            return zones_->zone(ball_of(force, bits_), Ball(0, bits_), {a(), b()});
+        };
+        std::vector<SlipSince> list;
+        try {
+            for (const LoadHistory::Entry& entry : scene_.history->entries) {
+                list.push_back({zone_of(entry.force), {}});
+                if (!entry.change) {
+                    continue;
+                }
+                auto& parts = list.back().parts.emplace();
+                for (std::size_t j = 0; j + 1 < entry.change->size(); ++j) {
+                    const LoadHistory::Layer& layer = (*entry.change)[j];
+                    const contact::BallZone zone = zone_of(layer.force);
+                    parts.push_back(
+                        {ball_of(layer.ratio, bits_) - ball_of((*entry.change)[j + 1].ratio, bits_),
+                         contact_->closed_form()->between(zone.a, zone.b)});
+                }
+            }
+        } catch (const BudgetError&) {
+            return nullptr;
+        }
+        slip_since_ = std::move(list);
+    }
+    return slip_since_ ? &*slip_since_ : nullptr;
+}
+
+// docs/histories.md, "The slip"
+Ball BallLevel::slip_after_history(const Ball& x) {
+    const auto* const entries = slip_since_contact();
+    for (std::size_t i = 0; entries != nullptr && i < entries->size(); ++i) {
+        const auto& [zone, parts] = (*entries)[i];
+        const Ball right = x - zone.a;
+        const Ball left = -x - zone.b;
+        const bool last = i + 1 == entries->size();
+        if (last || (certainly_negative(right) && certainly_negative(left))) {
+            if (!parts) {
+                throw InputError("the place came into contact while the edges slipped, so that its "
+                                 "slip since then is not computed",
+                                 "ask for places that were in contact before P and Q grew");
+            }
+            Ball sum(0, bits_);
+            for (const auto& [ratio, contact] : *parts) {
+                sum += ratio * gap_of_zone(contact, x);
+            }
+            return sum;
+        }
+        if (!certainly_positive(right) && !certainly_positive(left)) {
+            break; // too few bits to decide when the place came into contact
+        }
+    }
+    return not_known();
+}
+
+// docs/stress.md, "The slip": -f times the gap of the corrective contact, in the direction of Q.
 Ball BallLevel::slip_displacement(const AskedValue& at) {
     const Ball x = at.place->x_enclosure(a(), b(), bits_);
     if (certainly_positive(x - a()) || certainly_positive(-x - b())) {
@@ -133,24 +207,12 @@ Ball BallLevel::slip_displacement(const AskedValue& at) {
     if (!scene_.slips()) {
         return {0, bits_};
     }
+    if (scene_.history) {
+        return slip_after_history(x);
+    }
     const auto* const zones = part_contacts();
-    if (zones == nullptr) {
-        return not_known();
-    }
-    Ball sum(0, bits_);
-    for (std::size_t i = 0; i < zones->size(); ++i) {
-        const contact::BallContact& zone = (*zones)[i];
-        const Ball right = x - zone.a();
-        const Ball left = -x - zone.b();
-        if (certainly_negative(right) && certainly_negative(left)) {
-            continue;
-        }
-        sum += slip()->parts()[i].ratio *
-               (certainly_negative(right)
-                    ? gap_beyond(zone, contact::Edge::left, contact::clamped(left))
-                    : gap_beyond(zone, contact::Edge::right, contact::clamped(right)));
-    }
-    return sum;
+    return zones == nullptr ? not_known()
+                            : slip()->parts().front().ratio * gap_of_zone(zones->front(), x);
 }
 
 } // namespace edgeproof::scene

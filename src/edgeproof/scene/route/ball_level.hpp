@@ -221,7 +221,7 @@ public:
     [[nodiscard]] std::optional<contact::StressField> stress_field(Body body);
     /// Throws DomainError inside the contact.
     [[nodiscard]] Ball gap(const AskedValue& at);
-    /// u_A - u_B. Throws DomainError outside the contact.
+    /// u_A - u_B since the place came into contact. Throws DomainError outside the contact.
     [[nodiscard]] Ball slip_displacement(const AskedValue& at);
     /// The sum of n terms of p, or of q.
     [[nodiscard]] Ball sum(contact::Edge edge, const Distance& u, std::size_t n, bool shear) {
@@ -238,6 +238,17 @@ private:
     /// The zones of the parts of q as contacts, with the tilt of the corrective problem; null if
     /// these bits do not isolate them.
     [[nodiscard]] const std::vector<contact::BallContact>* part_contacts();
+    /// The slip of the places inside a zone, and outside that of the entry before, since they came
+    /// into contact: the sum of the ratios times the gaps of the contacts. Without parts it is not
+    /// computed.
+    struct SlipSince {
+        contact::BallZone zone;
+        std::optional<std::vector<std::pair<Ball, contact::BallContact>>> parts;
+    };
+    /// The entries of a load history; null if these bits do not isolate their zones.
+    [[nodiscard]] const std::vector<SlipSince>* slip_since_contact();
+    /// The slip displacement after a load history at the place x in the contact.
+    [[nodiscard]] Ball slip_after_history(const Ball& x);
     /// A value of the slip; not finite if these bits do not suffice.
     template <class F> [[nodiscard]] Ball of_slip(const F& f) {
         try {
@@ -368,6 +379,7 @@ private:
     std::optional<Last> last_;
     std::optional<std::pair<BodyPoint, contact::StressState>> last_stress_;
     std::optional<std::vector<contact::BallContact>> part_contacts_;
+    std::optional<std::vector<SlipSince>> slip_since_;
     std::optional<Ball> ratio_;
     std::map<contact::Edge, std::vector<Ball>> c_;
     std::map<contact::Edge, std::vector<Ball>> s_;

@@ -5,7 +5,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 using namespace edgeproof::scenes;
@@ -58,6 +60,45 @@ TEST_CASE("shear under full stick: by hand; refused at an edge and without shear
     CHECK_THROWS_AS(computed_at(hertz_with(), by_x, {0}), InputError);
     CHECK_THROWS_AS(computed_at(scene, by_x, {std::numeric_limits<double>::quiet_NaN()}),
                     DomainError);
+}
+
+// The double words have the partial slip of one step of Q in the plane only. By hand, with
+// p(0; L) = sqrt(L/pi): Q = pi/16 at P = pi/4 slips outside L = pi/8, and back to 0 outside 3
+// pi/16. Mindlin: Q = 7/8 f P sticks inside r = a/2, where q = f (p - p*), p*(0) = p_0/2, p_0 =
+// 2/pi.
+TEST_CASE("shear of a load history and of a sphere: by hand") {
+    const std::string head = "[profile]\nkind = \"hertz\"\nR = \"1\"\n";
+    const Scene history =
+        parsed(head + "[load]\ncontact_modulus = \"1\"\n[shear]\nfriction = \"1/2\"\n"
+                      "[[step]]\nP = \"pi/4\"\n[[step]]\nQ = \"pi/16\"\n"
+                      "[[step]]\nQ = \"0\"\n");
+    const Binary64Question by_x{.quantity = Quantity::q, .from_origin = true};
+    CHECK(computed_at(history, by_x, {0})[0] ==
+          doctest::Approx((std::sqrt(3.0) - 1) / 4 - std::sqrt(2.0) / 8).epsilon(1e-13));
+    const Scene sphere =
+        parsed("[profile]\ngeometry = \"axisymmetric\"\nkind = \"hertz\"\nR = \"1\"\n[load]\na = "
+               "\"1\"\ncontact_modulus = \"1\"\n[shear]\nQ = \"7/12\"\nfriction = \"1/2\"\n");
+    const Binary64Question by_u{.quantity = Quantity::q};
+    CHECK(computed_at(sphere, by_u, {1})[0] ==
+          doctest::Approx(1 / (2 * std::acos(-1.0))).epsilon(1e-13));
+}
+
+TEST_CASE("arrays of axisymmetric profiles are those of single values") {
+    const Scene round = parsed(
+        "[profile]\ngeometry = \"axisymmetric\"\nkind = \"flat-and-rounded\"\nt = \"1/2\"\nR = "
+        "\"1\"\n[load]\nP = \"1\"\ncontact_modulus = \"1\"\n[shear]\nQ = \"0.3\"\nfriction = "
+        "\"1/2\"\n[ask]\nu = [\"1/8\", \"1/4\"]\nterms = 2\ndigits = 20\n");
+    const SceneResult single = run_scene(round);
+    for (const auto& [quantity, n] : {std::pair{Quantity::p, std::size_t{0}},
+                                      {Quantity::q, std::size_t{0}},
+                                      {Quantity::local, std::size_t{2}}}) {
+        const std::vector<double> values =
+            computed_at(round, {.quantity = quantity, .n = n}, {1.0 / 8, 1.0 / 4});
+        for (std::size_t i = 0; i < 2; ++i) {
+            CHECK(values[i] ==
+                  single.points().at(i).at(quantity, n).value.midpoint().convert_to<double>());
+        }
+    }
 }
 
 // p_1 = sqrt(u/2), p = sqrt(u (2 - u))/2: p_1 = 1/2 and p_1/p = 2/sqrt(3) at u = 1/2, so that the

@@ -65,12 +65,14 @@ struct Binary64Pressures::Contact {
                 words.emplace(*profile, solved(contact::DoubleWordPressure::contact_bits));
             }
         } else {
-            make_batch();
+            profile = scene.profile;
+            if (!profile->axisymmetric()) { // the batch is that of the plane
+                make_batch();
+            }
         }
     }
 
     void make_batch() {
-        profile = scene.profile;
         const contact::NormalContact edges(*scene.profile, scene.contact_modulus, scene.load,
                                            edge_digits);
         batch.emplace(edges, batch_digits);
@@ -115,8 +117,10 @@ struct Binary64Pressures::Contact {
             if (const auto nearest = p.is_finite() ? nearest_binary64(p) : std::nullopt) {
                 return *nearest;
             }
-        } else if (const auto nearest = by_batch(edge, u)) {
-            return *nearest;
+        } else if (batch) {
+            if (const auto nearest = by_batch(edge, u)) {
+                return *nearest;
+            }
         }
         if (on_corner(edge, u)) {
             return std::numeric_limits<double>::infinity();

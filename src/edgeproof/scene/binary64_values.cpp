@@ -59,7 +59,9 @@ InWords in_words(const Scene& scene, const Binary64Question& question,
                  const ClosedFormContact& closed, const contact::BallContact& solved) {
     const bool has_form = DoubleWordPressure::has_form(closed.profile);
     if (question.quantity == Quantity::q) {
-        if (!scene.shear || (!has_form && (scene.slips() || scene.together()))) {
+        // The form for partial slip is that of one step of Q in the plane.
+        const bool other_slip = scene.slips() && scene.only_in_balls();
+        if (!scene.shear || other_slip || (!has_form && (scene.slips() || scene.together()))) {
             return {};
         }
         return [words = shear_in_words(scene, closed, solved)](Edge edge, const DoubleWord& u) {

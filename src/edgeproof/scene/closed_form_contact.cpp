@@ -24,7 +24,7 @@ std::optional<ClosedFormContact> closed_form_contact(const Scene& scene, long ti
                    : contact_of(std::move(tilt.near), tilt.alpha, scene.contact_modulus,
                                 scene.load);
     }
-    if (!contact::BallContact::has_closed_form(*scene.profile)) {
+    if (scene.profile->axisymmetric() || !contact::BallContact::has_closed_form(*scene.profile)) {
         return {};
     }
     return contact_of(*scene.profile, scene.contact_modulus, scene.load);

@@ -336,6 +336,62 @@ TEST_CASE("the slip displacement of a history is the movement since the place ca
     CHECK(certainly_negative(slip({{1, 0}, {2, 0.9}}, half_width(0.9))));
 }
 
+// A step that leaves out a load keeps that of the step before, also in later passes.
+TEST_CASE("cycles repeat the steps from one to the last") {
+    const std::string head = "[profile]\n" + std::string(history_profiles[0]) +
+                             "\n[load]\ncontact_modulus = \"1\"\n[shear]\nfriction = \"1/2\"\n";
+    const std::string first = "[[step]]\nP = \"1\"\n";
+    const std::string grow = "[[step]]\nQ = \"0.3\"\n";
+    const std::string rest = "[[step]]\nP = \"1.25\"\n[[step]]\nQ = \"-1/4\"\n";
+    const auto history = [&](const std::string& steps) {
+        return scene::parse_scene(head + steps, "steps.toml");
+    };
+    const std::string again = grow + rest;
+    const scene::Scene by_cycles = history(first + grow + "cycles = 3\n" + rest);
+    const scene::Scene explicitly = history(first + again + again + again);
+    REQUIRE(by_cycles.steps.size() == 10);
+    REQUIRE(explicitly.steps.size() == 10);
+    for (std::size_t i = 0; i < 10; ++i) {
+        CHECK(by_cycles.steps[i].P == explicitly.steps[i].P);
+        CHECK(by_cycles.steps[i].Q == explicitly.steps[i].Q);
+    }
+    CHECK(by_cycles.steps[4].P.text() == "1.25");
+    REQUIRE(by_cycles.history->layers.size() == explicitly.history->layers.size());
+    for (std::size_t j = 0; j < by_cycles.history->layers.size(); ++j) {
+        const auto& one = by_cycles.history->layers[j];
+        const auto& other = explicitly.history->layers[j];
+        CHECK(one.force.to<double>() == other.force.to<double>());
+        CHECK(one.ratio.to<double>() == other.ratio.to<double>());
+    }
+    CHECK(history_refusal(head + first + "cycles = 2\n" + grow + "cycles = 2\n")
+              .find("cycles is given in two steps") != std::string::npos);
+    for (const char* count : {"0", "1001", "\"2\"", "1.5"}) {
+        CAPTURE(count);
+        CHECK_FALSE(history_refusal(head + first + "cycles = " + count + "\n").empty());
+    }
+}
+
+// Return-point memory: at constant P each pass ends in the state of the first.
+TEST_CASE("at constant P the first cycle is the steady state") {
+    for (const std::string cycles : {"1", "2", "5"}) {
+        const scene::Scene s = scene::parse_scene(
+            "[profile]\n" + std::string(history_profiles[0]) +
+                "\n[load]\ncontact_modulus = \"1\"\n[shear]\nfriction = \"1/2\"\n"
+                "[[step]]\nP = \"1\"\n[[step]]\nQ = \"0.4\"\ncycles = " +
+                cycles + "\n[[step]]\nQ = \"-0.2\"\n[[step]]\nQ = \"0.1\"\n",
+            "steps.toml");
+        // By hand: from 0.4 (slip outside L = 1/5) down by 0.6 (outside 2/5), then up by 0.3
+        // (outside 7/10).
+        REQUIRE(s.history->layers.size() == 4);
+        const double forces[] = {0.2, 0.4, 0.7, 1};
+        const double ratios[] = {0, 0.5, -0.5, 0.5};
+        for (std::size_t j = 0; j < 4; ++j) {
+            CHECK(s.history->layers[j].force.to<double>() == doctest::Approx(forces[j]));
+            CHECK(s.history->layers[j].ratio.to<double>() == doctest::Approx(ratios[j]));
+        }
+    }
+}
+
 TEST_CASE("load histories that are not computed are refused") {
     const std::string hertz = history_profiles[0];
     CHECK(history_refusal(history_text(hertz, {{1, 0}, {1, 0.6}})).find("slide") !=

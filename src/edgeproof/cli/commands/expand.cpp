@@ -23,9 +23,9 @@ int expand(const SceneOptions& o) {
     table.notes = {"p = sum of c_k u^(k + 1/2) at the distance u from the edge; |value - exact| <= "
                    "bound",
                    "c_0, c_1, c_2 are the L_I, M_I, N_I of the literature"};
-    if (scene.shear && scene.shear->path == contact::LoadingPath::normal_first) {
+    if (result.plan.expand_shear && !scene.together()) {
         table.notes.emplace_back("q = sum of s_k u^(k - 1/2): s_0, s_1, s_2 are K_II, L_II, M_II");
-    } else if (scene.shear) {
+    } else if (result.plan.expand_shear) {
         table.notes.emplace_back("q = (Q/P) p = sum of s_k u^(k + 1/2)");
     }
     table.asked = "coefficients of " +

@@ -225,11 +225,16 @@ void read_shear(const io::TomlSection& shear, Scene& scene) {
     scene.shear = spec;
 }
 
-/// What a step leaves out keeps its value; the contact begins unloaded.
+constexpr long most_cycles = 1000;
+
+/// What a step leaves out keeps its value; the contact begins unloaded. `cycles` in a step is the
+/// number of times that the steps from this one to the last are gone through.
 void read_steps(const io::TomlSection& top, Scene& scene) {
+    const std::vector<io::TomlSection> sections = top.sections_or_none("step");
+    std::size_t first = sections.size(); // the step with `cycles`
+    std::size_t cycles = 1;
     LoadStep now;
-    for (const io::TomlSection& section : top.sections_or_none("step")) {
-        section.allow({"P", "Q", "bulk_tension"});
+    const auto read = [&](const io::TomlSection& section) {
         for (const auto& [key, member] :
              {std::pair{"P", &LoadStep::P}, std::pair{"Q", &LoadStep::Q},
               std::pair{"bulk_tension", &LoadStep::bulk_tension}}) {
@@ -240,6 +245,21 @@ void read_steps(const io::TomlSection& top, Scene& scene) {
         }
         now.line = section.line();
         scene.steps.push_back(now);
+    };
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const io::TomlSection& section = sections[i];
+        section.allow({"P", "Q", "bulk_tension", "cycles"});
+        if (section.has("cycles")) {
+            if (first < i) {
+                section.reject("cycles", "cycles is given in two steps", "give it in one");
+            }
+            first = i;
+            cycles = section.count("cycles", 1, most_cycles);
+        }
+        read(section);
+    }
+    for (std::size_t k = 1; k < cycles; ++k) {
+        std::for_each(sections.begin() + static_cast<std::ptrdiff_t>(first), sections.end(), read);
     }
 }
 

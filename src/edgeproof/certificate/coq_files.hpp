@@ -25,7 +25,7 @@ extern const std::string_view HalfPowers_v;     ///< expansions in half powers o
 extern const std::string_view PressureExpansions_v; ///< expansions of pressures near an edge
 
 extern const std::string_view Curved_v;  ///< a contact with a curved left edge
-extern const std::string_view Sides_v; ///< the first terms lie on one side of the pressure
+extern const std::string_view Sides_v;   ///< the first terms lie on one side of the pressure
 extern const std::string_view Uniform_v; ///< an expansion uniform in a variable
 
 } // namespace coq_files

@@ -109,8 +109,7 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
     }
     for (const contact::Edge edge : plan.slip ? plan.edges : std::vector<contact::Edge>{}) {
         add({Quantity::slip, 0, edge});
-        for (const std::size_t n :
-             scene.history ? std::vector<std::size_t>{} : scene.ask.terms) {
+        for (const std::size_t n : scene.history ? std::vector<std::size_t>{} : scene.ask.terms) {
             add({Quantity::slip_terms, n, edge, {}, scene.ask.tolerance});
         }
     }

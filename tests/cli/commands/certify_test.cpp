@@ -64,7 +64,7 @@ TEST_CASE("verify names the certificate of a verdict, and what the verdict rests
     certify_and_accept(folder, "certificates");
     const auto confirmed = verified_claim(folder);
     CHECK(confirmed.at("certificate") == "certificates/claim_c0.v");
-    CHECK(confirmed.at("rests_on") == "enclosures"); // a theorem about one contact
+    CHECK(confirmed.at("rests_on") == "theorem");
 }
 
 TEST_CASE("verify shows no certificate that is stated in other definitions") {

@@ -117,7 +117,7 @@ TEST_CASE("each quantity that has a symbol is read by it and written with it") {
             CHECK(quantity_named(symbol + "_0").has_value() == (row.index == Index::order));
         }
     }
-    CHECK(symbols == 17);
+    CHECK(symbols == 18);
     CHECK_FALSE(quantity_named(""));
     CHECK_FALSE(quantity_named("heat"));
     CHECK_FALSE(quantity_named("p_1"));

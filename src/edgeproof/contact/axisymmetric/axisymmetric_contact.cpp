@@ -295,26 +295,26 @@ Ball AxisymmetricContact::reach(Edge /*edge*/) const {
 }
 
 // p/sqrt(u) = (E*/pi) times the integral of h'(a - u t) (1 - t)^(-1/2) (2a - u (1 + t))^(-1/2) over
-// 0 < t < 1: |h'| is bounded over a square that contains the disk |s - a| <= rho.
+// 0 < t < 1: |h'| is bounded over the disk |s - a| <= rho. There v < |s|, so that the angle
+// A = arccos(v/s) has |A| <= pi/2 + arcsin(v/|s|) <= pi (the series of arcsin has no negative
+// coefficient), and y^2 = (s - v) (s + v).
 Ball AxisymmetricContact::majorant(Edge /*edge*/, const Ball& rho) const {
-    const Ball side = Ball::hull(-rho, rho);
-    const Box s(a_ + side, side);
+    const Ball pi = Ball::pi(bits_);
+    const Ball least = a_ - rho;
+    const Ball greatest = a_ + rho;
     Ball most(0, bits_);
     for (const Bend& bend : bends_) {
-        const Ball v = bend.v;
+        const Ball& v = bend.v;
         if (bend.at_origin) {
-            most += abs(bend.jump) * Ball::pi(bits_) / 2 + abs(bend.rate) * abs(s) * 2;
+            most += abs(bend.jump) * pi / 2 + abs(bend.rate) * greatest * 2;
         } else if (inside(bend.knot)) {
-            // The product of the roots is tighter than the root of the product.
-            const Box y = principal_root(s - v) * principal_root(s + v);
-            const Box A = principal_arctangent(y / v);
-            most += abs(bend.rate) * (abs(y) * 2 + v * abs(A));
+            most += abs(bend.rate) * (sqrt((greatest - v) * (greatest + v)) * 2 + v * pi);
             if (!contains_zero(bend.jump)) {
-                most += abs(bend.jump) * (abs(A) + v / abs(y));
+                most += abs(bend.jump) * (pi + v / sqrt((least - v) * (least + v)));
             }
         }
     }
-    return modulus_ / Ball::pi(bits_) * most * 2 / sqrt((a_ - rho) * 2);
+    return modulus_ / pi * most * 2 / sqrt(least * 2);
 }
 
 BallSeries AxisymmetricContact::approach_rate_series(std::size_t terms) const {

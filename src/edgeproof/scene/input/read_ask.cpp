@@ -339,7 +339,8 @@ void default_quantities(Ask& ask, bool shear, bool friction) {
             ask.quantities.insert(QuantityGroup::shear);
         }
     }
-    if (ask.tolerance) {
+    // With points and no number of terms, the tolerance is only for figures and other commands.
+    if (ask.tolerance && (!ask.terms.empty() || ask.u.empty())) {
         ask.quantities.insert(QuantityGroup::extent);
     }
     if (friction) {

@@ -49,7 +49,8 @@ public:
                     design_.objective == DesignObjective::measure
                         ? (fraction ? Quantity::measure_fraction : Quantity::measure)
                         : (fraction ? Quantity::extent_fraction : Quantity::extent);
-                const BoundedValue& value = RowsAt(rows).at(quantity, design_.terms);
+                const RowsAt at_edge(rows);
+                const BoundedValue& value = at_edge.at(quantity, design_.terms);
                 least = std::min(least, value.value.midpoint().convert_to<double>());
             }
             return least;

@@ -76,6 +76,16 @@ TEST_CASE("refutations are about the only coefficient, and corrections are relat
     CHECK(c.whole_verdict);
 }
 
+// right.c0 in it may have any value.
+TEST_CASE("a correction that is equal to the quantity by its form has no theorem") {
+    const auto c = only_certificate("u = [\"1/5\"]\n" + wedges,
+                                    value("right.c0*sqrt(a+x)", "right.c0*sqrt(a-x)"));
+    INFO(c.leaves_out);
+    CHECK(c.verdict == "refuted");
+    REQUIRE(c.theorems.size() == 1);
+    CHECK(c.theorems[0].name.ends_with("_refuted"));
+}
+
 // The theories of all contacts of a form assume a > t, and that gam is b/a.
 TEST_CASE("a theorem for all contacts is stated only if those of the family are of the form") {
     const auto load = value("0", "Es/2*integral(s*g1(s)/sqrt(a^2-s^2), s, -a, a)");

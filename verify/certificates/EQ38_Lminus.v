@@ -25,13 +25,3 @@ Proof.
 Qed.
 Print Assumptions EQ38_Lminus_refuted.
 
-Theorem EQ38_Lminus_corrected : exists v0 v1 v2,
-  is_the_left_shear_series (full_stick Q sig0 a b) b v0 v1 v2 /\
-  Rabs ((v1 * sqrt ((a + b) / 2 + (x - (a - b) / 2))) - (v1 * sqrt (b + x))) <= 1 / 10 ^ 12 * Rabs (v1 * sqrt (b + x)).
-Proof.
-  eexists. eexists. eexists. 
-  split. { apply the_left_shear_series, left_shear; positive. }
-  apply Rminus_le. numbers constants.
-Qed.
-Print Assumptions EQ38_Lminus_corrected.
-

@@ -25,13 +25,3 @@ Proof.
 Qed.
 Print Assumptions EQ38_Lplus_refuted.
 
-Theorem EQ38_Lplus_corrected : exists s0 s1 s2,
-  is_the_right_shear_series (full_stick Q sig0 a b) a s0 s1 s2 /\
-  Rabs ((s1 * sqrt ((a + b) / 2 - (x - (a - b) / 2))) - (s1 * sqrt (a - x))) <= 1 / 10 ^ 12 * Rabs (s1 * sqrt (a - x)).
-Proof.
-  eexists. eexists. eexists. 
-  split. { apply the_right_shear_series, right_shear; positive. }
-  apply Rminus_le. numbers constants.
-Qed.
-Print Assumptions EQ38_Lplus_corrected.
-

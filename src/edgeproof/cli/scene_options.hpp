@@ -51,6 +51,8 @@ struct SceneOptions : OutputOptions {
 /// The digits of a short answer on a terminal, unless --digits is given.
 inline constexpr unsigned digits_of_short_answer = 6;
 
+inline constexpr std::size_t most_threads = 1024;
+
 /// Adds the scene itself, --digits, those of a table, --round, --binary64, --exact, and the options
 /// for [ask]: --edge, --terms, --quantity.
 void add_scene_options(CLI::App& sub, SceneOptions& options);

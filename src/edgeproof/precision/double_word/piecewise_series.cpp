@@ -36,7 +36,7 @@ double above(const Ball& x) {
 PiecewiseSeries::PiecewiseSeries(const std::vector<Ball>& a, long most) {
     const long bits = a.front().bits();
     // The range of t, including the rounding of x to a cell.
-    const Ball reach = Ball(Rational((1L << 40) + 1, 1L << 40), bits) / (2 * cells);
+    const Ball reach = Ball(Rational((1L << 40) + 1, 1L << 40), bits) / (2L * cells);
     for (long c = 0; c <= cells / 2; ++c) {
         Cell& cell = cells_[static_cast<std::size_t>(c)];
         Ball power(1, bits);

@@ -25,7 +25,9 @@ public:
         if (!(x.high >= 0 && x.high <= 0.5 && x.radius < 0x1p-60)) {
             return double_word::unknown();
         }
-        const auto i = static_cast<std::size_t>(x.high * cells + 0.5);
+        // The sum may round up to the next cell: the coefficients allow for it (`reach`).
+        const auto i =
+            static_cast<std::size_t>(x.high * cells + 0.5); // NOLINT(bugprone-incorrect-roundings)
         const Cell& cell = cells_[i];
         const DoubleWord t = x - DoubleWord{static_cast<double>(i) / cells, 0, 0};
         double tail = cell.others[terms - long_terms - 1];

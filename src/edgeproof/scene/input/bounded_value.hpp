@@ -57,8 +57,8 @@ struct PrintedValue {
 [[nodiscard]] PrintedValue printed(const BoundedValue& x, const Digits& digits);
 [[nodiscard]] std::string printed_text(const BoundedValue& x, const Digits& digits);
 
-/// Formats an exact number that nobody wrote, such as a point of a range: its decimal, if that has
-/// no more digits than requested, else rounded; with `exact`, its own text.
+/// Formats an exact number that is in no text of the user, such as a point of a range: its decimal,
+/// if that has no more digits than requested, else rounded; with `exact`, its own text.
 [[nodiscard]] std::string decimal_text(const formula::Exact& x, const Digits& digits);
 
 /// Returns a ball with an estimated absolute error.

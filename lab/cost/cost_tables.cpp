@@ -196,8 +196,10 @@ Table effect_table(const CostReport& report) {
                      {"solved", ColumnKind::count},
                      {"expansions", ColumnKind::count},
                      {"shear points", ColumnKind::count},
+                     {"stresses", ColumnKind::count},
+                     {"displacements", ColumnKind::count},
                      {"extents", ColumnKind::count}});
-    t.notes = {"a scene of ten points as `edgeproof pressure` runs it, every value proved; solved: "
+    t.notes = {"a scene of ten points as the commands run it, every value proved; solved: "
                "edges, loads and tilts"};
     for (const cost::EffectCost& e : report.effects) {
         const contact::Counts& c = e.work.counts;
@@ -206,7 +208,8 @@ Table effect_table(const CostReport& report) {
                           std::to_string(c.closed_forms),
                           std::to_string(c.consistency + c.load_inversions + c.tilts),
                           std::to_string(c.expansions + c.shear_expansions),
-                          std::to_string(c.shear_points), std::to_string(c.extents)});
+                          std::to_string(c.shear_points), std::to_string(c.stresses),
+                          std::to_string(c.displacements), std::to_string(c.extents)});
     }
     return t;
 }

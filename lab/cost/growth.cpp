@@ -90,6 +90,8 @@ struct Added {
     Section load;
     Section shear = {};
     Section ask = {};
+    /// Adds what entries cannot state: points of bodies, steps.
+    void (*more)(scene::Scene&) = nullptr;
 };
 
 const Section flat{{"kind", "flat-and-rounded"}, {"t", "0.4"}, {"R", "1"}};
@@ -103,7 +105,39 @@ const Section both_edges{{"edges", Texts{"right", "left"}}};
 const Section extents_of_terms{
     {"terms", Texts{"1", "3"}}, {"tolerance", "5%"}, {"quantities", Texts{"extent"}}};
 
+const Section sphere{{"kind", "hertz"}, {"R", "1"}, {"geometry", "axisymmetric"}};
+const Section flat_of_revolution{
+    {"kind", "flat-and-rounded"}, {"t", "0.4"}, {"R", "1"}, {"geometry", "axisymmetric"}};
+const Section shear_with_slip{{"Q", "0.1"}, {"friction", "0.6"}};
+
+/// Asks for a group of quantities alone, at no point of the contact.
+Section only(const char* group) { return {{"quantities", Texts{group}}}; }
+Section displacement_at(const Texts& x) {
+    return {{"quantities", Texts{"displacement"}}, {"x", x}};
+}
+const Texts inside{"-0.97", "-0.9", "-0.7", "-0.5", "-0.3", "0.3", "0.5", "0.7", "0.9", "0.97"};
+const Texts outside{"-9", "-3", "-2", "-1.5", "-1.1", "1.1", "1.5", "2", "3", "9"};
+
+/// Ten points below the surface.
+void in_bodies(scene::Scene& scene) {
+    for (const std::string& x : inside) {
+        scene.ask.in_bodies.push_back({formula::Exact::parse(x), formula::Exact::parse("0.3")});
+    }
+}
+/// Two cycles of Q under a constant P.
+void in_cycles(scene::Scene& scene) {
+    const auto step = [&](const char* Q) {
+        scene.steps.push_back({formula::Exact::parse("1/2"), formula::Exact::parse(Q), {}});
+    };
+    for (const char* Q : {"0", "0.2", "-0.2", "0.2", "-0.2"}) {
+        step(Q);
+    }
+    set_step(scene, scene.steps.size());
+}
+
 constexpr const char* plain = "pressures of a symmetric punch";
+constexpr const char* slipping = "shear in partial slip";
+constexpr const char* of_revolution = "pressures under a sphere";
 
 const Added effects[] = {
     {plain, "", flat, by_edge},
@@ -118,20 +152,36 @@ const Added effects[] = {
     {"expansion to 10 terms", plain, flat, by_edge, {}, {{"terms", "10"}}},
     {"expansion to 3 terms, tilted", "tilt", tilted, by_edge, {}, {{"terms", "3"}}},
     {"extents of 1 and 3 terms", plain, flat, by_edge, {}, extents_of_terms},
+    {slipping, plain, flat, by_edge, shear_with_slip},
+    {"shear after 5 steps of a history", slipping, flat, by_force, shear_with_slip, {}, in_cycles},
+    {"sizes of the slip zones", slipping, flat, by_edge, shear_with_slip, only("slip")},
+    {"greatest pressure", plain, flat, by_edge, {}, only("peak")},
+    {"gap at ten places", plain, flat, by_edge, {}, displacement_at(outside)},
+    {"slip at ten places", slipping, flat, by_edge, shear_with_slip, displacement_at(inside)},
+    {"stresses at ten points", plain, flat, by_edge, {}, only("stress"), in_bodies},
+    {"stresses in partial slip", slipping, flat, by_edge, shear_with_slip, only("stress"),
+     in_bodies},
+    {of_revolution, plain, sphere, by_edge},
+    {"pressures under a flat punch of revolution", of_revolution, flat_of_revolution, by_edge},
+    {"shear under a sphere", of_revolution, sphere, by_edge, shear_with_slip},
+    {"gap around a sphere", of_revolution, sphere, by_edge, {}, displacement_at(outside)},
 };
 
 scene::Scene scene_of(const Added& e, unsigned digits) {
     scene::SceneEntries entries{"", e.profile, e.load, e.shear, e.ask};
     entries.load.push_back({"contact_modulus", "1"});
     entries.ask.push_back({"digits", std::to_string(digits)});
-    const bool extents = std::any_of(e.ask.begin(), e.ask.end(),
-                                     [](const auto& entry) { return entry.key == "tolerance"; });
-    if (!extents) {
+    const bool has_no_points = std::ranges::any_of(
+        e.ask, [](const io::TomlEntry& entry) { return entry.key == "quantities"; });
+    if (!has_no_points) {
         entries.ask.push_back({"u", Texts{"1e-8", "1e-6", "1e-4", "1e-3", "0.01", "0.03", "0.1",
                                           "0.2", "0.3", "0.45"}});
     }
     scene::Scene scene = scene::make_scene(entries);
     scene.file = e.name;
+    if (e.more != nullptr) {
+        e.more(scene);
+    }
     return scene;
 }
 

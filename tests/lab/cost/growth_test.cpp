@@ -98,4 +98,11 @@ TEST_CASE("an effect adds its own operations and no others") {
     CHECK(counts("expansion to 10 terms").closed_forms == 10);
     CHECK(counts("extents of 1 and 3 terms").extents == 2);
     CHECK(counts("extents of 1 and 3 terms").closed_forms == 0);
+    CHECK(counts("shear in partial slip").stick_zones == 1);
+    CHECK(counts("stresses at ten points").stresses == 10);
+    CHECK(counts("stresses at ten points").closed_forms == 0);
+    CHECK(counts("gap at ten places").displacements == 10);
+    CHECK(counts("slip at ten places").displacements == 10);
+    CHECK(counts("pressures under a sphere").closed_forms == 10);
+    CHECK(counts("gap around a sphere").displacements == 10);
 }

@@ -52,9 +52,9 @@ if(PROJECT_IS_TOP_LEVEL AND TARGET edgeproof)
         # CLN does not free its memory at the end, and the tests' suppressions are not set in a
         # build.
         COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0
-                $<TARGET_FILE:edgeproof> --write-manual ${manual}
+                $<TARGET_FILE:edgeproof_lab_program> --write-manual ${manual}
         ${compress}
-        DEPENDS edgeproof VERBATIM COMMENT "Manual pages and completions")
+        DEPENDS edgeproof_lab_program VERBATIM COMMENT "Manual pages and completions")
     add_custom_target(edgeproof_manual ALL DEPENDS ${manual}/edgeproof.bash)
     install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program
         OPTIONAL)

@@ -2,7 +2,8 @@
 #pragma once
 #include <CLI/CLI.hpp>
 
-/// The program's tests of itself, as subcommands of the same program (edgeproof/cli/cli.hpp):
+/// The program's tests of itself: commands of the program edgeproof-lab, which edgeproof starts
+/// (edgeproof/cli/program.hpp):
 ///   counts/      values drawn by a seed, counted, and compared with second routes
 ///   validation/  hard cases, second routes, claimed and true errors
 ///   cost/        the cost of a value

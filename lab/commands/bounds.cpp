@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/lab.hpp"
 
+#include "edgeproof/cli/program.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/child_process.hpp"
 #include "edgeproof/io/process_cleanup.hpp"
@@ -233,7 +234,7 @@ void add_counting_options(CLI::App& sub, CountingOptions& o, bool digits) {
 } // namespace
 
 void add_bounds(CLI::App& app, int& code) {
-    CLI::App& all = *app.add_subcommand("bounds", "evidence that the bounds hold");
+    CLI::App& all = *app.add_subcommand(lab_bounds.name, lab_bounds.help);
     all.require_subcommand(1);
 
     auto [cases, c] = add_command<CasesOptions>(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/lab.hpp"
 
+#include "edgeproof/cli/program.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/report/text/program_line.hpp"
@@ -114,9 +115,7 @@ int cost(const CostArguments& a) {
 } // namespace
 
 void add_cost(CLI::App& app, int& code) {
-    auto [sub, a] = add_command<CostArguments>(
-        app, code, "cost", "what a value costs by each route: digits reached, evaluations, time",
-        cost);
+    auto [sub, a] = add_command<CostArguments>(app, code, lab_cost.name, lab_cost.help, cost);
     sub.add_option("scenes", a.scenes,
                    "scenes (TOML) to time at their own points; without any, a set of contacts "
                    "with easy and hard points");

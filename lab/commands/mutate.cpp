@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/lab.hpp"
 
+#include "edgeproof/cli/program.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/process_cleanup.hpp"
 #include "edgeproof/io/text_file.hpp"
@@ -108,9 +109,7 @@ int mutate(MutateOptions& o) {
 } // namespace
 
 void add_mutate(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<MutateOptions>(
-        app, code, "mutate",
-        "break the confirmed formulas of a ledger, and see that each mutant is refuted", mutate);
+    auto [sub, o] = add_command<MutateOptions>(app, code, lab_mutate.name, lab_mutate.help, mutate);
     sub.add_option("ledger", o.ledger, "the ledger (TOML)")->required();
     sub.add_option("--mutants", o.mutants, "how many")->capture_default_str();
     sub.add_option("--seed", o.seed, "decides which")->capture_default_str();

@@ -113,8 +113,8 @@ decltype(auto) with_progress(std::string what, std::function<void(std::size_t, s
                                                   const char* const* argv);
 
 /// Writes the documentation of the command line into a folder: man1/edgeproof.1, a page for each
-/// subcommand, man1/edgeproof-NAME.1, and completions for three shells: edgeproof.bash, _edgeproof
-/// (zsh) and edgeproof.fish.
+/// subcommand, man1/edgeproof-NAME.1, one for edgeproof-lab that refers to the first, and
+/// completions for three shells: edgeproof.bash, _edgeproof (zsh) and edgeproof.fish.
 void write_manual(const CLI::App& app, const std::string& version,
                   const std::filesystem::path& folder);
 
@@ -134,6 +134,9 @@ private:
 };
 
 // Files that come with the program, found by their place relative to it (installed.cpp).
+
+/// Returns the path of a file given by its path relative to the program's folder.
+[[nodiscard]] std::filesystem::path installed(const std::filesystem::path& file);
 
 inline constexpr std::string_view shipped_ledgers = "verify";
 inline constexpr std::string_view shipped_recipes = "reference";

@@ -19,13 +19,6 @@ namespace {
 /// not built.
 constexpr std::string_view module_path = EDGEPROOF_MPI_MODULE;
 
-/// Returns the path of a file given by its path relative to the program's folder.
-std::filesystem::path installed(const std::filesystem::path& file) {
-    std::error_code failed;
-    const auto self = std::filesystem::read_symlink("/proc/self/exe", failed);
-    return (self.parent_path() / file).lexically_normal();
-}
-
 std::size_t number_in(const char* variable) {
     const char* const value = std::getenv(variable);
     std::size_t n = 0;
@@ -43,6 +36,12 @@ std::size_t number_in(const char* variable) {
 }
 
 } // namespace
+
+std::filesystem::path installed(const std::filesystem::path& file) {
+    std::error_code failed;
+    const auto self = std::filesystem::read_symlink("/proc/self/exe", failed);
+    return (self.parent_path() / file).lexically_normal();
+}
 
 std::string file_or_shipped(const std::string& given, std::string_view folder) {
     std::error_code failed;

@@ -383,6 +383,7 @@ void write_manual(const CLI::App& app, const std::string& version,
         io::write_whole(folder / "man1" / (app.get_name() + "-" + sub->get_name() + ".1"),
                         man_page(app, *sub, version));
     }
+    io::write_whole(folder / "man1" / "edgeproof-lab.1", ".so man1/" + app.get_name() + ".1\n");
     io::write_whole(folder / (app.get_name() + ".bash"), bash_completion(app));
     io::write_whole(folder / ("_" + app.get_name()), zsh_completion(app));
     io::write_whole(folder / (app.get_name() + ".fish"), fish_completion(app));

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/program.hpp"
+#include "lab/lab.hpp"
+
+int main(int argc, char** argv) {
+    using namespace edgeproof::cli;
+    const LabCommands lab{add_mutate, add_bounds, add_cost};
+    return run_program(argc, argv, &lab);
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <CLI/CLI.hpp>
+
+namespace edgeproof::cli {
+
+/// A command of the program's tests of itself (lab). The program edgeproof has only its name and
+/// starts edgeproof-lab, so that the build of the program does not wait for these tests.
+struct LabCommand {
+    const char* name;
+    const char* help;
+};
+inline constexpr LabCommand lab_bounds{"bounds", "evidence that the bounds hold"};
+inline constexpr LabCommand lab_cost{
+    "cost", "what a value costs by each route: digits reached, evaluations, time"};
+inline constexpr LabCommand lab_mutate{
+    "mutate", "break the confirmed formulas of a ledger, and see that each mutant is refuted"};
+
+/// Functions that add these commands.
+struct LabCommands {
+    using Add = void (*)(CLI::App& app, int& code);
+    Add mutate;
+    Add bounds;
+    Add cost;
+};
+
+/// Runs the program with its command line and returns its exit status.
+/// @param lab null: the commands of the lab are started as the program edgeproof-lab
+[[nodiscard]] int run_program(int argc, char** argv, const LabCommands* lab);
+
+} // namespace edgeproof::cli

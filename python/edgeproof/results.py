@@ -120,7 +120,12 @@ class Stress(_Plain):
     body           "A", on which Q acts, or "B"
     sxx, szz, sxz  the components in the plane
     tau_max        the greatest shear stress in the plane
-    mises          the equivalent stress of von Mises in plane strain; None without a Poisson's ratio
+    mises          the equivalent stress of von Mises in plane strain
+    syy            the stress across the plane, in plane strain
+    s1, s2, s3     the principal stresses in plane strain, s1 >= s2 >= s3
+    tresca         the equivalent stress of Tresca, s1 - s3
+
+    mises and what follows it here are None without a Poisson's ratio.
     """
 
     body: str
@@ -131,6 +136,11 @@ class Stress(_Plain):
     sxz: Value
     mises: Value | None
     tau_max: Value
+    syy: Value | None
+    s1: Value | None
+    s2: Value | None
+    s3: Value | None
+    tresca: Value | None
 
 
 @dataclasses.dataclass(frozen=True)
@@ -398,8 +408,8 @@ def result_of(found: dict[str, Any]) -> Result:
         proved=found["proved"],
         why=found["why"],
         stresses=Rows(
-            Stress(*in_bodies[i], *(at.value(name) for name in ("sxx", "szz", "sxz", "mises",
-                                                                "tau_max")))
+            Stress(*in_bodies[i], *(at.value(name) for name in (
+                "sxx", "szz", "sxz", "mises", "tau_max", "syy", "s1", "s2", "s3", "tresca")))
             for i, at in at_places("body")),
         displacements=Rows(Displacement(found["places"][i], at.value("gap"), at.value("slip"))
                            for i, at in at_places("surface")),

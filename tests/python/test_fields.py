@@ -196,7 +196,9 @@ def test_stresses_under_hertz():
             syy = exact("0.3") * (sxx + szz)
             mises = mpmath.sqrt(((sxx - syy)**2 + (syy - szz)**2 + (szz - sxx)**2) / 2)
             for value, by_hand in ((row.sxx, sxx), (row.szz, szz), (row.sxz, 0),
-                                   (row.mises, mises), (row.tau_max, (z - z * z / root) / 2)):
+                                   (row.mises, mises), (row.tau_max, (z - z * z / root) / 2),
+                                   (row.syy, syy), (row.s1, max(sxx, syy)), (row.s3, szz),
+                                   (row.s2, min(sxx, syy)), (row.tresca, max(sxx, syy) - szz)):
                 low, high = value.interval()
                 error = max(abs(exact(low) - by_hand), abs(exact(high) - by_hand))
                 assert error < mpmath.mpf(10)**-28 and value.proved

@@ -2,8 +2,6 @@
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/error_place.hpp"
 
-#include <array>
-
 namespace edgeproof::cli {
 namespace {
 
@@ -127,8 +125,10 @@ int stress(const StressOptions& o) {
     table.notes = {"sxx, szz, sxz: stresses at the depth z in body " + o.body +
                        ", tension positive; tau_max: the greatest shear stress in the plane",
                    scene.poisson(body)
-                       ? "mises: the equivalent stress of von Mises in plane strain"
-                       : "mises is left out: the scene has no Poisson's ratio (nu in [load])"};
+                       ? "in plane strain: mises, tresca: equivalent stresses; syy: the stress "
+                         "across the plane; s1 >= s2 >= s3: the principal stresses"
+                       : "mises, syy, s1, s2, s3 and tresca are left out: the scene has no "
+                         "Poisson's ratio (nu in [load])"};
     if (result.plan.partial_slip) {
         add_slip_facts(table.facts, scene, result);
     }
@@ -145,14 +145,13 @@ int stress(const StressOptions& o) {
         length;
     columns.add("z", Kind::number, [point](const RowsAt& at) { return point(at).z.text(); }).unit =
         length;
-    constexpr std::array quantities{Quantity::sxx, Quantity::szz, Quantity::sxz, Quantity::mises,
-                                    Quantity::tau_max};
-    for (const Quantity quantity : quantities) {
-        if (quantity != Quantity::mises || scene.poisson(body)) {
+    for (const scene::QuantityRow& row : scene::quantity_rows()) {
+        const bool known = row.needs != scene::QuantityRow::Needs::poisson || scene.poisson(body);
+        if (row.group == scene::QuantityGroup::stress && known) {
             columns
-                .add_value(std::string(row_of(quantity).name), "",
-                           [quantity](const RowsAt& at) { return at.row(quantity).value; })
-                .unit = unit_of(scene, quantity);
+                .add_value(std::string(row.name), "",
+                           [&row](const RowsAt& at) { return at.row(row.quantity).value; })
+                .unit = unit_of(scene, row.quantity);
         }
     }
     columns

@@ -5,7 +5,21 @@ namespace edgeproof::contact {
 
 // docs/stress.md, "The measures"; a sum of squares, whose root has no negative part.
 Ball StressState::mises(const Ball& nu) const {
-    return hypot(sqrt(Ball(3, nu.bits())) * tau_max(), (1 - nu * 2) * ((sxx + szz) / 2));
+    return hypot(sqrt(Ball(3, nu.bits())) * tau_max(), (1 - nu * 2) * mean());
+}
+
+std::array<Ball, 3> StressState::principal(const Ball& nu) const {
+    const bool along_axes = arb_is_zero(sxz.data()) != 0; // exactly the components, also if zero
+    const Ball most = along_axes ? max(sxx, szz) : mean() + tau_max();
+    const Ball least = along_axes ? min(sxx, szz) : mean() - tau_max();
+    const Ball across = syy(nu);
+    return {max(most, across), max(least, min(most, across)), min(least, across)};
+}
+
+// Twice tau_max, or the difference of syy = 2 nu mean and the farther of mean -+ tau_max, without
+// cancellation.
+Ball StressState::tresca(const Ball& nu) const {
+    return tau_max() + max(tau_max(), (1 - nu * 2) * abs(mean()));
 }
 
 // johnson1985, eq. 2.23 (docs/stress.md, "Stresses")

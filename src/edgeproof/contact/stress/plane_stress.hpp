@@ -2,6 +2,8 @@
 #pragma once
 #include "edgeproof/contact/stress/cauchy_integral.hpp"
 
+#include <array>
+
 namespace edgeproof::contact {
 
 /// The stress at a point of a body in the plane of the contact, tension positive (stress). z is the
@@ -18,6 +20,13 @@ struct StressState {
     [[nodiscard]] Ball syy(const Ball& nu) const { return nu * (sxx + szz); }
     /// The equivalent stress of von Mises in plane strain, for Poisson's ratio `nu`.
     [[nodiscard]] Ball mises(const Ball& nu) const;
+    /// The principal stresses in plane strain, s1 >= s2 >= s3; syy is one of them.
+    [[nodiscard]] std::array<Ball, 3> principal(const Ball& nu) const;
+    /// The equivalent stress of Tresca in plane strain, s1 - s3, for Poisson's ratio `nu` <= 1/2.
+    [[nodiscard]] Ball tresca(const Ball& nu) const;
+
+private:
+    [[nodiscard]] Ball mean() const { return (sxx + szz) / 2; }
 };
 
 /// The stress at zeta = x + i z of a half-plane whose surface carries the pressure with the Cauchy

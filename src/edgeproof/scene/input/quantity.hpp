@@ -67,6 +67,11 @@ enum class Quantity {
     sxz,               ///< shear stress
     mises,             ///< equivalent stress of von Mises, in plane strain
     tau_max,           ///< greatest shear stress in the plane
+    syy,               ///< normal stress across the plane, in plane strain
+    s1,                ///< greatest principal stress, in plane strain
+    s2,                ///< middle principal stress
+    s3,                ///< least principal stress
+    tresca,            ///< equivalent stress of Tresca, s1 - s3
     gap,               ///< gap between the bodies outside the contact
     slip_displacement, ///< u_A - u_B along the surface, inside the contact
     delta,             ///< approach of the bodies of an axisymmetric contact

@@ -118,10 +118,6 @@ const contact::StressState& BallLevel::stress(const AskedValue& at) {
     return last_stress_->second;
 }
 
-Ball BallLevel::mises(const AskedValue& at) {
-    return stress(at).mises(ball_of(*scene_.poisson(at.in_body->body), bits_));
-}
-
 Ball BallLevel::gap(const AskedValue& at) {
     const Ball x = at.place->x_enclosure(a(), b(), bits_);
     const Ball right = x - a();

@@ -221,7 +221,12 @@ public:
     [[nodiscard]] Ball szz(const AskedValue& at) { return stress(at).szz; }
     [[nodiscard]] Ball sxz(const AskedValue& at) { return stress(at).sxz; }
     [[nodiscard]] Ball tau_max(const AskedValue& at) { return stress(at).tau_max(); }
-    [[nodiscard]] Ball mises(const AskedValue& at);
+    [[nodiscard]] Ball mises(const AskedValue& at) { return stress(at).mises(poisson(at)); }
+    [[nodiscard]] Ball syy(const AskedValue& at) { return stress(at).syy(poisson(at)); }
+    template <std::size_t k> [[nodiscard]] Ball principal(const AskedValue& at) {
+        return stress(at).principal(poisson(at))[k];
+    }
+    [[nodiscard]] Ball tresca(const AskedValue& at) { return stress(at).tresca(poisson(at)); }
     /// The load on a body, for shear that is not under full stick. Nothing if these bits do not
     /// isolate the stick zone.
     [[nodiscard]] std::optional<contact::StressField> stress_field(Body body);
@@ -239,6 +244,9 @@ private:
     /// Keeps the last value.
     [[nodiscard]] const contact::StressState& stress(const AskedValue& at);
     [[nodiscard]] Ball bulk_stress(Body body) const;
+    [[nodiscard]] Ball poisson(const AskedValue& at) const {
+        return ball_of(*scene_.poisson(at.in_body->body), bits_);
+    }
     /// The Cauchy integral of q on body A; `p` is that of p.
     [[nodiscard]] contact::CauchyIntegral shear_integral(const contact::CauchyIntegral& p,
                                                          const Box& zeta);

@@ -321,6 +321,11 @@ constexpr auto quantity_table = std::to_array<Def>({
     stress<&BallLevel::sxz>(Quantity::sxz, "sxz"),
     stress<&BallLevel::mises>(Quantity::mises, "mises").needing(Needs::poisson),
     stress<&BallLevel::tau_max>(Quantity::tau_max, "tau_max"),
+    stress<&BallLevel::syy>(Quantity::syy, "syy").needing(Needs::poisson),
+    stress<&BallLevel::principal<0>>(Quantity::s1, "s1").needing(Needs::poisson),
+    stress<&BallLevel::principal<1>>(Quantity::s2, "s2").needing(Needs::poisson),
+    stress<&BallLevel::principal<2>>(Quantity::s3, "s3").needing(Needs::poisson),
+    stress<&BallLevel::tresca>(Quantity::tresca, "tresca").needing(Needs::poisson),
     on_surface<&BallLevel::gap>(Quantity::gap, "gap"),
     on_surface<&BallLevel::slip_displacement>(Quantity::slip_displacement, "slip"),
     of_contact<&BallLevel::approach, &ExactValues::approach, &RealLevel::approach>(

@@ -3,6 +3,7 @@
 
 #include "edgeproof/formula/fold.hpp"
 #include "edgeproof/formula/names.hpp"
+#include "edgeproof/formula/typed.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -20,9 +21,18 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; 
 bool is_name_start(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_name(char c) { return is_name_start(c) || is_digit(c); }
 
+/// A product without a `*`, between the bytes `left` and `right` of the text.
+struct ImpliedProduct {
+    std::size_t left;
+    std::size_t right;
+};
+
 class Parser {
 public:
-    Parser(std::string_view text, const Symbols& allowed) : text_(text), allowed_(allowed) {}
+    /// `products`: receives the products without a `*`; if null, these are refused.
+    Parser(std::string_view text, const Symbols& allowed,
+           std::vector<ImpliedProduct>* products = nullptr)
+        : text_(text), allowed_(allowed), products_(products) {}
 
     Expr operator()() {
         if (text_.size() > max_length) {
@@ -108,17 +118,38 @@ private:
     Expr term() {
         const std::size_t start = pos_;
         Expr left = signed_factor();
+        bool divided = false;
         for (;;) {
             if (take('*')) {
                 if (peek() == '*') {
                     fail("'**'" + column(pos_ - 1), "write a power as x^y", pos_ - 1);
                 }
                 left = combine(left, signed_factor(), start, std::multiplies<>());
+                divided = false;
             } else if (take('/')) {
                 left = combine(left, signed_factor(), start, std::divides<>());
+                divided = true;
+            } else if (implies_product()) {
+                check_implied_product(divided);
+                products_->push_back({consumed_, pos_});
+                left = combine(left, power(), start, std::multiplies<>());
             } else {
                 return left;
             }
+        }
+    }
+
+    [[nodiscard]] bool implies_product() const {
+        return products_ != nullptr && (peek() == '(' || is_name_start(peek())) && !at_unit();
+    }
+    void check_implied_product(bool divided) const {
+        const std::string where = column(pos_) + " can be read in two ways";
+        if (divided) {
+            fail("the product without '*' after a '/'" + where,
+                 "write a/(b*c) or (a/b)*c with '*' and brackets", pos_);
+        }
+        if (is_power_) {
+            fail("the product without '*' after a power" + where, "write x^2*y or x^(2*y)", pos_);
         }
     }
 
@@ -161,8 +192,10 @@ private:
             const Expr exponent = signed_factor();
             check_height(base, start);
             check_height(exponent, start);
+            is_power_ = true;
             return located(pow(base, exponent), start);
         }
+        is_power_ = false;
         return base;
     }
 
@@ -240,6 +273,11 @@ private:
     }
 
     Expr call(const std::string& name, std::size_t start) {
+        if (!is_function(name) && (name == "ln" || name == "log10")) {
+            const Expr natural = call("log", start);
+            return name == "ln" ? natural
+                                : located(natural / Expr::call("log", {Expr::number(10)}), start);
+        }
         if (!is_function(name)) {
             if (allowed_.has(name) || is_pi(name)) {
                 fail("'" + name + "'" + column(start) + " is not a function",
@@ -300,6 +338,12 @@ private:
         fail("unexpected " + what, hint_for_character(text_, pos_), pos_);
     }
 
+    /// True if a name that can only be a unit follows a number.
+    [[nodiscard]] bool at_unit() const {
+        return consumed_ == number_end_ && is_name_start(peek()) && !is_known(name_at(pos_)) &&
+               is_unit(name_at(pos_), allowed_);
+    }
+
     [[noreturn]] void unexpected_after_operand() const {
         const char c = peek();
         const std::string what = quoted_character() + column(pos_);
@@ -310,8 +354,7 @@ private:
             fail("unexpected " + what, "commas stand only between the arguments of a function",
                  pos_);
         }
-        if (consumed_ == number_end_ && is_name_start(c) && !is_known(name_at(pos_)) &&
-            is_unit(name_at(pos_), allowed_)) {
+        if (at_unit()) {
             fail("numbers have no units here: '" + std::string(name_at(pos_)) + "'" + column(pos_),
                  std::string(without_units), pos_);
         }
@@ -343,6 +386,8 @@ private:
 
     std::string_view text_;
     const Symbols& allowed_;
+    std::vector<ImpliedProduct>* products_;
+    bool is_power_ = false; // the last operand is a power without brackets
     std::size_t pos_ = 0;
     std::size_t consumed_ = 0; // end of the last token, without the space after it
     std::size_t number_end_ = std::string_view::npos; // end of the last number, like consumed_
@@ -355,5 +400,18 @@ private:
 Expr parse(std::string_view text, const Symbols& allowed) { return Parser(text, allowed)(); }
 
 Expr parse(std::string_view text) { return parse(text, Symbols{}); }
+
+std::string with_products(std::string_view written, std::string_view text, const Symbols& allowed) {
+    std::vector<ImpliedProduct> products;
+    Parser(text, allowed, &products)();
+    std::ranges::sort(products, {}, &ImpliedProduct::left);
+    std::string plain;
+    std::size_t at = 0;
+    for (const ImpliedProduct& product : products) {
+        plain.append(written.substr(at, product.left - at)).append("*");
+        at = product.right;
+    }
+    return plain.append(written.substr(at));
+}
 
 } // namespace edgeproof::formula

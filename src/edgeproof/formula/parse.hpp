@@ -67,7 +67,8 @@ private:
 ///   power   := primary ('^' exponent)?           right to left: 2^3^2 is 2^9
 ///   primary := number | name | name '(' sum, ... ')' | '(' sum ')'
 /// with integral(f, s, lo, hi), pv(f, s, lo, hi, x) and sum(f, k, lo, hi), whose second argument
-/// is a variable known inside f. There is no multiplication without `*`.
+/// is a variable known inside f. ln(x) is log(x), and log10(x) is log(x)/log(10), unless `allowed`
+/// has functions of these names. There is no multiplication without `*`.
 /// Throws FormulaError, always with one line, for anything else; also for texts longer than 20,000
 /// bytes, deeper than 200 levels, with more than `Expr::max_height` operations in a chain, and
 /// for numbers with a decimal exponent beyond 100,000 in size.

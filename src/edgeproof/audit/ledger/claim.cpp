@@ -3,7 +3,9 @@
 
 #include "edgeproof/audit/ledger/ledger_names.hpp"
 #include "edgeproof/formula/expr.hpp"
+#include "edgeproof/formula/typed.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,6 +14,8 @@
 
 namespace edgeproof::audit {
 namespace {
+
+constexpr std::size_t most_shown_reading = 60;
 
 bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
@@ -27,7 +31,12 @@ std::string undotted(std::string_view text) {
         in_name = in_name ? is_name(plain[i]) : is_name_start(plain[i]);
         // Skip a number such as 2e5 as a whole, as it is not a name.
         if (!in_name && std::isdigit(static_cast<unsigned char>(plain[i])) != 0) {
-            while (i + 1 < plain.size() && (is_name(plain[i + 1]) || plain[i + 1] == '.')) {
+            const auto digit = [&plain](std::size_t k) {
+                return k < plain.size() && std::isdigit(static_cast<unsigned char>(plain[k])) != 0;
+            };
+            while (i + 1 < plain.size() &&
+                   (digit(i + 1) || plain[i + 1] == '.' ||
+                    ((plain[i + 1] == 'e' || plain[i + 1] == 'E') && digit(i + 2)))) {
                 ++i;
             }
         }
@@ -76,6 +85,21 @@ constexpr std::array operators{
 
 formula::Expr parse_formula(std::string_view text, const Vocabulary& vocabulary) {
     return parse(undotted(text), vocabulary.symbols);
+}
+
+std::string plain_formula(const std::string& text, const Vocabulary& vocabulary) {
+    if (!formula::is_tex(text)) {
+        return formula::with_products(text, undotted(text), vocabulary.symbols);
+    }
+    const std::string plain = formula::plain_from_tex(text, vocabulary.symbols);
+    try {
+        static_cast<void>(parse_formula(plain, vocabulary));
+    } catch (const InputError& error) {
+        throw InputError(error.problem() + " of '" + shortened(plain, most_shown_reading) +
+                             "', as the formula is read",
+                         error.instead());
+    }
+    return plain;
 }
 
 Condition parse_condition(std::string_view text, const Vocabulary& vocabulary) {
@@ -208,7 +232,25 @@ void Claim::read(std::string_view key, const std::vector<std::string>& texts) {
     parsed_.insert_or_assign(std::string(key), std::move(p));
 }
 
-void Claim::read_formula(std::string_view key) { read(key, {text(key)}); }
+void Claim::read_formula(std::string_view key) {
+    const std::string typed = text(key);
+    try {
+        const std::string plain = plain_formula(typed, vocabulary);
+        if (plain != typed) {
+            fields.find(key)->second.value = plain;
+            typed_.insert_or_assign(std::string(key), typed);
+        }
+    } catch (const InputError& error) {
+        const InputError scoped = with_scope(error);
+        reject(key, scoped.problem(), scoped.instead());
+    }
+    read(key, {text(key)});
+}
+
+const std::string* Claim::typed(std::string_view key) const {
+    const auto it = typed_.find(key);
+    return it == typed_.end() ? nullptr : &it->second;
+}
 
 void Claim::read_formulas(std::string_view key) { read(key, list(key)); }
 

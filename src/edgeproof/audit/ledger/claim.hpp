@@ -109,6 +109,10 @@ struct Claim {
     [[nodiscard]] const formula::Expr& written(std::string_view key) const;
     [[nodiscard]] const formula::Expr* find_written(std::string_view key) const;
 
+    /// The text of a formula in the ledger if it is not the text that text() returns: LaTeX, or
+    /// products without `*`, which read_formula() replaces. nullptr otherwise.
+    [[nodiscard]] const std::string* typed(std::string_view key) const;
+
     /// Parse a field in the vocabulary: a formula, a condition, a list of formulas, or a table of
     /// formulas (stored in the table's order). Throw InputError at the field's line.
     void read_formula(std::string_view key);
@@ -131,7 +135,12 @@ private:
     void read(std::string_view key, const std::vector<std::string>& texts);
     [[nodiscard]] const Parsed& parsed(std::string_view key) const;
     std::map<std::string, Parsed, std::less<>> parsed_;
+    std::map<std::string, std::string, std::less<>> typed_;
 };
+
+/// Returns a formula of a ledger as plain text with every `*` (formula::with_products,
+/// formula::plain_from_tex). Throws InputError.
+[[nodiscard]] std::string plain_formula(const std::string& text, const Vocabulary& vocabulary);
 
 /// Parse a text in a vocabulary. A dotted name ("right.c1") is one name, with an underscore instead
 /// of the dot. Throw FormulaError.

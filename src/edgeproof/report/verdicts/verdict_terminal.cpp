@@ -82,6 +82,20 @@ std::string remark(const audit::ClaimResult& r) {
     return printable(text);
 }
 
+/// The formulas that were typed as LaTeX or without `*`, as they are read, for confirmation.
+std::string readings_text(const audit::AuditResult& result) {
+    std::string text;
+    for (const audit::ClaimResult& r : result.claims) {
+        for (const auto& [key, field] : r.claim.fields) {
+            if (const std::string* typed = r.claim.typed(key)) {
+                text += printable(r.claim.id) + ", " + key + "\n  typed    " + printable(*typed) +
+                        "\n  read as  " + printable(r.claim.text(key)) + "\n";
+            }
+        }
+    }
+    return text.empty() ? text : "\nReadings\n--------\n" + text;
+}
+
 /// A Refutation is made of enclosures only, so that this holds for every ledger.
 std::string refutations_line(const audit::AuditResult& result) {
     const bool refuted =
@@ -170,6 +184,7 @@ std::string verdicts_terminal(const audit::AuditResult& result, std::size_t widt
             out += std::string(left, ' ') + lines[k] + "\n";
         }
     }
+    out += readings_text(result);
     bool any = false;
     for (const audit::ClaimResult& r : result.claims) {
         if (r.outcome.verdict != audit::Verdict::refuted) {

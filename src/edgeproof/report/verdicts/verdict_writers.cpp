@@ -165,6 +165,9 @@ std::string verdicts_json(const audit::AuditResult& result) {
         evidence["kind"] = r.claim.kind;
         if (r.claim.has("says")) {
             evidence["says"] = r.claim.text("says");
+            if (const std::string* typed = r.claim.typed("says")) {
+                evidence["says_as_typed"] = *typed;
+            }
         }
         for (const auto& [key, item] : r.outcome.evidence.entries()) {
             evidence[key] = to_json(item);

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/formula/typed.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+const Symbols typed_symbols = [] {
+    Symbols s{"a", "b", "C", "Es", "P",       "P1",  "P2", "R",
+              "t", "u", "x", "m",  "sigma_0", "phi", "nu1"};
+    s.add_function("Pof", 1).add_function("P1of", 1).add_function("bof", 1).add_function("p", 1);
+    s.add_function("g1", 1);
+    return s;
+}();
+
+std::string products(const std::string& text) { return with_products(text, text, typed_symbols); }
+std::string tex(const std::string& text) { return plain_from_tex(text, typed_symbols); }
+
+/// The message for a text that must be refused: one line, never another exception.
+template <class Read> std::string refused(const Read& read, const std::string& text) {
+    try {
+        const std::string plain = read(text);
+        (void)parse(plain, typed_symbols); // the reading of LaTeX is parsed afterwards
+    } catch (const FormulaError& e) {
+        const std::string line = e.what();
+        CHECK(line.find('\n') == std::string::npos);
+        CHECK_FALSE(e.instead().empty());
+        return line;
+    }
+    FAIL("accepted: " << text.substr(0, 80));
+    return {};
+}
+
+} // namespace
+
+TEST_CASE("ln and log10 in formulas") {
+    CHECK(parse("ln(x)", typed_symbols) == parse("log(x)", typed_symbols));
+    CHECK(parse("log10(x)", typed_symbols) == parse("log(x)/log(10)", typed_symbols));
+    CHECK(parse("ln(2) + 3*log10(x + a)", typed_symbols) ==
+          parse("log(2) + 3*(log(x + a)/log(10))", typed_symbols));
+    Symbols own{"x"};
+    own.add_function("ln", 2);
+    CHECK(parse("ln(x, 2)", own).name() == "ln");
+    CHECK_THROWS_AS((void)parse("ln(x, 2)", typed_symbols), FormulaError);
+    CHECK_THROWS_AS((void)parse("log10()", typed_symbols), FormulaError);
+}
+
+TEST_CASE("products without a sign are read as people read them") {
+    const std::vector<std::pair<std::string, std::string>> cases{
+        {"2P", "2*P"},
+        {"2 P", "2*P"},
+        {"2P/3", "2*P/3"},
+        {"2P/(pi a)", "2*P/(pi*a)"},
+        {"(a+b)(a-b)", "(a+b)*(a-b)"},
+        {"(1/2)P", "(1/2)*P"},
+        {"2(a + b) C", "2*(a + b)*C"},
+        {"0.418sqrt(P Es/R)", "0.418*sqrt(P*Es/R)"},
+        {"2P^2", "2*P^2"},
+        {"-2P + 3 x", "-2*P + 3*x"},
+        {"a*b C", "a*b*C"},
+        {"2sin(x)(a + b)", "2*sin(x)*(a + b)"},
+        {"integral(2 s x, s, 0, 2a)", "integral(2*s*x, s, 0, 2*a)"},
+        {"2e3P", "2e3*P"},
+        {"a - b", "a - b"},
+        {"2*P", "2*P"},
+    };
+    for (const auto& [typed, plain] : cases) {
+        CAPTURE(typed);
+        CHECK(products(typed) == plain);
+    }
+}
+
+TEST_CASE("products that can be read in two ways are refused") {
+    for (const char* text : {"1/2P", "a/b C", "P/2(a + b)", "P/2 sqrt(x)", "x^2a", "x^2 a", "2^3x",
+                             "(x+a)^2(b)", "2 x^a b"}) {
+        CAPTURE(text);
+        CHECK(refused(products, text).find("can be read in two ways") != std::string::npos);
+    }
+    // A name before a bracket may be a function; a number after a factor may be a part of a name.
+    for (const char* text : {"P(a + b)", "P (a + b)", "a 2", "2 3", "(a)2", "ab", "Rt", "2 mm",
+                             "2 sin x", "sin 2x", "2 *", "2 P)", "((2 P)"}) {
+        CAPTURE(text);
+        (void)refused(products, text);
+    }
+    CHECK_THROWS_AS((void)parse("2P", typed_symbols), FormulaError); // other texts need the sign
+}
+
+TEST_CASE("a subset of LaTeX is read") {
+    const std::vector<std::pair<std::string, std::string>> cases{
+        {R"(\frac{E^{*}C}{2}\sqrt{a^{2}-x^{2}})", "Es*C/2*sqrt(a^2-x^2)"},
+        {R"(\frac{2P}{\pi a})", "2*P/(Pi*a)"},
+        {R"(\frac12 P)", "1/2*P"},
+        {R"(2\,\frac{a}{b}x)", "2*(a/b)*x"},
+        {R"(\sqrt[3]{3PR/E^*})", "(3*P*R/Es)^(1/3)"},
+        {R"(\sqrt[3]{\frac{3PR}{4E^*}})", "(3*P*R/(4*Es))^(1/3)"},
+        {R"(\left(a+b\right)\left[a-b\right])", "(a+b)*(a-b)"},
+        {R"(P'(a) - aP''(a))", "P1-a*P2"},
+        {R"(P'(x))", "P1of(x)"},
+        {R"(g'(x)p(x))", "g1(x)*p(x)"},
+        {R"(\sigma_{0}\varphi)", "sigma_0*phi"},
+        {R"(1-\nu_1^2)", "1-nu1^2"},
+        {R"(\ln\frac{a}{b}+\log_{10} x)", "log(a/b)+log10(x)"},
+        {R"(\sin^2\phi\cos\phi)", "sin(phi)^2*cos(phi)"},
+        {R"(\arcsin(x/a))", "asin(x/a)"},
+        {R"(\left|x\right|a)", "abs(x)*a"},
+        {R"(e^{-x/a})", "exp(-x/a)"},
+        {R"(x^{3/2})", "x^(3/2)"},
+        {R"(x^{-1}a)", "x^(-1)*a"},
+        {R"(-x^2)", "-x^2"},
+        {R"(a\cdot b\times C)", "a*b*C"},
+        {R"(C(a+b))", "C*(a+b)"},
+        {R"(\mathrm{Pof}(2a))", "Pof(2*a)"},
+        {R"(\int_{0}^{a} \frac{s\,ds}{\sqrt{a^2-s^2}})", "integral(s/sqrt(a^2-s^2), s, 0, a)"},
+        {R"(\frac{1}{\pi}\int_0^a g'(s)\,\mathrm{d}s + x)", "1/Pi*integral(g1(s), s, 0, a)+x"},
+        {R"(\int_{-b}^{a}(s+x)^2 ds)", "integral((s+x)^2, s, -b, a)"},
+        {R"(\operatorname{sgn}(x)\sqrt{2}a)", "sgn(x)*sqrt(2)*a"},
+    };
+    for (const auto& [typed, plain] : cases) {
+        CAPTURE(typed);
+        CHECK(tex(typed) == plain);
+        CHECK_NOTHROW((void)parse(tex(typed), typed_symbols));
+    }
+}
+
+TEST_CASE("LaTeX that can be read in two ways, or is not of the subset, is refused in one line") {
+    for (const char* text :
+         {R"(a/2b\cdot{})", R"(1/2\sqrt{x})", R"(\sin 2x)", R"(\sin x y)", R"(\sin^{-1}x)",
+          R"(\sin(x)^2\,)", R"(P(a)\,)", R"(P(a+b)\,)", R"(\mathrm{C}(a))", R"(\int_0^a ds\,p(s))",
+          R"(\int_0^a p(s) ds\, x)"}) {
+        CAPTURE(text);
+        CHECK(refused(tex, text).find("can be read in two ways") != std::string::npos);
+    }
+    for (const char* text : {R"(\frac{a}{b)",
+                             R"(\frac{a})",
+                             R"(\frac)",
+                             R"(\sqrt)",
+                             R"(\sqrt[3)",
+                             R"(\left(a)",
+                             R"(a})",
+                             R"(\foo{a})",
+                             R"(a \pm b\,)",
+                             R"(x^2^3\,)",
+                             R"(x_1_2\,)",
+                             R"(\int_0^a p(s)\,)",
+                             R"(\int p(s)\,ds)",
+                             R"(\Pi a)",
+                             R"(\,y)",
+                             R"(a=b\,)",
+                             R"({a+b}c)",
+                             R"(\)",
+                             R"(\\)",
+                             R"(|x\,)",
+                             R"(\sum_{k=0}^{3} k)",
+                             R"(\partial x)",
+                             "\\frac{a}{\xFF}",
+                             "\\\x01",
+                             R"(a\,2)",
+                             R"(\log_2 x)",
+                             R"(\input{file})",
+                             R"(\mathrm{a b^2})",
+                             "{",
+                             "}",
+                             R"(\{a)"}) {
+        CAPTURE(text);
+        (void)refused(tex, text);
+    }
+}
+
+TEST_CASE("hostile LaTeX ends soon, with one line") {
+    const auto repeated = [](const std::string& piece, std::size_t n) {
+        std::string text;
+        for (std::size_t i = 0; i < n; ++i) {
+            text += piece;
+        }
+        return text;
+    };
+    for (const std::size_t n : {400, 3000}) {
+        for (const char* piece :
+             {"{", "(", "\\frac{", "\\sqrt{", "\\sqrt[", "x^{", "x_{", "\\sin ", "|", "\\int_",
+              "\\int_0^a", "\\mathrm{", "C(", "-", "\\left(", "\\{", "P'(", "\\text"}) {
+            CAPTURE(piece);
+            (void)refused(tex, "\\," + repeated(piece, n));
+        }
+        (void)refused(tex, repeated("{", n) + "a" + repeated("}", n));
+        (void)refused(tex, repeated("C(1+", n) + "a" + repeated(")", n) + "\\,");
+    }
+    (void)refused(tex, "\\," + repeated("a", 20'000));
+}

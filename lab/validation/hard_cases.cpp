@@ -8,6 +8,7 @@
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/digits_right.hpp"
 #include "edgeproof/scene/input/file_kind.hpp"
+#include "lab/validation/axisymmetric_formula.hpp"
 #include "lab/validation/textbook_formula.hpp"
 #include "lab/validation/value_routes.hpp"
 
@@ -31,10 +32,10 @@ scene::Scene read_case_scene(const io::TomlSection& section) {
     }
 }
 
-const scene::QuantityRow& quantity_of(const io::TomlSection& section) {
+const scene::QuantityRow& quantity_of(const io::TomlSection& section, bool axisymmetric) {
     const std::string name = section.text("quantity");
     std::vector<std::string_view> names;
-    for (const scene::Quantity quantity : second_route_quantities()) {
+    for (const scene::Quantity quantity : second_route_quantities(axisymmetric)) {
         const scene::QuantityRow& row = row_of(quantity);
         if (row.name == name) {
             return row;
@@ -55,7 +56,7 @@ const scene::QuantityRow& quantity_of(const io::TomlSection& section) {
 scene::AskedValue read_asked(const io::TomlSection& section, const scene::Scene& scene) {
     using Index = scene::QuantityRow::Index;
     scene::AskedValue asked;
-    const scene::QuantityRow& row = quantity_of(section);
+    const scene::QuantityRow& row = quantity_of(section, scene.round.has_value());
     asked.quantity = row.quantity;
     if (section.has("edge")) {
         const std::string name = section.text("edge");
@@ -129,7 +130,9 @@ template <Arithmetic T> unsigned plain(const HardCase& c, const Ball& exact) {
         // Converting Float128 to Real needs the precision for all its digits; T = Real uses exactly
         // these.
         const PrecisionScope scope(plain_digits);
-        return digits_right(as_real(TextbookFormula<T>(c.scene).value(c.asked)), exact);
+        return digits_right(as_real(c.scene.round ? AxisymmetricFormula<T>(c.scene).value(c.asked)
+                                                  : TextbookFormula<T>(c.scene).value(c.asked)),
+                            exact);
     } catch (const std::exception&) {
         return 0;
     }

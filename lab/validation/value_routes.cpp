@@ -4,9 +4,11 @@
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/run_scene.hpp"
+#include "lab/validation/axisymmetric_formula.hpp"
 #include "lab/validation/textbook_formula.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace edgeproof::validation {
@@ -234,7 +236,8 @@ SecondRoute by_formula(const scene::Scene& scene, const AskedValue& asked, unsig
     std::optional<Real> before;
     for (;; working *= 2) {
         const PrecisionScope scope(working);
-        const Real now = TextbookFormula<Real>(scene).value(asked);
+        const Real now = scene.round ? AxisymmetricFormula<Real>(scene).value(asked)
+                                     : TextbookFormula<Real>(scene).value(asked);
         if (before) {
             const Real change = abs(now - *before);
             if (change <= abs(now) * power_of_ten(-static_cast<int>(digits)) ||
@@ -391,12 +394,22 @@ constexpr TwoRoutes two_routes[] = {
      difference_along<contact::Route::singular_integral>},
     {Quantity::extent, by_library_scan, independent_extent},
 };
+constexpr TwoRoutes axisymmetric_routes[] = {
+    {Quantity::p, by_nested_integrals, by_formula},
+    {Quantity::P, by_nested_integrals, by_formula},
+    {Quantity::delta, by_nested_integrals, by_formula},
+};
+
+std::span<const TwoRoutes> routes_for(bool axisymmetric) {
+    return axisymmetric ? std::span<const TwoRoutes>(axisymmetric_routes)
+                        : std::span<const TwoRoutes>(two_routes);
+}
 
 } // namespace
 
 std::vector<SecondRoute> second_routes(const scene::Scene& scene, const AskedValue& asked,
                                        unsigned digits) {
-    for (const TwoRoutes& routes : two_routes) {
+    for (const TwoRoutes& routes : routes_for(scene.round.has_value())) {
         if (routes.quantity == asked.quantity) {
             return {routes.first(scene, asked, digits), routes.second(scene, asked, digits)};
         }
@@ -404,9 +417,9 @@ std::vector<SecondRoute> second_routes(const scene::Scene& scene, const AskedVal
     throw Error("there are no two routes to a " + std::string(row_of(asked.quantity).name));
 }
 
-std::vector<Quantity> second_route_quantities() {
+std::vector<Quantity> second_route_quantities(bool axisymmetric) {
     std::vector<Quantity> list;
-    for (const TwoRoutes& routes : two_routes) {
+    for (const TwoRoutes& routes : routes_for(axisymmetric)) {
         list.push_back(routes.quantity);
     }
     return list;

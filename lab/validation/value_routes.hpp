@@ -34,6 +34,8 @@ struct SecondRoute {
 ///                     the library's route; the printed formula with more digits than it loses
 ///   tilt difference   as the pressure
 ///   extent            the library's scan; an independent scan with the printed pressure
+///   axisymmetric contacts: pressure, load, approach
+///                     nested integrals of g'; the printed formula
 /// Each aims at about `digits` correct digits. Throws as the routes do; Error for a quantity
 /// without two routes.
 [[nodiscard]] std::vector<SecondRoute>
@@ -41,6 +43,6 @@ second_routes(const scene::Scene& scene, const scene::AskedValue& asked, unsigne
 
 /// Returns the quantities that have two routes, in the order used in messages; hard cases are
 /// limited to these.
-[[nodiscard]] std::vector<scene::Quantity> second_route_quantities();
+[[nodiscard]] std::vector<scene::Quantity> second_route_quantities(bool axisymmetric);
 
 } // namespace edgeproof::validation

@@ -415,8 +415,9 @@ class Scene:
         u     in place of x: distances inwards from the edge, if that is an exact number
 
         Stresses are in the unit of the contact modulus. Raises InputError for z < 0, for points at
-        which a stress is infinite (under full stick the edges; corners of the profile), for curved
-        slopes and for axisymmetric contacts.
+        which a stress is infinite (under full stick the edges; corners of the profile), and for
+        curved slopes. Of an axisymmetric contact x is the radius, sxx the radial stress and syy the
+        hoop stress; points off the axis and the surface, and shear, raise InputError.
         """
         name, places = _given_places(u, x)
         if name == "x":
@@ -446,7 +447,8 @@ class Scene:
 
         x is a length from the origin, or a formula in a and b ("a + 1/10"); in place of it, u is a
         distance inwards from an edge. The result is a Displacement; several places give Rows of
-        them. Raises InputError for curved slopes and axisymmetric contacts.
+        them. Of an axisymmetric contact the slip is the mean over a circle (docs/axisymmetric.md).
+        Raises InputError for curved slopes.
         """
         name, places = _given_places(u, x)
         texts, x_of = self._coordinates(u, edge) if name == "u" else (_texts(x, "x"), None)

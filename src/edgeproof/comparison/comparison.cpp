@@ -109,7 +109,7 @@ private:
             return;
         }
         hold("q", *file_.shear, tolerances_.q.value_or(tolerances_.pressure),
-             "of |Q|/(a + b) + |bulk_tension|/4", [](const Node& node) {
+             ("of " + exact_.shear()->scale_text()).c_str(), [](const Node& node) {
                  return std::pair{node.shear->q, node.shear->exact.value_or(0)};
              });
     }
@@ -216,17 +216,17 @@ void count_nodes(FileComparison& file) {
 }
 
 /// Integrates Q by trapezoids, for the data and for the exact q at the same nodes.
-void sum_shear(FileComparison& file) {
+void sum_shear(FileComparison& file, const ExactContact& contact) {
     const auto exact = [](const Node& node) {
         return node.shear ? node.shear->exact : std::optional<double>();
     };
     if (!file.data.half && std::ranges::any_of(file.data.nodes, [&](const Node& node) {
             return exact(node).has_value();
         })) {
-        file.Q = trapezoids(file.data.nodes, [&](const Node& node) {
+        file.Q = force_of(file.data, contact, [&](const Node& node) {
             return exact(node) ? std::optional(node.shear->q) : std::nullopt;
         });
-        file.Q_of_exact = trapezoids(file.data.nodes, exact);
+        file.Q_of_exact = force_of(file.data, contact, exact);
     }
 }
 
@@ -256,7 +256,8 @@ void find_more(FileComparison& file, const ExactContact& exact) {
     if (exact.scale().mean) {
         findings.push_back(
             "the exact pressure is infinite at a corner of the profile: errors of the "
-            "peak are relative to the mean pressure P/(a + b)" +
+            "peak are relative to the mean pressure " +
+            std::string(exact.axisymmetric() ? "P/(pi a^2)" : "P/(a + b)") +
             (corners > 0
                  ? fmt::format(", and {} on it {} left out",
                                corners == 1 ? "the node" : "the nodes", corners == 1 ? "is" : "are")
@@ -298,7 +299,7 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
     file.errors = measure(file.data, exact, file.contact, tolerances.zone);
     file.all = measure(file.data, exact, file.contact, {});
     file.shear = measure_shear(file.data, exact, file.contact, tolerances.zone);
-    sum_shear(file);
+    sum_shear(file, exact);
     file.distances = by_distance(file.data, exact);
     file.knots = errors_near_knots(file.data, exact, file.contact);
     for (const contact::Edge edge : both_edges) {

@@ -124,6 +124,14 @@ const std::vector<TestedContact>& tested_contacts() {
          keys_of(pad + like + " shear.Q=40 shear.bulk_tension=-25")},
         {"two cylinders, partial slip",
          keys_of(cylinders + like + " shear.Q=60 shear.friction=0.5")},
+        {"two spheres", keys_of("profile.geometry=axisymmetric " + cylinders + unlike)},
+        {"a cone, a given", keys_of("profile.geometry=axisymmetric profile.kind=power-law "
+                                    "profile.m=0 profile.C=0.1 load.a=1.2" +
+                                    like)},
+        {"a sphere, partial slip",
+         keys_of("profile.geometry=axisymmetric profile.kind=hertz profile.R=20 load.P=300 "
+                 "shear.Q=60 shear.friction=0.5" +
+                 like)},
         {"a tilted flat with rounded edges, partial slip",
          keys_of(tilted + like + " shear.Q=200 shear.bulk_tension=10 shear.friction=0.4")},
     };

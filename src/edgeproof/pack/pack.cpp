@@ -86,8 +86,9 @@ bool has_columns(const conformance::AskedContact& contact) {
     return std::ranges::all_of(contact.parameters,
                                [](const conformance::Parameter& p) {
                                    return std::ranges::any_of(
-                                       contact_columns,
-                                       [&](const auto& column) { return p.key == column.second; });
+                                       contact_columns, [&](const auto& column) {
+                                           return p.key == column.second || p.key == "geometry";
+                                       });
                                }) &&
            parameter_text(contact, "kind") != "piecewise";
 }
@@ -97,7 +98,8 @@ std::string contact_cells(const conformance::AskedContact& contact) {
     for (const auto& [column, key] : contact_columns) {
         const std::string text = parameter_text(contact, key);
         const bool word = std::string_view(column) == "kind";
-        out += "," + (word           ? text
+        const bool round = word && parameter_text(contact, "geometry") == "axisymmetric";
+        out += "," + (word           ? (round ? "axisymmetric-" : "") + text
                       : text.empty() ? std::string("nan")
                                      : double_text(formula::Exact::parse(text).to<double>()));
     }
@@ -185,6 +187,7 @@ std::optional<scene::NamedQuantity> wanted_of(const io::TomlSection& hard_case) 
                                                          {"coefficient", "c_" + n},
                                                          {"shear-coefficient", "s_" + n},
                                                          {"load", "P"},
+                                                         {"approach", "delta"},
                                                          {"left-edge", "b"}};
     const auto found =
         std::ranges::find(names, quantity, [](const auto& name) { return name.first; });

@@ -47,6 +47,6 @@ TEST_CASE("the test of the causes on all contacts" * doctest::test_suite("slow")
         CAPTURE(seed);
         const MistakeCounts counts = test_causes(seed);
         check_causes_named(counts);
-        CHECK(counts.contacts == 11);
+        CHECK(counts.contacts == 13);
     }
 }

@@ -22,7 +22,7 @@ std::string profile_text(const scene::Scene& scene) {
                    : "tilted-flat-and-rounded, t = " + punch.t.text() + ", R = " + punch.R.text() +
                          ", alpha to be found";
     }
-    const contact::Profile& profile = scene.round ? *scene.round->profile : *scene.profile;
+    const contact::Profile& profile = scene.given_profile();
     std::string text = profile.kind_name();
     for (const auto& [name, value] : profile.parameters()) {
         text += fmt::format(", {} = {}", name, value.text());
@@ -102,7 +102,7 @@ int explain(const ExplainOptions& o) {
     table.title = scene.title.empty() ? scene.file : scene.title;
     using Kind = contact::Load::Kind;
     std::string load =
-        scene.round ? scene.round->load
+        scene.round ? scene.round->load_text()
                     : (scene.load.kind == Kind::force ? "P = " : "a = ") + scene.load.value.text();
     if (scene.moment) {
         load += ", M = " + scene.moment->text();

@@ -123,8 +123,10 @@ int stress(const StressOptions& o) {
     const scene::SceneResult result = done(scene);
     report::Table table = values_table(scene, result);
     table.notes = {"sxx, szz, sxz: stresses at the depth z in body " + o.body +
-                       ", tension positive; tau_max: the greatest shear stress in the plane",
-                   scene.poisson(body)
+                       ", tension positive; tau_max: the greatest shear stress" +
+                       (scene.round ? "" : " in the plane"),
+                   scene.round ? "x is the radius: sxx is the radial stress, syy the hoop stress"
+                   : scene.poisson(body)
                        ? "in plane strain: mises, tresca: equivalent stresses; syy: the stress "
                          "across the plane; s1 >= s2 >= s3: the principal stresses"
                        : "mises, syy, s1, s2, s3 and tresca are left out: the scene has no "
@@ -192,6 +194,7 @@ int displacement(const SceneOptions& o) {
     table.notes = {
         std::string("gap: the distance between the surfaces outside the contact; slip: "
                     "u_A - u_B along the surface inside, ") +
+        (scene.round ? "the mean over the circle of radius |x|, " : "") +
         (scene.history ? "since the place last came into contact" : "0 where the contact sticks")};
     if (result.plan.partial_slip) {
         add_slip_facts(table.facts, scene, result);
@@ -234,7 +237,7 @@ void add_stress(CLI::App& app, int& code) {
                    "X,Z: place and depth (default: points of [ask]); repeatable");
     sub.add_option("--greatest", o.greatest,
                    "mises, tau_max (for z >= 0) or sxx (at z = 0): one row, the greatest value and "
-                   "its place, proved");
+                   "its place, proved; of an axisymmetric contact tau_max on the axis");
     sub.footer(
         "z is the depth into the body. [shear] bulk_A is the bulk stress of body A, and B has\n"
         "bulk_A + bulk_tension. See docs/stress.md.");

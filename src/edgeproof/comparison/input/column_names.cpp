@@ -29,6 +29,7 @@ constexpr KnownNames known_names[] = {
     {"distance truedistancealongpath", ColumnRole::place, 5},
     {"arclength", ColumnRole::place, 6},
     {"s", ColumnRole::place, 7},
+    {"r radius", ColumnRole::place, 8},
     {"p cpress pressure contactpressure contpres contpress", ColumnRole::pressure, 1},
     {"pcontact normalpressure contactstress normaltraction tractionnormal normalstress",
      ColumnRole::pressure, 2},

@@ -73,8 +73,10 @@ private:
         }
         result_.half = support->right_falls ? contact::Edge::right : contact::Edge::left;
         result_.findings.push_back(
-            fmt::format("the data contain the {} half of a symmetric contact: P is doubled",
-                        scene::edge_name(*result_.half)));
+            exact_.axisymmetric()
+                ? "the data begin on the axis"
+                : fmt::format("the data contain the {} half of a symmetric contact: P is doubled",
+                              scene::edge_name(*result_.half)));
     }
 
     void find_origin(const Support& support) {

@@ -66,6 +66,16 @@ template <class Nodes, class Value>
     return sum;
 }
 
+/// The force of the tractions value(node), by trapezoids; for half a contact, that of both halves.
+template <class Value>
+[[nodiscard]] double force_of(const AlignedResult& data, const ExactContact& exact,
+                              const Value& value) {
+    return (data.half ? 2 : 1) * trapezoids(data.nodes, [&](const Node& node) {
+               std::optional<double> traction = value(node);
+               return traction ? std::optional(*traction * exact.force_width(node.x)) : traction;
+           });
+}
+
 /// Half the distance between the neighbours of node i.
 template <class Nodes> [[nodiscard]] double width_of_node(const Nodes& nodes, std::size_t i) {
     return 0.5 * ((i + 1 < nodes.size() ? nodes[i + 1].x : nodes[i].x) -

@@ -134,7 +134,7 @@ DataContact contact_of(const AlignedResult& data, const ExactContact& exact) {
     if (inside > 1) {
         found.mean_element = (last - first) / static_cast<double>(inside - 1);
     }
-    found.force = (data.half ? 2 : 1) * trapezoids(data.nodes, [](const Node& n) { return n.p; });
+    found.force = force_of(data, exact, [](const Node& n) { return std::optional(n.p); });
     if (!(found.largest > 0)) {
         return found;
     }
@@ -215,7 +215,7 @@ std::optional<double> missing_middle(const AlignedResult& data) {
 std::optional<std::string> no_force(const AlignedResult& data, const ExactContact& exact) {
     const double value = exact.force().value;
     const double found = // without corners
-        (data.half ? 2 : 1) * trapezoids(data.nodes, [](const Node& n) { return n.exact.p; });
+        force_of(data, exact, [](const Node& n) { return n.exact.p; });
     const double widest = widest_interval(data, exact);
     if (const auto from = missing_middle(data)) {
         return fmt::format("P is not determined: the half of the contact begins {:.6g} from its "

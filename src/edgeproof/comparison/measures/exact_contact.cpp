@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/measures/exact_contact.hpp"
+#include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/batch/batch_pressure.hpp"
 #include "edgeproof/contact/double_word/double_word_pressure.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
@@ -7,6 +8,7 @@
 #include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/contact/routes/partial_slip.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/exact_rational.hpp"
@@ -45,18 +47,44 @@ ExactValue exact_value(const scene::BoundedValue& value) {
     return {value.value.midpoint().convert_to<double>(), value.how()};
 }
 
+/// The pressure at a place, to the digits of the place. Throws DomainError on a corner.
+Real abel_pressure(const contact::AxisymmetricContact& contact, const contact::Point<Real>& place) {
+    const bool by_right = place.right < place.left;
+    const Ball u = Ball(by_right ? place.right : place.left, contact.bits());
+    const Ball p = contact.pressure(by_right ? contact::Edge::right : contact::Edge::left, u);
+    if (!p.is_finite()) {
+        throw DomainError("the place is on a corner");
+    }
+    return p.midpoint();
+}
+
 } // namespace
 
 struct ExactContact::Solved {
-    explicit Solved(const scene::Scene& scene)
-        : contact(profile_of(scene), scene.contact_modulus, scene.load, contact_digits),
-          batch(contact, value_digits), right(contact.a()), left(contact.b()) {
-        if (contact::DoubleWordPressure::has_form(contact.profile())) {
+    explicit Solved(const scene::Scene& scene) : profile(profile_of(scene)) {
+        if (profile.axisymmetric()) {
+            by_abel.emplace(profile, scene.contact_modulus, scene.load,
+                            formula::bits_for(contact_digits));
+            const PrecisionScope scope(place_digits);
+            left = right = by_abel->a().midpoint();
+            radius = {by_abel->reach(contact::Edge::right).midpoint().convert_to<double>(),
+                      by_abel->reach(contact::Edge::left).midpoint().convert_to<double>()};
+            return;
+        }
+        const contact::NormalContact contact(profile, scene.contact_modulus, scene.load,
+                                             contact_digits);
+        batch.emplace(contact, value_digits);
+        right = contact.a();
+        left = contact.b();
+        force = contact.force();
+        for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+            radius[index_of(edge)] = contact.convergence_radius(edge).convert_to<double>();
+        }
+        if (contact::DoubleWordPressure::has_form(profile)) {
             length = Real(right + left).convert_to<double>();
             try {
-                words.emplace(contact.profile(),
-                              contact::BallContact(contact.profile(), scene.contact_modulus,
-                                                   scene.load,
+                words.emplace(profile,
+                              contact::BallContact(profile, scene.contact_modulus, scene.load,
                                                    contact::DoubleWordPressure::contact_bits));
             } catch (const BudgetError&) {
                 // Bits do not separate an edge from a corner: the batch rule is used instead.
@@ -82,20 +110,29 @@ struct ExactContact::Solved {
         return Real(p.high) + Real(p.low);
     }
 
-    contact::NormalContact contact;
-    contact::BatchPressure batch;
+    /// Throws DomainError on a corner.
+    [[nodiscard]] Real pressure(const contact::Point<Real>& place) const {
+        return by_abel ? abel_pressure(*by_abel, place) : (*batch)(place).value;
+    }
+
+    contact::Profile profile;
+    std::optional<contact::BatchPressure> batch;
+    /// Of an axisymmetric contact whose profile is no power law, instead of the batch rule.
+    std::optional<contact::AxisymmetricContact> by_abel;
     /// The closed form, if there is one.
     std::optional<contact::DoubleWordPressure> words;
     double length = 0;
-    Real right; ///< a
-    Real left;  ///< b
+    Real right;                     ///< a
+    Real left;                      ///< b
+    Real force;                     ///< of the plane contact
+    std::array<double, 2> radius{}; ///< of convergence, by index_of(edge)
     std::optional<ExactShear> shear;
 };
 
 ExactContact::ExactContact(const scene::Scene& scene) {
-    require_plane(scene, "compare");
+    require_no_history(scene, "compare");
     io::at_place(scene.file, scene.load_line, [&] { solve(scene); });
-    scale_ = {force_.value / length(), 0, true};
+    scale_ = {force_.value / area(), 0, true};
     if (std::ranges::none_of(knots_, &ContactKnot::corner)) {
         find_scale();
     }
@@ -119,14 +156,14 @@ void ExactContact::solve(const scene::Scene& scene) {
         for (std::size_t k = 0; k < coefficients; ++k) {
             c_[index_of(edge.edge())][k] = exact_value(edge.at(scene::Quantity::c, k));
         }
-        radius_[index_of(edge.edge())] =
-            s.contact.convergence_radius(edge.edge()).convert_to<double>();
+        radius_[index_of(edge.edge())] = s.radius[index_of(edge.edge())];
     }
     const PrecisionScope scope(place_digits);
-    const contact::Profile& profile = s.contact.profile();
+    const contact::Profile& profile = s.profile;
     symmetric_ = profile.symmetric();
+    axisymmetric_ = scene.round.has_value();
     if (scene.shear) {
-        s.shear.emplace(scene, profile, contact::Extent<Real>{s.right, s.left}, s.contact.force());
+        s.shear.emplace(scene, profile, contact::Extent<Real>{s.right, s.left}, s.force);
     }
     for (std::size_t i = 0; i < profile.knots().size(); ++i) {
         const Real x = profile.knots()[i].to<Real>();
@@ -186,7 +223,17 @@ void ExactContact::find_scale() {
 }
 
 std::string ExactContact::pressure_route() const {
-    return solved_->words ? "in closed form" : "by the batch rule";
+    return solved_->words     ? "in closed form"
+           : solved_->by_abel ? "by the Abel integral"
+                              : "by the batch rule";
+}
+
+double ExactContact::area() const {
+    return axisymmetric_ ? std::acos(-1) * a_.value * a_.value : length();
+}
+
+double ExactContact::force_width(double x) const {
+    return axisymmetric_ ? std::acos(-1) * std::abs(x) : 1;
 }
 
 ExactContact::Place ExactContact::at(const Real& x) const {
@@ -203,7 +250,7 @@ ExactContact::Place ExactContact::at(const Real& x) const {
         return place;
     }
     try {
-        place.exact_p = solved_->batch(contact::Point<Real>{right, left, x}).value;
+        place.exact_p = solved_->pressure(contact::Point<Real>{right, left, x});
         place.p = place.exact_p.convert_to<double>();
     } catch (const DomainError&) { // on a corner
         place.p.reset();
@@ -249,7 +296,7 @@ constexpr unsigned slip_digits = 16; ///< for PartialSlip, which needs a quadrat
 struct ExactShear::Solved {
     Solved(const scene::Scene& asked, const contact::Profile& profile,
            const contact::Extent<Real>& extent, const Real& normal)
-        : spec(*asked.shear), whole(extent),
+        : spec(*asked.shear), axisymmetric(asked.round.has_value()), whole(extent),
           P(normal), load{spec.Q.to<Real>(), spec.bulk_tension.to<Real>()} {
         if (!spec.friction) {
             return;
@@ -268,16 +315,28 @@ struct ExactShear::Solved {
         const PrecisionScope scope(zone_digits + 20);
         stick = {result.at(scene::Quantity::stick_a).value.midpoint(),
                  result.at(scene::Quantity::stick_b).value.midpoint()};
+        if (profile.axisymmetric()) {
+            const contact::AxisymmetricContact contact(profile, asked.contact_modulus, asked.load,
+                                                       formula::bits_for(contact_digits));
+            by_abel = contact.with_radius(Ball(stick.a, contact.bits()));
+            return;
+        }
         stick_pressure.emplace(profile, asked.contact_modulus.to<Real>(), stick, traction_digits);
+    }
+    /// The pressure of the stick zone, in which the place lies.
+    [[nodiscard]] Real pressure(const contact::Point<Real>& place) const {
+        return by_abel ? abel_pressure(*by_abel, place) : (*stick_pressure)(place).value;
     }
 
     contact::ShearSpec spec;
+    bool axisymmetric;
     contact::Extent<Real> whole;
     Real P;
     contact::ShearLoad<Real> load;
     Real friction; ///< in the direction of Q
     contact::Extent<Real> stick{};
     std::optional<contact::BatchPressure> stick_pressure;
+    std::optional<contact::AxisymmetricContact> by_abel; ///< as in ExactContact
     std::optional<contact::NormalContact> normal_contact;
     std::optional<contact::PartialSlip> slip;
 };
@@ -305,13 +364,19 @@ Real ExactShear::at(const contact::Point<Real>& place, const Real& p) const {
     if (!(right > 0) || !(left > 0)) {
         return s.friction * p;
     }
-    return s.friction * (p - (*s.stick_pressure)({right, left, place.x}).value);
+    return s.friction * (p - s.pressure({right, left, place.x}));
 }
 
 double ExactShear::scale() const {
     const Solved& s = *solved_;
     const double length = s.whole.length().convert_to<double>();
+    if (s.axisymmetric) {
+        return std::abs(force()) / (std::acos(-1) * length * length / 4);
+    }
     return std::abs(force()) / length + std::abs(s.load.bulk_tension.convert_to<double>()) / 4;
+}
+std::string ExactShear::scale_text() const {
+    return solved_->axisymmetric ? "|Q|/(pi a^2)" : "|Q|/(a + b) + |bulk_tension|/4";
 }
 double ExactShear::force() const { return solved_->load.Q.convert_to<double>(); }
 bool ExactShear::singular() const {

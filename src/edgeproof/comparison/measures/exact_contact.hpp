@@ -28,7 +28,9 @@ public:
     [[nodiscard]] Real at(const contact::Point<Real>& place, const Real& p) const;
     /// |Q|/(a + b) + |sigma_0|/4, the mean of |q| under full stick of Q and of sigma_0 alone: the
     /// reference of relative errors of q, since q itself may be infinite at the edges.
+    /// Of an axisymmetric contact |Q|/(pi a^2).
     [[nodiscard]] double scale() const;
+    [[nodiscard]] std::string scale_text() const;
     [[nodiscard]] double force() const; ///< Q
     /// True if q grows without bound towards the edges: no partial slip.
     [[nodiscard]] bool singular() const;
@@ -73,6 +75,12 @@ public:
     }
     [[nodiscard]] double length() const { return a_.value + b_.value; }
     [[nodiscard]] bool symmetric() const { return symmetric_; }
+    [[nodiscard]] bool axisymmetric() const { return axisymmetric_; }
+    /// a + b; of an axisymmetric contact pi a^2.
+    [[nodiscard]] double area() const;
+    /// The factor of p in the integral over x from -b to a that is P: 1; of an axisymmetric
+    /// contact pi |x|.
+    [[nodiscard]] double force_width(double x) const;
     /// The radius in u within which the expansion at an edge converges.
     [[nodiscard]] double convergence_radius(contact::Edge edge) const {
         return radius_.at(index_of(edge));
@@ -82,7 +90,7 @@ public:
     [[nodiscard]] std::string pressure_route() const;
 
     /// The reference of relative errors: the largest pressure, or, if that is infinite (a corner of
-    /// g' inside the contact), the mean one, P/(a + b).
+    /// g' inside the contact), the mean one, P/area().
     struct Scale {
         double value = 0;
         double x = 0; ///< the place of the largest pressure
@@ -130,6 +138,7 @@ private:
     std::array<double, 2> radius_{};
     std::vector<ContactKnot> knots_;
     bool symmetric_ = false;
+    bool axisymmetric_ = false;
     Scale scale_;
 };
 

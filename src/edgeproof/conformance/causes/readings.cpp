@@ -15,19 +15,24 @@
 namespace edgeproof::conformance {
 namespace {
 
+/// True if the radius is given by C, the curvature.
+bool is_circle(const scene::Scene& scene) {
+    return scene.profile && scene.profile->kind() == contact::Profile::Kind::power_law;
+}
+
 /// C as the constant of the gap, g = C x^(m + 1).
 bool gap_for_slope(scene::Scene& scene) {
-    if (!scene.profile || scene.profile->kind() != contact::Profile::Kind::power_law) {
+    if (!is_circle(scene)) {
         return false;
     }
-    const auto& parameters = scene.profile->parameters();
-    const formula::Exact& m = parameters.at("m");
+    const auto& parameters = scene.given_profile().parameters();
+    const formula::Exact m = parameters.at("m");
     if (m.sign() == 0) {
         return false;
     }
-    scene.profile = contact::Profile::power_law(
-        formula::Exact(parameters.at("C").expr() * (formula::Expr::number(Rational(1)) + m.expr())),
-        m);
+    const formula::Exact C(parameters.at("C").expr() *
+                           (formula::Expr::number(Rational(1)) + m.expr()));
+    change_given(scene, [&](scene::Scene& s) { s.profile = contact::Profile::power_law(C, m); });
     return true;
 }
 
@@ -47,11 +52,6 @@ std::vector<scene::SceneMistake> mistakes_in(const scene::Scene& scene) {
         std::ranges::move(shear_mistakes(scene), std::back_inserter(all));
     }
     return all;
-}
-
-/// True if the radius is given by C, the curvature.
-bool is_circle(const scene::Scene& scene) {
-    return scene.profile && scene.profile->kind() == contact::Profile::Kind::power_law;
 }
 
 /// The mistake, for all contacts or only for circles (or for other profiles).

@@ -60,6 +60,12 @@ std::vector<TestedProfile> tested_profiles() {
          keys("profile.kind=piecewise profile.knots=-1/2;0;1/3 profile.slopes=-3/20;-1/20;1/10;1/5 "
               "load.a=1" +
               unlike)},
+        {"two spheres", keys("profile.geometry=axisymmetric profile.kind=hertz profile.R1=20 "
+                             "profile.R2=50 load.P=300" +
+                             unlike)},
+        {"a sphere, delta given",
+         keys("profile.geometry=axisymmetric profile.kind=hertz profile.R=30 load.delta=0.02" +
+              like)},
         {"a cylinder, full stick", keys("profile.kind=cylinder-on-flat profile.R=30 load.P=300 "
                                         "shear.Q=40 shear.bulk_tension=60" +
                                         like)},
@@ -70,7 +76,8 @@ AskedContact contact_of(const SceneKeys& keys, double load) {
     std::vector<Parameter> parameters;
     for (const auto& [key, text] : keys) {
         const std::string name = key.substr(key.find('.') + 1);
-        const bool scaled = name == "a" || name == "P" || name == "M" || name == "Q";
+        const bool scaled =
+            name == "a" || name == "P" || name == "delta" || name == "M" || name == "Q";
         parameters.push_back(
             {name, scaled && load != 1 ? "(" + text + ")*" + fmt::format("{:g}", load) : text});
     }

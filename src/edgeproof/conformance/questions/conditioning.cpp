@@ -42,8 +42,10 @@ struct Number {
 };
 
 std::vector<Number> numbers_of(const AskedContact& contact) {
-    const bool scaled = contact.scene.load.kind == contact::Load::Kind::right_edge &&
-                        !contact.scene.shear && !contact.scene.punch;
+    const bool scaled =
+        contact.scene.load.kind == contact::Load::Kind::right_edge &&
+        (!contact.scene.round || contact.scene.round->load.kind != contact::Load::Kind::force) &&
+        !contact.scene.shear && !contact.scene.punch;
     std::vector<Number> numbers;
     for (std::size_t i = 0; i < contact.parameters.size(); ++i) {
         const Parameter& p = contact.parameters[i];

@@ -36,7 +36,8 @@ void Parameter::set_items(const std::vector<std::string>& items) {
 }
 
 bool Parameter::is_word() const {
-    return key == "kind" || key == "slopes" || key == "symmetric" || key == "path";
+    return key == "kind" || key == "geometry" || key == "slopes" || key == "symmetric" ||
+           key == "path";
 }
 
 std::string parameter_text(const AskedContact& contact, std::string_view key) {
@@ -95,8 +96,8 @@ void check_askable(const AskedContact& contact, const scene::AskedValue& asked,
 const std::vector<ParameterKey>& parameter_keys() {
     static const std::vector<ParameterKey> keys = [] {
         constexpr std::pair<std::string_view, std::string_view> sections[] = {
-            {"profile", "kind m C phi alpha t flat_width R R1 R2 knots slopes symmetric"},
-            {"load", "a width P M contact_modulus E1 nu1 E2 nu2"},
+            {"profile", "kind geometry m C phi alpha t flat_width R R1 R2 knots slopes symmetric"},
+            {"load", "a width P delta M contact_modulus nu E1 nu1 E2 nu2"},
             {"shear", "Q bulk_tension path friction"},
         };
         std::vector<ParameterKey> list;

@@ -259,7 +259,7 @@ BallSeries constant_series(const Ball& x) { return BallSeries(x, 1); }
 } // namespace
 
 BallSeries outside_bend(const RingBend& bend, const BallSeries& r2, const BallSeries& d2,
-                        const BallSeries& W, const IntegralGoal& goal) {
+                        const BallSeries& W, const IntegralGoal& goal, bool moment) {
     const Box v(bend.v.with_bits(goal.bits));
     const auto box = [&](const Ball& x) { return Box(x.with_bits(goal.bits)); };
     if (r2.order() == 1) {
@@ -269,7 +269,8 @@ BallSeries outside_bend(const RingBend& bend, const BallSeries& r2, const BallSe
         const bool on_the_bend = d2[0].is_exact() && contains_zero(d2[0]);
         return constant_series(integral_of(
             [&](const Box& t) {
-                return outside_value(bend, of_r2, of_d2, of_W, v, on_the_bend, t);
+                const Box value = outside_value(bend, of_r2, of_d2, of_W, v, on_the_bend, t);
+                return moment ? value * t * t : value;
             },
             goal));
     }
@@ -284,12 +285,17 @@ BallSeries outside_bend(const RingBend& bend, const BallSeries& r2, const BallSe
 }
 
 BallSeries inside_bend(const RingBend& bend, const BallSeries& d2, const Ball& Y,
-                       const IntegralGoal& goal) {
+                       const IntegralGoal& goal, bool moment) {
     const Box v(bend.v.with_bits(goal.bits));
     if (d2.order() == 1) {
         const Box of_d2(d2[0].with_bits(goal.bits));
-        return constant_series(
-            integral_of([&](const Box& t) { return inside_value(bend, of_d2, t * Y, v); }, goal));
+        return constant_series(integral_of(
+            [&](const Box& t) {
+                const Box y = t * Y;
+                const Box value = inside_value(bend, of_d2, y, v);
+                return moment ? value * (of_d2 + y * y) : value;
+            },
+            goal));
     }
     const BoxSeries of_d2(d2, goal.bits);
     return integrals_of(

@@ -142,6 +142,61 @@ Ball AxisymmetricContact::pressure(Edge edge, const formula::Exact& u) const {
     return pressure(at, false);
 }
 
+AxisymmetricContact::Place AxisymmetricContact::place_at(const formula::Exact& r) const {
+    const Ball x = enclosed_constant(r, bits_);
+    Place at{a_ - x, a_ + x, x, std::vector<bool>(bends_.size())};
+    for (std::size_t i = 0; i < bends_.size(); ++i) {
+        at.on_knot[i] = overlaps(x, bends_[i].v) &&
+                        certainly_zero(profile_.knots()[bends_[i].knot].expr() - r.expr());
+    }
+    return at;
+}
+
+Ball AxisymmetricContact::pressure_at(const formula::Exact& r) const {
+    return pressure(place_at(r), false);
+}
+
+Ball AxisymmetricContact::outer_moment(const formula::Exact& r) const {
+    const Place at = place_at(r);
+    const Ball W = at.W();
+    const Ball W3 = W * W * W;
+    const auto series = [](const Ball& x) { return BallSeries(x, 1); };
+    Ball sum(0, bits_);
+    for (std::size_t i = 0; i < bends_.size(); ++i) {
+        const Bend& bend = bends_[i];
+        const Ball& v = bend.v;
+        const bool corner = !contains_zero(bend.jump);
+        if (bend.at_origin) {
+            sum += bend.rate * W3 * 2 / 3;
+            if (corner) {
+                sum += bend.jump * Ball::pi(bits_) / 4 * (a_ * W - at.r * at.r * asinh(W / at.r));
+            }
+            continue;
+        }
+        if (!inside(bend.knot)) {
+            continue;
+        }
+        const Ball beyond = at.r - v;
+        const bool on = at.on_knot[i];
+        const long known =
+            std::min(on ? bits_ : beyond.relative_accuracy_bits(), W.relative_accuracy_bits());
+        const long accuracy = useful_accuracy(known, bits_);
+        const IntegralGoal goal{std::min(bits_, accuracy + 64), accuracy, Ball(0, bits_),
+                                abs(beyond)};
+        const RingBend of{v, bend.jump, bend.rate};
+        if ((on && !corner) || certainly_positive(beyond)) {
+            const Ball d2 = on ? Ball(0, bits_) : beyond * (at.r + v);
+            sum += outside_bend(of, series(at.r * at.r), series(d2), series(W), goal, true)[0] * W3;
+        } else if (certainly_negative(beyond)) {
+            const Ball Y = Field<Ball>::root(clamped(a_ - v) * (a_ + v));
+            sum += inside_bend(of, series(-beyond * (at.r + v)), Y, goal, true)[0] * Y;
+        } else {
+            return unknown_ball(bits_);
+        }
+    }
+    return sum;
+}
+
 Ball AxisymmetricContact::pressure(Edge /*edge*/, const Ball& u) const {
     return pressure(Place{u, a_ * 2 - u, abs(a_ - u), std::vector<bool>(bends_.size())}, false);
 }

@@ -43,6 +43,13 @@ public:
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
     [[nodiscard]] std::size_t cost() const override { return 10; }
 
+    /// The pressure (stress) at the radius r >= 0 (length). Not finite at a corner.
+    [[nodiscard]] Ball pressure_at(const formula::Exact& r) const;
+    /// The integral of h'(s) sqrt(s^2 - r^2) over r < s < a (length^2), for r > 0.
+    [[nodiscard]] Ball outer_moment(const formula::Exact& r) const;
+    /// The integral of h'(s) s/(s^2 + w)^n over 0 < s < a, for w > 0 (length^2) and n > 0.
+    [[nodiscard]] Ball approach_moment(const Ball& w, long n) const;
+
     /// The gap (length) between the bodies at the distance `beyond` >= 0 (length) outside the edge.
     [[nodiscard]] Ball gap_beyond(const Ball& beyond) const;
     /// The contact of the same profile with the radius `a` (length).
@@ -54,6 +61,10 @@ public:
     /// Returns the integral of (1 - tau/2) P - L over the approach (force x length), where the
     /// force L grows from (1 - tau) P, at the radius `from` (length), to P.
     [[nodiscard]] Ball loop_integral(const Ball& from, const Ball& tau) const;
+    /// True if g' jumps on the axis, where the pressure is then infinite.
+    [[nodiscard]] bool has_apex() const {
+        return bends_.front().at_origin && !contains_zero(bends_.front().jump);
+    }
     /// The radius (length) at which g' begins to rise.
     [[nodiscard]] Ball minimum_end() const;
 
@@ -74,6 +85,7 @@ private:
     /// Returns h'(a + z) as a series in z; its coefficients are not finite if a bend may lie on the
     /// edge.
     [[nodiscard]] BallSeries approach_rate_series(std::size_t terms) const;
+    [[nodiscard]] Place place_at(const formula::Exact& r) const;
     template <class F> [[nodiscard]] Ball over_bends(const Ball& s, const F& f) const;
     [[nodiscard]] bool inside(std::size_t knot) const override;
     [[nodiscard]] Ball pressure(const Place& at, bool least) const;

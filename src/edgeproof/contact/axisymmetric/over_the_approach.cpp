@@ -91,6 +91,62 @@ Ball axisymmetric_gap(const BallContact& plane, const Ball& beyond) {
     });
 }
 
+namespace {
+
+/// The integrals of s/(s^2 + w)^n and of s^2/(s^2 + w)^n over 0 < s < a.
+struct OriginMoments {
+    Ball first;
+    Ball second;
+};
+OriginMoments origin_moments(const Ball& a, const Ball& w, long n) {
+    const Ball root = sqrt(w);
+    const Ball end = a * a + w;
+    Ball even = atan2(a, root) / root; // the integral of 1/(s^2 + w)^n, by parts from n = 1 on
+    if (n == 1) {
+        return {log(end / w) / 2, a - w * even};
+    }
+    for (long k = 1; k + 1 < n; ++k) {
+        even = (a / pow_int(end, k) + even * (2 * k - 1)) / (w * (2 * k));
+    }
+    const long twice = 2 * (n - 1);
+    return {(1 / pow_int(w, n - 1) - 1 / pow_int(end, n - 1)) / twice,
+            (even - a / pow_int(end, n - 1)) / twice};
+}
+
+} // namespace
+
+// docs/axisymmetric.md, "Stresses", with s^2 = v^2 + Y^2 t^2
+Ball AxisymmetricContact::approach_moment(const Ball& w, long n) const {
+    Ball sum(0, bits_);
+    for (const Bend& bend : bends_) {
+        if (bend.at_origin) {
+            const OriginMoments of = origin_moments(a_, w, n);
+            sum += bend.jump * Ball::pi(bits_) / 2 * of.first + bend.rate * 2 * of.second;
+        } else if (inside(bend.knot)) {
+            const Ball& v = bend.v;
+            const Ball Y = Field<Ball>::root(clamped(a_ - v) * (a_ + v));
+            const Ball from = v * v + w;
+            const long known = std::min(w.relative_accuracy_bits(), Y.relative_accuracy_bits());
+            const long accuracy = useful_accuracy(known, bits_);
+            const IntegralGoal goal{std::min(bits_, accuracy + 64), accuracy, Ball(0, bits_),
+                                    Ball(1, bits_)};
+            sum += Y * Y *
+                   integral_of(
+                       [&](const Box& t) {
+                           const Box y = t * Y;
+                           const Box A = principal_arctangent(y / v);
+                           const Box rate = (A * t + Box(v / Y)) * bend.jump +
+                                            (y * Ball(2, bits_) - A * v) * t * bend.rate;
+                           Box power = y * y + from;
+                           acb_pow_si(power.get(), power.get(), n, bits_);
+                           return rate / power;
+                       },
+                       goal);
+        }
+    }
+    return sum;
+}
+
 // docs/axisymmetric.md, "The energy of a cycle"
 Ball AxisymmetricContact::loop_integral(const Ball& from, const Ball& tau) const {
     // Between two bends h' is analytic, and with s = s0 + t^2 (s1 - s0) also at a bend at s0.

@@ -16,6 +16,7 @@ namespace edgeproof::contact {
 namespace {
 
 constexpr long scan_bits = 192;
+constexpr long scan_bits_of_integrals = 96; ///< which cost more at more bits
 constexpr long narrowest = 40; ///< intervals are halved to 2^-40 of their distance from the edge
 constexpr long kept_bits = 48; ///< bits that are lost on the way to a crossing
 
@@ -52,7 +53,13 @@ void BallExtentSearch::merge_unknown(std::vector<Piece>& pieces) {
 void BallExtentSearch::scan() {
     const Ball decades = log(enclosed_constant(tolerance_, 64)) / log(Ball(2, 64));
     const long small = std::max(0L, -static_cast<long>(approximate(decades)));
-    for (long bits = scan_bits + 2 * small;; bits *= 2) {
+    bool integrated = false;
+    try {
+        integrated = contact_(scan_bits).cost() > 1;
+    } catch (const BudgetError&) { // more bits are tried
+    }
+    const long first = (integrated ? scan_bits_of_integrals : scan_bits) + 2 * small;
+    for (long bits = first;; bits *= 2) {
         try {
             const RelativeError f = error(bits);
             const Ball length = f.length();
@@ -76,7 +83,7 @@ void BallExtentSearch::scan() {
             merge_unknown(pieces_);
             return;
         } catch (const BudgetError&) {
-            if (evaluations_ > most_evaluations || bits > (scan_bits + small) << most_doublings_) {
+            if (evaluations_ > most_evaluations || bits > (first - small) << most_doublings_) {
                 throw;
             }
         }

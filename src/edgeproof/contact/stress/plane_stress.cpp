@@ -5,6 +5,10 @@ namespace edgeproof::contact {
 
 // docs/stress.md, "The measures"; a sum of squares, whose root has no negative part.
 Ball StressState::mises(const Ball& nu) const {
+    if (across) { // the square root of half the sum of the squares of the differences
+        return hypot(half_difference * 2, hypot(sxx - *across, *across - szz)) /
+               sqrt(Ball(2, nu.bits()));
+    }
     return hypot(sqrt(Ball(3, nu.bits())) * tau_max(), (1 - nu * 2) * mean());
 }
 
@@ -19,7 +23,7 @@ std::array<Ball, 3> StressState::principal(const Ball& nu) const {
 // Twice tau_max, or the difference of syy = 2 nu mean and the farther of mean -+ tau_max, without
 // cancellation.
 Ball StressState::tresca(const Ball& nu) const {
-    return tau_max() + max(tau_max(), (1 - nu * 2) * abs(mean()));
+    return across ? tau_max() * 2 : tau_max() + max(tau_max(), (1 - nu * 2) * abs(mean()));
 }
 
 // johnson1985, eq. 2.23 (docs/stress.md, "Stresses")

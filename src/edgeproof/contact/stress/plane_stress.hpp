@@ -3,22 +3,30 @@
 #include "edgeproof/contact/stress/cauchy_integral.hpp"
 
 #include <array>
+#include <optional>
 
 namespace edgeproof::contact {
 
 /// The stress at a point of a body in the plane of the contact, tension positive (stress). z is the
 /// depth into that body; on its surface szz = -p, and sxz = -q with the traction q on that body.
+/// Of an axisymmetric contact sxz is 0 (axisymmetric_stress.hpp).
 struct StressState {
     Ball sxx;
     Ball szz;
     Ball sxz;
     Ball half_difference; ///< (sxx - szz)/2, computed without cancellation: exactly 0 where it is 0
+    /// The normal stress across the plane, if it is not that of plane strain.
+    std::optional<Ball> across = {};
 
-    /// The greatest shear stress in the plane.
-    [[nodiscard]] Ball tau_max() const { return hypot(half_difference, sxz); }
+    /// The greatest shear stress in the plane; with `across`, of all planes.
+    [[nodiscard]] Ball tau_max() const {
+        return across ? max(abs(half_difference), max(abs(sxx - *across), abs(*across - szz)) / 2)
+                      : hypot(half_difference, sxz);
+    }
     /// The normal stress across the plane, in plane strain, for Poisson's ratio `nu`.
-    [[nodiscard]] Ball syy(const Ball& nu) const { return nu * (sxx + szz); }
-    /// The equivalent stress of von Mises in plane strain, for Poisson's ratio `nu`.
+    [[nodiscard]] Ball syy(const Ball& nu) const { return across ? *across : nu * (sxx + szz); }
+    /// The equivalent stress of von Mises, without `across` in plane strain, for Poisson's ratio
+    /// `nu`.
     [[nodiscard]] Ball mises(const Ball& nu) const;
     /// The principal stresses in plane strain, s1 >= s2 >= s3; syy is one of them.
     [[nodiscard]] std::array<Ball, 3> principal(const Ball& nu) const;

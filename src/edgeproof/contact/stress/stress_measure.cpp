@@ -35,7 +35,7 @@ Box within(const Box& x, const Ball& most) {
 }
 
 /// [0, r] for a power of two r, with its lower end exactly 0.
-Ball up_to(const Ball& r) {
+Ball from_zero_to(const Ball& r) {
     Ball x = r / 2;
     mag_set_ui_2exp_si(arb_radref(x.data()), 1, mpfr_get_exp(raw(x.midpoint())) - 1);
     return x;
@@ -269,7 +269,7 @@ bool StressMeasure::greatest_at_right_edge(std::size_t part, const Ball& radius)
     for (std::size_t i = 0; i < field_.parts.size(); ++i) {
         if (i != part) {
             const LoadPart& other = field_.parts[i];
-            const Box around(own.contact.a() + Ball::hull(-radius, radius), up_to(radius));
+            const Box around(own.contact.a() + Ball::hull(-radius, radius), from_zero_to(radius));
             const Box rate = cauchy_derivatives(other.contact, around)[1];
             others_G = others_G + rate * weights_[i];
             others_T = others_T + rate * other.shear;

@@ -60,10 +60,10 @@ std::string file_text(const ComparisonReport& report, const FileComparison& file
                     percent_text(all.peak), report.exact->scale().mean ? "mean pressure" : "peak",
                     percent_text(all.local), percent_text(all.l2));
     if (file.shear) {
-        out += fmt::format("  error of q, {} nodes: {} of |Q|/(a + b) + |bulk_tension|/4, {} of q "
-                           "itself, {} in the L2 norm\n",
+        out += fmt::format("  error of q, {} nodes: {} of {}, {} of q itself, {} in the L2 norm\n",
                            file.shear->nodes, percent_text(file.shear->peak),
-                           percent_text(file.shear->local), percent_text(file.shear->l2));
+                           report.exact->shear()->scale_text(), percent_text(file.shear->local),
+                           percent_text(file.shear->l2));
     }
     const double element = file.contact.element[0];
     out += fmt::format("  an element at the right edge is {:.4g} wide, {:.3g} of a + b; at the "

@@ -234,6 +234,10 @@ Scene DesignScene::at(const std::vector<Rational>& values) const {
         return range == texts.end() ? std::nullopt : std::optional(range->second);
     };
     Scene scene = scene_of(top_->changed({"profile", "load", "shear"}, change));
+    if (scene.round && scene.round->law && !scene.shear &&
+        scene.round->load.kind == contact::Load::Kind::right_edge) {
+        scene.round.reset(); // the plane contact has the same pressure (docs/axisymmetric.md)
+    }
     require_plane(scene, "design");
     scene.ask = {};
     scene.ask.edges = edges;

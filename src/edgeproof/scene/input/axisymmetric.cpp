@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/input/readers.hpp"
 
 namespace edgeproof::scene {
@@ -15,7 +16,7 @@ bool is_axisymmetric(const io::TomlSection& profile) {
     return geometry == "axisymmetric";
 }
 
-void make_axisymmetric(const io::TomlSection& profile, const io::TomlSection& load, Scene& scene) {
+void require_axisymmetric(const io::TomlSection& profile, const Scene& scene) {
     if (!scene.profile || !scene.profile->symmetric() ||
         (scene.profile->kind() != contact::Profile::Kind::power_law &&
          !scene.profile->piecewise_linear())) {
@@ -25,46 +26,67 @@ void make_axisymmetric(const io::TomlSection& profile, const io::TomlSection& lo
                        "write kind = \"power-law\" (sphere: m = 1, C = 1/R; cone: m = 0), "
                        "flat-and-rounded, or piecewise with symmetric = true and linear slopes");
     }
-    const bool power_law = scene.profile->kind() == contact::Profile::Kind::power_law;
-    const bool by_force = load.has("P") || !scene.steps.empty();
+}
+
+void revolve(Scene& scene) {
+    using contact::Load;
+    scene.round = Axisymmetric{*scene.profile, scene.load};
+    Axisymmetric& round = *scene.round;
     const formula::Exact given = scene.load.value;
-    scene.round = Axisymmetric{{}, {}, load.has("delta") ? "from delta" : "given"};
-    scene.round->profile = scene.profile;
-    scene.round->load = (load.has("delta") ? "delta = " : "a = ") + given.text();
-    if (power_law) {
-        scene.round->law = contact::AxisymmetricPowerLaw::of(*scene.profile);
-        scene.profile = scene.round->law->plane();
-    } else {
-        scene.profile = scene.profile->revolved();
+    if (scene.load.kind == Load::Kind::force) {
+        round.force = given;
+    } else if (scene.load.kind == Load::Kind::approach) {
+        round.approach = given;
     }
-    if (by_force) {
-        set_total_force(scene, given);
+    if (scene.profile->kind() != contact::Profile::Kind::power_law) {
+        scene.profile = scene.profile->revolved();
         return;
     }
-    if (load.has("delta")) {
-        scene.round->approach = given;
-        scene.load = contact::Load::approach(given);
+    round.law = contact::AxisymmetricPowerLaw::of(*scene.profile);
+    scene.profile = round.law->plane();
+    const formula::Exact a = round.force      ? round.law->radius(scene.contact_modulus, given)
+                             : round.approach ? round.law->radius_at(given)
+                                              : given;
+    if (!round.force) {
+        round.force = round.law->force(scene.contact_modulus, a);
     }
-    if (power_law) {
-        const formula::Exact a = load.has("delta") ? scene.round->law->radius_at(given) : given;
-        scene.round->force = scene.round->law->force(scene.contact_modulus, a);
-        if (!scene.round->approach) {
-            scene.round->approach = scene.round->law->approach(a);
-        }
-        scene.load = contact::Load::right_edge(a);
+    if (!round.approach) {
+        round.approach = round.law->approach(a);
+    }
+    scene.load = Load::right_edge(a);
+}
+
+void change_given(Scene& scene, const std::function<void(Scene&)>& change) {
+    if (!scene.round) {
+        change(scene);
+        return;
+    }
+    scene.profile = scene.round->profile;
+    scene.load = scene.round->load;
+    change(scene);
+    revolve(scene);
+}
+
+void require_axis_or_surface(const BodyPoint& point) {
+    if (point.x.sign() != 0 && point.z.sign() != 0) {
+        throw InputError("the point x = " + point.x.text() + ", z = " + point.z.text() +
+                             " is inside the body: the stresses of an axisymmetric contact are "
+                             "computed on the axis and on the surface",
+                         "give points with x = 0 or z = 0");
     }
 }
 
-void set_total_force(Scene& scene, const formula::Exact& P) {
-    scene.round->size_from = "from P";
-    scene.round->load = "P = " + P.text();
-    scene.round->force = P;
-    scene.load = contact::Load::force(P);
-    if (scene.round->law) {
-        const formula::Exact a = scene.round->law->radius(scene.contact_modulus, P);
-        scene.round->approach = scene.round->law->approach(a);
-        scene.load = contact::Load::right_edge(a);
-    }
+const char* Axisymmetric::size_from() const {
+    return load.kind == contact::Load::Kind::force      ? "from P"
+           : load.kind == contact::Load::Kind::approach ? "from delta"
+                                                        : "given";
+}
+
+std::string Axisymmetric::load_text() const {
+    return (load.kind == contact::Load::Kind::force      ? "P = "
+            : load.kind == contact::Load::Kind::approach ? "delta = "
+                                                         : "a = ") +
+           load.value.text();
 }
 
 } // namespace edgeproof::scene

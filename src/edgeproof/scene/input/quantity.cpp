@@ -170,9 +170,15 @@ std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
     if (scene.round && group.group == QuantityGroup::displacement) {
         return {}; // the gap
     }
+    if (scene.round && scene.shear) {
+        return Lack{std::string(group.name) +
+                        " of an axisymmetric contact is computed without shear",
+                    "leave [shear] out"};
+    }
     if (scene.round) {
-        return Lack{std::string(group.name) + " is not computed for axisymmetric contacts",
-                    "leave geometry out for a plane contact"};
+        return scene.poisson(Body::A)
+                   ? std::nullopt
+                   : std::optional(Lack{problem + "Poisson's ratio", "add nu = \"0.3\" to [load]"});
     }
     if (scene.profile && !scene.profile->has_closed_form()) {
         return Lack{std::string(group.name) + " is not computed for curved slopes",

@@ -224,7 +224,7 @@ std::vector<AskedPoint> read_places(const io::TomlSection& ask, const Place::Nam
 Place::Names names_of(const Scene& scene) {
     Place::Names names;
     if (scene.profile) {
-        for (const auto& [name, value] : scene.profile->parameters()) {
+        for (const auto& [name, value] : scene.given_profile().parameters()) {
             names.insert_or_assign(name, value.expr());
         }
     }
@@ -277,6 +277,10 @@ void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene&
                            "give points [x, z] with z >= 0, the depth into the body");
             }
             result.in_bodies.push_back({x.value, z.value});
+            if (scene.round) {
+                io::at_place(ask.file(), z.line,
+                             [&] { require_axis_or_surface(result.in_bodies.back()); });
+            }
         }
     }
     if (ask.has("tolerance")) {

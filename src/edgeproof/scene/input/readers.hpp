@@ -23,11 +23,8 @@ void read_ask(const io::TomlSection& section, const io::TomlSection& profile, Sc
 
 /// True if [profile] says geometry = "axisymmetric".
 [[nodiscard]] bool is_axisymmetric(const io::TomlSection& profile);
-/// Replaces the profile and the load by those of the plane contact with the same pressure, and sets
-/// Scene::round.
-void make_axisymmetric(const io::TomlSection& profile, const io::TomlSection& load, Scene& scene);
-/// Sets the load of an axisymmetric scene to the total force P, and the size of a power law.
-void set_total_force(Scene& scene, const formula::Exact& P);
+/// Refuses a profile that is not computed as a body of revolution.
+void require_axisymmetric(const io::TomlSection& profile, const Scene& scene);
 
 /// Sets the quantities of a scene that does not name them: all for which it gives the data.
 void default_quantities(Ask& ask, bool shear, bool friction);

@@ -94,8 +94,9 @@ void read_load(const io::TomlSection& load, Scene& scene) {
     }
     const formula::Exact value = contact_constant(load, given);
     require_positive(load, given, value, "give " + given + " > 0");
-    scene.load = given == "P" ? contact::Load::force(value)
-                 : given == "a" || given == "delta" // make_axisymmetric
+    scene.load = given == "P"       ? contact::Load::force(value)
+                 : given == "delta" ? contact::Load::approach(value)
+                 : given == "a"
                      ? contact::Load::right_edge(value)
                      : contact::Load::right_edge(formula::Exact(value.expr() / whole(2)));
     scene.load_line = load.line(given);
@@ -311,8 +312,9 @@ void read_sections(const io::TomlSection& top, Scene& scene) {
     });
     const io::TomlSection profile = top.section("profile");
     if (is_axisymmetric(profile)) {
-        reading(profile, [&](const io::TomlSection& section, Scene& s) {
-            make_axisymmetric(section, load, s);
+        reading(profile, [](const io::TomlSection& section, Scene& s) {
+            require_axisymmetric(section, s);
+            revolve(s);
         });
     } else if (load.has("delta")) {
         load.reject("delta", "the approach delta of a plane contact is undetermined",
@@ -354,11 +356,6 @@ Scene read_contact(const io::TomlSection& top) {
     if (!scene.steps.empty()) {
         top.reject(scene.steps.front().line, "load histories are computed from scenes only",
                    "give P and Q in [load] and [shear] instead of steps");
-    }
-    if (scene.round) { // its force, its mistakes and its other routes are not those of the plane
-        top.section("profile").reject("geometry",
-                                      "axisymmetric contacts are computed from scenes only",
-                                      "use edgeproof pressure, expand, extent or plot");
     }
     return scene;
 }
@@ -496,11 +493,7 @@ void set_step(Scene& scene, std::size_t count) {
     if (last.P.sign() <= 0) {
         reject("there is no contact: P = " + last.P.text(), "give P > 0");
     }
-    if (scene.round) {
-        set_total_force(scene, last.P);
-    } else {
-        scene.load = contact::Load::force(last.P);
-    }
+    change_given(scene, [&](Scene& s) { s.load = contact::Load::force(last.P); });
     const auto begin = scene.steps.begin();
     const auto end = begin + static_cast<std::ptrdiff_t>(count);
     if (std::all_of(begin, end, none)) {
@@ -532,12 +525,16 @@ void set_step(Scene& scene, std::size_t count) {
     scene.history = history_after(scene.steps, count, *scene.shear->friction, scene.file);
 }
 
-void require_plane(const Scene& scene, const std::string& command) {
+void require_no_history(const Scene& scene, const std::string& command) {
     if (!scene.steps.empty()) {
         throw InputError(command + " computes no load histories",
                          "give P and Q in [load] and [shear] instead of steps")
             .at(scene.file, scene.steps.front().line);
     }
+}
+
+void require_plane(const Scene& scene, const std::string& command) {
+    require_no_history(scene, command);
     if (scene.round) {
         throw InputError(command + " computes plane contacts only",
                          "leave geometry out of [profile], or use edgeproof pressure, expand or "

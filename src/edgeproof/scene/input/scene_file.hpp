@@ -15,6 +15,7 @@
 #include "edgeproof/scene/input/units.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -91,12 +92,16 @@ struct Radii {
 /// (docs/axisymmetric.md). The force and the approach are those of a power law, or as given; those
 /// of other profiles are computed with the contact.
 struct Axisymmetric {
-    std::optional<formula::Exact> force;    ///< P, the total force
-    std::optional<formula::Exact> approach; ///< delta (length)
-    const char* size_from;                  ///< the route of a: "given", "from P" or "from delta"
+    contact::Profile profile; ///< as the scene gives it
+    contact::Load load;       ///< the same
     std::optional<contact::AxisymmetricPowerLaw> law = {};
-    std::optional<contact::Profile> profile = {}; ///< as the scene gives it
-    std::string load = {};                        ///< the same, such as "P = 100"
+    std::optional<formula::Exact> force = {};    ///< P, the total force
+    std::optional<formula::Exact> approach = {}; ///< delta (length)
+
+    /// The route of a: "given", "from P" or "from delta".
+    [[nodiscard]] const char* size_from() const;
+    /// The load in words, such as "P = 100".
+    [[nodiscard]] std::string load_text() const;
 };
 
 /// A scene as its file gives it: exact, complete, and checked as far as possible without solving
@@ -144,6 +149,11 @@ struct Scene {
     [[nodiscard]] bool only_in_balls() const {
         return history || (profile && profile->axisymmetric()) || (round && slips());
     }
+    /// The profile and the load as the scene gives them, also of an axisymmetric power law.
+    [[nodiscard]] const contact::Profile& given_profile() const {
+        return round ? round->profile : *profile;
+    }
+    [[nodiscard]] const contact::Load& given_load() const { return round ? round->load : load; }
     /// True if b = a without solving.
     [[nodiscard]] bool symmetric() const { return profile && profile->symmetric(); }
 };
@@ -191,7 +201,19 @@ struct SceneEntries {
 /// scene that make_scene accepts.
 [[nodiscard]] std::string scene_text(const SceneEntries& entries);
 
-/// Refuses an axisymmetric scene for a command that computes plane contacts only.
+/// Makes a scene axisymmetric whose profile and load are given: sets Scene::round, and replaces the
+/// profile and the load of a power law by those of the plane contact with the same pressure.
+void revolve(Scene& scene);
+/// Applies a change to the profile, the load or the modulus as the scene gives them, and derives
+/// those of an axisymmetric scene from them again.
+void change_given(Scene& scene, const std::function<void(Scene&)>& change);
+
+/// Refuses a point of a body of an axisymmetric scene that lies neither on the axis nor on the
+/// surface.
+void require_axis_or_surface(const BodyPoint& point);
+/// Refuses a load history for a command that does not compute one.
+void require_no_history(const Scene& scene, const std::string& command);
+/// Refuses a load history and an axisymmetric scene.
 void require_plane(const Scene& scene, const std::string& command);
 /// Refuses a scene with |Q| >= f P, with the line of the friction; `force` is P.
 [[noreturn]] void refuse_sliding(const Scene& scene, const Real& force);

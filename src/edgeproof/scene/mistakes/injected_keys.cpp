@@ -109,6 +109,15 @@ const std::vector<InjectedKeys>& injected_keys() {
         {"one-body-radius", false, with_key({"profile.R2"}, [](double) { return 1e30; })},
         {"flat-as-full-width", false, times_key("profile.t", 0.5)},
         {"half-force", false, times_key("load.P", 0.5)},
+        {"force-per-radian", false,
+         [](const SceneKeys& keys) -> std::optional<SceneKeys> {
+             return keys.contains("profile.geometry")
+                        ? times_key("load.P", 1 / (2 * std::numbers::pi))(keys)
+                        : std::nullopt;
+         }},
+        {"plane-for-axisymmetric", false,
+         with({"profile.geometry"}, [](SceneKeys& keys) { keys.erase("profile.geometry"); })},
+        {"half-approach", false, times_key("load.delta", 0.5)},
         {"full-width-for-half", false, times_key("load.a", 2)},
         {"sign-of-moment", false, times_key("load.M", -1)},
         {"half-moment", false, times_key("load.M", 0.5)},

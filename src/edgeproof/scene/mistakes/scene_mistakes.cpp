@@ -23,6 +23,9 @@ constexpr std::string_view curvature_advice = "1/R = 1/R1 + 1/R2; a hollow has a
 constexpr std::string_view constant_advice = "C is the constant of the slope: g' = C x^m";
 constexpr std::string_view flat_advice = "the flat is 2 t wide";
 constexpr std::string_view force_advice = "P is the whole normal force per unit length";
+constexpr std::string_view round_force_advice = "P is the whole normal force";
+constexpr std::string_view approach_advice =
+    "delta is the approach of distant points of the two bodies";
 constexpr std::string_view width_advice =
     "a is the distance from the minimum of the profile to the right edge, the half-width of a "
     "symmetric contact";
@@ -40,7 +43,7 @@ class Catalogue {
 public:
     explicit Catalogue(const Scene& scene) : scene_(scene) {
         if (scene.profile) {
-            parameters_ = scene.profile->parameters();
+            parameters_ = scene.given_profile().parameters();
         } else if (scene.punch->kind == contact::Profile::Kind::tilted_wedge) {
             parameters_ = {{"phi", scene.punch->phi}};
         } else {
@@ -87,7 +90,8 @@ public:
 private:
     void add(std::string_view name, std::string what, std::string_view advice,
              std::function<void(Scene&)> change) {
-        list_.push_back({name, std::move(what), advice, std::move(change)});
+        list_.push_back({name, std::move(what), advice,
+                         [change = std::move(change)](Scene& s) { change_given(s, change); }});
     }
 
     void modulus(std::string_view name, const char* what, const Expr& value) {
@@ -176,7 +180,7 @@ private:
     }
     void sizes() {
         const bool circle = scene_.profile &&
-                            scene_.profile->kind() == contact::Profile::Kind::power_law &&
+                            scene_.given_profile().kind() == contact::Profile::Kind::power_law &&
                             contact::certainly_zero(parameters_.at("m").expr() - integer(1));
         if (circle) {
             parameter("radius-as-diameter", "half the radius", radius_advice, "C", two);
@@ -249,12 +253,30 @@ private:
             add(name, what, advice,
                 [times](Scene& s) { s.load.value = formula::Exact(s.load.value.expr() * times); });
         };
-        if (scene_.load.kind == contact::Load::Kind::force) {
-            load("half-force", "half of P", force_advice, half);
-            load("half-force", "twice P", force_advice, two);
+        const contact::Load::Kind given = scene_.given_load().kind;
+        if (given == contact::Load::Kind::force) {
+            const auto advice = scene_.round ? round_force_advice : force_advice;
+            load("half-force", "half of P", advice, half);
+            load("half-force", "twice P", advice, two);
+            if (scene_.round) {
+                const Expr turn = two * Expr::pi();
+                load("force-per-radian", "P divided by 2 pi", advice, integer(1) / turn);
+                load("force-per-radian", "2 pi P", advice, turn);
+            }
+        } else if (given == contact::Load::Kind::approach) {
+            load("half-approach", "half of delta", approach_advice, half);
+            load("half-approach", "twice delta", approach_advice, two);
         } else {
             load("full-width-for-half", "the width of the contact instead of a", width_advice, two);
             load("full-width-for-half", "a quarter of the width instead of a", width_advice, half);
+        }
+        if (scene_.round && given != contact::Load::Kind::approach) {
+            list_.push_back({"plane-for-axisymmetric", "the plane contact of the same profile",
+                             "the bodies are bodies of revolution", [](Scene& s) {
+                                 s.profile = s.round->profile;
+                                 s.load = s.round->load;
+                                 s.round.reset();
+                             }});
         }
         if (scene_.moment) {
             const auto moment = [&](std::string_view name, const char* what, const Expr& times) {

@@ -100,6 +100,16 @@ const contact::StressState& BallLevel::stress(const AskedValue& at) {
     if (last_stress_ && last_stress_->first == point) {
         return last_stress_->second;
     }
+    if (scene_.round) {
+        require_axis_or_surface(point);
+        const contact::AxisymmetricStress field = axisymmetric_stress(point.body);
+        last_stress_.emplace(
+            point,
+            point.x.sign() == 0
+                ? field.on_axis(point.z)
+                : field.on_surface(point.x.sign() > 0 ? point.x : formula::Exact(-point.x.expr())));
+        return last_stress_->second;
+    }
     const Box zeta(ball_of(point.x, bits_), ball_of(point.z, bits_));
     contact::CauchyIntegral p = cauchy_integral(*contact_->closed_form(), zeta);
     contact::CauchyIntegral q = shear_integral(p, zeta);
@@ -116,6 +126,10 @@ const contact::StressState& BallLevel::stress(const AskedValue& at) {
     }
     last_stress_.emplace(point, stress_of(p, q, zeta, bulk_stress(point.body)));
     return last_stress_->second;
+}
+
+contact::AxisymmetricStress BallLevel::axisymmetric_stress(Body body) const {
+    return {*contact_, whole_force(), ball_of(*scene_.poisson(body), bits_)};
 }
 
 Ball BallLevel::gap(const AskedValue& at) {
@@ -200,8 +214,7 @@ Ball BallLevel::slip_displacement(const AskedValue& at) {
         return {0, bits_};
     }
     if (scene_.round) {
-        throw InputError("the slip displacement of an axisymmetric contact is not computed",
-                         "give places outside the contact, |x| > a");
+        return round_slip(abs(x));
     }
     if (scene_.history) {
         return slip_after_history(x);
@@ -211,26 +224,54 @@ Ball BallLevel::slip_displacement(const AskedValue& at) {
                             : slip()->parts().front().ratio * gap_of_zone(zones->front(), x);
 }
 
+// docs/axisymmetric.md, "The slip"
+Ball BallLevel::round_slip(const Ball& r) {
+    if (!scene_.poisson(Body::A) || scene_.history) {
+        throw InputError(scene_.history
+                             ? "the slip displacement of an axisymmetric contact after a "
+                               "load history is not computed"
+                             : "the slip displacement of an axisymmetric contact needs "
+                               "Poisson's ratio",
+                         std::string(scene_.history ? "" : "add nu to [load], or ") +
+                             "give places outside the contact, |x| > a");
+    }
+    if (slip() == nullptr || slip()->sliding()) {
+        return not_known();
+    }
+    const contact::ShearPart& part = slip()->parts().front();
+    const Ball beyond = r - part.zone.a;
+    if (certainly_negative(beyond)) {
+        return {0, bits_};
+    }
+    const contact::BallContact* const form = contact_->closed_form();
+    return part.ratio * tangential_ratio() *
+           (form != nullptr
+                ? axisymmetric_gap(form->between(part.zone.a, part.zone.b),
+                                   contact::clamped(beyond))
+                : of_revolution().with_radius(part.zone.a).gap_beyond(contact::clamped(beyond)));
+}
+
 // docs/axisymmetric.md, "The energy of a cycle"
-Ball BallLevel::round_cycle_energy(const contact::BallSlip& slip) const {
+Ball BallLevel::tangential_ratio() const {
     const auto number = [&](const formula::Exact& x) { return ball_of(x, bits_); };
-    Ball ratio(0, bits_); // of the tangential compliance to the normal one
     if (scene_.bodies) {
         const auto compliance = [&](const formula::Exact& E, const formula::Exact& nu) {
             return (2 - number(nu)) * (1 + number(nu)) / (number(E) * 2);
         };
         const Bodies& bodies = *scene_.bodies;
-        ratio = (compliance(bodies.E1, bodies.nu1) + compliance(bodies.E2, bodies.nu2)) *
-                contact_->modulus();
-    } else {
-        const Ball nu = number(*scene_.nu);
-        ratio = (2 - nu) / ((1 - nu) * 2);
+        return (compliance(bodies.E1, bodies.nu1) + compliance(bodies.E2, bodies.nu2)) *
+               contact_->modulus();
     }
-    const Ball factor = slip.friction() * slip.friction() * ratio * 8;
+    const Ball nu = number(*scene_.nu);
+    return (2 - nu) / ((1 - nu) * 2);
+}
+
+Ball BallLevel::round_cycle_energy(const contact::BallSlip& slip) const {
+    const Ball factor = slip.friction() * slip.friction() * tangential_ratio() * 8;
     if (!scene_.round->law) {
         return factor * of_revolution().loop_integral(slip.stick().a, slip.load_ratio());
     }
-    const Ball m = number(formula::Exact(scene_.round->law->m));
+    const Ball m = ball_of(formula::Exact(scene_.round->law->m), bits_);
     const Ball power = (m + 2) / (m + 1); // P is proportional to delta^power
     const Ball tau = slip.load_ratio();
     const Ball left = pow(1 - tau, 1 / power);

@@ -7,6 +7,7 @@
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
+#include "edgeproof/contact/stress/axisymmetric_stress.hpp"
 #include "edgeproof/contact/stress/plane_stress.hpp"
 #include "edgeproof/contact/stress/stress_measure.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
@@ -230,6 +231,8 @@ public:
     /// The load on a body, for shear that is not under full stick. Nothing if these bits do not
     /// isolate the stick zone.
     [[nodiscard]] std::optional<contact::StressField> stress_field(Body body);
+    /// The stresses of an axisymmetric scene without shear. It refers to this level.
+    [[nodiscard]] contact::AxisymmetricStress axisymmetric_stress(Body body) const;
     /// Throws DomainError inside the contact.
     [[nodiscard]] Ball gap(const AskedValue& at);
     /// u_A - u_B since the place came into contact. Throws DomainError outside the contact.
@@ -241,6 +244,10 @@ public:
 
 private:
     [[nodiscard]] Ball round_cycle_energy(const contact::BallSlip& slip) const;
+    /// E*/E_t of an axisymmetric scene with a Poisson's ratio.
+    [[nodiscard]] Ball tangential_ratio() const;
+    /// The slip at the radius r in the contact of an axisymmetric scene with friction.
+    [[nodiscard]] Ball round_slip(const Ball& r);
     /// Keeps the last value.
     [[nodiscard]] const contact::StressState& stress(const AskedValue& at);
     [[nodiscard]] Ball bulk_stress(Body body) const;

@@ -148,8 +148,8 @@ private:
         const bool force = load != contact::Load::Kind::right_edge;
         add("size from force", force,
             scene_.round && scene_.round->law &&
-                    scene_.round->size_from != std::string_view("given")
-                ? scene_.round->load + "; a is in closed form"
+                    scene_.round->load.kind != contact::Load::Kind::right_edge
+                ? scene_.round->load_text() + "; a is in closed form"
             : load == contact::Load::Kind::force    ? "P is given"
             : load == contact::Load::Kind::approach ? "delta is given"
                                                     : "a is given",

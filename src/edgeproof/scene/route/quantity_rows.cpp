@@ -21,7 +21,7 @@ using formula::ExactNumber;
 
 bool is_force_given(const Scene& s) { return s.load.kind == contact::Load::Kind::force; }
 const char* by_load(const Scene& s, const Plan& /*plan*/) {
-    return s.round ? s.round->size_from : is_force_given(s) ? "from P" : "given";
+    return s.round ? s.round->size_from() : is_force_given(s) ? "from P" : "given";
 }
 const char* full_stick_or_similar(const Scene& s, const Plan& /*plan*/) {
     return s.together() ? "similar" : "full-stick";
@@ -180,7 +180,10 @@ constexpr Made of_stick(Quantity quantity, std::string_view symbol, std::string_
 }
 
 const char* way_of_stress(const Scene& s, const Plan& /*plan*/) {
-    return !s.shear ? "closed-form" : s.slips() ? "superposition" : full_stick_or_similar(s, {});
+    return s.round && !s.round->law ? "rigorous integration"
+           : !s.shear               ? "closed-form"
+           : s.slips()              ? "superposition"
+                                    : full_stick_or_similar(s, {});
 }
 /// A stress at a point of a body; its name is that of the column.
 template <auto ball> constexpr Made stress(Quantity quantity, std::string_view name) {

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Data of axisymmetric contacts: r and p.
+#include "edgeproof/comparison/comparison.hpp"
+#include "edgeproof/comparison/self_test.hpp"
+#include "edgeproof/scene/run_scene.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace {
+
+scene::Scene compared_sphere(const std::string& load) {
+    return scene::parse_scene("[profile]\nkind = \"hertz\"\ngeometry = \"axisymmetric\"\nR = "
+                              "\"10\"\n[load]\n" +
+                                  load + "\ncontact_modulus = \"1e5\"\n",
+                              "sphere.toml");
+}
+
+/// r and p of a sphere with a = 1 (johnson1985, section 4.2), p multiplied by a factor.
+std::string sphere_data(double factor, bool both_sides) {
+    const double p0 = 2 * 1e5 / (10 * std::acos(-1));
+    std::string text = "r,p\n";
+    for (int i = both_sides ? -60 : 0; i <= 60; ++i) {
+        const double r = i * 0.02;
+        text +=
+            fmt::format("{:.12e},{:.12e}\n", r, factor * p0 * std::sqrt(std::max(0.0, 1 - r * r)));
+    }
+    return text;
+}
+
+FileComparison compared_with(const scene::Scene& s, const std::string& data) {
+    SuspectContacts suspects(s);
+    const ExactContact exact(s);
+    Tolerances tolerances;
+    tolerances.pressure = 1e-6;
+    tolerances.force = 1e-3;
+    return compare_file(parse_result(data, "data.csv"), exact, tolerances, Rational(0), &suspects);
+}
+
+} // namespace
+
+TEST_CASE("compare: radii and pressures of a sphere, with the total force") {
+    for (const bool both_sides : {false, true}) {
+        CAPTURE(both_sides);
+        const FileComparison file =
+            compared_with(compared_sphere("a = \"1\""), sphere_data(1, both_sides));
+        CHECK(file.passes());
+        const double P = 4.0 / 3 * 1e5 / 10; // 4 E* a^3/(3 R)
+        // The error of trapezoids where p falls like a root; the exact p has the same.
+        CHECK(std::abs(file.contact.force.value() / P - 1) < 3e-3);
+        CHECK(std::abs(file.contact.force.value() / file.of_exact.force.value() - 1) < 1e-10);
+    }
+}
+
+// p of a punch with a rounded edge, whose pressure is integrated, from the scene's own values.
+TEST_CASE("compare: a profile that is no power law") {
+    const scene::Scene s = scene::parse_scene(
+        "[profile]\nkind = \"flat-and-rounded\"\ngeometry = \"axisymmetric\"\nt = \"2/5\"\nR = "
+        "\"1\"\n[load]\na = \"1\"\ncontact_modulus = \"1\"\n",
+        "punch.toml");
+    std::string text = "r,p\n";
+    std::vector<scene::AskedValue> asked;
+    for (int i = 0; i < 40; ++i) {
+        asked.push_back({scene::Quantity::p});
+        asked.back().u = Exact::of(Rational(40 - i, 40));
+    }
+    scene::SceneValues values(s, asked, {20, Rounding::nearest, false});
+    for (int i = 0; i < 40; ++i) {
+        const auto& at = asked[static_cast<std::size_t>(i)];
+        text += fmt::format("{:.12e},{:.15e}\n", i / 40.0,
+                            values.value(at).value.midpoint().convert_to<double>());
+    }
+    const FileComparison file = compared_with(s, text + "1,0\n1.1,0\n");
+    CHECK(file.passes());
+    CHECK(file.all.peak < 1e-11);
+}
+
+// p of the same sphere with the force P/(2 pi) has the factor (2 pi)^(-1/3) in p_0 and in a.
+TEST_CASE("compare: the force of one radian is named") {
+    const double P = 4.0 / 3 * 1e5 / 10;
+    const scene::Scene s =
+        compared_sphere(fmt::format("P = \"{:.17g}\"", P * 2 * std::acos(-1))); // for 2 pi radians
+    const FileComparison file = compared_with(s, sphere_data(1, false));
+    CHECK_FALSE(file.passes());
+    REQUIRE(file.diagnosis.has_value());
+    CHECK(std::ranges::any_of(file.diagnosis->causes,
+                              [](const Cause& cause) { return cause.name == "force-per-radian"; }));
+}
+
+TEST_CASE("self-test: mistakes of axisymmetric contacts are named, and none wrongly") {
+    const SelfTest test = run_self_test(5, {"two spheres", "a cone, a given"});
+    for (const std::string& miss : test.misses) {
+        MESSAGE(miss);
+    }
+    CHECK(test.total().wrong == 0);
+    CHECK(test.passes());
+    const auto plane = std::ranges::find(test.rows, "plane-for-axisymmetric", &SelfTestRow::name);
+    REQUIRE(plane != test.rows.end());
+    CHECK(plane->at[0].named > 0);
+}
+
+TEST_CASE("self-test: mistakes of axisymmetric contacts that slip") {
+    const SelfTest test = run_self_test(5, {"a sphere, partial slip"});
+    CHECK(test.total().wrong == 0);
+    CHECK(test.passes());
+}

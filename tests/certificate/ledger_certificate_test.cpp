@@ -90,7 +90,9 @@ TEST_CASE("a correction that is equal to the quantity by its form has no theorem
 TEST_CASE("a theorem for all contacts is stated only if those of the family are of the form") {
     const auto load = value("0", "Es/2*integral(s*g1(s)/sqrt(a^2-s^2), s, -a, a)");
     const std::string scaled = load + "scale = \"Es*a\"\n";
-    CHECK(only_certificate(flat("[\"3\"]", "[\"2\"]"), scaled).theorems.empty());
+    const auto within = only_certificate(flat("[\"3\"]", "[\"2\"]"), scaled);
+    CHECK(contains(within.text, "0 < a <= t ->\n  is_load Es"));
+    CHECK_FALSE(contains(within.text, "0 < t < a"));
     const std::string printed = "Es*a^2/R*(Pi/4 - 1/2*asin(t/a) - t/(2*a^2)*sqrt(a^2-t^2))";
     CHECK(only_certificate(flat("[\"1\"]", "[\"2\"]"),
                            value(printed, "Es/2*integral(s*g1(s)/sqrt(a^2-s^2), s, -a, a)"))
@@ -152,5 +154,38 @@ TEST_CASE("the theorem of a quoted figure contains the figure") {
     CHECK(c.verdict == "confirmed");
     CHECK(contains(c.text, " - (1 / 250)) < (1 / 2000)."));
     CHECK(contains(c.text, "is_the_pressure Es "));
-    CHECK_FALSE(c.whole_verdict); // it is stated at one scale
+    CHECK(contains(c.text, "Theorem own_figure_similar : forall Fs lam mu h1,"));
+    CHECK(c.whole_verdict);
+}
+
+// The load of a power law, by the gamma function.
+TEST_CASE("formulas with the gamma function are stated for all power laws") {
+    const auto power_laws = [](const std::string& m) {
+        return "profile = \"power-law\"\ncount = 2\n[family.parameters]\nm = " + m +
+               "\nC = [\"3/7\"]\na = [\"3/2\"]\nEs = [\"7/3\"]\n";
+    };
+    const std::string printed = value("Es*C*sqrt(Pi)/(2+m)*gamma(2+m/2)/gamma((3+m)/2)*a^(m+1)",
+                                      "Es/2*integral(s*g1(s)/sqrt(a^2-s^2), s, -a, a)");
+    const auto c = only_certificate(power_laws("[\"0\", \"5/2\"]"), printed);
+    CHECK(contains(c.text, "forall Gam, is_gamma Gam ->\n  0 < C /\\ 0 <= m /\\ 0 < a ->"));
+    CHECK(contains(c.text, "Gam ((3 + m) / 2) * Rpower a (m + 1) = P0."));
+    CHECK(c.whole_verdict);
+}
+
+// The theorem of a limit is about the end at which the values of the claim end.
+TEST_CASE("a limit is stated only if the values of the claim end there") {
+    const auto wedge = [](const std::string& alpha) {
+        return "profile = \"tilted-wedge\"\ncount = 1\n[family.parameters]\nphi = [\"1/50\"]\na = "
+               "[\"3/2\"]\nEs = [\"7/3\"]\nalpha = " +
+               alpha + "\n";
+    };
+    const std::string limit = "kind = \"limit\"\nof = \"b/a\"\nalong = \"alpha\"\nlimit = \"1\"\n";
+    const auto c = only_certificate(
+        wedge("[\"phi/3\", \"phi/100\", \"phi*1e-4\", \"phi*1e-8\", \"phi*1e-16\"]"), limit);
+    CHECK(c.verdict == "confirmed");
+    CHECK(contains(c.text, "(at_right 0) (locally 1)"));
+    CHECK(c.whole_verdict);
+    const auto coarse =
+        only_certificate(wedge("[\"phi/3\", \"phi/4\", \"phi/5\", \"phi/6\"]"), limit);
+    CHECK(coarse.theorems.empty());
 }

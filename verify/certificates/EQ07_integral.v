@@ -29,7 +29,6 @@ Proof.
   destruct (unique_3 _ _ _ _ _ _ _ _ _ derived polynomial) as (E0 & E1 & E2 & E3).
   transitivity_of E2; half_powers.
 Qed.
-Print Assumptions EQ07_integral_refuted.
 
 Theorem EQ07_integral_corrected (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) (y : R) :
   is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) ->
@@ -45,7 +44,6 @@ Proof.
   exists p. split; [apply (the_pressures_right _ _ y); [apply convex | apply convex | exact Hp] |].
   apply (agrees_trans _ _ _ _ derived). in_half_powers.
 Qed.
-Print Assumptions EQ07_integral_corrected.
 
 Theorem EQ07_integral_instance : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) (y : R),
   is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) /\
@@ -58,5 +56,4 @@ Proof.
   split; [split; [apply punch_rises; convex ltac:(unfold wedge) | before ltac:(unfold wedge)] |].
   exists 1. split; [lra |]. apply apart. numbers ltac:(unfold wedge).
 Qed.
-Print Assumptions EQ07_integral_instance.
 

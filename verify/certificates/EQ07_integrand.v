@@ -24,7 +24,6 @@ Proof.
   destruct (unique_2 _ _ _ _ _ _ _ derived polynomial) as (E0 & E1 & E2).
   transitivity_of E1; field; repeat split; lra.
 Qed.
-Print Assumptions EQ07_integrand_refuted.
 
 Theorem EQ07_integrand_corrected (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) :
   is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) ->
@@ -37,7 +36,6 @@ Proof.
   pose proof (integrand_through_2 _ _ _ _ _ _ _ S X contact) as derived.
   apply (agrees_ext _ _ _ _ derived). intros u. field; repeat split; lra.
 Qed.
-Print Assumptions EQ07_integrand_corrected.
 
 Theorem EQ07_integrand_instance : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) (y : R),
   is_smooth_contact Es g1 a P P1 P2 P3 (fun s => s) (fun _ => 1) (fun _ => 0) /\
@@ -49,5 +47,4 @@ Proof.
   split; [split; [apply punch_rises; convex ltac:(unfold wedge) | before ltac:(unfold wedge)] |].
   exists 1, 1. apply apart. numbers ltac:(unfold wedge).
 Qed.
-Print Assumptions EQ07_integrand_instance.
 

@@ -20,4 +20,3 @@ Proof.
   split. { apply (the_right_series _ _ y); [apply convex | apply convex | exact (right_edge _ _ _ _ _ _ _ _ _ _ contact)]. }
   identity_symmetric contact a P1 P2 P3.
 Qed.
-Print Assumptions EQ09_M.

@@ -20,5 +20,4 @@ Proof.
   split. { apply (the_load _ _ (first (cons (Part t 0 (1 / R0)) nil))); [apply punch_rises; convex constants | before constants | before constants | apply consistent_total; sides constants | apply load_total; sides constants]. }
   identity_of_rounded t a.
 Qed.
-Print Assumptions EQ17_P.
 

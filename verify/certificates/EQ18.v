@@ -26,7 +26,6 @@ Proof.
   split. { apply (the_pressure _ _ (first punch)); [apply punch_rises; convex constants | before constants | apply (pressure Es punch ((t + x) / 2)); sides constants]. }
   numbers constants.
 Qed.
-Print Assumptions EQ18_refuted.
 
 Theorem EQ18_corrected : exists l0 p0,
   is_improper_integral (fun s => (PI / 2 - asin (t / s)) * s / sqrt (s ^ 2 - x ^ 2)) (Rmax x t) (a) l0 /\
@@ -38,5 +37,4 @@ Proof.
   split. { apply (the_pressure _ _ (first punch)); [apply punch_rises; convex constants | before constants | apply (pressure Es punch ((t + x) / 2)); sides constants]. }
   apply Rminus_le. numbers constants.
 Qed.
-Print Assumptions EQ18_corrected.
 

@@ -20,5 +20,4 @@ Proof.
   split. { apply (the_right_series _ _ (first (cons (Part t 0 (1 / R0)) nil))); [apply punch_rises; convex constants | before constants | apply right_edge with (1 := smooth_contact Es (cons (Part t 0 (1 / R0)) nil) ((t + a) / 2) a ltac:(sides constants) ltac:(sides constants))]. }
   identity_of_rounded t a.
 Qed.
-Print Assumptions EQ19_N.
 

@@ -21,4 +21,3 @@ Proof.
   split. { apply (the_right_series _ _ y); [apply convex | apply convex | exact (right_edge _ _ _ _ _ _ _ _ _ _ contact)]. }
   identity contact left a b b1.
 Qed.
-Print Assumptions EQ24_M.

@@ -21,4 +21,3 @@ Proof.
   split. { apply (the_left_series _ _ z); [apply convex | apply convex | exact (left_edge_of_a _ _ _ _ _ _ _ _ _ _ _ _ contact left)]. }
   identity contact left a b b1.
 Qed.
-Print Assumptions EQ25_M.

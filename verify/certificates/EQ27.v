@@ -25,7 +25,6 @@ Proof.
   split. { apply (the_pressure _ _ 0); [apply wedge_rises, tilt_range; positive | positive | apply pressure_right_of_apex; positive]. }
   numbers constants.
 Qed.
-Print Assumptions EQ27_refuted.
 
 Theorem EQ27_corrected : exists p0,
   is_the_left_edge (slope phi (tilt phi gam)) a (gam * a) /\
@@ -37,5 +36,4 @@ Proof.
   split. { apply (the_pressure _ _ 0); [apply wedge_rises, tilt_range; positive | positive | apply pressure_right_of_apex; positive]. }
   apply Rminus_le. numbers constants.
 Qed.
-Print Assumptions EQ27_corrected.
 

@@ -20,5 +20,4 @@ Proof.
   split. { apply (the_load _ _ 0); [apply wedge_rises, tilt_range; positive | positive | positive | apply wedge_consistent; positive | apply wedge_load; positive]. }
   identity_of_wedge a gam.
 Qed.
-Print Assumptions EQ28_P.
 

@@ -19,5 +19,4 @@ Proof.
   split. { apply (the_left_edge _ 0); [apply wedge_rises, tilt_range; positive | positive | positive | apply wedge_consistent; positive]. }
   identity_of_wedge a gam.
 Qed.
-Print Assumptions EQ28_gamma.
 

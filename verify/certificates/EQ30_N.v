@@ -21,9 +21,9 @@ Proof.
   split. { apply (the_right_series _ _ 0); [apply wedge_rises, tilt_range; positive | positive | eapply right_edge, smooth_contact; positive]. }
   identity_of_wedge a gam.
 Qed.
-Print Assumptions EQ30_N_corrected.
 
 End Correction.
+Definition EQ30_N_corrected := Correction.EQ30_N_corrected.
 
 Definition Es : R := 1.
 Definition phi : R := 1.
@@ -41,5 +41,4 @@ Proof.
   split. { apply (the_right_series _ _ 0); [apply wedge_rises, tilt_range; positive | positive | eapply right_edge, smooth_contact; positive]. }
   numbers constants.
 Qed.
-Print Assumptions EQ30_N_refuted.
 

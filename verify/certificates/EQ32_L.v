@@ -21,9 +21,9 @@ Proof.
   split. { apply (the_left_series _ _ 0); [apply mirrored_wedge_rises, tilt_range; positive | positive | refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive]. }
   identity_of_wedge a gam.
 Qed.
-Print Assumptions EQ32_L_corrected.
 
 End Correction.
+Definition EQ32_L_corrected := Correction.EQ32_L_corrected.
 
 Definition Es : R := 1.
 Definition phi : R := 1.
@@ -41,5 +41,4 @@ Proof.
   split. { apply (the_left_series _ _ 0); [apply mirrored_wedge_rises, tilt_range; positive | positive | refine (left_edge_of_a _ _ a _ _ _ _ (fun s => gam * s) _ _ _ _ _ _); [apply smooth_contact | apply left_of_a]; positive]. }
   numbers constants.
 Qed.
-Print Assumptions EQ32_L_refuted.
 

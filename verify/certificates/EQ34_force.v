@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Tactics Shear Unique.
+From Edgeproof Require Import Contact Coefficients Edges Tactics Shear Unique Stick.
 Open Scope R_scope.
 
 Ltac constants := idtac.
@@ -20,5 +20,4 @@ Proof.
   split. { apply force_of_traction; lra. }
   identity_of_shear a b.
 Qed.
-Print Assumptions EQ34_force.
 

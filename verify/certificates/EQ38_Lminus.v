@@ -23,5 +23,4 @@ Proof.
   split. { apply the_left_shear_series, left_shear; positive. }
   numbers constants.
 Qed.
-Print Assumptions EQ38_Lminus_refuted.
 

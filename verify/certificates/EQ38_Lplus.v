@@ -23,5 +23,4 @@ Proof.
   split. { apply the_right_shear_series, right_shear; positive. }
   numbers constants.
 Qed.
-Print Assumptions EQ38_Lplus_refuted.
 

@@ -24,7 +24,6 @@ Proof.
   destruct (unique_3 _ _ _ _ _ _ _ _ _ derived polynomial) as (E0 & E1 & E2 & E3).
   transitivity_of E3; field; repeat split; lra.
 Qed.
-Print Assumptions EQ44_refuted.
 
 Theorem EQ44_corrected (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) :
   is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 ->
@@ -38,7 +37,6 @@ Proof.
   pose proof (inverse_through_3 _ _ _ _ _ _ _ _ _ _ _ _ contact left X) as derived.
   apply (agrees_ext _ _ _ _ derived). intros u. field; repeat split; lra.
 Qed.
-Print Assumptions EQ44_corrected.
 
 Theorem EQ44_instance : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R),
   is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 /\
@@ -48,5 +46,4 @@ Theorem EQ44_instance : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b
 Proof.
   exists_curved_contact. exists 2. apply apart. curved_numbers.
 Qed.
-Print Assumptions EQ44_instance.
 

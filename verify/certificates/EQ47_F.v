@@ -19,5 +19,4 @@ Proof.
   pose proof (rate_through_2 _ _ _ _ _ _ _ _ _ _ _ _ contact left X sigma) as derived.
   apply (agrees_ext _ _ _ _ derived). intros u. field; repeat split; lra.
 Qed.
-Print Assumptions EQ47_F.
 

@@ -25,7 +25,6 @@ Proof.
   destruct (unique_2 _ _ _ _ _ _ _ derived polynomial) as (E0 & E1 & E2).
   transitivity_of E0; half_powers.
 Qed.
-Print Assumptions EQ47_last_refuted_1.
 
 Theorem EQ47_last_corrected_1 (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) :
   is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 ->
@@ -39,7 +38,6 @@ Proof.
   pose proof (inverse_root_through_2 _ _ _ _ _ _ _ _ _ _ _ _ contact left X sigma HX Hs) as derived.
   apply (agrees_trans _ _ _ _ derived). in_half_powers.
 Qed.
-Print Assumptions EQ47_last_corrected_1.
 
 Theorem EQ47_last_instance_1 : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R),
   is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 /\
@@ -50,7 +48,6 @@ Theorem EQ47_last_instance_1 : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3
 Proof.
   exists_curved_contact. exists 2, (1 / 2). split; [lra |]. split; [lra |]. apply apart. curved_numbers.
 Qed.
-Print Assumptions EQ47_last_instance_1.
 
 Theorem EQ47_last_refuted_2 (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) :
   is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 ->
@@ -69,7 +66,6 @@ Proof.
   destruct (unique_2 _ _ _ _ _ _ _ derived polynomial) as (E0 & E1 & E2).
   transitivity_of E2; half_powers.
 Qed.
-Print Assumptions EQ47_last_refuted_2.
 
 Theorem EQ47_last_corrected_2 (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) :
   is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 ->
@@ -83,7 +79,6 @@ Proof.
   pose proof (inverse_root_at_1 _ _ _ _ _ _ _ _ _ _ _ _ contact left sigma Hs) as derived.
   apply (agrees_trans _ _ _ _ derived). in_half_powers.
 Qed.
-Print Assumptions EQ47_last_corrected_2.
 
 Theorem EQ47_last_instance_2 : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R),
   is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 /\
@@ -94,5 +89,4 @@ Theorem EQ47_last_instance_2 : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3
 Proof.
   exists_curved_contact. exists (1 / 2). split; [lra |]. apply apart. curved_numbers.
 Qed.
-Print Assumptions EQ47_last_instance_2.
 

@@ -31,7 +31,6 @@ Proof.
   destruct (unique_2 _ _ _ _ _ _ _ derived polynomial) as (E0 & E1 & E2).
   transitivity_of E0; half_powers.
 Qed.
-Print Assumptions EQ48_refuted_1.
 
 Theorem EQ48_corrected_1 (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R) :
   is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 ->
@@ -48,7 +47,6 @@ Proof.
   exists p. split; [apply (the_pressures_left _ _ z); [apply convex | apply convex | exact Hp] |].
   apply (agrees_trans _ _ _ _ derived). in_half_powers.
 Qed.
-Print Assumptions EQ48_corrected_1.
 
 Theorem EQ48_instance_1 : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R),
   is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 /\
@@ -59,7 +57,6 @@ Theorem EQ48_instance_1 : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1
 Proof.
   exists_curved_contact. exists 2. split; [lra |]. apply apart. curved_numbers.
 Qed.
-Print Assumptions EQ48_instance_1.
 
 Theorem EQ48_refuted_2 (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R) :
   is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 ->
@@ -80,7 +77,6 @@ Proof.
   destruct (unique_2 _ _ _ _ _ _ _ derived polynomial) as (E0 & E1 & E2).
   transitivity_of E2; half_powers.
 Qed.
-Print Assumptions EQ48_refuted_2.
 
 Theorem EQ48_corrected_2 (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R) :
   is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 ->
@@ -96,7 +92,6 @@ Proof.
   exists p. split; [apply (the_pressures_left _ _ z); [apply convex | apply convex | exact Hp] |].
   apply (agrees_trans _ _ _ _ derived). in_half_powers.
 Qed.
-Print Assumptions EQ48_corrected_2.
 
 Theorem EQ48_instance_2 : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R),
   is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 /\
@@ -106,5 +101,4 @@ Theorem EQ48_instance_2 : exists (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1
 Proof.
   exists_curved_contact. apply apart. curved_numbers.
 Qed.
-Print Assumptions EQ48_instance_2.
 

@@ -32,5 +32,4 @@ Proof.
   split. { apply (the_right_series _ _ (first parabola)); [apply punch_rises; convex constants | before constants | apply right_edge with (1 := smooth_contact Es parabola (x / 2) a ltac:(sides constants) ltac:(sides constants))]. }
   repeat split; numbers constants.
 Qed.
-Print Assumptions S04_flatness_refuted.
 

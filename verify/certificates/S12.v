@@ -22,4 +22,3 @@ Proof.
   split. { apply (the_right_series _ _ y); [apply convex | apply convex | exact (right_edge _ _ _ _ _ _ _ _ _ _ contact)]. }
   intros x Hx. identity_of_power contact load a P1 P2 P3.
 Qed.
-Print Assumptions S12.

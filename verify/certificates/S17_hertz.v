@@ -14,5 +14,4 @@ Theorem S17_hertz (Es C a : R) : 0 < Es /\ 0 < C /\ 0 < a ->
 Proof.
   intros form. by_first_terms (parabola_right Es C a form).
 Qed.
-Definition all_theorems := (S17_hertz).
-Print Assumptions all_theorems.
+

@@ -33,7 +33,6 @@ Proof.
     plain constants. unfold atanh. apply Rminus_lt. interval with (i_prec 90).
   - plain constants. repeat split; interval with (i_prec 90).
 Qed.
-Print Assumptions S25_extent.
 
 (* The same at every scale: for all slopes h1 that are scaled copies, and all moduli. *)
 Theorem S25_extent_similar : forall Fs lam mu h1, 0 < Fs -> 0 < lam -> 0 < mu ->
@@ -46,5 +45,4 @@ Proof.
     [apply homogeneous_3 | sides constants | assumption | assumption | assumption
     | assumption | sides constants | exists r0, r1, r2; exact (conj Hr (conj Hwithin Hbeyond))].
 Qed.
-Print Assumptions S25_extent_similar.
 

@@ -16,4 +16,3 @@ Proof.
   intros contact convex.
   identity_symmetric contact a P1 P2 P3.
 Qed.
-Print Assumptions S28_M.

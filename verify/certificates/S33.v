@@ -39,5 +39,4 @@ Proof.
     plain constants. unfold atanh. apply Rminus_lt. interval with (i_prec 90).
   - plain constants. repeat split; interval with (i_prec 90).
 Qed.
-Print Assumptions S33_extent.
 

@@ -14,5 +14,4 @@ Theorem S37_left (Es phi gam a : R) : 0 < Es /\ 0 < phi /\ 0 < gam /\ 0 < a ->
 Proof.
   intros form. by_first_terms (wedge_left Es phi gam a form).
 Qed.
-Definition all_theorems := (S37_left).
-Print Assumptions all_theorems.
+

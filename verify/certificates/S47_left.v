@@ -16,5 +16,4 @@ Proof.
   split. { apply the_left_shear_series, left_shear; lra. }
   intros u Hu. traction_at_edge. rewrite ?no_tension. apply force_alone; lra.
 Qed.
-Definition all_theorems := (S47_left).
-Print Assumptions all_theorems.
+

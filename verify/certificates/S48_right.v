@@ -15,6 +15,7 @@ Proof.
   split. { apply the_right_shear_series, right_shear; lra. }
   intros u Hu. traction_at_edge. rewrite ?no_tension. apply tension_alone; lra.
 Qed.
+
 Theorem S48_right_2 (a b sig0 : R) : 0 < a + b /\ sig0 <> 0 ->
   exists s0 s1 s2, is_the_right_shear_series (full_stick 0 sig0 a b) a s0 s1 s2 /\
   forall u, 0 < u < a + b -> sign s0 * (full_stick 0 sig0 a b (a - u)) < Rabs s0 / sqrt u.
@@ -23,5 +24,4 @@ Proof.
   split. { apply the_right_shear_series, right_shear; lra. }
   intros u Hu. traction_at_edge. rewrite ?no_tension. apply tension_signed; lra.
 Qed.
-Definition all_theorems := (S48_right_1, S48_right_2).
-Print Assumptions all_theorems.
+

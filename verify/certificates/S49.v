@@ -27,7 +27,6 @@ Proof.
   split. { apply the_left_shear_series, left_shear; positive. }
   numbers constants.
 Qed.
-Print Assumptions S49_refuted.
 
 Theorem S49_corrected : exists v0 v1 v2,
   is_the_left_shear_series (full_stick Q sig0_corrected a b) b v0 v1 v2 /\
@@ -37,5 +36,4 @@ Proof.
   split. { apply the_left_shear_series, left_shear; positive. }
   vanishes constants.
 Qed.
-Print Assumptions S49_corrected.
 

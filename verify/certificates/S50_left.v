@@ -21,5 +21,4 @@ Proof.
   split. { apply the_left_shear_series, left_shear; lra. }
   intros H. parts_by_sign H a b sig0.
 Qed.
-Definition all_theorems := (S50_left).
-Print Assumptions all_theorems.
+

@@ -21,5 +21,4 @@ Proof.
   split. { apply the_right_shear_series, right_shear; lra. }
   intros H. parts_by_sign H a b sig0.
 Qed.
-Definition all_theorems := (S50_right).
-Print Assumptions all_theorems.
+

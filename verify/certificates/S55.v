@@ -16,4 +16,3 @@ Theorem S55_refuted (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha 
 Proof.
   exact (bracket_uniform Es g1 a P P1 P2 P3 b b1 b2 b3 alpha).
 Qed.
-Print Assumptions S55_refuted.

@@ -14,5 +14,4 @@ Theorem S60_wedge (Es C a : R) : 0 < Es /\ 0 < C /\ 0 < a ->
 Proof.
   intros form. by_first_terms (wedge_symmetric Es C a form).
 Qed.
-Definition all_theorems := (S60_wedge).
-Print Assumptions all_theorems.
+

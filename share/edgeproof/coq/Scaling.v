@@ -213,3 +213,29 @@ Proof.
     rewrite Hs by lra. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_right k) by lra.
     replace (tol * (k * p)) with (k * (tol * p)) by ring. apply Rmult_lt_compat_l; assumption.
 Qed.
+
+(* The relative error of one term, at a place in shares of the contact. *)
+Theorem relative_error_scaled Es Fs g1 h1 lam mu a x p r0 r1 r2 : 0 < Es -> 0 < Fs -> 0 < lam -> 0 < mu ->
+  (forall x, h1 (lam * x) = mu * g1 x) -> x < a -> p <> 0 ->
+  is_the_pressure Es g1 a x p -> is_the_right_series Es g1 a r0 r1 r2 -> exists q s0 s1 s2,
+  is_the_pressure Fs h1 (lam * a) (lam * x) q /\ is_the_right_series Fs h1 (lam * a) s0 s1 s2 /\
+  s0 * ((lam * a - lam * x) ^ 0 * sqrt (lam * a - lam * x)) / q = r0 * ((a - x) ^ 0 * sqrt (a - x)) / p.
+Proof.
+  intros HEs HFs Hlam Hmu Hh Hx Hp HP HS. do 4 eexists.
+  split; [exact (the_pressure_scaled Es Fs g1 h1 lam mu HEs HFs Hlam Hmu Hh a x p Hx HP) |].
+  split; [exact (the_right_series_scaled Es Fs g1 h1 lam mu HEs HFs Hlam Hmu Hh a r0 r1 r2 HS) |].
+  replace (lam * a - lam * x) with (lam * (a - x)) by ring. rewrite sqrt_mult by lra.
+  assert (0 < sqrt lam) by (apply sqrt_lt_R0, Hlam). simpl. field. repeat split; lra.
+Qed.
+Theorem figure_scaled Es Fs g1 h1 lam mu a x p r0 r1 r2 figure half : 0 < Es -> 0 < Fs -> 0 < lam -> 0 < mu ->
+  (forall x, h1 (lam * x) = mu * g1 x) -> x < a -> figure + half < 1 ->
+  is_the_pressure Es g1 a x p -> is_the_right_series Es g1 a r0 r1 r2 ->
+  Rabs (Rabs (1 - r0 * ((a - x) ^ 0 * sqrt (a - x)) / p) - figure) < half -> exists q s0 s1 s2,
+  is_the_pressure Fs h1 (lam * a) (lam * x) q /\ is_the_right_series Fs h1 (lam * a) s0 s1 s2 /\
+  Rabs (Rabs (1 - s0 * ((lam * a - lam * x) ^ 0 * sqrt (lam * a - lam * x)) / q) - figure) < half.
+Proof.
+  intros HEs HFs Hlam Hmu Hh Hx Hf HP HS H. destruct (Req_dec p 0) as [-> | Hp].
+  - exfalso. unfold Rdiv in H. rewrite Rinv_0, Rmult_0_r, Rminus_0_r, Rabs_R1 in H. apply Rabs_def2 in H. lra.
+  - destruct (relative_error_scaled Es Fs g1 h1 lam mu a x p r0 r1 r2 HEs HFs Hlam Hmu Hh Hx Hp HP HS) as (q & s0 & s1 & s2 & Hq & Hs & E).
+    exists q, s0, s1, s2. split; [exact Hq |]. split; [exact Hs |]. rewrite E. exact H.
+Qed.

@@ -51,6 +51,46 @@ Proof.
     apply Rmult_lt_compat_r; lra.
 Qed.
 
+Lemma above_root z : 0 <= z <= 1 / 2 -> / sqrt (1 - z) <= 1 + z / 2 + 3 * z ^ 2 / 8 + z ^ 3.
+Proof.
+  intros Hz. assert (Hq : 0 < sqrt (1 - z)) by (apply sqrt_lt_R0; lra).
+  assert (E : sqrt (1 - z) * sqrt (1 - z) = 1 - z) by (apply sqrt_sqrt; lra).
+  set (q := sqrt (1 - z)) in *. clearbody q.
+  assert (0 <= z ^ 2) by (apply pow_le; lra). assert (0 <= z ^ 3) by (apply pow_le; lra).
+  set (k := 1 + z / 2 + 3 * z ^ 2 / 8 + z ^ 3). assert (Hk : 1 <= k) by (unfold k; lra).
+  assert (H1 : 1 <= (k * q) ^ 2).
+  { replace ((k * q) ^ 2) with (k ^ 2 * (q * q)) by ring. rewrite E. unfold k.
+    replace ((1 + z / 2 + 3 * z ^ 2 / 8 + z ^ 3) ^ 2 * (1 - z))
+      with (1 + z ^ 3 * (11 / 8 - 79 / 64 * z - 25 / 64 * z ^ 2 + z ^ 3 / 4 - z ^ 4)) by field.
+    assert (z ^ 2 <= 1 / 4) by nra. assert (z ^ 4 <= 1 / 16) by (replace (z ^ 4) with (z ^ 2 * z ^ 2) by ring; nra).
+    assert (0 <= 11 / 8 - 79 / 64 * z - 25 / 64 * z ^ 2 + z ^ 3 / 4 - z ^ 4) by lra.
+    assert (0 <= z ^ 3 * (11 / 8 - 79 / 64 * z - 25 / 64 * z ^ 2 + z ^ 3 / 4 - z ^ 4)) by (apply Rmult_le_pos; assumption). lra. }
+  assert (Hkq : 0 < k * q) by (apply Rmult_lt_0_compat; lra).
+  assert (1 <= k * q) by nra. apply (Rmult_le_reg_r q); [exact Hq |]. rewrite Rinv_l by lra. assumption.
+Qed.
+Lemma above_rate v l : 0 < v <= 1 / 2 -> 0 < l < 1 ->
+  / ((1 - v) * sqrt (1 - l * v)) - (1 + (1 + l / 2) * v + (1 + l / 2 + 3 * l ^ 2 / 8) * v ^ 2) < 6 * v ^ 3.
+Proof.
+  intros Hv Hl. assert (Hz : 0 <= l * v <= 1 / 2) by nra. assert (B := above_root (l * v) Hz).
+  assert (Hq : 0 < sqrt (1 - l * v)) by (apply sqrt_lt_R0; lra). rewrite Rinv_mult by lra.
+  assert (A : / (1 - v) <= 1 + v + v ^ 2 + 2 * v ^ 3).
+  { apply (Rmult_le_reg_r (1 - v)); [lra |]. rewrite Rinv_l by lra.
+    replace ((1 + v + v ^ 2 + 2 * v ^ 3) * (1 - v)) with (1 + v ^ 3 * (1 - 2 * v)) by ring.
+    assert (0 <= v ^ 3) by (apply pow_le; lra). assert (0 <= v ^ 3 * (1 - 2 * v)) by (apply Rmult_le_pos; lra). lra. }
+  assert (I1 : 0 < / (1 - v)) by (apply Rinv_0_lt_compat; lra). assert (I2 := Rinv_0_lt_compat _ Hq).
+  set (k := / sqrt (1 - l * v)) in *. set (m := / (1 - v)) in *. clearbody k m.
+  assert (C : m * k <= (1 + v + v ^ 2 + 2 * v ^ 3) * (1 + l * v / 2 + 3 * (l * v) ^ 2 / 8 + (l * v) ^ 3)) by (apply Rmult_le_compat; lra).
+  apply (Rle_lt_trans _ _ _ (Rplus_le_compat_r _ _ _ C)).
+  assert (L2 : 0 < l ^ 2 < 1) by nra. assert (L3 : 0 < l ^ 3 < 1) by (replace (l ^ 3) with (l ^ 2 * l) by ring; nra).
+  assert (V3 : 0 < v ^ 3) by (apply pow_lt; lra). assert (V2 : 0 < v ^ 2 <= 1 / 4) by nra. assert (V33 : v ^ 3 <= 1 / 8) by (replace (v ^ 3) with (v ^ 2 * v) by ring; nra).
+  replace ((1 + v + v ^ 2 + 2 * v ^ 3) * (1 + l * v / 2 + 3 * (l * v) ^ 2 / 8 + (l * v) ^ 3) + - (1 + (1 + l / 2) * v + (1 + l / 2 + 3 * l ^ 2 / 8) * v ^ 2))
+    with (v ^ 3 * ((2 + l / 2 + 3 / 8 * l ^ 2 + l ^ 3) + (l + 3 / 8 * l ^ 2 + l ^ 3) * v + (3 / 4 * l ^ 2 + l ^ 3) * v ^ 2 + 2 * l ^ 3 * v ^ 3)) by field.
+  rewrite (Rmult_comm 6). apply Rmult_lt_compat_l; [exact V3 |].
+  assert ((l + 3 / 8 * l ^ 2 + l ^ 3) * v <= 19 / 8 * (1 / 2)) by (apply Rmult_le_compat; lra).
+  assert ((3 / 4 * l ^ 2 + l ^ 3) * v ^ 2 <= 7 / 4 * (1 / 4)) by (apply Rmult_le_compat; lra).
+  assert (2 * l ^ 3 * v ^ 3 <= 2 * (1 / 8)) by (apply Rmult_le_compat; lra). lra.
+Qed.
+
 Section Below.
 Variables g c : R.
 Hypothesis Hg : 0 < g.
@@ -60,71 +100,110 @@ Let y s := sqrt g * s / sqrt (D - s ^ 2).
 Let l := 1 / (1 + g).
 Let sum s := sqrt g / sqrt D * (s + (1 + l / 2) * s ^ 3 / (3 * c) + (1 + l / 2 + 3 * l ^ 2 / 8) * s ^ 5 / (5 * c ^ 2)).
 
+Lemma share_range : 0 < l < 1.
+Proof.
+  unfold l. split; [apply Rdiv_lt_0_compat; lra |]. apply (Rmult_lt_reg_r (1 + g)); [lra |]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
+Qed.
+Let rate v := / ((1 - v) * sqrt (1 - l * v)) - (1 + (1 + l / 2) * v + (1 + l / 2 + 3 * l ^ 2 / 8) * v ^ 2).
+Lemma difference_derive r : 0 <= r -> r ^ 2 < c -> is_derive (fun s => atanh (y s) - sum s) r (sqrt g / sqrt D * rate (r ^ 2 / c)).
+Proof.
+  intros Hr Hr2. assert (HD : 0 < D) by (unfold D; nra). assert (HrD := sqrt_lt_R0 D HD). assert (Hl := share_range). unfold rate.
+  assert (HDr : 0 < D - r ^ 2) by (unfold D; nra). assert (Hq := sqrt_lt_R0 _ HDr).
+  assert (E : sqrt (D - r ^ 2) * sqrt (D - r ^ 2) = D - r ^ 2) by (apply sqrt_sqrt; lra).
+  assert (Eg : sqrt g * sqrt g = g) by (apply sqrt_sqrt; lra). assert (Hgr := sqrt_lt_R0 g Hg).
+  assert (ED : sqrt D * sqrt D = D) by (apply sqrt_sqrt; lra).
+  assert (Dy : is_derive y r (sqrt g * D / ((D - r ^ 2) * sqrt (D - r ^ 2)))).
+  { unfold y. auto_derive.
+    - replace (D + - (r * (r * 1))) with (D - r ^ 2) by ring. repeat split; lra.
+    - replace (D + - (r * (r * 1))) with (D - r ^ 2) by ring.
+      set (q := sqrt (D - r ^ 2)) in *. clearbody q. replace (D - r ^ 2) with (q * q) by exact E.
+      replace D with (q * q + r ^ 2) by (rewrite E; ring). field. lra. }
+  assert (Y2 : 1 - y r ^ 2 = (1 + g) * (c - r ^ 2) / (D - r ^ 2)).
+  { unfold y. replace ((sqrt g * r / sqrt (D - r ^ 2)) ^ 2) with ((sqrt g * sqrt g) * r ^ 2 / (sqrt (D - r ^ 2) * sqrt (D - r ^ 2))) by (field; lra).
+    rewrite Eg, E. unfold D in *. field. lra. }
+  assert (P2 : 0 < 1 - y r ^ 2) by (rewrite Y2; apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra).
+  assert (A := atanh_derive _ _ _ r Dy eq_refl ltac:(split; nra)). cbv beta in A.
+  assert (S : is_derive sum r (sqrt g / sqrt D * (1 + (1 + l / 2) * (r ^ 2 / c) + (1 + l / 2 + 3 * l ^ 2 / 8) * (r ^ 2 / c) ^ 2))).
+  { unfold sum. auto_derive; [trivial |]. field. lra. }
+  assert (R := is_derive_minus _ _ _ _ _ A S). cbv beta in R.
+  replace (sqrt g / sqrt D * (/ ((1 - r ^ 2 / c) * sqrt (1 - l * (r ^ 2 / c))) - (1 + (1 + l / 2) * (r ^ 2 / c) + (1 + l / 2 + 3 * l ^ 2 / 8) * (r ^ 2 / c) ^ 2)))
+    with (minus (sqrt g * D / ((D - r ^ 2) * sqrt (D - r ^ 2)) / (1 - y r ^ 2)) (sqrt g / sqrt D * (1 + (1 + l / 2) * (r ^ 2 / c) + (1 + l / 2 + 3 * l ^ 2 / 8) * (r ^ 2 / c) ^ 2))).
+  + exact R.
+  + match goal with |- minus ?p ?q = ?z => change (p - q = z) end. rewrite Y2.
+    replace (1 - l * (r ^ 2 / c)) with ((D - r ^ 2) / D) by (unfold l, D; field; lra).
+    rewrite sqrt_div_alt by exact HD. set (q := sqrt (D - r ^ 2)) in *. set (w := sqrt D) in *. clearbody q w.
+    unfold l, D in *. field. repeat split; lra.
+Qed.
+Lemma share_of s : 0 < s -> s ^ 2 < c -> 0 < s ^ 2 / c < 1.
+Proof.
+  intros Hs H. assert (0 < s ^ 2) by (apply pow_lt; lra).
+  split; [apply Rdiv_lt_0_compat; lra |]. apply (Rmult_lt_reg_r c); [lra |]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
+Qed.
+Lemma difference_at_0 : atanh (y 0) - sum 0 = 0.
+Proof.
+  assert (HD : 0 < D) by (unfold D; nra). assert (HrD := sqrt_lt_R0 D HD).
+  unfold y, sum. rewrite Rmult_0_r. unfold Rdiv at 1. rewrite Rmult_0_l, atanh_0. field. lra.
+Qed.
+Lemma ratio_positive : 0 < sqrt g / sqrt D.
+Proof. apply Rdiv_lt_0_compat; apply sqrt_lt_R0; [exact Hg | unfold D; nra]. Qed.
+
 Lemma below_atanh s : 0 < s -> s ^ 2 < c -> sum s < atanh (y s).
 Proof.
-  intros Hs Hsc. assert (HD : 0 < D) by (unfold D; nra). assert (HrD := sqrt_lt_R0 D HD).
-  assert (Hl : 0 < l < 1).
-  { unfold l. split; [apply Rdiv_lt_0_compat; lra |]. apply (Rmult_lt_reg_r (1 + g)); [lra |]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
-  apply Rminus_gt_0_lt. change (0 < (fun s => atanh (y s) - sum s) s).
-  apply (rises_from_zero _ (fun s => sqrt g / sqrt D * (/ ((1 - s ^ 2 / c) * sqrt (1 - l * (s ^ 2 / c))) - (1 + (1 + l / 2) * (s ^ 2 / c) + (1 + l / 2 + 3 * l ^ 2 / 8) * (s ^ 2 / c) ^ 2))) s Hs).
-  - unfold y, sum. rewrite Rmult_0_r. unfold Rdiv at 1. rewrite Rmult_0_l, atanh_0. field. lra.
-  - intros r Hr. assert (Hr2 : r ^ 2 < c) by nra.
-    assert (HDr : 0 < D - r ^ 2) by (unfold D; nra). assert (Hq := sqrt_lt_R0 _ HDr).
-    assert (E : sqrt (D - r ^ 2) * sqrt (D - r ^ 2) = D - r ^ 2) by (apply sqrt_sqrt; lra).
-    assert (Eg : sqrt g * sqrt g = g) by (apply sqrt_sqrt; lra). assert (Hgr := sqrt_lt_R0 g Hg).
-    assert (ED : sqrt D * sqrt D = D) by (apply sqrt_sqrt; lra).
-    assert (Dy : is_derive y r (sqrt g * D / ((D - r ^ 2) * sqrt (D - r ^ 2)))).
-    { unfold y. auto_derive.
-      - replace (D + - (r * (r * 1))) with (D - r ^ 2) by ring. repeat split; lra.
-      - replace (D + - (r * (r * 1))) with (D - r ^ 2) by ring.
-        set (q := sqrt (D - r ^ 2)) in *. clearbody q. replace (D - r ^ 2) with (q * q) by exact E.
-        replace D with (q * q + r ^ 2) by (rewrite E; ring). field. lra. }
-    assert (Y2 : 1 - y r ^ 2 = (1 + g) * (c - r ^ 2) / (D - r ^ 2)).
-    { unfold y. replace ((sqrt g * r / sqrt (D - r ^ 2)) ^ 2) with ((sqrt g * sqrt g) * r ^ 2 / (sqrt (D - r ^ 2) * sqrt (D - r ^ 2))) by (field; lra).
-      rewrite Eg, E. unfold D in *. field. lra. }
-    assert (P2 : 0 < 1 - y r ^ 2) by (rewrite Y2; apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra).
-    assert (A := atanh_derive _ _ _ r Dy eq_refl ltac:(split; nra)). cbv beta in A.
-    assert (S : is_derive sum r (sqrt g / sqrt D * (1 + (1 + l / 2) * (r ^ 2 / c) + (1 + l / 2 + 3 * l ^ 2 / 8) * (r ^ 2 / c) ^ 2))).
-    { unfold sum. auto_derive; [trivial |]. field. lra. }
-    assert (R := is_derive_minus _ _ _ _ _ A S). cbv beta in R.
-    replace (sqrt g / sqrt D * (/ ((1 - r ^ 2 / c) * sqrt (1 - l * (r ^ 2 / c))) - (1 + (1 + l / 2) * (r ^ 2 / c) + (1 + l / 2 + 3 * l ^ 2 / 8) * (r ^ 2 / c) ^ 2)))
-      with (minus (sqrt g * D / ((D - r ^ 2) * sqrt (D - r ^ 2)) / (1 - y r ^ 2)) (sqrt g / sqrt D * (1 + (1 + l / 2) * (r ^ 2 / c) + (1 + l / 2 + 3 * l ^ 2 / 8) * (r ^ 2 / c) ^ 2))).
-    + exact R.
-    + match goal with |- minus ?p ?q = ?z => change (p - q = z) end. rewrite Y2.
-      replace (1 - l * (r ^ 2 / c)) with ((D - r ^ 2) / D) by (unfold l, D; field; lra).
-      rewrite sqrt_div_alt by exact HD. set (q := sqrt (D - r ^ 2)) in *. set (w := sqrt D) in *. clearbody q w.
-      unfold l, D in *. field. repeat split; lra.
-  - intros r Hr. assert (Hr2 : 0 < r ^ 2) by (apply pow_lt; lra). assert (r ^ 2 < c) by nra.
-    assert (Hv : 0 < r ^ 2 / c < 1).
-    { split; [apply Rdiv_lt_0_compat; lra |]. apply (Rmult_lt_reg_r c); [lra |]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
-    apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat; [apply sqrt_lt_R0 |]; lra |].
-    generalize (below_rate _ _ Hv Hl). lra.
+  intros Hs Hsc. apply Rminus_gt_0_lt. change (0 < (fun s => atanh (y s) - sum s) s).
+  apply (rises_from_zero _ (fun s => sqrt g / sqrt D * rate (s ^ 2 / c)) s Hs).
+  - exact difference_at_0.
+  - intros r Hr. apply difference_derive; nra.
+  - intros r Hr. assert (Hv := share_of r ltac:(lra) ltac:(nra)).
+    apply Rmult_lt_0_compat; [exact ratio_positive |]. unfold rate. generalize (below_rate _ _ Hv share_range). lra.
+Qed.
+(* What the three terms leave, in the half of the contact next to the edge. *)
+Lemma above_atanh s : 0 < s -> s ^ 2 <= c / 2 -> atanh (y s) < sum s + sqrt g / sqrt D * (6 * s ^ 7 / (7 * c ^ 3)).
+Proof.
+  intros Hs Hsc. apply Rminus_gt_0_lt.
+  change (0 < (fun s => sum s + sqrt g / sqrt D * (6 * s ^ 7 / (7 * c ^ 3)) - atanh (y s)) s).
+  apply (rises_from_zero _ (fun s => sqrt g / sqrt D * (6 * (s ^ 2 / c) ^ 3 - rate (s ^ 2 / c))) s Hs).
+  - generalize difference_at_0. cbv beta. unfold Rdiv. rewrite pow_i by lia. lra.
+  - intros r Hr. apply (is_derive_ext (fun s => sqrt g / sqrt D * (6 * s ^ 7 / (7 * c ^ 3)) - (atanh (y s) - sum s))).
+    { intros z. match goal with |- @eq _ ?x ?y => change (@eq R x y) end. ring. }
+    replace (sqrt g / sqrt D * (6 * (r ^ 2 / c) ^ 3 - rate (r ^ 2 / c)))
+      with (minus (sqrt g / sqrt D * (6 * (r ^ 2 / c) ^ 3)) (sqrt g / sqrt D * rate (r ^ 2 / c))) by (unfold minus, plus, opp; simpl; ring).
+    apply (is_derive_minus (V := R_NormedModule) (fun s => sqrt g / sqrt D * (6 * s ^ 7 / (7 * c ^ 3)))); [| apply difference_derive; nra].
+    assert (HD : 0 < D) by (unfold D; nra). assert (HrD := sqrt_lt_R0 D HD). auto_derive; [trivial | field; lra].
+  - intros r Hr. assert (Hv := share_of r ltac:(lra) ltac:(nra)).
+    assert (Hv2 : r ^ 2 / c <= 1 / 2).
+    { apply (Rmult_le_reg_r c); [lra |]. unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l by lra. nra. }
+    apply Rmult_lt_0_compat; [exact ratio_positive |]. unfold rate.
+    generalize (above_rate (r ^ 2 / c) l ltac:(lra) share_range). lra.
 Qed.
 End Below.
 
-(* The first three terms at the edge c of such a pressure are below it, and each is positive. *)
-Lemma below_proportional K g c u : 0 < K -> 0 < g -> 0 < u < c ->
-  let r0 := c0 (fun _ => K) (fun s => g * s) c in
-  let r1 := c1 (fun _ => K) (fun _ => 0) (fun s => g * s) (fun _ => g) c in
-  let r2 := c2 (fun _ => K) (fun _ => 0) (fun _ => 0) (fun s => g * s) (fun _ => g) (fun _ => 0) c in
-  0 < r1 /\ 0 < r2 /\
+(* The first three terms at the edge c of such a pressure: each is positive, they are below the pressure, and what they leave is known to be small. *)
+Section Proportional.
+Variables K g c u : R.
+Hypothesis HK : 0 < K.
+Hypothesis Hg : 0 < g.
+Hypothesis Hu : 0 < u < c.
+Let r0 := c0 (fun _ => K) (fun s => g * s) c.
+Let r1 := c1 (fun _ => K) (fun _ => 0) (fun s => g * s) (fun _ => g) c.
+Let r2 := c2 (fun _ => K) (fun _ => 0) (fun _ => 0) (fun s => g * s) (fun _ => g) (fun _ => 0) c.
+Let sum := sqrt u + (1 + 1 / (1 + g) / 2) * sqrt u ^ 3 / (3 * c) + (1 + 1 / (1 + g) / 2 + 3 * (1 / (1 + g)) ^ 2 / 8) * sqrt u ^ 5 / (5 * c ^ 2).
+
+Lemma three_terms_proportional : r0 * sqrt u + r1 * (u * sqrt u) + r2 * (u ^ 2 * sqrt u) =
+  2 * K / (PI * sqrt g) * (sqrt g / sqrt ((1 + g) * c) * sum).
+Proof.
+  assert (Hpi := PI_RGT_0). assert (HD : 0 < (1 + g) * c) by nra. assert (HrD := sqrt_lt_R0 _ HD). assert (Hgr := sqrt_lt_R0 g Hg).
+  assert (Eu : sqrt u ^ 2 = u) by (apply pow2_sqrt; lra).
+  unfold sum, r0, r1, r2, c0, c1, c2. replace (c + g * c) with ((1 + g) * c) by ring.
+  replace (sqrt u ^ 3) with (u * sqrt u) by (rewrite <- Eu at 1; ring).
+  replace (sqrt u ^ 5) with (u ^ 2 * sqrt u) by (rewrite <- Eu at 1; ring).
+  field. repeat split; lra.
+Qed.
+Lemma below_proportional : 0 < r1 /\ 0 < r2 /\
   r0 * sqrt u + r1 * (u * sqrt u) + r2 * (u ^ 2 * sqrt u) < proportional_pressure K g c (c - u).
 Proof.
-  intros HK Hg Hu r0 r1 r2. assert (Hpi := PI_RGT_0).
-  assert (HD : 0 < (1 + g) * c) by nra. assert (HrD := sqrt_lt_R0 _ HD). assert (Hgr := sqrt_lt_R0 g Hg).
-  assert (ED : sqrt ((1 + g) * c) * sqrt ((1 + g) * c) = (1 + g) * c) by (apply sqrt_sqrt; lra).
-  assert (Eg : sqrt g * sqrt g = g) by (apply sqrt_sqrt; lra).
-  assert (Hsu : 0 < sqrt u) by (apply sqrt_lt_R0; lra).
+  assert (Hpi := PI_RGT_0). assert (HD : 0 < (1 + g) * c) by nra. assert (HrD := sqrt_lt_R0 _ HD). assert (Hgr := sqrt_lt_R0 g Hg).
   assert (Eu : sqrt u ^ 2 = u) by (apply pow2_sqrt; lra).
-  assert (B := below_atanh g c Hg ltac:(lra) (sqrt u) Hsu ltac:(rewrite Eu; lra)). cbv zeta beta in B. rewrite Eu in B.
-  replace (c + g * c) with ((1 + g) * c) in * by ring.
-  assert (Hr : r0 * sqrt u + r1 * (u * sqrt u) + r2 * (u ^ 2 * sqrt u) = 2 * K / (PI * sqrt g) *
-    (sqrt g / sqrt ((1 + g) * c) * (sqrt u + (1 + 1 / (1 + g) / 2) * sqrt u ^ 3 / (3 * c) + (1 + 1 / (1 + g) / 2 + 3 * (1 / (1 + g)) ^ 2 / 8) * sqrt u ^ 5 / (5 * c ^ 2)))).
-  { unfold r0, r1, r2, c0, c1, c2. replace (c + g * c) with ((1 + g) * c) by ring.
-    replace (sqrt u ^ 3) with (u * sqrt u) by (rewrite <- Eu at 1; ring).
-    replace (sqrt u ^ 5) with (u ^ 2 * sqrt u) by (rewrite <- Eu at 1; ring).
-    field. repeat split; lra. }
-  assert (HK2 : 0 < 2 * K / (PI * sqrt g)) by (apply Rdiv_lt_0_compat; [lra | apply Rmult_lt_0_compat; lra]).
+  assert (B := below_atanh g c Hg ltac:(lra) (sqrt u) ltac:(apply sqrt_lt_R0; lra) ltac:(rewrite Eu; lra)). cbv zeta beta in B. rewrite Eu in B.
   split; [| split].
   - unfold r1, c1. replace (c + g * c) with ((1 + g) * c) by ring.
     replace (2 / PI * _) with (2 * K * (1 / 2 + g / 3) / (PI * ((1 + g) * c) * sqrt ((1 + g) * c))) by (field; repeat split; lra).
@@ -133,10 +212,24 @@ Proof.
     replace (1 / PI * _) with (3 * K * (1 + 4 / 3 * g + 8 / 15 * g ^ 2) / (4 * PI * ((1 + g) * c) ^ 2 * sqrt ((1 + g) * c))) by (field; repeat split; lra).
     assert (0 < ((1 + g) * c) ^ 2) by (apply pow_lt; lra).
     apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; nra | repeat first [lra | apply Rmult_lt_0_compat]].
-  - rewrite Hr. unfold proportional_pressure.
+  - rewrite three_terms_proportional. unfold proportional_pressure.
     replace (c - (c - u)) with u by ring. replace (c - u + g * c) with ((1 + g) * c - u) by ring.
-    apply Rmult_lt_compat_l; [exact HK2 | exact B].
+    apply Rmult_lt_compat_l; [apply Rdiv_lt_0_compat; [lra | apply Rmult_lt_0_compat; lra] | exact B].
 Qed.
+Lemma above_proportional : u <= c / 2 -> proportional_pressure K g c (c - u) <=
+  r0 * sqrt u + r1 * (u * sqrt u) + r2 * (u ^ 2 * sqrt u) + 12 * K / (7 * PI * sqrt ((1 + g) * c) * c ^ 3) * (u ^ 3 * sqrt u).
+Proof.
+  intros Hc. assert (Hpi := PI_RGT_0). assert (HD : 0 < (1 + g) * c) by nra. assert (HrD := sqrt_lt_R0 _ HD). assert (Hgr := sqrt_lt_R0 g Hg).
+  assert (Eu : sqrt u ^ 2 = u) by (apply pow2_sqrt; lra).
+  assert (B := above_atanh g c Hg ltac:(lra) (sqrt u) ltac:(apply sqrt_lt_R0; lra) ltac:(rewrite Eu; lra)). cbv zeta beta in B. rewrite Eu in B.
+  rewrite three_terms_proportional. unfold proportional_pressure.
+  replace (c - (c - u)) with u by ring. replace (c - u + g * c) with ((1 + g) * c - u) by ring.
+  replace (2 * K / (PI * sqrt g) * (sqrt g / sqrt ((1 + g) * c) * sum) + 12 * K / (7 * PI * sqrt ((1 + g) * c) * c ^ 3) * (u ^ 3 * sqrt u))
+    with (2 * K / (PI * sqrt g) * (sqrt g / sqrt ((1 + g) * c) * sum + sqrt g / sqrt ((1 + g) * c) * (6 * sqrt u ^ 7 / (7 * c ^ 3)))).
+  - apply Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat; [lra | apply Rmult_lt_0_compat; lra] | unfold sum; lra].
+  - replace (sqrt u ^ 7) with (u ^ 3 * sqrt u) by (rewrite <- Eu at 1; ring). field. repeat split; lra.
+Qed.
+End Proportional.
 
 (* ---- Theorems about contacts ---- *)
 

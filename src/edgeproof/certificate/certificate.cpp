@@ -37,15 +37,16 @@ namespace {
 /// `IF`, `mod` and `using` of its notations and of earlier versions), words that begin a statement,
 /// and the names of the library that theorems use.
 constexpr auto words_of_coq = std::to_array<std::string_view>(
-    {"_",     "Axiom", "CoFixpoint", "Definition", "Fixpoint", "Hypothesis", "Parameter",
-     "Prop",  "SProp", "Set",        "Theorem",    "Type",     "Variable",   "as",
-     "at",    "cofix", "else",       "end",        "fix",      "for",        "forall",
-     "fun",   "if",    "in",         "let",        "match",    "return",     "then",
-     "where", "with",  "IF",         "exists",     "exists2",  "mod",        "using",
-     "by",    "is",    "of",         "Lemma",      "Proof",    "Qed",        "Print",
-     "R",     "PI",    "sqrt",       "exp",        "ln",       "sin",        "cos",
-     "tan",   "asin",  "acos",       "atan",       "Rabs",     "Rpower",     "Rmax",
-     "Rmin",  "Rplus", "Rmult",      "Rdiv",       "Rinv",     "is_RInt",    "RInt"});
+    {"_",         "Assumptions", "Axiom", "CoFixpoint", "Definition", "Fixpoint", "Hypothesis",
+     "Parameter", "Prop",        "SProp", "Set",        "Theorem",    "Type",     "Variable",
+     "as",        "at",          "cofix", "else",       "end",        "fix",      "for",
+     "forall",    "fun",         "if",    "in",         "let",        "match",    "return",
+     "then",      "where",       "with",  "IF",         "exists",     "exists2",  "mod",
+     "using",     "by",          "is",    "of",         "Lemma",      "Proof",    "Qed",
+     "Print",     "R",           "PI",    "sqrt",       "exp",        "ln",       "sin",
+     "cos",       "tan",         "asin",  "acos",       "atan",       "Rabs",     "Rpower",
+     "Rmax",      "Rmin",        "Rplus", "Rmult",      "Rdiv",       "Rinv",     "is_RInt",
+     "RInt"});
 
 /// Whether a Coq file defines or states something of that name.
 bool defines(std::string_view file, std::string_view name) {
@@ -162,12 +163,15 @@ Certificate certify(const audit::ClaimResult& result, const audit::Ledger& ledge
         {"superposition", certify_superposition},
         {"relation", certify_relation}};
     try {
+        if (result.claim.has("over") && ledger.family(result.claim.text("over")).axisymmetric) {
+            throw NotStated("axisymmetric contacts are not stated");
+        }
+        if (certify_listed(result, ledger, certificate)) {
+            return certificate;
+        }
         const auto kind = kinds.find(result.claim.kind);
         if (kind == kinds.end()) {
             throw NotStated(fmt::format("claims of kind {} are not stated", result.claim.kind));
-        }
-        if (result.claim.has("over") && ledger.family(result.claim.text("over")).axisymmetric) {
-            throw NotStated("axisymmetric contacts are not stated");
         }
         kind->second(result, ledger, certificate);
     } catch (const NotStated& reason) {
@@ -199,6 +203,26 @@ std::string index_csv(const std::vector<Certificate>& certificates) {
     return text;
 }
 
+/// Returns the file that prints the axioms of all theorems at once, because to print those of one
+/// theorem takes longer than most proofs.
+std::string assumptions(const std::vector<Certificate>& certificates) {
+    std::string files;
+    std::string theorems;
+    for (const Certificate& c : certificates) {
+        if (c.theorems.empty()) {
+            continue;
+        }
+        const std::string file = std::filesystem::path(c.file).stem().string();
+        files += fmt::format("From Edgeproof Require {}.\n", file);
+        for (const Certificate::Theorem& theorem : c.theorems) {
+            theorems += fmt::format("  let _ := {}.{} in\n", file, theorem.name);
+        }
+    }
+    return fmt::format("(* Prints the axioms on which the theorems rest. *)\n{}\nDefinition "
+                       "all_theorems : True :=\n{}  I.\nPrint Assumptions all_theorems.\n",
+                       files, theorems);
+}
+
 std::string makefile(const std::vector<Certificate>& certificates) {
     std::string theory;
     std::string needs;
@@ -218,7 +242,7 @@ std::string makefile(const std::vector<Certificate>& certificates) {
         "# Checks every certificate: make -j2. Needs Coq and Coq-Interval\n"
         "# (Debian: coq, libcoq-interval).\n"
         "COQC ?= coqc\nCOQFLAGS = -q -R . Edgeproof -w -ambiguous-paths\n"
-        "SHELL = bash\nTHEORY ={}\nCLAIMS ={}\n\nall: $(CLAIMS)\n\n"
+        "SHELL = bash\nTHEORY ={}\nCLAIMS ={}\n\nall: Assumptions.vo\n\n"
         "# Prints the processor time of each, in seconds.\n"
         "# NAME.accepted states which files coqc has compiled; certify --record "
         "reads it.\n"
@@ -229,7 +253,7 @@ std::string makefile(const std::vector<Certificate>& certificates) {
         "\toutput=$$(sha256sum $@) && version=$$($(COQC) --print-version) && \\\n"
         "\tprintf 'Coq %s\\n%s\\n%s\\n' \"$${{version%% *}}\" \"$$inputs\" \"$$output\" \\\n"
         "\t    > $*.accepted\n\n"
-        "{}$(CLAIMS): $(THEORY)\n\n"
+        "{}$(CLAIMS): $(THEORY)\nAssumptions.vo: $(CLAIMS)\n\n"
         "clean:\n"
         "\trm -f *.vo *.vok *.vos *.glob *.accepted .*.aux .lia.cache .nia.cache\n\n"
         ".PHONY: all clean\n",
@@ -256,7 +280,7 @@ have none.
 
 ## What is trusted
 
-- Coq's kernel, and the axioms that `Print Assumptions` names under each theorem: those of Coq's real
+- Coq's kernel, and the axioms that `Assumptions.v` prints for all theorems: those of Coq's real
   numbers, classical logic and functional extensionality. Coq-Interval adds the primitive integers
   and floating-point numbers of Coq, where it was built to use them.
 - The reading of the definitions, which are the mechanics, not a way to compute them: `Contact.v`
@@ -299,6 +323,7 @@ void write_certificates(const std::vector<Certificate>& certificates,
             io::write_whole(folder / c.file, c.text);
         }
     }
+    io::write_whole(folder / "Assumptions.v", assumptions(certificates));
     io::write_whole(folder / "index.csv", index_csv(certificates));
     io::write_whole(folder / "Makefile", makefile(certificates));
     io::write_whole(folder / "README.md", readme(certificates, title));
@@ -345,7 +370,12 @@ const std::vector<TheoryFile>& theory_files() {
         {"PressureExpansions", coq_files::PressureExpansions_v, "HalfPowers.vo"},
         {"Uniform", coq_files::Uniform_v, "Expansions.vo"},
         {"Curved", coq_files::Curved_v, "Unique.vo"},
-        {"Sides", coq_files::Sides_v, "Tactics.vo"}};
+        {"Sides", coq_files::Sides_v, "Tactics.vo"},
+        {"Limits", coq_files::Limits_v, "Tactics.vo"},
+        {"Stick", coq_files::Stick_v, "Unique.vo"},
+        {"Orders", coq_files::Orders_v, "PressureExpansions.vo Sides.vo"},
+        {"Gamma", coq_files::Gamma_v, "Coefficients.vo"},
+        {"PowerLaw", coq_files::PowerLaw_v, "Tactics.vo Gamma.vo"}};
     return all;
 }
 

@@ -28,6 +28,12 @@ extern const std::string_view Curved_v;  ///< a contact with a curved left edge
 extern const std::string_view Sides_v;   ///< the first terms lie on one side of the pressure
 extern const std::string_view Uniform_v; ///< an expansion uniform in a variable
 
+extern const std::string_view Limits_v;   ///< left edges and loads in the limit of a parameter
+extern const std::string_view Stick_v;    ///< full stick solves its integral equation
+extern const std::string_view Orders_v;   ///< the orders of what the first terms leave
+extern const std::string_view Gamma_v;    ///< the gamma function, and Wallis' integral by it
+extern const std::string_view PowerLaw_v; ///< power laws with any exponent
+
 } // namespace coq_files
 
 struct TheoryFile {

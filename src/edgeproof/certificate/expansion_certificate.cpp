@@ -208,12 +208,11 @@ struct Claimed {
 };
 
 std::string agrees_theorem(const std::string& name, const Claimed& claimed) {
-    return fmt::format("{1}.\nProof.\n{2}  {3}\nQed.\nPrint Assumptions {0}.\n\n", name,
-                       claimed.text(name, ""), claimed.begin_of_proof(""),
-                       claimed.e.halves
-                           ? "apply (agrees_trans _ _ _ _ derived). in_half_powers."
-                           : "apply (agrees_ext _ _ _ _ derived). intros u. field; repeat split; "
-                             "lra.");
+    return fmt::format(
+        "{0}.\nProof.\n{1}  {2}\nQed.\n\n", claimed.text(name, ""), claimed.begin_of_proof(""),
+        claimed.e.halves ? "apply (agrees_trans _ _ _ _ derived). in_half_powers."
+                         : "apply (agrees_ext _ _ _ _ derived). intros u. field; repeat split; "
+                           "lra.");
 }
 
 std::string refuted_theorem(const std::string& name, const Claimed& claimed,
@@ -238,14 +237,14 @@ std::string refuted_theorem(const std::string& name, const Claimed& claimed,
         "  assert (polynomial : agrees_through {2} (fun eps => {3}({4})) (fun u => {5})).\n"
         "  {{ {6} }}\n"
         "  destruct (unique_{2}{7} derived polynomial) as ({8}).\n"
-        "  transitivity_of E{9}; {10}.\nQed.\nPrint Assumptions {11}.\n\n",
+        "  transitivity_of E{9}; {10}.\nQed.\n\n",
         claimed.text(name, fmt::format("({}) - ({})", all.printed[k], all.derived[k])),
         claimed.begin_of_proof(" differ"), e.order, root, e.exact, polynomial,
         !e.halves ? "apply (agrees_ext _ _ _ _ printed). intros u. field; repeat split; lra."
         : claimed.integral.empty()
             ? "apply (agrees_trans _ _ _ _ printed). in_half_powers."
             : "apply (agrees_trans _ _ _ _ printed). with_integral HI. half_powers.",
-        unknown, equal, k, e.halves ? "half_powers" : "field; repeat split; lra", name);
+        unknown, equal, k, e.halves ? "half_powers" : "field; repeat split; lra");
 }
 
 /// Returns "exists X sigma : R, 0 < X /\\ 0 < sigma < 1 /\\ ", with the line's indentation.
@@ -294,7 +293,7 @@ std::string instance_theorem(const std::string& name, const Claimed& claimed,
             "  is_left_edge a b b1 b2 b3 alpha /\\\n"
             "  (rises_at g1 y /\\ y < a /\\ rises_at (mirrored g1) z /\\ z < b a) /\\\n"
             "{1}.\nProof.\n  exists_curved_contact. {2}apply apart. curved_numbers.\n"
-            "Qed.\nPrint Assumptions {0}.\n\n",
+            "Qed.\n\n",
             name, differ, variables_are(e, "2"));
     }
     return fmt::format(
@@ -307,7 +306,7 @@ std::string instance_theorem(const std::string& name, const Claimed& claimed,
         "sides ltac:(unfold wedge) |].\n"
         "  split; [split; [apply punch_rises; convex ltac:(unfold wedge) | before ltac:(unfold "
         "wedge)] |].\n  {2}apply apart. numbers ltac:(unfold wedge).\n"
-        "Qed.\nPrint Assumptions {0}.\n\n",
+        "Qed.\n\n",
         name, differ, variables_are(e, "1"));
 }
 

@@ -142,7 +142,7 @@ std::string similar_theorem(const std::string& name, const StatedEdge& edge,
         "  apply (first_exit_scaled Scaling.sum_{2} Es Fs {1} h1 lam mu);\n"
         "    [apply homogeneous_{2} | sides constants | assumption | assumption | assumption\n"
         "    | assumption | sides constants | exists r0, r1, r2; exact (conj Hr (conj Hwithin "
-        "Hbeyond))].\nQed.\nPrint Assumptions {0}_similar.\n\n",
+        "Hbeyond))].\nQed.\n\n",
         name, edge.slope, extent.terms, edge.edge, in_coq(extent.tolerance), extent.within.text,
         extent.beyond.text);
 }

@@ -73,7 +73,7 @@ void certify_identity(const audit::ClaimResult& result, const audit::Ledger& led
         file_head(claim, ledger, theory) +
         fmt::format(
             "Theorem {0} (Es : R) (g1 : R -> R) (a : R) {1}  {2}.\nProof.\n  intros "
-            "contact{3}.\n{4}Qed.\nPrint Assumptions {0}.\n",
+            "contact{3}.\n{4}Qed.\n",
             name, contact,
             statement.text((at_x ? "forall x, x < a ->\n  " : "") + printed + " =\n  " + exact),
             given       ? " load convex"

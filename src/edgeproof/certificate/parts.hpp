@@ -33,6 +33,11 @@ void certify_superposition(const audit::ClaimResult& result, const audit::Ledger
 void certify_relation(const audit::ClaimResult& result, const audit::Ledger& ledger,
                       Certificate& certificate);
 
+/// Adds the theorem of a claim for whose words the Coq files have a theorem of their own, and
+/// returns true; returns false for all other claims.
+[[nodiscard]] bool certify_listed(const audit::ClaimResult& result, const audit::Ledger& ledger,
+                                  Certificate& certificate);
+
 /// Returns the text changed so that it can stand inside a Coq comment: it opens and closes no
 /// comment and begins no string.
 [[nodiscard]] std::string in_comment(std::string text);

@@ -188,7 +188,7 @@ void certify_relation(const audit::ClaimResult& result, const audit::Ledger& led
             of_pressure ? std::string(c.conclusion) + ")"
                         : " -> " + replaced(std::string(c.conclusion), '#', traction);
         names.push_back(readings.size() == 1 ? name : fmt::format("{}_{}", name, names.size() + 1));
-        certificate.text += bare_theorem(
+        certificate.text += theorem_text(
             fmt::format("{} ({} : R)", names.back(), subject->parameters),
             fmt::format("{} ->\n  {}{}{}", subject->condition, at_edge(subject->statement),
                         c.places.empty() ? subject->places : c.places, conclusion),
@@ -197,7 +197,6 @@ void certify_relation(const audit::ClaimResult& result, const audit::Ledger& led
             {names.back(), fmt::format("for all contacts of this form, {}{}", reading.text("says"),
                                        c.where.empty() ? "" : fmt::format(" where {}", c.where))});
     }
-    certificate.text += assumptions(names);
     certificate.whole_verdict = true;
 }
 

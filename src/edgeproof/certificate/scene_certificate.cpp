@@ -193,11 +193,7 @@ private:
             }
         }
         if (!all.theorems.empty()) {
-            std::vector<std::string> names;
-            for (const Certificate::Theorem& theorem : all.theorems) {
-                names.push_back(theorem.name);
-            }
-            all.text = contact().head(comment()) + all.text + assumptions(names);
+            all.text = contact().head(comment()) + all.text;
             all.leaves_out =
                 contact().at(edge).rises.empty() ? "that there is no other pressure" : "";
             certificates_.push_back(std::move(all));
@@ -214,7 +210,7 @@ private:
         const Rounded value = rounded("p0", *row.value, scene_.ask.digits);
         const std::string name =
             fmt::format("pressure_{}_{}", edge_name(row.asked.edge), c.theorems.size() + 1);
-        c.text += bare_theorem(name,
+        c.text += theorem_text(name,
                                "exists p0,\n  " + edge.pressure_at(in_coq(distance), "p0") +
                                    " /\\\n  " + value.conclusion,
                                "  eexists. split. { " + proofs.pressure + ". }\n  " +

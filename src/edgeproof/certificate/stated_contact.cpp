@@ -304,7 +304,7 @@ std::string extent_theorem(const std::string& name, const StatedEdge& edge,
         "      apply Rminus_le. interval with (i_bisect u, i_taylor u, i_prec 90, i_depth 60).\n"
         "  - intros u ->. eexists. split. {{ {9}. }}\n"
         "    plain constants. unfold atanh. apply Rminus_lt. interval with (i_prec 90).\n"
-        "{13}Qed.\nPrint Assumptions {0}.\n\n",
+        "{13}Qed.\n\n",
         name, edge.series.statement, extent.within.text, p, sum, e, extent.beyond.text,
         extent.more.empty() ? "" : " /\\\n  " + extent.more, edge.series.proof, pressure, near.text,
         root, squares.text,

@@ -89,11 +89,10 @@ void certify_superposition(const audit::ClaimResult& result, const audit::Ledger
     const std::string name = coq_name(claim.id);
     certificate.text =
         file_head(claim, ledger, imports()) +
-        bare_theorem(name + " (a b Q sig0 : R)",
+        theorem_text(name + " (a b Q sig0 : R)",
                      fmt::format("0 < a + b /\\ Q <> 0 ->\n  {}  (s{} = 0 -> {})", facts,
                                  zero.index, add ? "0 < " + product : product + " < 0"),
-                     "  intros form.\n" + proof + "  intros H. parts_by_sign H a b sig0.\n") +
-        assumptions({name});
+                     "  intros form.\n" + proof + "  intros H. parts_by_sign H a b sig0.\n");
     certificate.theorems = {
         {name, fmt::format("for all contacts under full stick, where {} = 0, the parts of {} by Q "
                            "and by sig0 have {}",

@@ -41,8 +41,7 @@ void certify_uniformity(const audit::ClaimResult& result, const audit::Ledger& l
             "  is_left_edge a b b1 b2 b3 alpha ->\n"
             "  exists M d : R, 0 < d /\\ forall eps sigma, 0 < eps < d -> 0 < sigma < 1 ->\n"
             "  Rabs ({1}\n    - ({2})) <= M * eps ^ 2.\nProof.\n"
-            "  exact (bracket_uniform Es g1 a P P1 P2 P3 b b1 b2 b3 alpha).\nQed.\n"
-            "Print Assumptions {0}.\n",
+            "  exact (bracket_uniform Es g1 a P P1 P2 P3 b b1 b2 b3 alpha).\nQed.\n",
             name, bracket_in_coq, coq_text(claim.formula("approximation"), theory.names));
     certificate.theorems = {
         {name, "for all contacts, what is left is at most M eps^2, for all sigma between 0 and 1"}};

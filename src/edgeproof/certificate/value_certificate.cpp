@@ -32,22 +32,27 @@ std::string theorem(const std::string& name, const Theory& theory, const Expr& f
 }
 
 /// Whether the tactics for all contacts of a form can prove identities with this formula: it is
-/// made of fractions, pi, square roots and half powers, and of angles and integrals with a lemma.
+/// made of fractions, pi, square roots, half powers and powers of a as power laws have them, and of
+/// values of functions and of integrals for which there is a lemma.
 bool is_algebraic(const Expr& e) {
     using Kind = Expr::Kind;
     switch (e.kind()) {
-    case Kind::pow:
-        return e.arg(1).rational() != nullptr && denominator(*e.arg(1).rational()) <= 2 &&
-               is_algebraic(e.arg(0));
+    case Kind::pow: {
+        const std::string text = to_text(e);
+        const bool of_power_law = text == "a^m" || text == "a^(m + 1)" || text == "a^(m - 1/2)" ||
+                                  text == "a^(m - 3/2)" || text == "a^(m - 5/2)";
+        return of_power_law || (e.arg(1).rational() != nullptr &&
+                                denominator(*e.arg(1).rational()) <= 2 && is_algebraic(e.arg(0)));
+    }
     case Kind::call: {
         const std::string text = to_text(e);
-        return text == "asin(t/a)" || text == "sin(Pi*alpha/(2*phi))" ||
+        return text == "asin(t/a)" || text == "sin(Pi*alpha/(2*phi))" || text == "p(x)" ||
+               text == "gamma(2 + m/2)" || text == "gamma((3 + m)/2)" ||
                (e.builtin() == formula::Builtin::sqrt && is_algebraic(e.arg(0)));
     }
     case Kind::integral:
-        return true;
     case Kind::pv:
-        return false;
+        return true;
     default:
         return std::all_of(e.args().begin(), e.args().end(), is_algebraic);
     }
@@ -59,6 +64,10 @@ bool are_of_the_form(const audit::Claim& claim, const audit::Ledger& ledger) {
     const auto scenes = draw_scenes(ledger.family(claim.text("over")), ledger.families);
     return std::all_of(scenes.begin(), scenes.end(), [](const audit::SceneSpec& scene) {
         const auto& given = scene.parameters;
+        if (scene.profile == "power-law" &&
+            (given.at("m").sign() < 0 || given.at("C").sign() <= 0)) {
+            return false;
+        }
         if (given.contains("a") && given.contains("t") &&
             formula::Exact(given.at("a").expr() - given.at("t").expr()).sign() <= 0) {
             return false;
@@ -84,11 +93,15 @@ std::optional<std::string> theorem_for_all(const std::string& name, const Theory
         Statement statement(theory);
         const std::string conclusion = fmt::format("{} = {}", statement(formula), statement(exact));
         const Theory::AllOfForm& all = theory.all_of_form.value();
+        const bool at_x = free_symbols(formula).contains("x") || free_symbols(exact).contains("x");
+        const std::string gamma =
+            theory.names.contains("gamma") ? "forall Gam, is_gamma Gam ->\n  " : "";
         return constants({}) +
-               bare_theorem(fmt::format("{} ({} : R)", name, all.parameters),
-                            fmt::format("{} ->\n  {}", all.condition, statement.text(conclusion)),
-                            fmt::format("  {}.\n{}", all.begin, statement.proof(all.identity))) +
-               fmt::format("Print Assumptions {}.\n\n", name);
+               theorem_text(fmt::format("{} ({}{} : R)", name, all.parameters, at_x ? " x" : ""),
+                            fmt::format("{}{}{} ->\n  {}", gamma, all.condition,
+                                        at_x ? " /\\ " + all.place : "",
+                                        statement.text(conclusion)),
+                            fmt::format("  {}.\n{}", all.begin, statement.proof(all.identity)));
     } catch (const NotStated&) {
         return std::nullopt;
     }
@@ -170,7 +183,7 @@ void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger
             theories.push_back(std::move(t));
         }
     }
-    if (theories.empty()) {
+    if (theories.empty() && !form) {
         throw NotStated("the Coq files have no theory of the profile");
     }
     const std::string name = coq_name(claim.id);
@@ -183,6 +196,9 @@ void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger
             certificate.theorems = {{name, "for all contacts of this form, printed = exact"}};
             certificate.whole_verdict = true;
             return;
+        }
+        if (theories.empty()) {
+            throw NotStated("the Coq files have no lemma for all contacts of the profile");
         }
         const Theory& theory = theories.front().theory;
         certificate.text = file_head(claim, ledger, theory) + constants(theory.constants) +
@@ -212,7 +228,11 @@ void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger
     const auto all = corrected ? for_all(name + "_corrected", *corrected) : std::nullopt;
     if (all) {
         // A module, so that the numbers of the refutation can have the names of the parameters.
-        certificate.text += "Module Correction.\n" + *all + "End Correction.\n\n" + refutation;
+        certificate.text +=
+            fmt::format(
+                "Module Correction.\n{0}End Correction.\nDefinition {1} := Correction.{1}.\n\n",
+                *all, name + "_corrected") +
+            refutation;
         certificate.theorems.push_back(
             {name + "_corrected", "for all contacts of this form, corrected = exact"});
         return;

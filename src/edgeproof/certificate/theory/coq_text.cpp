@@ -83,6 +83,10 @@ public:
             if (const auto name = coq_function(e.builtin())) {
                 return application(std::string(*name), e);
             }
+            if (const auto gamma = names_.find("gamma");
+                e.builtin() == Builtin::gamma && gamma != names_.end()) {
+                return application(gamma->second, e);
+            }
             break;
         default:
             break;
@@ -119,7 +123,9 @@ private:
     Term power(const Expr& e) const {
         const Rational* const exponent = e.arg(1).rational();
         if (exponent == nullptr) {
-            throw NotStated(fmt::format("the exponent of {} is not a rational number", to_text(e)));
+            return {fmt::format("Rpower {} {}", operand(e.arg(0), Strength::atom),
+                                operand(e.arg(1), Strength::atom)),
+                    Strength::application};
         }
         if (denominator(*exponent) == 1 && *exponent >= 0) {
             return {operand(e.arg(0), Strength::application) + " ^ " + numerator(*exponent).str(),

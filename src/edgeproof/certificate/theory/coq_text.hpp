@@ -25,9 +25,10 @@ using CoqNames = std::map<std::string, std::string, std::less<>>;
 using CoqCall = std::function<std::string(const formula::Expr&)>;
 
 /// Returns a formula as a term of Coq's real numbers (R_scope), operation by operation. Powers are
-/// x ^ n for whole n and Rpower, which needs a positive base, for other rational exponents. Throws
-/// NotStated for a name that is not in `names`, for a function that Coq's library of real numbers
-/// does not have, and for integrals that `call` does not translate.
+/// x ^ n for whole n and Rpower, which needs a positive base, for other exponents. The gamma
+/// function has the name that `names` give it. Throws NotStated for a name that is not in `names`,
+/// for a function that Coq's library of real numbers does not have, and for integrals that `call`
+/// does not translate.
 [[nodiscard]] std::string coq_text(const formula::Expr& e, const CoqNames& names,
                                    const CoqCall& call = {});
 /// Returns "3", "(1 / 2)" or "(- (1 / 2))".

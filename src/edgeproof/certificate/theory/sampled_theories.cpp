@@ -142,7 +142,7 @@ std::optional<Theory> theory_of_form(std::string_view profile) {
         theory.pressure = {};
         theory.all_of_form = {"Es phi gam a", "0 < phi /\\ 0 < gam /\\ 0 < a",
                               "intros form. assert (0 < gam * a) by (apply Rmult_lt_0_compat; lra)",
-                              "identity_of_wedge a gam"};
+                              "identity_of_wedge a gam", ""};
         return theory;
     }
     if (profile == "flat-and-rounded") {
@@ -158,7 +158,31 @@ std::optional<Theory> theory_of_form(std::string_view profile) {
         theory.pressure = {};
         theory.all_of_form = {"Es t R0 a", "0 < t < a /\\ 0 < R0",
                               "intros form. assert (0 < 1 / R0) by (apply Rdiv_lt_0_compat; lra)",
-                              "identity_of_rounded t a"};
+                              "identity_of_rounded t a", ""};
+        return theory;
+    }
+    if (profile == "power-law") {
+        Theory theory;
+        theory.imports = {"Contact", "Coefficients", "Edges",   "Unique",
+                          "Tactics", "Gamma",        "PowerLaw"};
+        theory.names = {{"b", "a"}, {"gamma", "Gam"}};
+        for (const char* name : {"Es", "C", "m", "a", "x"}) {
+            theory.names.emplace(name, name);
+        }
+        theory.right = {{"r0", "r1", "r2"},
+                        "is_the_right_series Es (power_slope C m) a r0 r1 r2",
+                        "apply (the_right_series _ _ 0); [apply power_slope_rises; lra | lra | "
+                        "apply right_edge with (1 := power_smooth_contact Es C m ltac:(lra) a "
+                        "ltac:(lra))]"};
+        theory.load = {
+            {"P0"}, "is_the_load Es (power_slope C m) a a P0", "apply power_the_load; lra"};
+        theory.pressure = {
+            {"p0"}, "is_the_pressure Es (power_slope C m) a x p0", "apply power_the_pressure; lra"};
+        theory.integrals = {{"integral(s^m/sqrt(s^2 - x^2), s, x, a)", "is_improper_integral",
+                             "apply power_integral; lra"}};
+        theory.all_of_form = {"Es C m a", "0 < C /\\ 0 <= m /\\ 0 < a",
+                              "intros Gam is_gamma_G form",
+                              "identity_of_power_law is_gamma_G Gam m a", "0 < x < a"};
         return theory;
     }
     return std::nullopt;
@@ -192,7 +216,18 @@ Theory theory_of_shear(contact::Edge edge, const std::string& tension) {
                                      "a)/(8*sqrt((a - s)*(s + b))), s, -b, a)",
                                      tension),
                          "is_integral_between", "apply force_of_traction; lra"}};
-    theory.all_of_form = {"a b Q " + tension, "0 < a + b", "intros form", "identity_of_shear a b"};
+    const std::string strain = "apply strain_of_traction; lra";
+    theory.integrals.push_back(
+        {fmt::format("pv((Q/(Pi*sqrt((a - s)*(s + b))) + {}*(2*s + b - a)/(8*sqrt((a - s)*(s + "
+                     "b))))/(s - x), s, -b, a, x)",
+                     tension),
+         "is_principal_value", strain});
+    theory.integrals.push_back({"pv(q(s)/(s - x), s, -b, a, x)", "is_principal_value", strain});
+    theory.imports.emplace_back("Stick");
+    theory.names.emplace("x", "x");
+    theory.traction = fmt::format("full_stick Q {} a b", tension);
+    theory.all_of_form = {"a b Q " + tension, "0 < a + b", "intros form", "identity_of_shear a b",
+                          "- b < x < a"};
     return theory;
 }
 

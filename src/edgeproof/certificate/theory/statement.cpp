@@ -27,12 +27,22 @@ std::string Statement::integral(const formula::Expr& e, CoqNames names) {
     for (const auto& [lemma, is, proof] : theory_.integrals) {
         if (lemma == written) {
             const std::string& variable = e.arg(1).name();
-            const std::string ends =
+            std::string ends =
                 fmt::format("({}) ({})", coq_text(e.arg(2), names), coq_text(e.arg(3), names));
+            if (e.kind() == formula::Expr::Kind::pv) {
+                ends += fmt::format(" ({})", coq_text(e.arg(4), names)); // the pole
+            }
             names.insert_or_assign(variable, variable);
+            const auto traction = [&](const formula::Expr& part) {
+                const bool is_q = part.kind() == formula::Expr::Kind::call && part.name() == "q";
+                if (!is_q || theory_.traction.empty()) {
+                    throw NotStated(fmt::format("{} is not stated in Coq", to_text(part)));
+                }
+                return fmt::format("({} {})", theory_.traction, coq_text(part.arg(0), names));
+            };
             need({{"l0"},
-                  fmt::format("{} (fun {} => {}) {} l0", is, variable, coq_text(e.arg(0), names),
-                              ends),
+                  fmt::format("{} (fun {} => {}) {} l0", is, variable,
+                              coq_text(e.arg(0), names, traction), ends),
                   proof},
                  "the integral");
             return "l0";
@@ -42,7 +52,7 @@ std::string Statement::integral(const formula::Expr& e, CoqNames names) {
 }
 
 std::string Statement::call(const formula::Expr& e, const CoqNames& names) {
-    if (e.kind() == formula::Expr::Kind::integral) {
+    if (e.kind() == formula::Expr::Kind::integral || e.kind() == formula::Expr::Kind::pv) {
         return integral(e, names);
     }
     if (e.kind() == formula::Expr::Kind::call && e.name() == "p" &&
@@ -184,22 +194,9 @@ std::string constants(const std::vector<Constant>& all) {
                               names.empty() ? "idtac" : fmt::format("unfold {} in *", names));
 }
 
-std::string assumptions(const std::vector<std::string>& theorems) {
-    std::string all;
-    for (const std::string& name : theorems) {
-        all += (all.empty() ? "" : ", ") + name;
-    }
-    return fmt::format("Definition all_theorems := ({}).\nPrint Assumptions all_theorems.\n", all);
-}
-
-std::string bare_theorem(const std::string& name, const std::string& statement,
-                         const std::string& proof) {
-    return fmt::format("Theorem {} : {}.\nProof.\n{}Qed.\n", name, statement, proof);
-}
-
 std::string theorem_text(const std::string& name, const std::string& statement,
                          const std::string& proof) {
-    return bare_theorem(name, statement, proof) + fmt::format("Print Assumptions {}.\n\n", name);
+    return fmt::format("Theorem {} : {}.\nProof.\n{}Qed.\n\n", name, statement, proof);
 }
 
 } // namespace edgeproof::certificate

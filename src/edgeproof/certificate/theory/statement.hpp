@@ -58,13 +58,7 @@ struct Gap {
 /// Returns the definitions of the numbers, and the tactics that use them.
 [[nodiscard]] std::string constants(const std::vector<Constant>& all);
 
-/// Returns "Print Assumptions" for the theorems, once for all of them, because it takes longer than
-/// most proofs.
-[[nodiscard]] std::string assumptions(const std::vector<std::string>& theorems);
-/// Returns a theorem and its proof, without "Print Assumptions".
-[[nodiscard]] std::string bare_theorem(const std::string& name, const std::string& statement,
-                                       const std::string& proof);
-/// Returns a theorem and its proof, with "Print Assumptions".
+/// Returns a theorem and its proof.
 [[nodiscard]] std::string theorem_text(const std::string& name, const std::string& statement,
                                        const std::string& proof);
 

@@ -34,11 +34,12 @@ struct Theory {
     std::vector<Constant> constants;  ///< parameters with their values
     Fact right;                       ///< coefficients r0, r1, r2 at the right edge
     Fact left;                        ///< coefficients l0, l1, l2 at the left edge
-    Fact right_shear;   ///< the square-root terms of the shear traction at the right edge
-    Fact left_shear;    ///< the same at the left edge
-    Fact left_position; ///< that the left edge is where the formulas have it; no unknowns
-    Fact load;          ///< the load P0
-    Fact pressure;      ///< the pressure p0 at x
+    Fact right_shear;     ///< the square-root terms of the shear traction at the right edge
+    Fact left_shear;      ///< the same at the left edge
+    Fact left_position;   ///< that the left edge is where the formulas have it; no unknowns
+    Fact load;            ///< the load P0
+    Fact pressure;        ///< the pressure p0 at x
+    std::string traction; ///< the shear traction as a function: "full_stick Q sig0 a b"
     /// The theorems assume a contact, which defines all names; they are not about one with numbers.
     bool assumes_contact = false;
     /// For a theory of all contacts of a form: the parameters that a theorem is stated for, the
@@ -48,11 +49,12 @@ struct Theory {
         std::string condition;  ///< "0 < a + b"
         std::string begin;      ///< "intros Hab"
         std::string identity;   ///< "identity_of_shear a b"
+        std::string place;      ///< of a formula with x: "- b < x < a"
     };
     std::optional<AllOfForm> all_of_form;
     /// An integral in printed formulas for which there is a lemma.
     struct Integral {
-        std::string integral; ///< in the syntax of ledgers
+        std::string integral; ///< in the syntax of ledgers; a principal value is one, too
         std::string is;       ///< what its value is: "is_improper_integral"
         std::string proof;    ///< that it equals l0
     };

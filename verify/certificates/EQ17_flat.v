@@ -1,0 +1,16 @@
+(* Claim EQ17.flat of the ledger moore-hills, lines 200 to 206 of its source.
+   Printed: 0 & \mbox{for} \; 0<a<t
+   Says: 0 *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Symmetric TiltedWedge Unique Shear Sides Limits Stick Orders.
+Open Scope R_scope.
+
+Theorem EQ17_flat (Es t R0 a : R) : 0 < t /\ 0 < R0 /\ 0 < a <= t ->
+  is_load Es (Symmetric.slope (rounded t R0)) a a 0 /\
+  forall P, is_load Es (Symmetric.slope (rounded t R0)) a a P -> P = 0.
+Proof.
+  intros form. apply no_load_within_flat; lra.
+Qed.
+

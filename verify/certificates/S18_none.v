@@ -1,0 +1,16 @@
+(* Claim S18.none of the ledger moore-hills, lines 207 to 207 of its source.
+   Printed: The solution for $0<a<t$ arises due to the fact that for any $P>0$, the contact immediately consumes the entire flat portion of the punch (i.e. we could equivalently say $a(P)\rightarrow t$ as $P\rightarrow0$).
+   Says: 0 *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Symmetric TiltedWedge Unique Shear Sides Limits Stick Orders.
+Open Scope R_scope.
+
+Theorem S18_none (Es t R0 a : R) : 0 < t /\ 0 < R0 /\ 0 < a <= t ->
+  is_load Es (Symmetric.slope (rounded t R0)) a a 0 /\
+  forall P, is_load Es (Symmetric.slope (rounded t R0)) a a P -> P = 0.
+Proof.
+  intros form. apply no_load_within_flat; lra.
+Qed.
+

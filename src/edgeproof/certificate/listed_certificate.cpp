@@ -56,6 +56,9 @@ struct Listed {
     std::string_view proof;
     std::string_view states;
     std::string_view leaves_out;
+
+    /// False if the theorem does not contain the whole verdict.
+    [[nodiscard]] bool whole() const;
 };
 
 constexpr std::string_view convex_smooth =
@@ -174,6 +177,9 @@ constexpr std::array<Listed, 14> listed{
       "intros contact left convex. eapply orders_at_right; eassumption", states_orders,
       convex_smooth}}};
 
+// Without uniqueness, another solution of the integral equation may depend on the contact.
+bool Listed::whole() const { return leaves_out.empty() || leaves_out == convex_smooth; }
+
 /// The words of a claim, by which it is found in the list; empty if the claim has other fields that
 /// change its meaning.
 std::string words_of(const audit::Claim& claim) {
@@ -262,7 +268,7 @@ bool certify_listed(const audit::ClaimResult& result, const audit::Ledger& ledge
                      fmt::format("  {}.\n", entry->proof));
     certificate.theorems = {{name, std::string(entry->states)}};
     certificate.leaves_out = std::string(entry->leaves_out);
-    certificate.whole_verdict = true;
+    certificate.whole_verdict = entry->whole();
     return true;
 }
 

@@ -5,5 +5,5 @@
 int main(int argc, char** argv) {
     using namespace edgeproof::cli;
     const LabCommands lab{add_mutate, add_bounds, add_cost};
-    return run_program(argc, argv, &lab);
+    return run_edgeproof(argc, argv, &lab);
 }

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -25,6 +26,10 @@ using AddCommand = void(CLI::App& app, int& code);
 AddCommand add_pressure, add_expand, add_extent, add_slip, add_stress, add_displacement, add_plot,
     add_slip_table, add_explain, add_relations, add_design, add_table, add_points, add_check,
     add_compare, add_pack, add_certify, add_verify;
+
+/// The program with these subcommands: reads the command line, runs the command that it names, and
+/// prints the error, if there is one. Returns the exit status.
+[[nodiscard]] int run_program(int argc, char** argv, std::initializer_list<AddCommand*> commands);
 
 /// A subcommand and the values of its options, which live as long as the command line.
 template <class Options> struct Command {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include <CLI/CLI.hpp>
+#include "edgeproof/cli/cli.hpp"
 
 namespace edgeproof::cli {
 
@@ -18,14 +18,13 @@ inline constexpr LabCommand lab_mutate{
 
 /// Functions that add these commands.
 struct LabCommands {
-    using Add = void (*)(CLI::App& app, int& code);
-    Add mutate;
-    Add bounds;
-    Add cost;
+    AddCommand* mutate;
+    AddCommand* bounds;
+    AddCommand* cost;
 };
 
-/// Runs the program with its command line and returns its exit status.
+/// Runs the program with all its commands and returns its exit status.
 /// @param lab null: the commands of the lab are started as the program edgeproof-lab
-[[nodiscard]] int run_program(int argc, char** argv, const LabCommands* lab);
+[[nodiscard]] int run_edgeproof(int argc, char** argv, const LabCommands* lab);
 
 } // namespace edgeproof::cli

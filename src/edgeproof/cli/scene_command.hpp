@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/audit/run.hpp"
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_options.hpp"
 #include "edgeproof/io/output_file.hpp"
@@ -13,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-/// Common parts of the subcommands: of those that compute a scene, and of those that judge a
-/// ledger.
+/// Common parts of the subcommands that compute a scene.
 namespace edgeproof::cli {
 
 /// Runs the scene, with progress on a terminal; SIGINT stops it.
@@ -109,14 +107,5 @@ void show_as_file(const OutputOptions& options);
 /// Writes to --out, whole or not at all, or to stdout; a short answer, or wrapped lines, on a
 /// terminal.
 void emit(const report::Table& table, const OutputOptions& options);
-
-/// Judges the claims of a ledger, and shows their number as `what` on stderr. Claims that cannot be
-/// judged are among the result's errors.
-[[nodiscard]] audit::AuditResult judged_ledger(const audit::Ledger& ledger,
-                                               audit::AuditOptions options,
-                                               const std::string& what = "claims");
-/// Writes a line on stderr for each claim of a ledger that could not be read or judged. Returns the
-/// exit status: 2, or 0 if there are none.
-[[nodiscard]] int report_claim_errors(const std::vector<audit::ClaimError>& errors);
 
 } // namespace edgeproof::cli

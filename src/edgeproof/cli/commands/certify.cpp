@@ -2,6 +2,7 @@
 #include "edgeproof/certificate/accepted.hpp"
 #include "edgeproof/certificate/certificate.hpp"
 #include "edgeproof/certificate/scene_certificate.hpp"
+#include "edgeproof/cli/ledger_command.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/io/text_file.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/certificate/certificate.hpp"
+#include "edgeproof/cli/ledger_command.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/precision/message.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/commands/check/check_kinds.hpp"
+#include "edgeproof/cli/ledger_command.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/conformance/answers/program_driver.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"

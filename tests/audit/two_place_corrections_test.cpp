@@ -36,3 +36,13 @@ TEST_CASE("another inverse function, and degrees for radians, are corrected") {
           "function: Es*C/2*a*cos(asin(x/a))");
     CHECK(two_place_correction("p(x)", "Es*C/2*a*cos(asin(x/a)*180/Pi)").starts_with("degrees: "));
 }
+
+TEST_CASE("g printed for its slope g' is corrected") {
+    // P = Es integral(s g'(s)/sqrt(a^2 - s^2), s, 0, a) with g = C s^2/2, g' = C s.
+    const std::string corrected =
+        two_place_correction("P", "Es*integral(s*(C*s^2/2)/sqrt(a^2 - s^2), s, 0, a)");
+    CHECK(corrected.starts_with("derivative: "));
+    CHECK(corrected.find("C*(2*s)/2") != std::string::npos);
+    // The slope of the profile itself.
+    CHECK(two_place_correction("g1(x)", "C*x^2/2").starts_with("derivative: "));
+}

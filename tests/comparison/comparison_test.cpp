@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/comparison.hpp"
 
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/comparison/hertz_data.hpp"
 #include "tests/support/namespaces.hpp"
+#include "tests/support/paths.hpp"
 
 #include <doctest/doctest.h>
+
+#include <sstream>
 
 using namespace edgeproof::hertz_data;
 
@@ -330,4 +334,77 @@ TEST_CASE("least squares: a known line, its standard errors, dependent columns")
     CHECK(fit->standard_errors[1] == doctest::Approx(std::sqrt(0.02)).epsilon(1e-12));
     CHECK_FALSE(least_squares({{1, 1, 1, 1}, {2, 2, 2, 2}}, y));
     CHECK_FALSE(least_squares({{1, 2}, {0, 1}}, std::vector<double>{1, 2}));
+}
+
+TEST_CASE("the allowance for a mesh is that of the committed runs of CalculiX") {
+    std::istringstream rows(io::read_text(
+        test::source_dir() / "examples" / "third-party" / "solvers" / "mesh-errors.csv", "table"));
+    double greatest = 0;
+    std::size_t count = 0;
+    for (std::string line; std::getline(rows, line);) {
+        if (!line.starts_with('#') && !line.starts_with("contact")) {
+            greatest = std::max(greatest, std::stod(line.substr(line.rfind(',') + 1)));
+            ++count;
+        }
+    }
+    CHECK(count >= 8);
+    CHECK(greatest <= mesh_error_times_elements);
+    CHECK(greatest > 0.75 * mesh_error_times_elements); // and not much more
+}
+
+TEST_CASE("several meshes: their own error follows from their differences") {
+    const double e = 0.3;
+    std::vector<ResultTable> tables;
+    const std::vector<int> counts{32, 64, 128, 256};
+    for (const int n : counts) {
+        const double h = 4.0 / n;
+        tables.push_back(parse_result(
+            table(even_places(-2, 2, n), [=](double x) { return p(x) * (1 + e * h * h * x * x); }),
+            "r.csv"));
+    }
+    const auto errors = mesh_errors(tables);
+    REQUIRE(errors);
+    // The error is e h^2 x^2 p/p_0: its rms over the contact is e h^2 a^2 sqrt(1/5 - 1/7) =
+    // 0.24 e h^2 a^2. The estimate is that of the mesh that converges worst.
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const double h = 4.0 / counts[i];
+        CHECK((*errors)[i] > 0.17 * e * h * h * a * a);
+        CHECK((*errors)[i] < 0.4 * e * h * h * a * a);
+    }
+    CHECK_FALSE(mesh_errors({tables[0]}));
+    CHECK_FALSE(mesh_errors({tables[0], tables[0]}));
+}
+
+TEST_CASE("errors at the edges only: the zone to leave out is suggested, in elements") {
+    // A mesh that smears the edge over an element: the error is in the elements next to it.
+    const double h = 1.0 / 16;
+    const auto text = table(mesh, [h](double x) { return smeared(x, h); });
+    SuspectContacts suspects(parse_scene(edgeproof::hertz_data::scene_text, "s.toml"));
+    const FileComparison file =
+        compare_file(parse_result(text, "r.csv"), exact(), within(0.01), Rational(0), &suspects);
+    REQUIRE_FALSE(file.passes());
+    REQUIRE(file.suggested_zone);
+    const SuggestedZone& zone = *file.suggested_zone;
+    CHECK(zone.length[0] == doctest::Approx(zone.elements * h));
+    Tolerances left_out = within(0.01);
+    left_out.zone = parse_edge_zone(std::to_string(zone.elements) + "e");
+    const FileComparison passing =
+        compare_file(parse_result(text, "r.csv"), exact(), left_out, Rational(0), &suspects);
+    CHECK(passing.passes());
+    CHECK(passing.errors.peak == doctest::Approx(zone.error));
+    if (zone.elements > 1) {
+        left_out.zone = parse_edge_zone(std::to_string(zone.elements - 1) + "e");
+        CHECK_FALSE(
+            compare_file(parse_result(text, "r.csv"), exact(), left_out, Rational(0)).passes());
+    }
+}
+
+TEST_CASE("a part that begins at -0.3 a is not a half") {
+    const auto part = [](double from) {
+        return compared(table(even_places(from, 2, 40), p), within(1e-9));
+    };
+    CHECK(part(0).data.half == Edge::right);
+    CHECK_FALSE(part(-0.3 * a).data.half);
+    // However wide the elements are.
+    CHECK_FALSE(compared(table(even_places(-0.3 * a, 2, 6), p), within(1e-9)).data.half);
 }

@@ -15,6 +15,7 @@
 #include <string.h>
 
 enum { longest_line = 2048, columns = 24, most_shown = 10 };
+static const double same_ratio = 0.01; /* ratios that agree to this are one factor */
 
 static const char* const header =
     "id,kind,m,C,phi,alpha,t,R,a,P,M,E,Q,S,edge,u,quantity,scale,value,bound,binary64,hex,"
@@ -48,6 +49,50 @@ static int within(char level, double value, double exact, double scale, double u
         return error <= ulps * (nextafter(fabs(exact), INFINITY) - fabs(exact));
     }
     return value == exact;
+}
+
+/* Wrong answers by the first letter of the quantity: their number, and the range of answer/exact.
+ */
+static struct ratios {
+    long rows;
+    double low;
+    double high;
+} wrong_ratios[128];
+
+static void count_ratio(char quantity, double ratio) {
+    struct ratios* const r = &wrong_ratios[quantity & 127];
+    r->low = !isfinite(ratio) ? -INFINITY : r->rows == 0 || ratio < r->low ? ratio : r->low;
+    r->high = !isfinite(ratio) ? INFINITY : r->rows == 0 || ratio > r->high ? ratio : r->high;
+    ++r->rows;
+}
+
+/* Names the factor where all wrong answers of a quantity, three or more, have the same one. */
+static void print_causes(void) {
+    for (int k = 0; k < 128; ++k) {
+        const struct ratios* const r = &wrong_ratios[k];
+        const double middle = (r->low + r->high) / 2;
+        if (r->rows < 3 || !(r->high - r->low <= same_ratio * fabs(middle)) ||
+            fabs(middle - 1) <= same_ratio) {
+            continue;
+        }
+        printf("likely cause: the %ld wrong answers for %c are %.6g times the exact ones: ",
+               r->rows, k, middle);
+        char line[128];
+        int named = 0;
+        FILE* const file = fopen("factors.txt", "r");
+        while (file != NULL && fgets(line, sizeof line, file) != NULL) {
+            char name[64];
+            double value;
+            if (sscanf(line, "%63s %lf", name, &value) == 2 &&
+                fabs(middle / value - 1) <= same_ratio) {
+                printf("%s%s", named++ > 0 ? " or " : "", name);
+            }
+        }
+        if (file != NULL) {
+            fclose(file);
+        }
+        printf(named > 0 ? "\n" : "factor\n");
+    }
 }
 
 int main(int argc, char** argv) {
@@ -104,6 +149,7 @@ int main(int argc, char** argv) {
             }
             ++answered;
             if (!within(level, value, exact, strtod(cell[17], NULL), strtod(cell[23], NULL))) {
+                count_ratio(c.quantity[0], value / exact);
                 if (++wrong <= most_shown) {
                     printf("%s: %.17g, exact %.17g\n", c.id, value, exact);
                 }
@@ -113,5 +159,6 @@ int main(int argc, char** argv) {
     }
     printf("level %c: %ld answered, %ld wrong, %ld not answered\n", level, answered, wrong,
            not_there);
+    print_causes();
     return wrong > 0 ? 1 : answered > 0 ? 0 : 2;
 }

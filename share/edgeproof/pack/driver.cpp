@@ -9,12 +9,14 @@
 // 1: one is not; 2: there was nothing to hold.
 #include "edgeproof_case.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,7 @@ const std::string header =
     "condition,ulps";
 constexpr std::size_t columns = 24;
 constexpr long most_shown = 10;
+constexpr double same_ratio = 0.01; // ratios that agree to this are one factor
 
 std::vector<std::string> split(const std::string& line) {
     std::vector<std::string> cells;
@@ -52,6 +55,30 @@ bool within(char level, double value, double exact, double scale, double ulps) {
     return value == exact;
 }
 
+// Names the factor where all wrong answers of a quantity, three or more, have the same one.
+// `ratios`: answer/exact.
+void print_causes(const std::map<std::string, std::vector<double>>& ratios) {
+    for (const auto& [quantity, found] : ratios) {
+        const auto ends = std::minmax_element(found.begin(), found.end());
+        const double middle = (*ends.first + *ends.second) / 2;
+        const bool same = *ends.second - *ends.first <= same_ratio * std::abs(middle);
+        if (found.size() < 3 || !same || std::abs(middle - 1) <= same_ratio) {
+            continue;
+        }
+        std::string names;
+        std::ifstream factors("factors.txt");
+        for (std::string line; std::getline(factors, line);) {
+            const std::size_t blank = std::min(line.find(' '), line.size());
+            if (line[0] != '#' && std::abs(middle / number(line.substr(blank)) - 1) <= same_ratio) {
+                names += (names.empty() ? "" : " or ") + line.substr(0, blank);
+            }
+        }
+        std::printf(
+            "likely cause: the %zu wrong answers for %s are %.6g times the exact ones: %s\n",
+            found.size(), quantity.c_str(), middle, names.empty() ? "factor" : names.c_str());
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -64,6 +91,7 @@ int main(int argc, char** argv) {
     long answered = 0;
     long wrong = 0;
     long not_there = 0;
+    std::map<std::string, std::vector<double>> ratios;
     for (int i = 2; i < argc; ++i) {
         std::ifstream file(argv[i]);
         if (!file) {
@@ -109,13 +137,16 @@ int main(int argc, char** argv) {
                 continue;
             }
             ++answered;
-            if (!within(level, *value, exact, number(cell[17]), number(cell[23])) &&
-                ++wrong <= most_shown) {
-                std::printf("%s: %.17g, exact %.17g\n", c.id.c_str(), *value, exact);
+            if (!within(level, *value, exact, number(cell[17]), number(cell[23]))) {
+                ratios[c.quantity.substr(0, 1)].push_back(*value / exact);
+                if (++wrong <= most_shown) {
+                    std::printf("%s: %.17g, exact %.17g\n", c.id.c_str(), *value, exact);
+                }
             }
         }
     }
     std::printf("level %c: %ld answered, %ld wrong, %ld not answered\n", level, answered, wrong,
                 not_there);
+    print_causes(ratios);
     return wrong > 0 ? 1 : answered > 0 ? 0 : 2;
 }

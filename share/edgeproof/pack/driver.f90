@@ -12,6 +12,10 @@ program driver
     use edgeproof_answers
     implicit none
     integer, parameter :: columns = 24, most_shown = 10
+    real(binary64), parameter :: same_ratio = 0.01d0 ! ratios that agree to this are one factor
+    ! Wrong answers by the first letter of the quantity: their number, and the range of answer/exact.
+    integer :: wrong_rows(0:127) = 0
+    real(binary64) :: low(0:127) = huge(1d0), high(0:127) = -huge(1d0)
     character(len=*), parameter :: header = 'id,kind,m,C,phi,alpha,t,R,a,P,M,E,Q,S,edge,u,' // &
         'quantity,scale,value,bound,binary64,hex,condition,ulps'
     character(len=256) :: argument
@@ -32,6 +36,7 @@ program driver
     end do
     print '(a,a,a,i0,a,i0,a,i0,a)', 'level ', level, ': ', answered, ' answered, ', wrong, &
         ' wrong, ', not_there, ' not answered'
+    call print_causes()
     if (wrong > 0) stop 1
     if (answered == 0) stop 2
 contains
@@ -107,11 +112,44 @@ contains
         answered = answered + 1
         if (.not. within(value, exact, number(cell(18)), number(cell(24)))) then
             wrong = wrong + 1
+            k = iachar(c%quantity(1:1))
+            wrong_rows(k) = wrong_rows(k) + 1
+            low(k) = min(low(k), value/exact)
+            high(k) = max(high(k), value/exact)
+            if (value /= value) high(k) = huge(1d0)
             if (wrong <= most_shown) then
                 print '(a,a,es24.16e3,a,es24.16e3)', trim(c%id), ': ', value, ', exact ', exact
             end if
         end if
     end subroutine hold_row
+
+    ! Names the factor where all wrong answers of a quantity, three or more, have the same one.
+    subroutine print_causes()
+        character(len=64) :: name
+        character(len=128) :: line, names
+        real(binary64) :: middle, value
+        integer :: k, unit, status
+        do k = 0, 127
+            middle = low(k)/2 + high(k)/2
+            if (wrong_rows(k) < 3) cycle
+            if (high(k)/2 - low(k)/2 > same_ratio*abs(middle)/2 .or. abs(middle - 1) <= same_ratio) cycle
+            names = ''
+            open (newunit=unit, file='factors.txt', status='old', action='read', iostat=status)
+            do while (status == 0)
+                read (unit, '(a)', iostat=status) line
+                if (status /= 0 .or. line(1:1) == '#') cycle
+                read (line, *, iostat=status) name, value
+                if (status /= 0) exit
+                if (abs(middle/value - 1) > same_ratio) cycle
+                if (names /= '') names = trim(names)//' or '
+                names = trim(names)//' '//trim(name)
+            end do
+            close (unit, iostat=status)
+            if (names == '') names = ' factor'
+            print '(a,i0,4a,g0.6,2a)', 'likely cause: the ', wrong_rows(k), ' wrong answers for ', &
+                achar(k), ' are', ' ', middle, ' times the exact ones:', trim(names)
+        end do
+    end subroutine print_causes
 
     real(binary64) function number(text)
         character(len=*), intent(in) :: text

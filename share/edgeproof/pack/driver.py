@@ -21,6 +21,8 @@ COLUMNS = ("id,kind,m,C,phi,alpha,t,R,a,P,M,E,Q,S,edge,u,quantity,scale,value,bo
 WORDS = {"id", "kind", "edge", "quantity"}
 ANSWER = {"scale", "value", "bound", "binary64", "hex", "condition", "ulps"}
 MOST_SHOWN = 10
+LEAST_ROWS = 3     # for a cause
+SAME_RATIO = 0.01  # wrong answers have a common factor if their ratios agree to this
 
 
 def within(level, value, row):
@@ -38,6 +40,19 @@ def within(level, value, row):
     return value == exact
 
 
+def causes(ratios):
+    """Lines about quantities of which all wrong answers are the same factor times the exact ones."""
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "factors.txt"), encoding="utf-8") as file:
+        factors = [line.split() for line in file if not line.startswith("#")]
+    for quantity, found in sorted(ratios.items()):
+        low, high = min(found), max(found)
+        middle = (low + high) / 2
+        if len(found) >= LEAST_ROWS and high - low <= SAME_RATIO * abs(middle) and abs(middle - 1) > SAME_RATIO:
+            names = [name for name, value in factors if abs(middle / float(value) - 1) <= SAME_RATIO]
+            yield (f"likely cause: the {len(found)} wrong answers for {quantity} are {middle:.6g} times the exact "
+                   f"ones: {' or '.join(names) or 'factor'}")
+
+
 def main(arguments):
     module = "example"
     if "--answers" in arguments:
@@ -51,6 +66,7 @@ def main(arguments):
     answer = importlib.import_module(module).answer
     level = arguments[0]
     answered = wrong = missing = 0
+    ratios = {}
     for name in arguments[1:]:
         with open(name, encoding="utf-8", newline="") as file:
             rows = csv.DictReader(line for line in file if not line.startswith("#"))
@@ -68,9 +84,12 @@ def main(arguments):
                 answered += 1
                 if not within(level, value, row):
                     wrong += 1
+                    ratios.setdefault(row["quantity"].split("_")[0], []).append(float(value) / float.fromhex(row["hex"]))
                     if wrong <= MOST_SHOWN:
                         print(f"{row['id']}: {value}, exact {row['value']}")
     print(f"level {level}: {answered} answered, {wrong} wrong, {missing} not answered")
+    for line in causes(ratios):
+        print(line)
     return 1 if wrong else 0 if answered else 2
 
 

@@ -14,6 +14,7 @@ function status = run_pack(level, files)
     answered = 0;
     wrong = 0;
     not_there = 0;
+    ratios = struct(); % answer/exact of wrong answers, by the first letter of the quantity
     status = 2;
     for i = 1:numel(files)
         file = fopen(files{i}, 'r');
@@ -56,6 +57,11 @@ function status = run_pack(level, files)
             answered = answered + 1;
             if ~within(level, value, question)
                 wrong = wrong + 1;
+                letter = question.quantity(1);
+                if ~isfield(ratios, letter)
+                    ratios.(letter) = [];
+                end
+                ratios.(letter)(end + 1) = value / question.binary64;
                 if wrong <= 10
                     printf('%s: %.17g, exact %.17g\n', question.id, value, question.binary64);
                 end
@@ -65,10 +71,37 @@ function status = run_pack(level, files)
     end
     printf('level %s: %d answered, %d wrong, %d not answered\n', level, answered, wrong, ...
            not_there);
+    print_causes(ratios);
     if wrong > 0
         status = 1;
     elseif answered > 0
         status = 0;
+    end
+end
+
+% Names the factor where all wrong answers of a quantity, three or more, have the same one.
+function print_causes(ratios)
+    same_ratio = 0.01; % ratios that agree to this are one factor
+    letters = fieldnames(ratios);
+    for k = 1:numel(letters)
+        found = ratios.(letters{k});
+        middle = (min(found) + max(found)) / 2;
+        same = max(found) - min(found) <= same_ratio * abs(middle) && ~any(isnan(found));
+        if numel(found) < 3 || ~same || abs(middle - 1) <= same_ratio
+            continue;
+        end
+        names = {};
+        file = fopen('factors.txt', 'r');
+        if file >= 0
+            factors = textscan(file, '%s %f', 'CommentStyle', '#');
+            fclose(file);
+            names = factors{1}(abs(middle ./ factors{2} - 1) <= same_ratio);
+        end
+        if isempty(names)
+            names = {'factor'};
+        end
+        printf('likely cause: the %d wrong answers for %s are %.6g times the exact ones: %s\n', ...
+               numel(found), letters{k}, middle, strjoin(names, ' or '));
     end
 end
 

@@ -17,6 +17,10 @@ constexpr std::array both_edges{contact::Edge::right, contact::Edge::left};
 
 std::string percent(double x) { return fmt::format("{:.3g} %", 100 * x); }
 
+double in_norm(const Errors& errors, Norm norm) {
+    return norm == Norm::peak ? errors.peak : norm == Norm::local ? errors.local : errors.l2;
+}
+
 class Judge {
 public:
     Judge(FileComparison& file, const ExactContact& exact, const Tolerances& tolerances)
@@ -117,9 +121,7 @@ private:
     template <class Values>
     void hold(const char* symbol, const Errors& errors, double tolerance, const char* of_scale,
               const Values& values) {
-        const double error = tolerances_.of == Norm::peak    ? errors.peak
-                             : tolerances_.of == Norm::local ? errors.local
-                                                             : errors.l2;
+        const double error = in_norm(errors, tolerances_.of);
         if (error <= tolerance) {
             return;
         }
@@ -205,6 +207,29 @@ private:
     const Tolerances& tolerances_;
 };
 
+/// Most of the nodes inside the contact must remain.
+std::optional<SuggestedZone> suggested_zone(const FileComparison& file, const ExactContact& exact,
+                                            const Tolerances& tolerances) {
+    constexpr int most_elements = 10;
+    for (int elements = 1; elements <= most_elements; ++elements) {
+        const EdgeZone zone{static_cast<double>(elements), {}};
+        const auto left = std::ranges::count_if(file.data.nodes, [&](const Node& node) {
+            return node.exact.inside() && is_counted(node, zone, file.contact);
+        });
+        const double error = in_norm(measure(file.data, exact, file.contact, zone), tolerances.of);
+        if (2 * left < static_cast<std::ptrdiff_t>(file.inside)) {
+            break;
+        }
+        if (error <= tolerances.pressure) {
+            return SuggestedZone{
+                elements,
+                {elements * file.contact.element[0], elements * file.contact.element[1]},
+                error};
+        }
+    }
+    return {};
+}
+
 void count_nodes(FileComparison& file) {
     for (const Node& node : file.data.nodes) {
         const bool inside = node.exact.inside();
@@ -232,7 +257,9 @@ void sum_shear(FileComparison& file, const ExactContact& contact) {
 
 void find_more(FileComparison& file, const ExactContact& exact) {
     auto& findings = file.data.findings;
-    if (exact.shear() == nullptr && file.table.rows.front().q) {
+    const bool has_q = std::ranges::any_of(
+        file.table.rows, [](const ResultRow& row) { return row.q && *row.q != 0; });
+    if (exact.shear() == nullptr && has_q) {
         findings.emplace_back("q is not compared: the scene has no [shear]");
     }
     if (exact.shear() != nullptr && !file.table.rows.front().q) {
@@ -283,7 +310,7 @@ bool Comparison::passes() const { return std::ranges::all_of(files, &FileCompari
 
 FileComparison compare_file(ResultTable table, const ExactContact& exact,
                             const Tolerances& tolerances, const std::optional<Rational>& origin,
-                            SuspectContacts* suspects) {
+                            SuspectContacts* suspects, const std::optional<double>& mesh_error) {
     FileComparison file;
     file.table = std::move(table);
     file.data = align(file.table, exact, origin);
@@ -319,12 +346,18 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
     constexpr double worth_a_word = 0.003;
     constexpr double roundoff = 1e-9;
     const double least = file.passes() ? worth_a_word : roundoff;
+    const double own_error = mesh_error.value_or(expected_mesh_error(
+        file.contact.mean_element > 0 ? exact.length() / file.contact.mean_element : 1));
     if (suspects != nullptr && file.all.peak > least) {
-        file.diagnosis = diagnose(file.table, file.data, file.contact, *suspects, exact);
+        file.diagnosis = diagnose(file.table, file.data, file.contact, *suspects, exact, own_error);
     }
     const bool right = !file.diagnosis || file.diagnosis->at_edges_only;
+    if (!file.passes() && file.diagnosis && file.diagnosis->at_edges_only &&
+        !(in_norm(file.errors, tolerances.of) <= tolerances.pressure)) {
+        file.suggested_zone = suggested_zone(file, exact, tolerances);
+    }
     if (suspects != nullptr && right && file.shear && file.shear->peak > least) {
-        file.shear_diagnosis = diagnose_shear(file.data, file.contact, *suspects, exact);
+        file.shear_diagnosis = diagnose_shear(file.data, file.contact, *suspects, exact, own_error);
     }
     return file;
 }

@@ -7,6 +7,7 @@
 ///   measures/data_edges.hpp     DataContact: edges, force and elements of the data
 ///   measures/measures.hpp       Errors: relative to the peak, to p itself, in the L2 norm;
 ///                               Convergence: orders and extrapolated values of several meshes
+///   measures/mesh_error.hpp     the error that a correct mesh has by itself
 ///   measures/edge_fit.hpp       EdgeFit: c_0 and c_1 by least squares
 ///   causes/causes.hpp           Diagnosis: mistakes that would explain wrong data
 /// Only the values of the exact contact are proved, if their routes are; edges, fits and
@@ -18,6 +19,7 @@
 #include "edgeproof/comparison/measures/edge_fit.hpp"
 #include "edgeproof/comparison/measures/exact_contact.hpp"
 #include "edgeproof/comparison/measures/measures.hpp"
+#include "edgeproof/comparison/measures/mesh_error.hpp"
 
 #include <array>
 #include <optional>
@@ -39,8 +41,9 @@ struct Tolerances {
     EdgeZone zone;
     std::optional<double> edges; ///< for a and b, each relative to its value
     std::optional<double> force;
-    std::optional<double> c0; ///< at both edges
-    std::optional<double> q;  ///< in the norm `of`; without it, as for the pressure
+    std::optional<double> c0;      ///< at both edges
+    std::optional<double> q;       ///< in the norm `of`; without it, as for the pressure
+    std::optional<double> surface; ///< for gap, slip and sxx, relative to their scales
     /// The data cover only a part of the contact: they need not determine a, b, P and the largest
     /// p, unless these have a tolerance of their own.
     bool partial = false;
@@ -48,6 +51,28 @@ struct Tolerances {
 
 /// The least number of nodes inside the exact contact for a comparison.
 inline constexpr std::size_t fewest_inside = 3;
+
+/// A quantity along the surface that the data have in addition to p and q, compared with that of
+/// the scene: the gap outside the contact (0 inside), the slip inside, sxx on the surface of one
+/// body.
+struct SurfaceErrors {
+    std::string name;      ///< gap, slip, sxx
+    std::string reference; ///< what `peak` is relative to
+    std::string route;     ///< of the exact values
+    double scale = 0;
+    std::size_t nodes = 0;
+    double peak = 0; ///< the largest |error|, relative to `scale`
+    std::size_t worst = 0;
+    double data = 0; ///< there, in the scene's direction
+    double exact = 0;
+};
+
+/// The least zone at the edges outside of which the error of p is within the tolerance.
+struct SuggestedZone {
+    int elements = 0;
+    std::array<double, 2> length{}; ///< of these elements, by index_of(edge)
+    double error = 0;               ///< outside of it, in the norm of the tolerances
+};
 
 struct FileComparison {
     ResultTable table;
@@ -57,7 +82,8 @@ struct FileComparison {
     Errors errors;               ///< outside the edge zones
     Errors all;                  ///< at all nodes
     std::optional<Errors> shear; ///< of q, outside the edge zones, if there is one
-    std::optional<double> Q;     ///< by trapezoids, over nodes that have an exact q
+    std::vector<SurfaceErrors> surface; ///< by compare_surface()
+    std::optional<double> Q;            ///< by trapezoids, over nodes that have an exact q
     std::optional<double> Q_of_exact;
     std::vector<DistanceErrors> distances;
     std::vector<KnotErrors> knots;
@@ -65,8 +91,10 @@ struct FileComparison {
     std::vector<Undetermined> undetermined;
     std::size_t inside = 0;
     std::size_t outside = 0;
-    std::size_t pressing_outside = 0;   ///< those with more than 1/500 of the largest pressure
-    std::optional<Diagnosis> diagnosis; ///< if there is an error to explain
+    std::size_t pressing_outside = 0; ///< those with more than 1/500 of the largest pressure
+    /// Set if the data fail, and their errors are at the edges only.
+    std::optional<SuggestedZone> suggested_zone;
+    std::optional<Diagnosis> diagnosis;       ///< if there is an error to explain
     std::optional<Diagnosis> shear_diagnosis; ///< of q, if p is right
     std::vector<std::string> failures;        ///< the reasons why it does not pass, a sentence each
 
@@ -84,10 +112,18 @@ struct Comparison {
 /// `origin`: the x of the data at the scene's origin; if empty, it is fitted, which only the user
 /// may request. Data that do not pass, or whose error exceeds 3/1000 of the peak, are diagnosed if
 /// the suspects of the scene are given.
+/// `mesh_error`: the mesh's own error (mesh_errors()); without it, expected_mesh_error().
 [[nodiscard]] FileComparison compare_file(ResultTable table, const ExactContact& exact,
                                           const Tolerances& tolerances,
                                           const std::optional<Rational>& origin,
-                                          SuspectContacts* suspects = nullptr);
+                                          SuspectContacts* suspects = nullptr,
+                                          const std::optional<double>& mesh_error = {});
+/// Compares gap, slip and sxx of the data, if they have them, at the nodes outside the edge zones
+/// with the exact values of the scene. The direction of the slip, and the body whose sxx the data
+/// have, are those that agree better. Adds failures if the tolerances have `surface`. Throws
+/// Interrupted.
+void compare_surface(FileComparison& file, const scene::Scene& scene, const ExactContact& exact,
+                     const Tolerances& tolerances);
 /// Orders and limits of a, b, P, c_0, the largest pressure and the errors, if every file has them.
 [[nodiscard]] std::vector<Convergence> convergence_of(const std::vector<FileComparison>& files,
                                                       const ExactContact& exact);

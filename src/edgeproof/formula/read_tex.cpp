@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/formula/names.hpp"
-#include "edgeproof/formula/typed.hpp"
-#include "edgeproof/precision/message.hpp"
+#include "edgeproof/formula/tex_tokens.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,41 +9,6 @@
 
 namespace edgeproof::formula {
 namespace {
-
-constexpr std::size_t longest_tex = 20'000;
-constexpr std::size_t deepest_tex = 300;
-
-bool is_tex_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_tex_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// Commands that change only the layout.
-constexpr std::array layout{
-    ",",    ";",     ":",     "!",     " ",     "quad",   "qquad",    "displaystyle", "textstyle",
-    "left", "right", "big",   "Big",   "bigg",  "Bigg",   "bigl",     "bigr",         "Bigl",
-    "Bigr", "biggl", "biggr", "Biggl", "Biggr", "limits", "thinspace"};
-constexpr std::array greek{
-    "alpha", "beta",     "gamma",   "delta",    "epsilon", "varepsilon", "zeta",   "eta",
-    "theta", "vartheta", "kappa",   "lambda",   "mu",      "nu",         "xi",     "pi",
-    "rho",   "varrho",   "sigma",   "varsigma", "tau",     "upsilon",    "phi",    "varphi",
-    "chi",   "psi",      "omega",   "Gamma",    "Delta",   "Theta",      "Lambda", "Xi",
-    "Pi",    "Sigma",    "Upsilon", "Phi",      "Psi",     "Omega",      "ell",    "hbar"};
-constexpr std::array upright{"mathrm", "mathit", "mathsf",       "mathbf",     "text",
-                             "textrm", "textit", "operatorname", "boldsymbol", "rm"};
-
-struct TexFunction {
-    std::string_view command;
-    std::string_view function;
-};
-constexpr std::array functions{
-    TexFunction{"sin", "sin"},     TexFunction{"cos", "cos"},     TexFunction{"tan", "tan"},
-    TexFunction{"arcsin", "asin"}, TexFunction{"arccos", "acos"}, TexFunction{"arctan", "atan"},
-    TexFunction{"sinh", "sinh"},   TexFunction{"cosh", "cosh"},   TexFunction{"tanh", "tanh"},
-    TexFunction{"exp", "exp"},     TexFunction{"ln", "log"},      TexFunction{"log", "log"},
-    TexFunction{"lg", "log10"},    TexFunction{"max", "max"},     TexFunction{"min", "min"}};
-
-template <class List> bool is_in(const List& list, std::string_view name) {
-    return std::ranges::find(list, name) != list.end();
-}
 
 /// The strength with which the operators of a plain text bind.
 enum class Binding { sum, product, power, atom };
@@ -67,9 +30,9 @@ struct ScriptedName {
     bool star = false;
 };
 
-class TexReader {
+class TexReader : TexTokens {
 public:
-    TexReader(std::string_view tex, const Symbols& allowed) : tex_(tex), allowed_(allowed) {}
+    TexReader(std::string_view tex, const Symbols& allowed) : TexTokens(tex), allowed_(allowed) {}
 
     std::string read() {
         if (tex_.size() > longest_tex) {
@@ -84,88 +47,6 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(std::string problem, std::string instead) const {
-        throw FormulaError(std::move(problem), std::move(instead), at_);
-    }
-    [[noreturn]] void refuse(const std::string& what, std::string instead) const {
-        fail(what + at_column(tex_, at_) + " can be read in two ways", std::move(instead));
-    }
-    [[noreturn]] void unexpected() {
-        if (at_end()) {
-            fail("the formula ends where a number, a name or a bracket must follow", "complete it");
-        }
-        if (tex_[at_] == '\\') {
-            fail("the command \\" + printable(command()) + at_column(tex_, at_) +
-                     " has no meaning in a formula here",
-                 "use \\frac, \\sqrt, \\left( \\right), \\int, functions and Greek letters, or "
-                 "write plain text");
-        }
-        fail("unexpected " + quoted_at(tex_, at_) + at_column(tex_, at_),
-             tex_[at_] == '=' ? "write one side of the equation" : "close each bracket and brace");
-    }
-
-    // --- tokens
-
-    [[nodiscard]] std::string_view command_at(std::size_t at) const {
-        std::size_t end = at + 1;
-        while (end < tex_.size() && is_tex_letter(tex_[end])) {
-            ++end;
-        }
-        return tex_.substr(at + 1, std::max<std::size_t>(end - at - 1, 1));
-    }
-    /// Skips spaces and commands of layout.
-    void skip() {
-        while (at_ < tex_.size()) {
-            if (std::string_view(" \t\r\n~").find(tex_[at_]) != std::string_view::npos) {
-                ++at_;
-            } else if (tex_[at_] == '\\' && is_in(layout, command_at(at_))) {
-                at_ += 1 + command_at(at_).size();
-            } else {
-                return;
-            }
-        }
-    }
-    bool at_end() {
-        skip();
-        return at_ == tex_.size();
-    }
-    char peek() { return at_end() ? '\0' : tex_[at_]; }
-    /// The command at this place; empty if there is none.
-    std::string_view command() { return peek() == '\\' ? command_at(at_) : std::string_view{}; }
-    bool take(char c) {
-        const bool found = peek() == c;
-        at_ += found ? 1 : 0;
-        return found;
-    }
-    bool take(std::string_view name) {
-        const bool found = peek() == '\\' && command() == name;
-        at_ += found ? 1 + name.size() : 0;
-        return found;
-    }
-    void expect(char c) {
-        if (!take(c)) {
-            fail(std::string("a '") + c + "' is missing" + at_column(tex_, at_),
-                 "close each bracket and brace");
-        }
-    }
-
-    class Level {
-    public:
-        explicit Level(TexReader& reader) : reader_(reader) {
-            if (++reader_.depth_ > deepest_tex) {
-                reader_.fail("the formula is nested more than " + std::to_string(deepest_tex) +
-                                 " levels deep",
-                             "write it with fewer brackets inside one another");
-            }
-        }
-        ~Level() { --reader_.depth_; }
-        Level(const Level&) = delete;
-        Level& operator=(const Level&) = delete;
-
-    private:
-        TexReader& reader_;
-    };
-
     // --- the grammar
 
     /// `integrand`: ends behind the product that contains the differential.
@@ -252,11 +133,11 @@ private:
         }
         const std::string_view name = command();
         return name == "frac" || name == "dfrac" || name == "tfrac" || name == "sqrt" ||
-               name == "int" || name == "{" || name == "lvert" || is_in(greek, name) ||
-               is_in(upright, name) || is_function_command(name);
+               name == "int" || name == "{" || name == "lvert" || is_in(tex_greek, name) ||
+               is_in(tex_upright, name) || is_function_command(name);
     }
     static bool is_function_command(std::string_view name) {
-        return std::ranges::find(functions, name, &TexFunction::command) != functions.end();
+        return std::ranges::find(tex_functions, name, &TexFunction::command) != tex_functions.end();
     }
 
     Plain factor() {
@@ -308,7 +189,7 @@ private:
         if (is_function_command(command())) {
             return function();
         }
-        if (is_in(greek, command()) || is_in(upright, command())) {
+        if (is_in(tex_greek, command()) || is_in(tex_upright, command())) {
             return named();
         }
         unexpected();
@@ -331,7 +212,7 @@ private:
             ++at_;
             return {is_tex_digit(c) ? std::string(1, c) : looked_up({std::string(1, c), {}})};
         }
-        if (is_in(greek, command())) {
+        if (is_in(tex_greek, command())) {
             const std::string name(command());
             at_ += 1 + name.size();
             return {looked_up({name, {}})};
@@ -390,7 +271,7 @@ private:
     }
 
     Plain function() {
-        const auto* found = std::ranges::find(functions, command(), &TexFunction::command);
+        const auto* found = std::ranges::find(tex_functions, command(), &TexFunction::command);
         std::string name(found->function);
         at_ += 1 + found->command.size();
         if (name == "log" && take('_')) {
@@ -449,7 +330,7 @@ private:
         }
         if (upright_d || take('d')) {
             const char c = peek();
-            if (is_tex_letter(c) || is_in(greek, command())) {
+            if (is_tex_letter(c) || is_in(tex_greek, command())) {
                 ScriptedName name = bare_name();
                 scripts(name);
                 if (name.primes == 0 && !name.star) {
@@ -492,7 +373,7 @@ private:
         }
         const std::string name(command());
         at_ += 1 + name.size();
-        return {is_in(upright, name) ? raw_group() : name, {}};
+        return {is_in(tex_upright, name) ? raw_group() : name, {}};
     }
     /// Returns the letters and digits of a group or token; "\\mathrm{I}" is I, "\\sigma" sigma.
     std::string raw_group() {
@@ -506,10 +387,10 @@ private:
             } else if (command() == "_") {
                 text += '_';
                 at_ += 2;
-            } else if (is_in(upright, command())) {
+            } else if (is_in(tex_upright, command())) {
                 at_ += 1 + command().size();
                 text += raw_group();
-            } else if (is_in(greek, command())) {
+            } else if (is_in(tex_greek, command())) {
                 text += command();
                 at_ += 1 + command().size();
             } else {
@@ -684,10 +565,7 @@ private:
         return false;
     }
 
-    std::string_view tex_;
     const Symbols& allowed_;
-    std::size_t at_ = 0;
-    std::size_t depth_ = 0;
     int bars_ = 0;
     bool open_end_ = false;              ///< the last factor ends with an argument without brackets
     std::vector<std::string> variables_; ///< of the integrals being read; empty until "ds"

@@ -14,12 +14,12 @@ namespace edgeproof::formula {
 
 /// True if a text is meant as LaTeX: it contains a backslash or a brace.
 [[nodiscard]] bool is_tex(std::string_view text);
-/// Reads one side of an equation in LaTeX and returns it as text for parse(): \frac, \sqrt[n],
-/// \left( \right), |x|, \int_a^b ... ds, functions, \cdot, \times and products without a sign,
+/// Reads one side of an equation in LaTeX and returns it as text for parse(): \\frac, \\sqrt[n],
+/// \\left( \\right), |x|, \\int_a^b ... ds, functions, \\cdot, \\times and products without a sign,
 /// Greek letters, superscripts, and names with subscripts and primes. A name is looked up in
 /// `allowed` as x_1, x1 (x_{1}), Es (E^{*}), P1 (P'), P1of(s) (P'(s), or P1 if s is a), g1(x)
-/// (g'(x)). \log is the natural logarithm. Throws FormulaError, always with one line, for other
-/// commands, for texts that can be read in two ways (a/2b, \sin 2x, \sin^{-1}x, P(a)), and within
+/// (g'(x)). \\log is the natural logarithm. Throws FormulaError, always with one line, for other
+/// commands, for texts that can be read in two ways (a/2b, \\sin 2x, \\sin^{-1}x, P(a)), and within
 /// the limits of parse().
 [[nodiscard]] std::string plain_from_tex(std::string_view tex, const Symbols& allowed);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/pack/pack.hpp"
 #include "edgeproof/comparison/measures/exact_contact.hpp"
+#include "edgeproof/conformance/causes/readings.hpp"
 #include "edgeproof/conformance/questions/conditioning.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/conformance/questions/reference.hpp"
@@ -26,6 +27,19 @@ std::string head_of(const std::string& what) {
            "binary64.\n";
 }
 
+/// factors.txt: the factors with a name of the catalogue of mistakes.
+std::string factors_text() {
+    const PrecisionScope scope(30);
+    std::string text =
+        fmt::format("# Edgeproof conformance pack {}: factors by which programs are wrong, with "
+                    "their names\n",
+                    pack_version);
+    for (const conformance::NamedFactor& factor : conformance::named_factors()) {
+        text += fmt::format("{} {:.17g}\n", factor.name, factor.value.convert_to<double>());
+    }
+    return text;
+}
+
 } // namespace
 
 std::vector<PackFile> make_pack(const PackOptions& options) {
@@ -39,6 +53,7 @@ std::vector<PackFile> make_pack(const PackOptions& options) {
     add("cases.csv", "levels B, C and D", recipe_rows(text(0), "pack.toml", false, options));
     add("hard-cases.csv", "levels B, C and D, hard cases, with the reason of each",
         hard_case_rows(text(2), "hard-cases.toml", options));
+    files.push_back({"factors.txt", factors_text()});
     for (const auto& [name, content] : shipped_files.subspan(3)) {
         files.push_back({std::string(name), std::string(content)});
     }

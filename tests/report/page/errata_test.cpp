@@ -102,3 +102,14 @@ TEST_CASE("a tolerance in percent") {
     CHECK(shown("1/3") == "1/3");
     CHECK(shown("sqrt(2)/100") == "sqrt(2)/100");
 }
+
+TEST_CASE("errata call no line a misprint if the ledger does not state what rests on its lines") {
+    const AuditResult result = small_ledger::audit_of(
+        "kind = \"value\"\nover = \"hertz\"\nof = \"p(x)\"\nsays = \"Es*C/3*sqrt(a^2 - x^2)\"\n"
+        "printed = 'p = \\frac{E^*C}{3}\\sqrt{a^2-x^2}'\n");
+    REQUIRE(result.claims.front().outcome.verdict == audit::Verdict::refuted);
+    const std::string tex = errata_tex(result, {});
+    CHECK(in_text(tex, "1 error found."));
+    CHECK_FALSE(in_text(tex, "misprint"));
+    CHECK_FALSE(in_text(tex, "matter"));
+}

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 #include <unordered_set>
 
@@ -13,6 +14,62 @@ using Kind = formula::Expr::Kind;
 
 formula::Expr whole(long n) { return formula::Expr::number(Rational(n)); }
 formula::Expr fraction(long n, long d) { return whole(n) / whole(d); }
+
+/// The derivative of a polynomial in `name`, or of a power with a constant exponent; nothing for
+/// other expressions and for constants.
+std::optional<formula::Expr> derivative(const formula::Expr& e, const std::string& name) {
+    if (e.kind() == Kind::symbol && e.name() == name) {
+        return whole(1);
+    }
+    if (!holds_symbol(e, name)) {
+        return {};
+    }
+    const auto inner = [&](std::size_t i) { return derivative(e.arg(i), name); };
+    const auto times = [](const formula::Expr& factor, const formula::Expr& x) {
+        return x.rational() != nullptr && *x.rational() == 1 ? factor : factor * x;
+    };
+    const bool first = e.args().empty() || holds_symbol(e.arg(0), name);
+    const bool second = e.args().size() == 2 && holds_symbol(e.arg(1), name);
+    switch (e.kind()) {
+    case Kind::neg: {
+        const auto x = inner(0);
+        return x ? std::optional(-*x) : std::nullopt;
+    }
+    case Kind::add:
+    case Kind::sub: {
+        const auto x = first ? inner(0) : std::nullopt;
+        const auto y = second ? inner(1) : std::nullopt;
+        const bool plus = e.kind() == Kind::add;
+        if ((first && !x) || (second && !y)) {
+            return {};
+        }
+        return !second ? x : !first ? (plus ? *y : -*y) : plus ? *x + *y : *x - *y;
+    }
+    case Kind::mul: {
+        const auto x = first ? inner(0) : inner(1);
+        return x && !(first && second) ? std::optional(times(e.arg(first ? 1 : 0), *x))
+                                       : std::nullopt;
+    }
+    case Kind::div: {
+        const auto x = inner(0);
+        return x && !second ? std::optional(*x / e.arg(1)) : std::nullopt;
+    }
+    case Kind::pow: {
+        const auto x = first ? inner(0) : std::nullopt;
+        if (!x || second) {
+            return {};
+        }
+        const Rational* n = e.arg(1).rational();
+        const formula::Expr power =
+            n != nullptr && *n == 2
+                ? e.arg(0)
+                : pow(e.arg(0), n != nullptr ? formula::quotient_of(*n - 1) : e.arg(1) - whole(1));
+        return times(e.arg(1) * power, *x);
+    }
+    default:
+        return {};
+    }
+}
 
 class Editor {
 public:
@@ -111,6 +168,7 @@ private:
         }
         if (node_.height() >= 2) {
             exchange_names();
+            derivatives();
         }
         if (is_term()) {
             factors();
@@ -137,6 +195,23 @@ private:
                                           name(written[i])),
                                between, name(written[k])),
                     "names exchanged", 4);
+            }
+        }
+    }
+
+    /// A function in place of its derivative, such as the gap g for its slope g'.
+    void derivatives() {
+        std::vector<std::string> variables{"x"};
+        for (std::size_t length = 0; length < path_.size(); ++length) {
+            const formula::Path outer(path_.begin(),
+                                      path_.begin() + static_cast<std::ptrdiff_t>(length));
+            if (const formula::Expr around = at(formula_, outer); around.is_binder()) {
+                variables.push_back(around.arg(1).name());
+            }
+        }
+        for (const std::string& name : variables) {
+            if (const auto slope = derivative(node_, name)) {
+                put(*slope, "derivative", 3);
             }
         }
     }

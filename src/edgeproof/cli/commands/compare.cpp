@@ -32,6 +32,7 @@ struct CompareOptions {
     std::string tolerance_P;
     std::string tolerance_c0;
     std::string tolerance_q;
+    std::string tolerance_surface;
     bool partial = false;
     bool json = false;
     std::string format;
@@ -75,6 +76,7 @@ comparison::Tolerances tolerances_of(const CompareOptions& o) {
     t.force = optional_tolerance("--tolerance-P", o.tolerance_P);
     t.c0 = optional_tolerance("--tolerance-c0", o.tolerance_c0);
     t.q = optional_tolerance("--tolerance-q", o.tolerance_q);
+    t.surface = optional_tolerance("--tolerance-surface", o.tolerance_surface);
     t.partial = o.partial;
     return t;
 }
@@ -185,6 +187,7 @@ int compare_results(const CompareOptions& o) {
     for (const std::string& file : o.results) {
         tables.push_back(comparison::read_result(file, reading));
     }
+    const auto own = comparison::mesh_errors(tables);
     const comparison::ExactContact exact(scene);
     report.scene = o.scene;
     report.title = scene.title;
@@ -196,7 +199,10 @@ int compare_results(const CompareOptions& o) {
         for (comparison::ResultTable& table : tables) {
             progress(report.comparison.files.size(), tables.size());
             report.comparison.files.push_back(comparison::compare_file(
-                std::move(table), exact, report.comparison.tolerances, origin, &suspects));
+                std::move(table), exact, report.comparison.tolerances, origin, &suspects,
+                own ? std::optional((*own)[report.comparison.files.size()]) : std::nullopt));
+            comparison::compare_surface(report.comparison.files.back(), scene, exact,
+                                        report.comparison.tolerances);
             comparison::require_nodes_inside(report.comparison.files.back(), exact,
                                              report.comparison.tolerances.zone);
         }
@@ -218,8 +224,10 @@ void add_compare(CLI::App& app, int& code) {
         app, code, "compare", "results of a mesh (x and p), compared with the exact contact",
         compare_results);
     sub.add_option("scene", o.scene, "the scene (TOML)");
-    sub.add_option("results", o.results,
-                   "tables of x and p, as programs write them; several: of finer and finer meshes");
+    sub.add_option(
+        "results", o.results,
+        "tables of x and p, as programs write them (also .frd and .dat of CalculiX); several: "
+        "of finer and finer meshes");
     sub.add_option("--columns", o.columns, "x=1,p=3 or x=COORD1,p=CPRESS: which columns");
     sub.add_option("--scale", o.scale, "x=1e-3,p=1e6: multiply what the files have");
     sub.add_option("--origin", o.origin,
@@ -237,6 +245,8 @@ void add_compare(CLI::App& app, int& code) {
     sub.add_option("--tolerance-c0", o.tolerance_c0, "pass with c_0 within this");
     sub.add_option("--tolerance-q", o.tolerance_q,
                    "pass with an error of q within this (default: as --tolerance)");
+    sub.add_option("--tolerance-surface", o.tolerance_surface,
+                   "pass with errors of gap, slip and sxx within this");
     sub.add_flag("--partial", o.partial,
                  "the data hold a part of the contact: compare p at their nodes, though they do "
                  "not determine a, b, P and the largest p");

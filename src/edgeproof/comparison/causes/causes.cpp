@@ -11,8 +11,8 @@
 namespace edgeproof::comparison {
 namespace {
 
-constexpr double mesh_allowance = 0.003; ///< relative to the largest pressure, for the mesh
-constexpr double share_for_mesh = 0.05;  ///< and at most this share of the error to be explained
+constexpr double right_as_a_mesh = 0.003; ///< of the largest pressure: data that need no cause
+constexpr double most_of_a_mesh = 0.03;   ///< the largest allowance for a mesh's own error
 constexpr double scatter_allowance = 1.6;
 constexpr double share_left = 0.3;
 constexpr double as_little = 1.2;
@@ -245,16 +245,17 @@ std::optional<Cause> alternation(const Observed& data, const Suspect& right, dou
 }
 
 Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
-                            const std::vector<Suspect>& suspects) {
+                            const std::vector<Suspect>& suspects, double mesh_error) {
     Diagnosis diagnosis;
     const auto as_it_is = fit_of(data, right); // empty if hardly any node lies in the exact contact
     diagnosis.unexplained = as_it_is ? as_it_is->left : 1;
     if (as_it_is) {
         diagnosis.noise = as_it_is->noise;
         diagnosis.largest_inside = as_it_is->largest_counted;
-        diagnosis.at_edges_only = as_it_is->is_scatter(mesh_allowance);
+        diagnosis.at_edges_only =
+            as_it_is->is_scatter(std::max(right_as_a_mesh, std::min(mesh_error, most_of_a_mesh)));
     }
-    const double allowance = std::min(mesh_allowance, share_for_mesh * diagnosis.unexplained);
+    const double allowance = std::min(mesh_error, most_of_a_mesh);
     const double factor = median_ratio(data, right.values);
     for (const Suspect& suspect : suspects) {
         const auto fit = fit_of(data, suspect);
@@ -287,7 +288,7 @@ Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
 } // namespace
 
 Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const DataContact& contact,
-                   SuspectContacts& suspects, const ExactContact& exact) {
+                   SuspectContacts& suspects, const ExactContact& exact, double mesh_error) {
     Observed observed = observed_in(data, contact, exact);
     Suspect right{"", "", exact.a().value, exact.b().value, {}};
     for (std::size_t i = 0; i < observed.nodes.size(); ++i) {
@@ -295,8 +296,8 @@ Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const Da
         observed.values.push_back(node.p);
         right.values.push_back(node.exact.p.value_or(std::nan("")));
     }
-    Diagnosis diagnosis =
-        diagnose_observed(observed, right, pressure_suspects(observed.nodes, suspects, exact));
+    Diagnosis diagnosis = diagnose_observed(
+        observed, right, pressure_suspects(observed.nodes, suspects, exact), mesh_error);
     if (diagnosis.at_edges_only && diagnosis.causes.empty()) {
         if (const auto cause = cause_in_digits(table, data, exact)) {
             diagnosis.causes.push_back(*cause);
@@ -306,7 +307,7 @@ Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const Da
 }
 
 Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
-                         SuspectContacts& suspects, const ExactContact& exact) {
+                         SuspectContacts& suspects, const ExactContact& exact, double mesh_error) {
     Observed observed = observed_in(data, contact, exact);
     Suspect right{"", "", exact.a().value, exact.b().value, {}};
     for (std::size_t i = 0; i < observed.nodes.size(); ++i) {
@@ -314,7 +315,8 @@ Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
         observed.values.push_back(shear ? shear->q : 0);
         right.values.push_back(shear ? shear->exact.value_or(std::nan("")) : std::nan(""));
     }
-    return diagnose_observed(observed, right, shear_suspects(observed.nodes, suspects, exact));
+    return diagnose_observed(observed, right, shear_suspects(observed.nodes, suspects, exact),
+                             mesh_error);
 }
 
 namespace {

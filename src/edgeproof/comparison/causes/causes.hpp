@@ -95,17 +95,19 @@ struct Diagnosis {
 /// is within the data's own scatter (of second differences from node to node) plus an allowance for
 /// the mesh; the scale of the suspect's values is one within three standard errors (of constant
 /// noise or of noise proportional to the pressure, whichever is larger) plus the allowance; and the
-/// remaining error is less than three tenths of the original one. The allowance is three
-/// thousandths, and at most a twentieth of the original error. Mistakes whose remaining error is
+/// remaining error is less than three tenths of the original one. The allowance is `mesh_error`,
+/// the mesh's own error (measures/mesh_error.hpp), and at most three hundredths of the largest
+/// pressure. Mistakes whose remaining error is
 /// within a fifth of the best are equally likely: the data do not distinguish them. Data that carry
 /// too few digits, or are binary32, and otherwise agree, have that cause. No cause is proved.
 /// Throws Interrupted.
 [[nodiscard]] Diagnosis diagnose(const ResultTable& table, const AlignedResult& data,
                                  const DataContact& contact, SuspectContacts& suspects,
-                                 const ExactContact& exact);
+                                 const ExactContact& exact, double mesh_error);
 /// Diagnoses the shear traction, if the pressure is right.
 [[nodiscard]] Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
-                                       SuspectContacts& suspects, const ExactContact& exact);
+                                       SuspectContacts& suspects, const ExactContact& exact,
+                                       double mesh_error);
 
 /// Finds pressures that carry fewer digits than are written: rounded to a number of significant
 /// digits or decimals, or numbers of binary32; accepted if the errors away from the edges (by a

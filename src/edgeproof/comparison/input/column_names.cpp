@@ -40,12 +40,15 @@ constexpr KnownNames known_names[] = {
     {"shear sheartraction tangentialtraction", ColumnRole::shear, 2},
     {"contsfri", ColumnRole::shear, 3},
     {"tt tau", ColumnRole::shear, 4},
+    {"copen gap contgap", ColumnRole::gap, 1},
+    {"cslip1 cslip contslid", ColumnRole::slip, 1},
+    {"s11 sxx sigmaxx sx", ColumnRole::sxx, 1},
 };
 
 constexpr std::string_view other_names =
     "node nodelabel nodenumber nodeno nodeid element elem elementlabel elementnumber elementid "
     "label number no id partinstance partinstancename y z ycoord ycoordinate zcoord zcoordinate "
-    "coordinatey coordinatez cstatus copen gap status ylocation zlocation noeud coory coorz";
+    "coordinatey coordinatez cstatus status ylocation zlocation noeud coory coorz";
 /// Columns that number the steps of a computation, or give their time.
 constexpr std::string_view step_names =
     "step stepnumber stepid loadstep substep time steptime inst increment inc frame numordre";

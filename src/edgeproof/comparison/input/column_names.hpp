@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/scene/input/units.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -10,7 +11,9 @@
 
 namespace edgeproof::comparison {
 
-enum class ColumnRole { place, pressure, shear };
+enum class ColumnRole { place, pressure, shear, gap, slip, sxx };
+/// The roles that are compared if the data have them, in addition to p and q.
+inline constexpr std::array surface_roles{ColumnRole::gap, ColumnRole::slip, ColumnRole::sxx};
 
 /// The text with ASCII letters in lower case.
 [[nodiscard]] std::string lower_case(std::string_view text);

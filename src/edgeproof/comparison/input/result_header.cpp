@@ -162,10 +162,30 @@ private:
             found_.step = at_column(static_cast<std::size_t>(step - header_.begin()));
         }
         find_units();
+        find_surface(roles);
         found_.findings.push_back(fmt::format("columns: x is {}, p is {}{}; {} separate them",
                                               column_text(found_.x), column_text(found_.p),
                                               found_.q ? ", q is " + column_text(*found_.q) : "",
                                               separator_name(text_.separator)));
+    }
+    /// A column without a unit has that of x or p.
+    void find_surface(const std::map<ColumnRole, Found>& roles) {
+        const scene::Units units = reading_.units.value_or(scene::Units{});
+        for (std::size_t k = 0; k < surface_roles.size(); ++k) {
+            const auto found = roles.find(surface_roles[k]);
+            if (found == roles.end() || found->second.twin) {
+                continue;
+            }
+            UsedColumn& c = found_.surface[k].emplace(at_column(*found->second.index));
+            const bool length = surface_roles[k] != ColumnRole::sxx;
+            if (!c.name.unit) {
+                c.factor = (length ? found_.x : found_.p).factor;
+                continue;
+            }
+            convert(c, length ? scene::Unit::Dimension::length : scene::Unit::Dimension::pressure,
+                    length ? reading_.x_scale : reading_.p_scale,
+                    length ? units.length : units.pressure, header_[c.index].text.c_str());
+        }
     }
     [[nodiscard]] std::string column_text(const UsedColumn& c) const {
         return fmt::format("column {}", c.index + 1) +

@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/comparison/input/result_table.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -81,6 +82,8 @@ struct TableHeader {
     UsedColumn x;
     UsedColumn p;
     std::optional<UsedColumn> q;
+    /// Gap, slip and sxx along the surface, in the order of surface_roles.
+    std::array<std::optional<UsedColumn>, surface_roles.size()> surface;
     std::optional<UsedColumn> step;    ///< of several load steps
     std::vector<std::string> findings; ///< notes on how they were found
 };

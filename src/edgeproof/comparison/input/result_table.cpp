@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/input/result_table.hpp"
 
+#include "edgeproof/comparison/input/calculix.hpp"
 #include "edgeproof/comparison/input/result_lines.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/io/text_file.hpp"
@@ -45,9 +46,9 @@ double scaled_rounding(double rounding, const Rational& factor) {
 
 class TableReader {
 public:
-    TableReader(std::string_view text, const std::string& file, const ResultReading& reading)
-        : text_(result_text(text, file)), header_(read_header(text_, reading)) {
-        table_.file = file;
+    TableReader(ResultText text, const ResultReading& reading)
+        : text_(std::move(text)), header_(read_header(text_, reading)) {
+        table_.file = text_.file;
         table_.findings = std::move(header_.findings);
     }
 
@@ -163,6 +164,14 @@ private:
             q_texts_.push_back(*number_of(cells[header_.q->index], text_.separator));
             row.q = value(line, q_texts_.back(), header_.p.factor);
         }
+        for (std::size_t k = 0; k < row.surface.size(); ++k) {
+            const auto& column = header_.surface[k];
+            if (column && column->index < cells.size() && text_.is_number(cells[column->index])) {
+                row.surface[k] =
+                    value(line, *number_of(cells[column->index], text_.separator), column->factor)
+                        .convert_to<double>();
+            }
+        }
         if (header_.step) {
             const bool given = header_.step->index < cells.size();
             steps_.push_back(given ? cells[header_.step->index].text : "");
@@ -277,7 +286,14 @@ private:
 
 ResultTable parse_result(std::string_view text, const std::string& file,
                          const ResultReading& reading) {
-    return TableReader(text, file, reading).read();
+    auto calculix = calculix_table(text, file);
+    ResultTable table =
+        TableReader(calculix ? std::move(calculix->text) : result_text(text, file), reading).read();
+    if (calculix) {
+        table.findings.insert(table.findings.begin(), calculix->findings.begin(),
+                              calculix->findings.end());
+    }
+    return table;
 }
 
 ResultTable read_result(const std::filesystem::path& file, const ResultReading& reading) {

@@ -18,6 +18,8 @@ struct ResultRow {
     Rational x;
     Rational p;
     std::optional<Rational> q;
+    /// Gap, slip and sxx along the surface, in the order of surface_roles; not an exact value.
+    std::array<std::optional<double>, surface_roles.size()> surface = {};
     /// Half a unit of the last digit of x in its column; 0 for an even grid, which is exact.
     double x_rounding = 0;
     double p_rounding = 0;

@@ -57,7 +57,8 @@ private:
         }
     }
 
-    /// A mesh of half of a symmetric contact ends where p is high, and not beyond the middle.
+    /// A mesh of half of a symmetric contact ends where p is high, and not beyond the middle:
+    /// data from -0.3 a to the right edge are a part of the whole, not a half.
     void find_half(const std::optional<Support>& support, double origin) {
         if (!support || !exact_.symmetric() || support->left_falls == support->right_falls) {
             return;
@@ -68,7 +69,9 @@ private:
                                             : std::array<std::size_t, 3>{last, last - 1, 0};
         const double beyond = points_[end].x - origin;
         const bool both_sides = beyond * (points_[other].x - origin) < 0;
-        if (both_sides && std::abs(beyond) > std::abs(points_[next].x - points_[end].x)) {
+        constexpr double of_an_element = 0.01; // for rounded places: a half ends in the middle
+        if (both_sides &&
+            std::abs(beyond) > of_an_element * std::abs(points_[next].x - points_[end].x)) {
             return;
         }
         result_.half = support->right_falls ? contact::Edge::right : contact::Edge::left;

@@ -32,11 +32,12 @@ NearNodes nodes_between(const AlignedResult& data, contact::Edge edge, double ou
     return near;
 }
 
+/// Fits `terms` powers of u/unit, the first with the exponent `first`, a multiple of 1/2.
 std::optional<LeastSquares> fit_terms(const NearNodes& near, const std::vector<double>& p,
-                                      std::size_t terms, double unit) {
+                                      std::size_t terms, double unit, double first = 0.5) {
     std::vector<std::vector<double>> columns(terms);
     for (const double u : near.u) {
-        double power = std::sqrt(u / unit);
+        double power = std::pow(u / unit, first);
         for (auto& column : columns) {
             column.push_back(power);
             power *= u / unit;
@@ -170,11 +171,31 @@ std::optional<EdgeFit> fit_window(const NearNodes& near, std::size_t terms) {
 
 } // namespace
 
+namespace {
+
+/// Adds the effect of an edge that lies elsewhere in the data: all nodes share it, so that the
+/// residuals do not show it. sqrt(u + d) is sqrt(u) + d/2 u^(-1/2) + ..., so the fit is repeated
+/// with the power -1/2.
+void allow_for_edge(const NearNodes& near, EdgeFit& fit) {
+    const auto moved = fit_terms(near, near.p, fit.terms + 1, fit.to, -0.5);
+    if (!moved) {
+        return;
+    }
+    for (const std::size_t k : {0U, 1U}) {
+        FittedCoefficient& c = k == 0 ? fit.c0 : fit.c1;
+        const double unit = std::pow(fit.to, static_cast<double>(k) + 0.5);
+        c.spread = std::hypot(c.spread, moved->coefficients[k + 1] / unit - c.value);
+    }
+}
+
+} // namespace
+
 std::optional<EdgeFit> fit_edge(const AlignedResult& data, const ExactContact& exact,
                                 contact::Edge edge, double leave_out,
                                 const std::optional<double>& own_edge) {
     const double radius = exact.convergence_radius(edge);
     std::optional<EdgeFit> best;
+    NearNodes of_best;
     for (const double part : {0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9}) {
         const NearNodes near =
             nodes_between(data, edge, own_edge.value_or(0), leave_out, part * radius);
@@ -182,11 +203,13 @@ std::optional<EdgeFit> fit_edge(const AlignedResult& data, const ExactContact& e
             const auto fit = fit_window(near, terms);
             if (fit && (!best || fit->c0.spread < best->c0.spread)) {
                 best = fit;
+                of_best = near;
             }
         }
     }
     if (best) {
         best->own_edge = own_edge.has_value();
+        allow_for_edge(of_best, *best);
     }
     return best;
 }

@@ -260,14 +260,24 @@ private:
                 continue;
             }
             if (auto fit = fit_of(rows, times(values, factor.value), noise_)) {
-                const std::string ours = swapped ? "ours at the other edge" : "ours";
-                to.likely.push_back({swapped ? "edges-swapped" : factor.name, factor.words + ours,
-                                     swapped ? "left taken for right, and a factor" : factor.hint,
-                                     factor.value.convert_to<double>(),
-                                     factor.common && !swapped ? 0 : 2, false, false,
-                                     4 * ratio->error, std::move(*fit), swapped});
+                to.likely.push_back(likely(factor, *ratio, std::move(*fit), swapped));
             }
         }
+    }
+
+    [[nodiscard]] static Likely likely(const NamedFactor& factor, const CommonRatio& ratio, Fit fit,
+                                       std::optional<std::size_t> swapped) {
+        const std::string ours = swapped ? "ours at the other edge" : "ours";
+        return {swapped ? "edges-swapped" : factor.name,
+                factor.words + ours,
+                swapped ? "left taken for right, and a factor" : factor.hint,
+                factor.value.convert_to<double>(),
+                factor.common && !swapped ? 0 : 2,
+                false,
+                false,
+                4 * ratio.error,
+                std::move(fit),
+                swapped};
     }
 
     [[nodiscard]] static Values all_of(const WrongRows& rows) {
@@ -296,8 +306,9 @@ private:
         }
     }
 
-    /// Adds the readings that fit the rows as well as the causes found, however little they change:
-    /// the answers do not distinguish them. If the answers have noise, it may hide what a mistake
+    /// Adds the readings and factors that fit the rows as well as the causes found, however little
+    /// they change or however improbable the noise is with them: the answers do not distinguish
+    /// them. If the answers have noise, it may hide what a mistake
     /// in the data of a contact does to other rows of the quantity.
     void add_undistinguished(const WrongRows& some, const WrongRows& all, Explained& to) {
         if (to.likely.empty()) {
@@ -322,6 +333,19 @@ private:
                 to.likely.push_back(likely(r, some.size() < all.size()
                                                   ? remainder_of(all, values(r, all.questions))
                                                   : std::move(fit)));
+            }
+        }
+        const auto ratio = common_ratio(all, all_of(all));
+        for (const NamedFactor& factor : factors_) {
+            const bool known = std::ranges::any_of(to.likely, [&](const Likely& l) {
+                return l.name == factor.name && l.relation == factor.words + "ours";
+            });
+            if (!ratio || known || abs(Real(ratio->value / factor.value - 1)) > most_scatter) {
+                continue;
+            }
+            if (misfit(remainder_of(some, times(all_of(some), factor.value)), unit) <= most) {
+                to.likely.push_back(likely(
+                    factor, *ratio, remainder_of(all, times(all_of(all), factor.value)), {}));
             }
         }
     }
@@ -400,8 +424,9 @@ private:
             const WrongRows rows = wrong_rows(answers_, agreements_, group.group.rows);
             for (const Explained& other : before) {
                 for (Likely cause : other.likely) {
+                    // The text of a constant without a name may be that of a named factor.
                     const bool known = std::ranges::any_of(group.likely, [&](const Likely& l) {
-                        return l.relation == cause.relation;
+                        return l.name == cause.name && l.relation == cause.relation;
                     });
                     if (!known) {
                         cause.fit = remainder_of(rows, values_of(cause, rows));

@@ -37,9 +37,19 @@ bool reaches_conclusion(const audit::ClaimResult& result, const ById& all,
     });
 }
 
+/// True if the ledger states for some line what the source computes from it ([[later]]).
+bool is_classified(const ById& all) {
+    return std::ranges::any_of(all, [](const auto& one) {
+        return one.second->outcome.evidence.find("later_results") != nullptr;
+    });
+}
+
 Weight weight_of(const audit::ClaimResult& result, const ById& all) {
     if (of_sentence(result.claim)) {
         return result.claim.has("quoted") ? Weight::figure : Weight::conclusion;
+    }
+    if (!is_classified(all)) {
+        return Weight::line;
     }
     std::set<std::string> seen;
     return reaches_conclusion(result, all, seen) ? Weight::carried : Weight::slip;
@@ -94,17 +104,21 @@ std::vector<Erratum> errata_of(const audit::AuditResult& result,
 }
 
 std::string errata_count(const std::vector<Erratum>& errata) {
-    std::array<std::size_t, 4> counts{};
+    std::array<std::size_t, 5> counts{};
     for (const Erratum& erratum : errata) {
         ++counts[static_cast<std::size_t>(erratum.weight)];
     }
-    const auto& [conclusions, figures, carried, slips] = counts;
+    const auto& [conclusions, figures, carried, slips, lines] = counts;
     if (errata.empty()) {
         return "No error was found.";
     }
     std::string out =
-        fmt::format("{} error{} found. {} matter{}", errata.size(), errata.size() == 1 ? "" : "s",
-                    errata.size() - slips, errata.size() - slips == 1 ? "s" : "");
+        fmt::format("{} error{} found.", errata.size(), errata.size() == 1 ? "" : "s");
+    if (lines == errata.size()) {
+        return out;
+    }
+    const std::size_t known = errata.size() - slips - lines;
+    out += fmt::format(" {} matter{}", known, known == 1 ? "s" : "");
     std::string parts;
     const auto part = [&](std::size_t n, const char* words) {
         if (n > 0) {
@@ -116,8 +130,12 @@ std::string errata_count(const std::vector<Erratum>& errata) {
          figures == 1 ? "changes a figure that is quoted" : "change a figure that is quoted");
     part(carried, carried == 1 ? "is a line on which a wrong conclusion rests"
                                : "are lines on which a wrong conclusion rests");
-    return out + (parts.empty() ? "" : " (" + parts + ")") +
-           fmt::format("; {} {}.", slips, slips == 1 ? "is a misprint" : "are misprints");
+    out += parts.empty() ? "" : " (" + parts + ")";
+    return out + (lines > 0 ? fmt::format("; what rests on {} is not stated.",
+                                          lines == 1 ? "the other formula"
+                                                     : fmt::format("the {} formulas", lines))
+                            : fmt::format("; {} {}.", slips,
+                                          slips == 1 ? "is a misprint" : "are misprints"));
 }
 
 std::string place_words(const audit::Claim& claim, const audit::PrintedSource& source) {

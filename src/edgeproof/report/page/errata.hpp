@@ -55,6 +55,7 @@ enum class Weight {
     figure,     ///< a quoted number is wrong
     carried,    ///< a wrong line from which a wrong conclusion or figure was computed
     slip,       ///< a misprint: later results were not computed from the line as printed
+    line,       ///< a formula of a ledger that does not state what was computed from its lines
 };
 
 /// One wrong place of the source: the refuted claims about one equation or one sentence.

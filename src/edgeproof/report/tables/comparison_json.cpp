@@ -93,6 +93,12 @@ ordered_json file_json(const ComparisonReport& report, const comparison::FileCom
     if (file.shear) {
         j["errors_of_q"] = errors_json(*file.shear);
     }
+    for (const comparison::SurfaceErrors& e : file.surface) {
+        j["errors_of_" + e.name] = {{"nodes", e.nodes}, {"peak", e.peak},
+                                    {"scale", e.scale}, {"x", file.data.nodes[e.worst].x},
+                                    {"data", e.data},   {"exact", e.exact},
+                                    {"route", e.route}};
+    }
     j["element"] = {{"right", file.contact.element[0]},
                     {"left", file.contact.element[1]},
                     {"mean", file.contact.mean_element}};
@@ -109,6 +115,12 @@ ordered_json file_json(const ComparisonReport& report, const comparison::FileCom
         return row;
     });
     j["causes"] = causes_json(file.diagnosis);
+    if (const auto& zone = file.suggested_zone) {
+        j["edge_zone"] = {{"elements", zone->elements},
+                          {"right", zone->length[0]},
+                          {"left", zone->length[1]},
+                          {"error", zone->error}};
+    }
     if (file.diagnosis && file.diagnosis->factor) {
         j["common_factor"] = {{"value", file.diagnosis->factor->value},
                               {"error", file.diagnosis->factor->error}};

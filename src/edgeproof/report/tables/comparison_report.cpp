@@ -65,6 +65,12 @@ std::string file_text(const ComparisonReport& report, const FileComparison& file
                            report.exact->shear()->scale_text(), percent_text(file.shear->local),
                            percent_text(file.shear->l2));
     }
+    for (const comparison::SurfaceErrors& e : file.surface) {
+        out += fmt::format(
+            "  error of {}, {} nodes: {} {}, at x = {:.6g} ({:.6g}, exact {:.6g}, {})\n", e.name,
+            e.nodes, percent_text(e.peak), e.reference, file.data.nodes[e.worst].x, e.data, e.exact,
+            e.route);
+    }
     const double element = file.contact.element[0];
     out += fmt::format("  an element at the right edge is {:.4g} wide, {:.3g} of a + b; at the "
                        "left {:.4g}\n",
@@ -180,6 +186,12 @@ std::vector<HeldQuantity> held_quantities(const ComparisonReport& report,
 
 std::vector<std::string> diagnosis_lines(const FileComparison& file) {
     std::vector<std::string> lines = lines_of(file.diagnosis, "p");
+    if (const auto& zone = file.suggested_zone) {
+        lines.push_back(fmt::format("with --edge-zone {}e ({:.4g} at the right edge, {:.4g} at the "
+                                    "left) the error of p is {}",
+                                    zone->elements, zone->length[0], zone->length[1],
+                                    percent_text(zone->error)));
+    }
     const std::vector<std::string> more = lines_of(file.shear_diagnosis, "q");
     lines.insert(lines.end(), more.begin(), more.end());
     return lines;
@@ -260,6 +272,7 @@ std::string tolerance_text(const comparison::Tolerances& t) {
     add("P", t.force);
     add("c_0", t.c0);
     add("q", t.q);
+    add("gap, slip and sxx", t.surface);
     out += t.partial ? ", a part of the contact" : "";
     return out + (t.stated ? "" : " (none is stated: --tolerance)");
 }

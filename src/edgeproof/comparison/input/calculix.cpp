@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/comparison/input/calculix.hpp"
+
+#include "edgeproof/conformance/answers/number_text.hpp"
+#include "edgeproof/io/text_file.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/message.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+namespace edgeproof::comparison {
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+constexpr std::string_view stress_title = "contact stress (slave node";
+constexpr std::string_view gap_title = "relative contact displacement (slave node";
+
+/// The values of a node, as texts, and the line that has them.
+struct NodeValues {
+    std::vector<std::string> values;
+    std::size_t line = 0;
+};
+using NodeTable = std::map<std::string, NodeValues, std::less<>>; ///< by the number of the node
+
+class Lines {
+public:
+    Lines(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
+
+    bool next() {
+        if (at_ >= text_.size()) {
+            return false;
+        }
+        if (++number_ % 4096 == 0) {
+            check_interruption();
+        }
+        const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+        line_ = text_.substr(at_, end - at_);
+        line_.remove_suffix(line_.ends_with('\r') ? 1 : 0);
+        at_ = end + 1;
+        return true;
+    }
+    [[nodiscard]] std::string_view line() const { return line_; }
+    [[nodiscard]] std::size_t number() const { return number_; }
+    [[noreturn]] void reject(const std::string& problem, const std::string& instead) const {
+        throw InputError(problem, instead).at(file_, number_);
+    }
+    /// A part of the line, without blanks; empty beyond its end.
+    [[nodiscard]] std::string cell(std::size_t from, std::size_t size) const {
+        return from < line_.size() ? std::string(trimmed(line_.substr(from, size), blanks))
+                                   : std::string();
+    }
+    [[nodiscard]] const std::string& file() const { return file_; }
+
+private:
+    std::string_view text_;
+    std::string file_;
+    std::string_view line_;
+    std::size_t at_ = 0;
+    std::size_t number_ = 0;
+};
+
+/// What a file contains for each node; the last step replaces those before.
+struct Contents {
+    NodeTable places;
+    NodeTable contact; ///< COPEN, CSLIP1, CPRESS, CSHEAR1
+    NodeTable stress;  ///< SXX
+    std::size_t steps = 0;
+};
+
+/// An .frd file in text: lines of fixed columns, one for a node.
+class FrdReader {
+public:
+    FrdReader(std::string_view text, const std::string& file) : lines_(text, file) {}
+
+    Contents read() {
+        while (lines_.next()) {
+            const std::string_view line = lines_.line();
+            if (line.starts_with("    2C")) {
+                read_block(contents_.places, {0, 1, 2});
+            } else if (line.starts_with("  100C")) {
+                read_result();
+            }
+        }
+        return std::move(contents_);
+    }
+
+private:
+    /// Returns the width of the number of a node from the format in the head of a block.
+    std::size_t node_width() {
+        const std::string format(trimmed(lines_.line().substr(
+            std::min(lines_.line().find_last_not_of(blanks), lines_.line().size()))));
+        if (format != "0" && format != "1") {
+            lines_.reject("the file is not an .frd file in text",
+                          "let CalculiX write it in text (no OUTPUT=BINARY)");
+        }
+        return format == "0" ? 5 : 10;
+    }
+    void read_result() {
+        const std::size_t width = node_width();
+        std::string name;
+        std::vector<std::string> components;
+        while (lines_.next()) {
+            const std::string key = lines_.cell(0, 3);
+            if (key == "-4") {
+                name = lines_.cell(5, 8);
+            } else if (key == "-5") {
+                components.push_back(lines_.cell(5, 8));
+            } else {
+                break;
+            }
+        }
+        const auto indices = [&](std::initializer_list<const char*> wanted) {
+            std::vector<std::size_t> found;
+            for (const char* one : wanted) {
+                const auto at = std::ranges::find(components, one);
+                if (at == components.end()) {
+                    lines_.reject(fmt::format("{} has no {}", name, one),
+                                  "give a file that CalculiX writes");
+                }
+                found.push_back(static_cast<std::size_t>(at - components.begin()));
+            }
+            return found;
+        };
+        NodeTable values;
+        if (name == "CONTACT") {
+            read_rows(values, width, indices({"COPEN", "CSLIP1", "CPRESS", "CSHEAR1"}));
+            contents_.contact = std::move(values);
+            ++contents_.steps;
+        } else if (name == "STRESS") {
+            read_rows(values, width, indices({"SXX"}));
+            contents_.stress = std::move(values);
+        } else {
+            read_rows(values, width, {});
+        }
+    }
+    void read_block(NodeTable& table, const std::vector<std::size_t>& wanted) {
+        const std::size_t width = node_width();
+        if (lines_.next()) {
+            read_rows(table, width, wanted);
+        }
+    }
+    /// Reads the rows from the present line to the end of the block.
+    void read_rows(NodeTable& table, std::size_t width, const std::vector<std::size_t>& wanted) {
+        constexpr std::size_t value_width = 12;
+        constexpr std::size_t values_of_line = 6;
+        do {
+            const std::string key = lines_.cell(0, 3);
+            if (key == "-3") {
+                return;
+            }
+            if (key != "-1" && key != "-2") {
+                lines_.reject("a row of an .frd file begins with -1, -2 or -3",
+                              "give the file as CalculiX writes it");
+            }
+            if (key == "-2" || wanted.empty()) {
+                continue; // more components of the same node, which are not used
+            }
+            NodeValues row{{}, lines_.number()};
+            for (const std::size_t index : wanted) {
+                if (index >= values_of_line) {
+                    lines_.reject("the row has too few values",
+                                  "give the file as CalculiX writes it");
+                }
+                row.values.push_back(number_at(3 + width + value_width * index, value_width));
+            }
+            table.insert_or_assign(lines_.cell(3, width), std::move(row));
+        } while (lines_.next());
+        lines_.reject("the file ends inside a block", "give the whole file");
+    }
+    std::string number_at(std::size_t from, std::size_t size) const {
+        std::string text = lines_.cell(from, size);
+        if (!number_of({text}, Separator::blank)) {
+            lines_.reject("'" + printable(text) + "' is no number",
+                          "give the file as CalculiX writes it");
+        }
+        return text;
+    }
+
+    Lines lines_;
+    Contents contents_;
+};
+
+std::vector<std::string> words_of(std::string_view line) {
+    std::vector<std::string> words;
+    for (Cell& cell : split_row(line, Separator::blank)) {
+        words.push_back(std::move(cell.text));
+    }
+    return words;
+}
+
+/// A .dat file: titles, each followed by rows of a node and its values.
+Contents read_dat(std::string_view text, const std::string& file) {
+    Contents contents;
+    NodeTable gaps;
+    NodeTable* table = nullptr;
+    Lines lines(text, file);
+    while (lines.next()) {
+        const std::vector<std::string> words = words_of(lines.line());
+        if (words.empty()) {
+            continue;
+        }
+        if (!number_of({words[0]}, Separator::blank)) { // a title
+            const bool stress = lines.line().find(stress_title) != std::string_view::npos;
+            const bool gap = lines.line().find(gap_title) != std::string_view::npos;
+            table = stress ? &contents.contact : gap ? &gaps : nullptr;
+            contents.steps += stress ? 1 : 0;
+            if (table != nullptr) {
+                table->clear();
+            }
+        } else if (table != nullptr) {
+            if (words.size() != 4 || !std::ranges::all_of(words, [](const std::string& word) {
+                    return number_of({word}, Separator::blank).has_value();
+                })) {
+                lines.reject("a row of contact output has a node and three numbers",
+                             "give the file as CalculiX writes it");
+            }
+            table->insert_or_assign(words[0], NodeValues{{words[1], words[2]}, lines.number()});
+        }
+    }
+    for (auto& [node, row] : contents.contact) {
+        const auto gap = gaps.find(node);
+        const bool found = gap != gaps.end();
+        row.values = {found ? gap->second.values[0] : "", found ? gap->second.values[1] : "",
+                      row.values[0], row.values[1]};
+    }
+    return contents;
+}
+
+/// The nodes of a deck: the rows after *NODE.
+NodeTable nodes_of_deck(std::string_view text, const std::string& file) {
+    NodeTable nodes;
+    bool in_nodes = false;
+    Lines lines(text, file);
+    while (lines.next()) {
+        const std::string_view line = trimmed(lines.line(), blanks);
+        if (line.empty() || line.starts_with("**")) {
+            continue;
+        }
+        if (line.starts_with('*')) {
+            const std::string keyword = lower_case(line.substr(0, line.find(',')));
+            in_nodes = trimmed(keyword, blanks) == "*node";
+        } else if (in_nodes) {
+            std::vector<std::string> values;
+            for (const Cell& cell : split_row(line, Separator::comma)) {
+                values.push_back(cell.text);
+            }
+            const std::string node = values.empty() ? "" : values.front();
+            values.erase(values.begin(), values.begin() + (values.empty() ? 0 : 1));
+            values.resize(3, "0");
+            for (const std::string& value : values) {
+                if (!number_of({value}, Separator::comma)) {
+                    lines.reject("'" + printable(value) + "' is no coordinate of a node",
+                                 "write number, x, y, z");
+                }
+            }
+            nodes.insert_or_assign(node, NodeValues{std::move(values), lines.number()});
+        }
+    }
+    return nodes;
+}
+
+/// The places of the nodes from the file of the same name next to a .dat file.
+NodeTable places_next_to(const std::string& file) {
+    namespace fs = std::filesystem;
+    for (const char* ending : {".frd", ".inp"}) {
+        const fs::path other = fs::path(file).replace_extension(ending);
+        if (!fs::is_regular_file(other)) {
+            continue;
+        }
+        const std::string text = io::read_text(other, "file of CalculiX");
+        return ending == std::string_view(".frd") ? FrdReader(text, other.string()).read().places
+                                                  : nodes_of_deck(text, other.string());
+    }
+    throw InputError("the contact output has no places of the nodes",
+                     "put the .frd or .inp file of the same name next to it")
+        .at(file, 0);
+}
+
+double value_of(const std::string& text) {
+    return conformance::written_number(*number_of({text}, Separator::blank))
+        .value.convert_to<double>();
+}
+
+} // namespace
+
+std::optional<CalculixTable> calculix_table(std::string_view text, const std::string& file) {
+    const bool frd = text.starts_with("    1C") && text.find("\n    2C") != std::string_view::npos;
+    if (!frd && text.find(stress_title) == std::string_view::npos) {
+        return {};
+    }
+    Contents contents = frd ? FrdReader(text, file).read() : read_dat(text, file);
+    if (contents.contact.empty()) {
+        throw InputError("there is no contact output",
+                         "add *CONTACT FILE with CDIS, CSTR to the deck")
+            .at(file, 0);
+    }
+    if (!frd) {
+        contents.places = places_next_to(file);
+    }
+    CalculixTable table{{file, {}}, {}};
+    ResultText& rows = table.text;
+    rows.separator = Separator::comma;
+    const bool has_gap = !contents.contact.begin()->second.values[0].empty();
+    const bool has_stress = !contents.stress.empty();
+    rows.size = 5U + (has_gap ? 2U : 0U) + (has_stress ? 1U : 0U);
+    rows.first_row = 1;
+    rows.lines.push_back({1, std::string("COORD1,COORD2,COORD3,CPRESS,CSHEAR1") +
+                                 (has_gap ? ",COPEN,CSLIP1" : "") + (has_stress ? ",S11" : "")});
+    std::map<double, std::size_t> planes; // the number of nodes by COORD3
+    const auto place_of = [&](const std::string& node, std::size_t line) -> const auto& {
+        const auto place = contents.places.find(node);
+        if (place == contents.places.end()) {
+            throw InputError("node " + printable(node) + " has no place",
+                             "give the .frd or .inp file that belongs to this file")
+                .at(file, line);
+        }
+        return place->second.values;
+    };
+    for (const auto& [node, row] : contents.contact) {
+        ++planes[value_of(place_of(node, row.line)[2])];
+    }
+    std::multimap<double, ResultLine> by_place;
+    for (const auto& [node, row] : contents.contact) {
+        const auto& place = place_of(node, row.line);
+        if (planes.size() > 1 && value_of(place[2]) != planes.begin()->first) {
+            continue;
+        }
+        std::string line = fmt::format("{},{},{},{},{}", place[0], place[1], place[2],
+                                       row.values[2], row.values[3]);
+        line += has_gap ? "," + row.values[0] + "," + row.values[1] : "";
+        const auto stress = contents.stress.find(node);
+        line += stress != contents.stress.end() ? "," + stress->second.values[0] : "";
+        by_place.emplace(value_of(place[0]), ResultLine{row.line, std::move(line)});
+    }
+    for (auto& [x, line] : by_place) {
+        rows.lines.push_back(std::move(line));
+    }
+    if (contents.steps > 1) {
+        table.findings.push_back(fmt::format(
+            "the file has contact output of {} times: the last is compared", contents.steps));
+    }
+    if (planes.size() > 1) {
+        table.findings.push_back(
+            fmt::format("the nodes of the surface lie in {} planes: those at COORD3 = {:g} are "
+                        "compared",
+                        planes.size(), planes.begin()->first));
+    }
+    return table;
+}
+
+} // namespace edgeproof::comparison

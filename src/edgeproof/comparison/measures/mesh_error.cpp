@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/comparison/measures/mesh_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace edgeproof::comparison {
+namespace {
+
+/// The loaded nodes of a mesh, two elements or more from the edges, relative to the largest p.
+struct Inner {
+    std::vector<std::pair<double, double>> nodes; ///< x, p
+    double width = 0;                             ///< mean, of an element
+};
+
+Inner inner_of(const ResultTable& table) {
+    std::vector<std::pair<double, double>> all;
+    double largest = 0;
+    for (const ResultRow& row : table.rows) {
+        all.emplace_back(row.x.convert_to<double>(), std::abs(row.p.convert_to<double>()));
+        largest = std::max(largest, all.back().second);
+    }
+    constexpr double loaded_share = 0.02;
+    const auto loaded = [&](const auto& node) { return node.second > loaded_share * largest; };
+    const auto first = std::ranges::find_if(all, loaded);
+    const auto last = std::find_if(all.rbegin(), all.rend(), loaded).base();
+    constexpr std::ptrdiff_t left_out = 3; // the edge lies in the element outside the first of them
+    constexpr std::ptrdiff_t fewest = 2;
+    if (last - first < 2 * left_out + fewest) {
+        return {};
+    }
+    Inner inner{{first + left_out, last - left_out}, 0};
+    inner.width = (inner.nodes.back().first - inner.nodes.front().first) /
+                  static_cast<double>(inner.nodes.size() - 1);
+    for (auto& [x, p] : inner.nodes) {
+        p /= largest;
+    }
+    return inner;
+}
+
+/// The root mean square of the difference at the nodes of `mesh`, by linear interpolation.
+std::optional<double> difference(const Inner& mesh, const Inner& finest) {
+    double square = 0;
+    std::size_t n = 0;
+    for (const auto& [x, p] : mesh.nodes) {
+        const auto above =
+            std::ranges::lower_bound(finest.nodes, x, {}, &std::pair<double, double>::first);
+        if (above == finest.nodes.end() || above == finest.nodes.begin() ||
+            !(above->first > std::prev(above)->first)) {
+            continue;
+        }
+        const auto& [x0, p0] = *std::prev(above);
+        const double there = p0 + (above->second - p0) * (x - x0) / (above->first - x0);
+        square += (p - there) * (p - there);
+        ++n;
+    }
+    return n > 0 ? std::optional(std::sqrt(square / static_cast<double>(n))) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<std::vector<double>> mesh_errors(const std::vector<ResultTable>& tables) {
+    std::vector<Inner> meshes;
+    std::ranges::transform(tables, std::back_inserter(meshes), inner_of);
+    if (meshes.size() < 2 ||
+        std::ranges::any_of(meshes, [](const Inner& mesh) { return !(mesh.width > 0); })) {
+        return {};
+    }
+    const auto finest = std::ranges::min_element(meshes, {}, &Inner::width);
+    std::vector<std::pair<double, double>> off; // width, difference from the finest
+    for (auto mesh = meshes.begin(); mesh != meshes.end(); ++mesh) {
+        constexpr double same = 1.05;
+        const auto d = difference(*mesh, *finest);
+        if (mesh != finest && d && mesh->width > same * finest->width) {
+            off.emplace_back(mesh->width, *d);
+        }
+    }
+    if (off.empty()) {
+        return {};
+    }
+    std::ranges::sort(off);
+    const double h = finest->width;
+    const auto growth = [h](double width, double q) { return std::pow(width, q) - std::pow(h, q); };
+    double q = 1;
+    if (off.size() >= 2 && off.back().first > off.front().first && off.front().second > 0) {
+        double lower = 0.5;
+        double upper = 4;
+        for (int k = 0; k < 60; ++k) { // the ratio grows with q
+            q = 0.5 * (lower + upper);
+            const double ratio = growth(off.back().first, q) / growth(off.front().first, q);
+            (ratio < off.back().second / off.front().second ? lower : upper) = q;
+        }
+    }
+    double constant = 0;
+    for (const auto& [width, d] : off) {
+        constant = std::max(constant, d / growth(width, q));
+    }
+    std::vector<double> errors;
+    for (const Inner& mesh : meshes) {
+        errors.push_back(constant * std::pow(mesh.width, q));
+    }
+    return errors;
+}
+
+} // namespace edgeproof::comparison

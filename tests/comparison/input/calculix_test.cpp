@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/comparison/comparison.hpp"
+#include "edgeproof/comparison/input/calculix.hpp"
+#include "edgeproof/io/output_file.hpp"
+#include "edgeproof/io/text_file.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "tests/support/namespaces.hpp"
+#include "tests/support/paths.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <string>
+
+namespace {
+
+/// A run of CalculiX 2.20: cylinder.inp, made by examples/third-party/solvers/calculix.py (24
+/// elements, 4 mm) with output of contact and stresses added.
+std::filesystem::path run_of_calculix(const char* ending) {
+    return test::source_dir() / "tests" / "comparison" / "calculix" /
+           (std::string("cylinder") + ending);
+}
+
+std::string calculix_text(const char* ending) {
+    return io::read_text(run_of_calculix(ending), "result");
+}
+
+std::string refusal_of_calculix(const std::string& text, const std::string& file = "r.frd") {
+    try {
+        (void)parse_result(text, file);
+    } catch (const InputError& error) {
+        CHECK(std::string(error.what()).find('\n') == std::string::npos);
+        return error.what();
+    }
+    FAIL("accepted");
+    return {};
+}
+
+std::string changed_text(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    REQUIRE(at != std::string::npos);
+    return text.replace(at, from.size(), to);
+}
+
+FileComparison compared_run(const char* ending, const Tolerances& tolerances) {
+    const Scene scene =
+        read_scene(test::source_dir() / "examples" / "third-party" / "solvers" / "hertz.toml");
+    const ExactContact exact(scene);
+    FileComparison file =
+        compare_file(read_result(run_of_calculix(ending)), exact, tolerances, Rational(0));
+    compare_surface(file, scene, exact, tolerances);
+    return file;
+}
+
+} // namespace
+
+TEST_CASE("CalculiX: .frd and .dat of one run, nodes joined with their places") {
+    const ResultTable frd = read_result(run_of_calculix(".frd"));
+    const ResultTable dat = read_result(run_of_calculix(".dat"));
+    REQUIRE(frd.rows.size() == 25); // one of the two planes of nodes
+    REQUIRE(dat.rows.size() == 25);
+    for (std::size_t i = 0; i < 25; ++i) {
+        const double x = -1.5 + 0.125 * static_cast<double>(i); // 24 elements over 3 mm
+        CHECK(frd.rows[i].x.convert_to<double>() == doctest::Approx(x));
+        CHECK(dat.rows[i].x == frd.rows[i].x);
+        CHECK(dat.rows[i].p.convert_to<double>() ==
+              doctest::Approx(frd.rows[i].p.convert_to<double>()).epsilon(1e-5));
+        CHECK(*dat.rows[i].surface[0] == doctest::Approx(*frd.rows[i].surface[0]).epsilon(1e-5));
+        CHECK(frd.rows[i].surface[2].has_value());
+        CHECK_FALSE(dat.rows[i].surface[2].has_value()); // the .dat file has no stresses
+    }
+    // The rows of node 390 (x = 0) as they stand in the files.
+    CHECK(dat.rows[12].p.convert_to<double>() == doctest::Approx(10.10443));
+    CHECK(frd.rows[12].p.convert_to<double>() == doctest::Approx(10.10443).epsilon(1e-5));
+    CHECK(*dat.rows[0].surface[0] == doctest::Approx(3.495356e-05));
+    CHECK(frd.rows[12].line > 1600);
+}
+
+TEST_CASE("CalculiX: gap and sxx are compared with the textbook's") {
+    Tolerances tolerances;
+    tolerances.zone = parse_edge_zone("2e");
+    const FileComparison file = compared_run(".frd", tolerances);
+    CHECK(file.passes());
+    REQUIRE(file.surface.size() == 2);
+    const SurfaceErrors& gap = file.surface[0];
+    const SurfaceErrors& sxx = file.surface[1];
+    CHECK(gap.name == "gap");
+    CHECK(sxx.name == "sxx");
+    // Johnson, eq. 4.43: a^2 = 4 P R/(pi E*); the gap outside is p_0 a/E* (t sqrt(t^2 - 1) -
+    // arcosh t) with t = |x|/a, from its slope (x sqrt(1 - a^2/x^2))/R.
+    const double a = std::sqrt(4 * 16 * 10e3 / (std::numbers::pi * 200e3));
+    const double p0 = 2 * 16 / (std::numbers::pi * a);
+    const auto gap_at = [&](double x) {
+        const double t = std::abs(x) / a;
+        return t > 1 ? p0 * a / 200e3 * (t * std::sqrt(t * t - 1) - std::acosh(t)) : 0;
+    };
+    CHECK(gap.scale == doctest::Approx(gap_at(1.5)).epsilon(1e-10));
+    CHECK(gap.exact == doctest::Approx(gap_at(file.data.nodes[gap.worst].x)).epsilon(1e-10));
+    CHECK(gap.peak > 1e-4); // a real mesh has an error,
+    CHECK(gap.peak < 0.03); // but no large one
+    CHECK(sxx.scale == doctest::Approx(p0).epsilon(1e-6));
+    // Without shear sxx = -p on the surface (eq. 2.25b).
+    const double at = file.data.nodes[sxx.worst].x;
+    CHECK(sxx.exact ==
+          doctest::Approx(-p0 * std::sqrt(std::max(0.0, 1 - at * at / (a * a)))).epsilon(1e-10));
+    CHECK(sxx.peak > 1e-3);
+    CHECK(sxx.peak < 0.2); // stresses are extrapolated to the nodes of the surface
+    tolerances.surface = gap.peak / 2;
+    const FileComparison failing = compared_run(".frd", tolerances);
+    CHECK_FALSE(failing.passes());
+    CHECK(failing.failures.size() == 2);
+    CHECK(failing.failures[0].find("the error of gap") == 0);
+    tolerances.surface = 2 * std::max(gap.peak, sxx.peak);
+    CHECK(compared_run(".frd", tolerances).passes());
+}
+
+TEST_CASE("CalculiX: c_0 of 60 elements has an honest spread") {
+    // calculix.py hertz.toml --elements 60; c_0 = p_0 sqrt(2/a) (Johnson, eq. 4.45).
+    const Scene scene =
+        read_scene(test::source_dir() / "examples" / "third-party" / "solvers" / "hertz.toml");
+    const auto file = test::source_dir() / "tests" / "comparison" / "calculix" / "hertz-60.csv";
+    const FileComparison compared =
+        compare_file(read_result(file), ExactContact(scene), {}, Rational(0));
+    const double a = std::sqrt(4 * 16 * 10e3 / (std::numbers::pi * 200e3));
+    const double c0 = 2 * 16 / (std::numbers::pi * a) * std::sqrt(2 / a);
+    for (const auto& fit : compared.fits) {
+        REQUIRE(fit);
+        const double off = std::abs(fit->c0.value - c0);
+        CHECK(off > 0.005 * c0); // the mesh is off by more than its nodes scatter,
+        CHECK(off < 2 * fit->c0.spread);
+        CHECK(fit->c0.spread < 0.03 * c0); // and the spread is no excuse
+    }
+}
+
+TEST_CASE("CalculiX: the last of several steps is compared") {
+    const std::string text = calculix_text(".dat");
+    const std::size_t title = text.find(" contact stress");
+    std::string later = text.substr(title);
+    later = changed_text(later, "1.010443E+01", "9.910443E+01"); // the middle node
+    const ResultTable table = parse_result(text + "\n" + later, run_of_calculix(".dat").string());
+    CHECK(table.rows[12].p.convert_to<double>() > 90);
+    CHECK(table.findings.front().find("2 times: the last is compared") != std::string::npos);
+}
+
+TEST_CASE("CalculiX: a file that is cut, binary, or without places is refused in one line") {
+    const std::string frd = calculix_text(".frd");
+    const std::string dat = calculix_text(".dat");
+    CHECK(refusal_of_calculix(frd.substr(0, frd.find("-4  CONTACT") + 1500))
+              .find("ends inside a block") != std::string::npos);
+    const std::string head(frd.substr(0, frd.find("\n    2C")));
+    CHECK(refusal_of_calculix(head + "\n    2C      828          2\n").find("in text") !=
+          std::string::npos);
+    CHECK(refusal_of_calculix(changed_text(frd, " -4  CONTACT", " -4  OTHERS "))
+              .find("no contact output") != std::string::npos);
+    CHECK(refusal_of_calculix(changed_text(frd, " -5  CPRESS", " -5  CPRISS"))
+              .find("CONTACT has no CPRESS") != std::string::npos);
+    CHECK(refusal_of_calculix(changed_text(frd, " -1       378-1.5", " -1       999-1.5"))
+              .find("node 378 has no place") != std::string::npos);
+    CHECK(refusal_of_calculix(changed_text(frd, " -1       378-1.5", " -1       378-x.5"))
+              .find("is no number") != std::string::npos);
+    CHECK(refusal_of_calculix(dat, "/nowhere/r.dat").find("no places of the nodes") !=
+          std::string::npos);
+    CHECK(refusal_of_calculix(changed_text(dat, "  0.000000E+00\n", "\n"),
+                              run_of_calculix(".dat").string()) != "");
+    const auto folder = std::filesystem::temp_directory_path() / "edgeproof-calculix-test";
+    std::filesystem::create_directories(folder);
+    io::write_whole(folder / "r.inp", "*NODE\n1, 0, x, 0\n");
+    CHECK(
+        refusal_of_calculix(dat, (folder / "r.dat").string()).find("is no coordinate of a node") !=
+        std::string::npos);
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("slip: partial slip of a cylinder by the textbook, in either direction") {
+    // Mindlin: q = f p_0 (sqrt(1 - x^2/a^2) - c/a sqrt(1 - x^2/c^2)), c/a = sqrt(1 - Q/(f P)). The
+    // slope of the relative displacement of an elliptical pressure outside its zone is
+    // 2 p_0/(E* a) sqrt(x^2 - c^2) (Johnson, section 4.2), so the slip at x > c is its integral.
+    const std::string text =
+        "[profile]\nkind = \"hertz\"\nR = \"1\"\n[load]\nP = \"1\"\n"
+        "contact_modulus = \"4/pi\"\n[shear]\nQ = \"0.32\"\nfriction = \"0.5\"\n";
+    const Scene scene = parse_scene(text, "s.toml"); // a = 1, p_0 = 2/pi, c = 0.6
+    const ExactContact exact(scene);
+    const double c = 0.6;
+    const double rate = 0.5 * (2 / std::numbers::pi) / (4 / std::numbers::pi) * 2;
+    const auto slip_at = [&](double x) {
+        const double s = std::abs(x);
+        return s > c ? rate / 2 * (s * std::sqrt(s * s - c * c) - c * c * std::acosh(s / c)) : 0;
+    };
+    for (const double sign : {1.0, -1.0}) {
+        std::string rows = "x,CPRESS,CSLIP1\n";
+        for (int i = -48; i <= 48; ++i) {
+            const double x = i / 40.0;
+            const double p = std::abs(x) < 1 ? 2 / std::numbers::pi * std::sqrt(1 - x * x) : 0;
+            rows += fmt::format("{:.12g},{:.12g},{:.12g}\n", x, p,
+                                std::abs(x) < 1 ? sign * slip_at(x) : 0.0);
+        }
+        FileComparison file = compare_file(parse_result(rows, "r.csv"), exact, {}, Rational(0));
+        compare_surface(file, scene, exact, {});
+        REQUIRE(file.surface.size() == 1);
+        CHECK(file.surface[0].name == "slip");
+        CHECK(file.surface[0].peak < 1e-9);
+        CHECK(file.surface[0].scale == doctest::Approx(slip_at(0.975)).epsilon(1e-9));
+    }
+}

@@ -153,7 +153,7 @@ TEST_CASE("the theorem of a quoted figure contains the figure") {
     const auto c = only_certificate(wedge, claim);
     CHECK(c.verdict == "confirmed");
     CHECK(contains(c.text, " - (1 / 250)) < (1 / 2000)."));
-    CHECK(contains(c.text, "is_the_pressure Es "));
+    CHECK(contains(c.text, "is_the_pressure 1 (power_slope 1 0) 1 (99 / 100) p0"));
     CHECK(contains(c.text, "Theorem own_figure_similar : forall Fs lam mu h1,"));
     CHECK(c.whole_verdict);
 }

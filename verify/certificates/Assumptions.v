@@ -1,4 +1,5 @@
 (* Prints the axioms on which the theorems rest. *)
+From Edgeproof Require EQ01.
 From Edgeproof Require EQ05.
 From Edgeproof Require EQ07_integrand.
 From Edgeproof Require EQ07_integral.
@@ -40,6 +41,7 @@ From Edgeproof Require EQ30_N.
 From Edgeproof Require EQ32_L.
 From Edgeproof Require EQ32_M.
 From Edgeproof Require EQ32_N.
+From Edgeproof Require EQ34_q.
 From Edgeproof Require EQ34_force.
 From Edgeproof Require EQ34_strain.
 From Edgeproof Require EQ36_K.
@@ -59,6 +61,9 @@ From Edgeproof Require EQ45.
 From Edgeproof Require EQ47_F.
 From Edgeproof Require EQ47_last.
 From Edgeproof Require EQ48.
+From Edgeproof Require S38_origin.
+From Edgeproof Require S38_sides.
+From Edgeproof Require S45.
 From Edgeproof Require EQ38_Lplus.
 From Edgeproof Require EQ38_Lminus.
 From Edgeproof Require S49.
@@ -74,6 +79,8 @@ From Edgeproof Require S47_right.
 From Edgeproof Require S47_left.
 From Edgeproof Require S48_right.
 From Edgeproof Require S48_left.
+From Edgeproof Require S52_force.
+From Edgeproof Require S52_tension.
 From Edgeproof Require S52_together.
 From Edgeproof Require S55.
 From Edgeproof Require EQ04_right.
@@ -84,7 +91,10 @@ From Edgeproof Require S01.
 From Edgeproof Require S03_M.
 From Edgeproof Require S03_N.
 From Edgeproof Require S04_flatness.
+From Edgeproof Require S05_diverges.
+From Edgeproof Require S05_punch.
 From Edgeproof Require S10.
+From Edgeproof Require S11.
 From Edgeproof Require S12.
 From Edgeproof Require S13.
 From Edgeproof Require S14.
@@ -121,6 +131,7 @@ From Edgeproof Require S60_wedge.
 From Edgeproof Require S60_hertz.
 
 Definition all_theorems : True :=
+  let _ := EQ01.EQ01 in
   let _ := EQ05.EQ05 in
   let _ := EQ07_integrand.EQ07_integrand_refuted in
   let _ := EQ07_integrand.EQ07_integrand_corrected in
@@ -174,6 +185,7 @@ Definition all_theorems : True :=
   let _ := EQ32_M.EQ32_M_corrected in
   let _ := EQ32_N.EQ32_N_refuted in
   let _ := EQ32_N.EQ32_N_corrected in
+  let _ := EQ34_q.EQ34_q in
   let _ := EQ34_force.EQ34_force in
   let _ := EQ34_strain.EQ34_strain in
   let _ := EQ36_K.EQ36_K in
@@ -210,6 +222,9 @@ Definition all_theorems : True :=
   let _ := EQ48.EQ48_refuted_2 in
   let _ := EQ48.EQ48_corrected_2 in
   let _ := EQ48.EQ48_instance_2 in
+  let _ := S38_origin.S38_origin in
+  let _ := S38_sides.S38_sides in
+  let _ := S45.S45 in
   let _ := EQ38_Lplus.EQ38_Lplus_refuted in
   let _ := EQ38_Lminus.EQ38_Lminus_refuted in
   let _ := S49.S49_refuted in
@@ -228,6 +243,8 @@ Definition all_theorems : True :=
   let _ := S48_right.S48_right_2 in
   let _ := S48_left.S48_left_1 in
   let _ := S48_left.S48_left_2 in
+  let _ := S52_force.S52_force in
+  let _ := S52_tension.S52_tension in
   let _ := S52_together.S52_together in
   let _ := S55.S55_refuted in
   let _ := EQ04_right.EQ04_right in
@@ -238,9 +255,14 @@ Definition all_theorems : True :=
   let _ := S03_M.S03_M_refuted in
   let _ := S03_N.S03_N_refuted in
   let _ := S04_flatness.S04_flatness_refuted in
+  let _ := S05_diverges.S05_diverges in
+  let _ := S05_punch.S05_punch in
   let _ := S10.S10_figure in
   let _ := S10.S10_figure_similar in
+  let _ := S11.S11_figure in
+  let _ := S11.S11_figure_similar in
   let _ := S12.S12 in
+  let _ := S12.S12_derived in
   let _ := S13.S13_extent in
   let _ := S13.S13_extent_similar in
   let _ := S14.S14_extent in

@@ -4,35 +4,27 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges ClosedForm Symmetric Unique Tactics Scaling.
+From Edgeproof Require Import Contact Unique Scaling Tactics PowerLaw.
 Open Scope R_scope.
 
-Definition Es : R := 1.
-Definition C : R := 1.
-Definition a : R := 1.
-Definition x : R := (99 / 100).
-Definition wedge : list part := cons (Part 0 C 0) nil.
-Ltac constants := unfold wedge, x, a, C, Es in *.
-Ltac positive := constants; repeat split; lra.
-
 Theorem S10_figure : exists p0 r0 r1 r2,
-  is_the_pressure Es (slope wedge) a x p0 /\
-  is_the_right_series Es (slope wedge) a r0 r1 r2 /\
-  Rabs ((Rabs (1 - (r0 * ((a - x) ^ 0 * sqrt (a - x))) / p0)) - (1 / 250)) < (1 / 2000).
+  is_the_pressure 1 (power_slope 1 0) 1 (99 / 100) p0 /\
+  is_the_right_series 1 (power_slope 1 0) 1 r0 r1 r2 /\
+  Rabs (Rabs (1 - r0 * ((1 - (99 / 100)) ^ 0 * sqrt (1 - (99 / 100))) / p0) - (1 / 250)) < (1 / 2000).
 Proof.
-  eexists. eexists. eexists. eexists. 
-  split. { apply (the_pressure _ _ (first wedge)); [apply punch_rises; convex constants | before constants | apply (pressure Es wedge (x / 2)); sides constants]. }
-  split. { apply (the_right_series _ _ (first wedge)); [apply punch_rises; convex constants | before constants | apply right_edge with (1 := smooth_contact Es wedge (x / 2) a ltac:(sides constants) ltac:(sides constants))]. }
-  numbers constants.
+  destruct (power_relative_error 1 1 0 1 (99 / 100) 0 ltac:(lra) ltac:(lra) ltac:(simpl; ring) ltac:(lra))
+    as (p0 & r0 & r1 & r2 & Hp & Hr & E).
+  exists p0, r0, r1, r2. split; [exact Hp |]. split; [exact Hr |].
+  rewrite E. integrals. interval with (i_prec 90).
 Qed.
 
 (* The same at every scale: for all slopes h1 that are scaled copies, and all moduli. *)
 Theorem S10_figure_similar : forall Fs lam mu h1, 0 < Fs -> 0 < lam -> 0 < mu ->
-  (forall x, h1 (lam * x) = mu * slope wedge x) ->
-  exists p0 r0 r1 r2, is_the_pressure Fs h1 (lam * a) (lam * x) p0 /\
-  is_the_right_series Fs h1 (lam * a) r0 r1 r2 /\
-  Rabs (Rabs (1 - r0 * ((lam * a - lam * x) ^ 0 * sqrt (lam * a - lam * x)) / p0) - (1 / 250)) < (1 / 2000).
+  (forall x, h1 (lam * x) = mu * power_slope 1 0 x) -> exists p0 r0 r1 r2,
+  is_the_pressure Fs h1 (lam * 1) (lam * (99 / 100)) p0 /\
+  is_the_right_series Fs h1 (lam * 1) r0 r1 r2 /\
+  Rabs (Rabs (1 - r0 * ((lam * 1 - lam * (99 / 100)) ^ 0 * sqrt (lam * 1 - lam * (99 / 100))) / p0) - (1 / 250)) < (1 / 2000).
 Proof.
   intros Fs lam mu h1 HFs Hlam Hmu Hh. destruct S10_figure as (p0 & r0 & r1 & r2 & Hp & Hr & H).
-  apply (figure_scaled Es Fs (slope wedge) h1 lam mu a x p0 r0 r1 r2 (1 / 250) (1 / 2000)); try assumption; first [sides constants | lra].
+  apply (figure_scaled 1 Fs (power_slope 1 0) h1 lam mu 1 (99 / 100) p0 r0 r1 r2 (1 / 250) (1 / 2000)); first [assumption | lra].
 Qed.

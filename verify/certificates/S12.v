@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Edgeproof Require Import Contact Coefficients Edges Unique Tactics.
+From Edgeproof Require Import Contact Coefficients Edges Unique Tactics Gamma PowerLaw.
 Open Scope R_scope.
 
 Theorem S12 (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 : R -> R) (y factor : R) :
@@ -21,4 +21,19 @@ Proof.
   eexists. eexists. eexists. 
   split. { apply (the_right_series _ _ y); [apply convex | apply convex | exact (right_edge _ _ _ _ _ _ _ _ _ _ contact)]. }
   intros x Hx. identity_of_power contact load a P1 P2 P3.
+Qed.
+
+(* The punch |x|^m has such a load. *)
+Theorem S12_derived (Es C a : R) : 0 < C /\ 0 < a ->
+  exists r0 r1 r2,
+  is_the_right_series Es (power_slope C (5 / 8)) a r0 r1 r2 /\
+  forall x, x < a ->
+  r0 * sqrt (a - x) =
+  r0 * sqrt (a - x) + r1 * Rpower (a - x) (3 / 2).
+Proof.
+  intros form. apply (S12 Es (power_slope C (5 / 8)) a (PowerLaw.power_load Es C (5 / 8)) (power_load_1 Es C (5 / 8))
+    (power_load_2 Es C (5 / 8)) (power_load_3 Es C (5 / 8)) 0 (Es * C * wallis ((5 / 8) + 1))).
+  - apply power_smooth_contact; lra.
+  - intros s Hs. unfold PowerLaw.power_load. do 2 f_equal. field.
+  - split; [apply power_slope_rises; lra | lra].
 Qed.

@@ -28,7 +28,8 @@ Proof.
     + rewrite (pressure_scaled Es a u (253795573499999 / 10 ^ 15)); [| sides constants | sides constants | lra].
       near_the_edge constants u (2 / 10 ^ 4) (2 / 10 ^ 3). interval with (i_prec 90).
     + assert (H : 2 / 10 ^ 4 <= u <= 492328854 / 10 ^ 9) by lra. clear Hu Hn. plain constants. unfold atanh.
-      apply Rminus_le. interval with (i_bisect u, i_taylor u, i_prec 90, i_depth 60).
+      apply Rminus_le. first [interval with (i_bisect u, i_taylor u, i_depth 60)
+        | interval with (i_bisect u, i_taylor u, i_prec 90, i_depth 60)].
   - intros u ->. eexists. split. { apply (the_pressure _ _ (first punch)); [apply punch_rises; convex constants | before constants | apply (pressure Es punch (253795573499999 / 10 ^ 15)); sides constants]. }
     plain constants. unfold atanh. apply Rminus_lt. interval with (i_prec 90).
   - plain constants. repeat split; interval with (i_prec 90).

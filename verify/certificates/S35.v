@@ -34,7 +34,8 @@ Proof.
     + rewrite proportional_near; [| sides constants | sides constants].
       near_the_edge constants u (5 / 10 ^ 6) (2 / 10 ^ 3). interval with (i_prec 90).
     + assert (H : 5 / 10 ^ 6 <= u <= 533329935 / 10 ^ 11) by lra. clear Hu Hn. plain constants. unfold atanh.
-      apply Rminus_le. interval with (i_bisect u, i_taylor u, i_prec 90, i_depth 60).
+      apply Rminus_le. first [interval with (i_bisect u, i_taylor u, i_depth 60)
+        | interval with (i_bisect u, i_taylor u, i_prec 90, i_depth 60)].
   - intros u ->. eexists. split. { apply (the_pressure _ _ 0); [apply mirrored_wedge_rises; sides constants | sides constants | rewrite <- (proj2 tilted); apply pressure_left_of_apex; sides constants]. }
     plain constants. unfold atanh. apply Rminus_lt. interval with (i_prec 90).
   - plain constants. repeat split; interval with (i_prec 90).

@@ -187,6 +187,32 @@ Lemma power_the_pressure a x : 0 < x < a -> is_the_pressure Es (power_slope C m)
 Proof. intros Hx. apply (the_pressure _ _ 0); [exact power_slope_rises | lra | apply power_is_pressure, Hx]. Qed.
 End PowerLaw.
 
+Lemma wallis_positive q : 1 <= q -> 0 < wallis q.
+Proof.
+  intros H. assert (V := phi_value gauss_limit gamma_exists q H). cbv zeta beta in V. assert (P := sqrt_lt_R0 PI PI_RGT_0).
+  destruct (Rle_lt_or_eq_dec 0 (wallis q) (wallis_nonnegative q ltac:(lra))) as [L | Z]; [exact L |].
+  rewrite <- Z, Rmult_0_l in V. lra.
+Qed.
+(* One term, relative to the pressure. *)
+Lemma power_relative_error Es C m a x n : 0 < Es -> 0 < C -> m = INR n -> 0 < x < a -> exists p0 r0 r1 r2,
+  is_the_pressure Es (power_slope C m) a x p0 /\ is_the_right_series Es (power_slope C m) a r0 r1 r2 /\
+  r0 * ((a - x) ^ 0 * sqrt (a - x)) / p0 =
+  a ^ n * sqrt (2 * (a - x) / a) / RInt (fun w => 2 * ((x + w ^ 2) ^ n / sqrt (x + (x + w ^ 2)))) 0 (sqrt (a - x)).
+Proof.
+  intros HEs HC Hn Hx. assert (Hm : 0 <= m) by (rewrite Hn; apply pos_INR). assert (Hpi := PI_RGT_0).
+  do 4 eexists. split; [exact (power_the_pressure Es C m HC Hm a x Hx) |]. split.
+  { apply (the_right_series _ _ 0); [apply power_slope_rises; assumption | lra |]. exact (right_edge _ _ _ _ _ _ _ _ _ _ (power_smooth_contact Es C m Hm a ltac:(lra))). }
+  assert (W := wallis_positive (m + 1) ltac:(lra)).
+  rewrite (RInt_ext (fun w => 2 * (Rpower (x + w ^ 2) m / sqrt (x + (x + w ^ 2)))) (fun w => 2 * ((x + w ^ 2) ^ n / sqrt (x + (x + w ^ 2))))).
+  2: { intros w _. rewrite Hn, Rpower_pow; [reflexivity |]. assert (0 <= w ^ 2) by apply pow2_ge_0. lra. }
+  unfold c0, power_load_1. replace (m + 1 - 1) with m by ring. replace (Rpower a m) with (a ^ n) by (rewrite Hn, Rpower_pow by lra; reflexivity).
+  set (I := RInt _ _ _). clearbody I. rewrite (sqrt_div_alt (2 * (a - x))), (sqrt_mult 2 (a - x)), root_of_twice by lra.
+  assert (H2 : 0 < sqrt 2) by (apply sqrt_lt_R0; lra). assert (E2 : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra).
+  assert (Ha : 0 < sqrt a) by (apply sqrt_lt_R0; lra). unfold Rdiv. rewrite !Rinv_mult.
+  replace (a ^ n * (sqrt 2 * sqrt (a - x) * / sqrt a) * / I) with (a ^ n * ((sqrt 2 * sqrt 2) * / sqrt 2 * sqrt (a - x) * / sqrt a) * / I) by (field_simplify_eq; [reflexivity | lra] || (f_equal; f_equal; field; lra)).
+  rewrite E2. simpl. generalize (/ I). intros J. field. repeat split; lra.
+Qed.
+
 (* ---- Identities ---- *)
 
 Lemma power_minus a e n : 0 < a -> Rpower a (e - INR n) = Rpower a e / a ^ n.

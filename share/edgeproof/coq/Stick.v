@@ -268,3 +268,37 @@ Proof.
   intros. split; [apply full_stick_is_traction; assumption |]. split; [apply full_stick_is_traction; assumption |].
   rewrite !tension_by_share by assumption. reflexivity.
 Qed.
+
+(* Of all tractions (A + B s) / sqrt((a - s)(s + b)) it is the only one. *)
+Lemma principal_value_unique f l r x v u : is_principal_value f l r x v -> is_principal_value f l r x u -> v = u.
+Proof.
+  intros (_ & _ & _ & H1) (_ & _ & _ & H2).
+  exact (filterlim_locally_unique (V := R_NormedModule) (F := at_right 0) _ _ _ H1 H2).
+Qed.
+Theorem full_stick_of_form Q sig0 a b A B : 0 < a + b ->
+  is_traction (fun s => (A + B * s) / sqrt ((a - s) * (s + b))) a b Q sig0 ->
+  forall x, - b < x < a -> (A + B * x) / sqrt ((a - x) * (x + b)) = full_stick Q sig0 a b x.
+Proof.
+  intros HD [HS HF] x Hx. assert (Hpi := PI_RGT_0).
+  set (N := PI * (A - B * (b - a) / 2)).
+  assert (E : forall s, - b < s < a -> (A + B * s) / sqrt ((a - s) * (s + b)) = full_stick N (4 * B) a b s).
+  { intros s Hs. assert (0 < sqrt ((a - s) * (s + b))) by (apply sqrt_lt_R0, Rmult_lt_0_compat; lra).
+    unfold full_stick, N. field. repeat split; lra. }
+  assert (EB : B = sig0 / 4).
+  { assert (P := principal_value_linear a b x Hx (A + B * x) B).
+    assert (C : is_principal_value (fun s => (A + B * s) / sqrt ((a - s) * (s + b)) / (s - x)) (- b) a x (B * PI)).
+    { destruct P as (d & Hd & He & Hl). exists d. split; [exact Hd |].
+      assert (G : forall s, (A + B * x + B * (s - x)) / sqrt ((a - s) * (s + b)) / (s - x) = (A + B * s) / sqrt ((a - s) * (s + b)) / (s - x)) by (intros s; f_equal; f_equal; ring).
+      split.
+      - intros e Hee. destruct (He e Hee) as [H1 H2]. split; [refine (ex_RInt_ext _ _ _ _ _ H1) | refine (ex_RInt_ext _ _ _ _ _ H2)]; intros s _; apply G.
+      - refine (filterlim_ext _ _ _ Hl). intros e. f_equal; apply RInt_ext; intros s _; apply G. }
+    assert (V := principal_value_unique _ _ _ _ _ _ (HS x Hx) C). apply (Rmult_eq_reg_r PI); lra. }
+  assert (EN : N = Q).
+  { destruct HF as [_ L1]. destruct (force_of_traction N (4 * B) a b HD) as [_ L2].
+    apply (filterlim_locally_unique (V := R_NormedModule) (F := at_right 0) (fun e => RInt (full_stick N (4 * B) a b) (- b + e) (a - e))).
+    - exact L2.
+    - refine (filterlim_ext_loc _ _ _ L1). exists (mkposreal ((a + b) / 2) ltac:(lra)). intros e Hb He.
+      unfold ball in Hb; simpl in Hb. unfold AbsRing_ball, abs, minus, plus, opp in Hb; simpl in Hb. apply Rabs_def2 in Hb.
+      apply RInt_ext. intros s Hs. rewrite Rmin_left in Hs by lra. rewrite Rmax_right in Hs by lra. apply E. lra. }
+  rewrite E, EN, EB by exact Hx. f_equal. field.
+Qed.

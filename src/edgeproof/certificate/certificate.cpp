@@ -375,7 +375,11 @@ const std::vector<TheoryFile>& theory_files() {
         {"Stick", coq_files::Stick_v, "Unique.vo"},
         {"Orders", coq_files::Orders_v, "PressureExpansions.vo Sides.vo"},
         {"Gamma", coq_files::Gamma_v, "Coefficients.vo"},
-        {"PowerLaw", coq_files::PowerLaw_v, "Tactics.vo Gamma.vo"}};
+        {"PowerLaw", coq_files::PowerLaw_v, "Tactics.vo Gamma.vo"},
+        {"ShearTerms", coq_files::ShearTerms_v, "Shear.vo Coefficients.vo"},
+        {"TiltedRounded", coq_files::TiltedRounded_v, ""},
+        {"Inversion", coq_files::Inversion_v, "Stick.vo"},
+        {"Flatness", coq_files::Flatness_v, "PowerLaw.vo"}};
     return all;
 }
 

@@ -34,6 +34,11 @@ extern const std::string_view Orders_v;   ///< the orders of what the first term
 extern const std::string_view Gamma_v;    ///< the gamma function, and Wallis' integral by it
 extern const std::string_view PowerLaw_v; ///< power laws with any exponent
 
+extern const std::string_view ShearTerms_v;    ///< any number of terms of the shear traction
+extern const std::string_view TiltedRounded_v; ///< the slope of a tilted punch
+extern const std::string_view Flatness_v;      ///< power laws of a growing exponent
+extern const std::string_view Inversion_v;     ///< pressures by the singular integral equation
+
 } // namespace coq_files
 
 struct TheoryFile {

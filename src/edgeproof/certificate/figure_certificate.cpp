@@ -1,37 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/parts/quoted_figure.hpp"
 #include "edgeproof/certificate/parts.hpp"
-#include "edgeproof/certificate/theory/statement.hpp"
+#include "edgeproof/certificate/theory/theory.hpp"
 
 #include <fmt/format.h>
 
-namespace edgeproof::certificate {
+#include <algorithm>
 
+namespace edgeproof::certificate {
 namespace {
 
-/// States the same for all contacts that are larger or smaller copies of the one of the theorem.
-std::string similar_theorem(const std::string& name, bool wedge, const std::string& figure,
-                            const std::string& half) {
-    return fmt::format(
-        "(* The same at every scale: for all slopes h1 that are scaled copies, and all moduli. *)\n"
-        "Theorem {0}_similar : forall Fs lam mu h1, 0 < Fs -> 0 < lam -> 0 < mu ->\n"
-        "  (forall x, h1 (lam * x) = mu * slope {1} x) ->\n"
-        "  exists p0 r0 r1 r2, is_the_pressure Fs h1 (lam * a) (lam * x) p0 /\\\n"
-        "  is_the_right_series Fs h1 (lam * a) r0 r1 r2 /\\\n"
-        "  Rabs (Rabs (1 - r0 * ((lam * a - lam * x) ^ 0 * sqrt (lam * a - lam * x)) / p0) - {2}) "
-        "< {3}.\nProof.\n"
-        "  intros Fs lam mu h1 HFs Hlam Hmu Hh. destruct {0} as (p0 & r0 & r1 & r2 & Hp & Hr & "
-        "H).\n"
-        "  apply (figure_scaled Es Fs (slope {1}) h1 lam mu a x p0 r0 r1 r2 {2} {3}); try "
-        "assumption; "
-        "first [sides constants | lra].\nQed.\n",
-        name, wedge ? "wedge" : "parabola", figure, half);
-}
+/// The place x of the contact with Es = C = a = 1, the figure, half a unit of its last digit.
+constexpr std::string_view theorems = R"(Theorem {0} : exists p0 r0 r1 r2,
+  is_the_pressure 1 (power_slope 1 {1}) 1 {2} p0 /\
+  is_the_right_series 1 (power_slope 1 {1}) 1 r0 r1 r2 /\
+  Rabs (Rabs (1 - r0 * ((1 - {2}) ^ 0 * sqrt (1 - {2})) / p0) - {3}) < {4}.
+Proof.
+  destruct (power_relative_error 1 1 {1} 1 {2} {1} ltac:(lra) ltac:(lra) ltac:(simpl; ring) ltac:(lra))
+    as (p0 & r0 & r1 & r2 & Hp & Hr & E).
+  exists p0, r0, r1, r2. split; [exact Hp |]. split; [exact Hr |].
+  rewrite E. integrals. interval with (i_prec 90).
+Qed.
+
+(* The same at every scale: for all slopes h1 that are scaled copies, and all moduli. *)
+Theorem {0}_similar : forall Fs lam mu h1, 0 < Fs -> 0 < lam -> 0 < mu ->
+  (forall x, h1 (lam * x) = mu * power_slope 1 {1} x) -> exists p0 r0 r1 r2,
+  is_the_pressure Fs h1 (lam * 1) (lam * {2}) p0 /\
+  is_the_right_series Fs h1 (lam * 1) r0 r1 r2 /\
+  Rabs (Rabs (1 - r0 * ((lam * 1 - lam * {2}) ^ 0 * sqrt (lam * 1 - lam * {2})) / p0) - {3}) < {4}.
+Proof.
+  intros Fs lam mu h1 HFs Hlam Hmu Hh. destruct {0} as (p0 & r0 & r1 & r2 & Hp & Hr & H).
+  apply (figure_scaled 1 Fs (power_slope 1 {1}) h1 lam mu 1 {2} p0 r0 r1 r2 {3} {4}); first [assumption | lra].
+Qed.
+)";
 
 } // namespace
 
-// States a confirmed figure that is quoted for one place of a wedge or a parabola: the exact value
-// is less than half a unit of the last quoted digit away from the figure, so that there is no tie.
+// States a confirmed figure that is quoted for the relative error of one term, at one place of a
+// power law: the exact value is less than half a unit of the last quoted digit away from the
+// figure, so that there is no tie. A second theorem extends this to every size, slope and modulus.
 void certify_figure(const audit::ClaimResult& result, const audit::Ledger& ledger,
                     Certificate& certificate) {
     const audit::Claim& claim = result.claim;
@@ -40,47 +47,34 @@ void certify_figure(const audit::ClaimResult& result, const audit::Ledger& ledge
     }
     const audit::Family& family = ledger.family(claim.text("over"));
     const auto scenes = draw_scenes(family, ledger.families);
-    const bool power_law =
-        profiles_of(ledger, claim.text("over")) == std::vector<std::string>{"power-law"};
-    const formula::Exact m = power_law ? scenes.front().parameter("m") : formula::Exact();
-    if (!power_law || !m.is_rational() || (m.rational() != 0 && m.rational() != 1) ||
-        family.parameters.empty() || family.u.size() != 1 || !family.u.front().is_rational()) {
-        throw NotStated("figures are stated of one place of a wedge or a parabola");
+    const bool of_one_power_law = std::all_of(scenes.begin(), scenes.end(), [&](const auto& scene) {
+        return scene.profile == "power-law" && scene.parameter("m") == scenes[0].parameter("m");
+    });
+    if (!of_one_power_law || scenes.empty() || claim.edge() != contact::Edge::right ||
+        family.u.size() != 1 || !family.u.front().is_rational() ||
+        to_text(claim.formula("of")) != "abs(1 - right_local(1, x)/p(x))") {
+        throw NotStated("of figures, relative errors of one term at one place of power laws are "
+                        "stated");
     }
-    const bool relative_error = to_text(claim.formula("of")) == "abs(1 - right_local(1, x)/p(x))";
-    for (const audit::SceneSpec& scene : scenes) {
-        if (scene.parameter("m") != m) {
-            throw NotStated("the figure is for several exponents");
-        }
+    const formula::Exact m = scenes.front().parameter("m");
+    if (!m.is_rational() || denominator(m.rational()) != 1 || m.rational() < 0 ||
+        m.rational() > 100) {
+        throw NotStated("of power laws, figures are stated of those with a whole exponent");
     }
-    SampledTheory contact = power_law_contact(m.rational() == 0 ? 0 : 1, "",
-                                              Rational(1 - 2 * family.u.front().rational()));
     const audit::QuotedFigure figure = audit::QuotedFigure::of(claim);
     const Rational half = figure.within_units(Rational(1, 2)).second - figure.value();
-    contact.theory.imports.emplace_back("Scaling");
-    Statement statement(contact.theory);
-    const std::string conclusion =
-        fmt::format("Rabs (({}) - {}) < {}", statement(claim.formula("of")),
-                    coq_number(figure.value()), coq_number(half));
+    Theory theory;
+    theory.imports = {"Contact", "Unique", "Scaling", "Tactics", "PowerLaw"};
     const std::string name = coq_name(claim.id) + "_figure";
-    certificate.text =
-        file_head(claim, ledger, contact.theory) + constants(contact.theory.constants) +
-        theorem_text(name, statement.text(conclusion), statement.proof("numbers constants"));
-    certificate.theorems = {{name, fmt::format("at one contact it rounds to what is quoted, {}",
-                                               claim.text("quoted"))}};
-    certificate.whole_verdict =
-        scenes.size() == 1 && scenes.front().parameters == contact.sample.scene.parameters;
-    if (relative_error) {
-        certificate.text +=
-            similar_theorem(name, m.rational() == 0, coq_number(figure.value()), coq_number(half));
-        certificate.theorems.push_back(
-            {name + "_similar",
-             "the same at every contact that is a larger or smaller copy, as all "
-             "of the family are"});
-        certificate.whole_verdict = true; // all scenes have this exponent and this place
-        return;
-    }
-    certificate.leaves_out = "that it is the same at every scale";
+    certificate.text = file_head(claim, ledger, theory) +
+                       fmt::format(fmt::runtime(theorems), name, coq_number(m.rational()),
+                                   coq_number(Rational(1 - 2 * family.u.front().rational())),
+                                   coq_number(figure.value()), coq_number(half));
+    certificate.theorems = {
+        {name, "at one contact it rounds to what is quoted, " + claim.text("quoted")},
+        {name + "_similar", "the same at every contact that is a larger or smaller copy, as all of "
+                            "the family are"}};
+    certificate.whole_verdict = true; // all scenes have this exponent and this place
 }
 
 } // namespace edgeproof::certificate

@@ -16,7 +16,7 @@ bool is_symmetric(const std::vector<std::string>& profiles) {
 }
 
 /// Returns the exponent q of a load given as c a^q, where c does not depend on a.
-std::string exponent_of_load(const audit::Claim& claim) {
+Rational exponent_of_load(const audit::Claim& claim) {
     const formula::Expr& load = claim.formulas("given").front();
     const bool is_power =
         claim.table("given").size() == 1 && claim.table("given").front().first == "P" &&
@@ -27,7 +27,33 @@ std::string exponent_of_load(const audit::Claim& claim) {
         throw NotStated(
             "the only assumption that is stated is a load proportional to a power of a");
     }
-    return coq_number(*load.arg(1).arg(1).rational());
+    return *load.arg(1).arg(1).rational();
+}
+
+/// Whether all contacts of the family are of the power law whose load has this exponent.
+bool are_of_power_law(const audit::Claim& claim, const audit::Ledger& ledger,
+                      const Rational& exponent) {
+    const auto scenes = draw_scenes(ledger.family(claim.text("over")), ledger.families);
+    return exponent >= 1 && std::all_of(scenes.begin(), scenes.end(), [&](const auto& scene) {
+               return scene.profile == "power-law" && scene.parameter("m").is_rational() &&
+                      scene.parameter("m").rational() == exponent - 1 &&
+                      scene.parameter("C").sign() > 0;
+           });
+}
+
+/// Returns the theorem that the punch of the power law has such a load, and therefore the same.
+std::string derived_theorem(const std::string& name, const Rational& exponent,
+                            const std::string& statement) {
+    return fmt::format(
+        "(* The punch |x|^m has such a load. *)\n"
+        "Theorem {0}_derived (Es C a : R) : 0 < C /\\ 0 < a ->\n  {1}.\nProof.\n"
+        "  intros form. apply ({0} Es (power_slope C {2}) a (PowerLaw.power_load Es C {2}) "
+        "(power_load_1 Es C {2})\n    (power_load_2 Es C {2}) (power_load_3 Es C {2}) 0 "
+        "(Es * C * wallis ({2} + 1))).\n"
+        "  - apply power_smooth_contact; lra.\n"
+        "  - intros s Hs. unfold PowerLaw.power_load. do 2 f_equal. field.\n"
+        "  - split; [apply power_slope_rises; lra | lra].\nQed.\n",
+        name, statement, coq_number(Rational(exponent - 1)));
 }
 
 } // namespace
@@ -49,6 +75,9 @@ void certify_identity(const audit::ClaimResult& result, const audit::Ledger& led
                         "contain no mechanics");
     }
     Theory theory = smooth_contact(symmetric);
+    if (given) {
+        theory.imports.insert(theory.imports.end(), {"Gamma", "PowerLaw"});
+    }
     const bool at_x = free_symbols(claim.formula("says")).contains("x");
     if (at_x) {
         theory.names.emplace("x", "x");
@@ -59,7 +88,7 @@ void certify_identity(const audit::ClaimResult& result, const audit::Ledger& led
     const std::string name = coq_name(claim.id);
     const std::string load =
         given ? fmt::format("  (forall s, 0 < s -> P s = factor * Rpower s {}) ->\n",
-                            exponent_of_load(claim))
+                            coq_number(exponent_of_load(claim)))
               : "";
     const std::string contact = (symmetric ? "(P P1 P2 P3 : R -> R) (y" +
                                                  std::string(given ? " factor" : "") + " : R) :\n" +
@@ -88,6 +117,19 @@ void certify_identity(const audit::ClaimResult& result, const audit::Ledger& led
                    ? "for all symmetric contacts of such a load, with any factor, printed = derived"
                : symmetric ? "for all symmetric contacts, printed = derived"
                            : "for all contacts, printed = derived"}};
+    if (given && are_of_power_law(claim, ledger, exponent_of_load(claim))) {
+        const Rational exponent = exponent_of_load(claim);
+        std::string of_punch =
+            statement.text((at_x ? "forall x, x < a ->\n  " : "") + printed + " =\n  " + exact);
+        for (std::size_t at = of_punch.find(" g1 "); at != std::string::npos;
+             at = of_punch.find(" g1 ")) {
+            of_punch.replace(
+                at, 4, fmt::format(" (power_slope C {}) ", coq_number(Rational(exponent - 1))));
+        }
+        certificate.text += "\n" + derived_theorem(name, exponent, of_punch);
+        certificate.theorems.push_back(
+            {name + "_derived", "the same of every punch |x|^(m+1), whose load is derived"});
+    }
     certificate.whole_verdict = true;
     certificate.leaves_out = "the punch is taken to be convex; " + std::string(smoothness);
 }

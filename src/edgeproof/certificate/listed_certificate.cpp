@@ -3,6 +3,7 @@
 #include "edgeproof/certificate/theory/statement.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -40,7 +41,17 @@ bool without(const audit::SceneSpec& s, const std::string& load) {
 }
 bool force_alone(const audit::SceneSpec& s) { return without(s, "sig0") && !without(s, "Q"); }
 bool tension_alone(const audit::SceneSpec& s) { return without(s, "Q") && !without(s, "sig0"); }
+bool tilted_punch(const audit::SceneSpec& s) {
+    return s.profile == "tilted-flat-and-rounded" && s.parameter("alpha").sign() > 0 &&
+           s.parameter("t").sign() > 0 && s.parameter("R").sign() > 0;
+}
+bool power_law(const audit::SceneSpec& s) {
+    return s.profile == "power-law" && s.parameter("m").sign() >= 0 && s.parameter("C").sign() > 0;
+}
 bool any_contact(const audit::SceneSpec& /*s*/) { return true; }
+
+/// In place of a unit: the values grow without bound, and the places are to the right of x = 0.
+constexpr std::string_view growing = "growing";
 
 /// A claim for which the Coq files have a theorem: its kind, its words (`key_of`), and the scenes
 /// that the theorem is about.
@@ -56,9 +67,7 @@ struct Listed {
     std::string_view proof;
     std::string_view states;
     std::string_view leaves_out;
-
-    /// False if the theorem does not contain the whole verdict.
-    [[nodiscard]] bool whole() const;
+    bool whole = true;
 };
 
 constexpr std::string_view convex_smooth =
@@ -79,7 +88,7 @@ constexpr std::string_view states_orders =
     "for all contacts, the pressure and what one and two terms leave of it, divided by u^(1/2), "
     "u^(3/2) and u^(5/2), tend to the coefficients";
 
-constexpr std::array<Listed, 14> listed{
+constexpr std::array<Listed, 23> listed{
     {{"relation", "0 < b/a and b/a < 1", tilted_to_the_left, "", 0, "(phi a alpha : R)",
       "0 < phi /\\ 0 < a /\\ 0 < alpha < phi ->\n"
       "  exists b, is_the_left_edge (slope phi alpha) a b /\\ 0 < b / a /\\ b / a < 1",
@@ -124,6 +133,96 @@ constexpr std::array<Listed, 14> listed{
       "  filterlim (fun a => P a / (Es * t)) (at_right t) (locally 0)",
       "intros form. apply load_vanishes; lra",
       "for all punches, the load tends to 0 as the edge tends to the end of the flat", ""},
+     {"value", "0 = gp(0), gp(s) = -alpha + max(s + alpha*R, 0)/R + min(s + 2*t + alpha*R, 0)/R",
+      tilted_punch, "", 0, "(alpha t R0 : R)",
+      "0 < alpha /\\ 0 < t /\\ 0 < R0 -> tilted_rounded_slope alpha t R0 0 = 0",
+      "intros form. apply lowest_at_origin; lra", "for all such punches, the slope is 0 at x = 0",
+      ""},
+     {"value",
+      "sgn(x)*gp(x) = abs(gp(x)), gp(s) = -alpha + max(s + alpha*R, 0)/R + min(s + 2*t + "
+      "alpha*R, 0)/R",
+      tilted_punch, "", 0, "(alpha t R0 : R)",
+      "0 < alpha /\\ 0 < t /\\ 0 < R0 -> forall x,\n"
+      "  Rabs (tilted_rounded_slope alpha t R0 x) = sign x * tilted_rounded_slope alpha t R0 x",
+      "intros form. apply falls_and_rises; lra",
+      "for all such punches and all x, |g'(x)| = sgn(x) g'(x)", ""},
+     {"value", "g1(x) = x/R where x > 0", tilted_punch, "", 0, "(alpha t R0 : R)",
+      "0 < alpha /\\ 0 < t /\\ 0 < R0 -> forall x, 0 < x ->\n"
+      "  x / R0 = tilted_rounded_slope alpha t R0 x",
+      "intros form. apply parabola_to_the_right; lra",
+      "for all such punches and all x > 0, g'(x) = x/R", ""},
+     {"value", "q(x) = Q/(Pi*sqrt((a-x)*(x+b))) + sig0*(2*x+b-a)/(8*sqrt((a-x)*(x+b)))",
+      any_contact, "", 0, "(Q sig0 a b : R)",
+      "0 < a + b ->\n"
+      "  is_traction (fun x => Q / (PI * sqrt ((a - x) * (x + b))) +\n"
+      "    sig0 * (2 * x + b - a) / (8 * sqrt ((a - x) * (x + b)))) a b Q sig0 /\\\n"
+      "  forall A B, is_traction (fun s => (A + B * s) / sqrt ((a - s) * (s + b))) a b Q sig0 ->\n"
+      "  forall x, - b < x < a -> (A + B * x) / sqrt ((a - x) * (x + b)) =\n"
+      "    Q / (PI * sqrt ((a - x) * (x + b))) +\n"
+      "    sig0 * (2 * x + b - a) / (8 * sqrt ((a - x) * (x + b)))",
+      "intros HD. split; [exact (full_stick_is_traction Q sig0 a b HD) |].\n"
+      "  intros A B. exact (full_stick_of_form Q sig0 a b A B HD)",
+      "for all contacts, the printed traction solves the integral equation of full stick and has "
+      "the "
+      "force Q; of all functions (A + B x)/sqrt((a - x)(x + b)) it is the only one",
+      "that the integral equation has no solution of another form"},
+     {"value", "p(x) = Es/(2*Pi)*sqrt(a^2-x^2)*pv(g1(s)/sqrt(a^2-s^2)*(1/(s-x)), s, -a, a, x)",
+      any_contact, "", 0, "(Es m a x : R) (l : list part)",
+      "convex_punch l -> beyond m l -> 0 < m < x -> x < a ->\n"
+      "  exists p0 l0, is_the_pressure Es (Symmetric.slope l) a x p0 /\\\n"
+      "  is_principal_value (fun s => Symmetric.slope l s / sqrt (a ^ 2 - s ^ 2) * (1 / (s - x))) "
+      "(- a) a x l0 /\\\n"
+      "  Es / (2 * PI) * sqrt (a ^ 2 - x ^ 2) * l0 = p0",
+      "exact (the_pressure_by_inversion Es l m a x)",
+      "for all symmetric punches whose g' is piecewise linear and convex (wedges, parabolas, flat "
+      "punches with rounded edges and sums of these), beyond all knots, printed = Barber and "
+      "Mossakovskii's integral",
+      "power laws with other exponents than 0 and 1; places on the flat", false},
+     {"relation", "the terms 2 to 9 of both edges have the sign of the first", force_alone, "", 0,
+      "(a b Q : R)",
+      "0 < a + b /\\ Q <> 0 -> exists s v : nat -> R,\n"
+      "  are_the_right_terms (full_stick Q 0 a b) a s 9 /\\ are_the_left_terms (full_stick Q 0 a "
+      "b) b "
+      "v 9 /\\\n  forall k, (1 <= k <= 9)%nat -> 0 < s k * s 0%nat /\\ 0 < v k * v 0%nat",
+      "intros form. apply force_signs; apply form",
+      "for all contacts under a shear force, the terms 1 to 9 of both edges have the sign of the "
+      "first",
+      ""},
+     {"relation", "the terms 2 to 9 of both edges have the opposite sign of the first",
+      tension_alone, "", 0, "(a b sig0 : R)",
+      "0 < a + b /\\ sig0 <> 0 -> exists s v : nat -> R,\n"
+      "  are_the_right_terms (full_stick 0 sig0 a b) a s 9 /\\ are_the_left_terms (full_stick 0 "
+      "sig0 "
+      "a b) b v 9 /\\\n  forall k, (1 <= k <= 9)%nat -> s k * s 0%nat < 0 /\\ v k * v 0%nat < 0",
+      "intros form. apply tension_signs; apply form",
+      "for all contacts under a tension, the terms 1 to 9 of both edges have the opposite sign of "
+      "the first",
+      ""},
+     {"limit", "p(x)/(P/(Pi*sqrt(a^2-x^2))) -> 1 along m", power_law, growing, 0, "(Es C a x : R)",
+      "0 < Es /\\ 0 < C /\\ 0 < x < a -> exists p P : R -> R,\n"
+      "  (forall m, 0 <= m -> is_the_pressure Es (power_slope C m) a x (p m) /\\\n"
+      "    is_the_load Es (power_slope C m) a a (P m)) /\\\n"
+      "  filterlim (fun m => p m / (P m / (PI * sqrt (a ^ 2 - x ^ 2)))) (Rbar_locally p_infty) "
+      "(locally 1)",
+      "exact (becomes_rectangular Es C a x)",
+      "at every place x > 0 of all contacts, the pressure divided by that of a rectangular punch "
+      "tends to 1 as m grows without bound",
+      ""},
+     {"limit",
+      "right_local(1, x)/p(x) -> infinity along m and right_local(1, x)*a/P -> infinity along m",
+      power_law, growing, 0, "(Es C a x : R)",
+      "0 < Es /\\ 0 < C /\\ 0 < x < a -> exists p P r : R -> R,\n"
+      "  (forall m, 0 <= m -> is_the_pressure Es (power_slope C m) a x (p m) /\\\n"
+      "    is_the_load Es (power_slope C m) a a (P m) /\\\n"
+      "    exists r1 r2, is_the_right_series Es (power_slope C m) a (r m) r1 r2) /\\\n"
+      "  filterlim (fun m => r m * sqrt (a - x) / p m) (Rbar_locally p_infty) (Rbar_locally "
+      "p_infty) /\\\n"
+      "  filterlim (fun m => r m * sqrt (a - x) * a / P m) (Rbar_locally p_infty) (Rbar_locally "
+      "p_infty)",
+      "exact (one_term_diverges Es C a x)",
+      "at every place x > 0 of all contacts, one term divided by the pressure, and divided by P/a, "
+      "grows without bound with m",
+      ""},
      {"independence", "q(x)*L/Q", force_alone, "", 0, "(a b c e Q N xi : R)",
       "0 < a + b -> 0 < c + e -> Q <> 0 -> N <> 0 -> 0 < xi < 1 ->\n"
       "  is_traction (full_stick Q 0 a b) a b Q 0 /\\ is_traction (full_stick N 0 c e) c e N 0 "
@@ -177,19 +276,41 @@ constexpr std::array<Listed, 14> listed{
       "intros contact left convex. eapply orders_at_right; eassumption", states_orders,
       convex_smooth}}};
 
-// Without uniqueness, another solution of the integral equation may depend on the contact.
-bool Listed::whole() const { return leaves_out.empty() || leaves_out == convex_smooth; }
+/// Returns how a ledger says that the products of the terms 2 to 9 of a shear traction with the
+/// first, at both edges, have a sign.
+std::string signs_of_terms(std::string_view sign) {
+    std::string all;
+    for (const char* edge : {"right", "left"}) {
+        for (int k = 2; k <= 9; ++k) {
+            all += fmt::format("{0}{1}.s{2}*{1}.s0{3}", all.empty() ? "" : " and ", edge, k, sign);
+        }
+    }
+    return all;
+}
 
 /// The words of a claim, by which it is found in the list; empty if the claim has other fields that
 /// change its meaning.
 std::string words_of(const audit::Claim& claim) {
-    if (!claim.readings.empty() || claim.has("where") || claim.has("vary") || claim.has("with") ||
-        claim.has("given")) {
+    if (claim.kind == "limit" && !claim.readings.empty()) {
+        std::string all;
+        for (const audit::Claim& reading : claim.readings) {
+            all += (all.empty() ? "" : " and ") + words_of(reading);
+        }
+        return all;
+    }
+    if (!claim.readings.empty() || claim.has("vary") || claim.has("given") ||
+        (claim.kind != "value" && (claim.has("where") || claim.has("with")))) {
         return "";
     }
     const std::string edge = claim.edge() == contact::Edge::right ? "right" : "left";
     if (claim.kind == "relation") {
-        return claim.has("holds") ? "" : claim.text("says");
+        return claim.has("holds") ? ""
+               : claim.text("says") == signs_of_terms(" > 0")
+                   ? "the terms 2 to 9 of both edges have "
+                     "the sign of the first"
+               : claim.text("says") == signs_of_terms(" < 0")
+                   ? "the terms 2 to 9 of both edges have the opposite sign of the first"
+                   : claim.text("says");
     }
     if (claim.kind == "limit") {
         return claim.text("of") + " -> " + claim.text("limit") + " along " + claim.text("along");
@@ -198,7 +319,13 @@ std::string words_of(const audit::Claim& claim) {
         return claim.text("of") + " " + claim.text("sense") + " along " + claim.text("along");
     }
     if (claim.kind == "value") {
-        return claim.text("of") + " = " + claim.text("says");
+        std::string words = claim.text("of") + " = " + claim.text("says");
+        if (claim.has("with")) {
+            for (const auto& [name, meaning] : claim.table("with")) {
+                words += fmt::format(", {} = {}", name, fmt::join(meaning, " "));
+            }
+        }
+        return claim.has("where") ? words + " where " + claim.text("where") : words;
     }
     if (claim.kind == "independence") {
         return claim.text("of");
@@ -230,15 +357,24 @@ bool ends_there(const audit::Claim& claim, const audit::Ledger& ledger, const Li
     if (found == family.parameters.end() || found->second.size() < 2) {
         return false;
     }
+    const bool grows = entry.unit == growing;
+    if (grows && (claim.edge() != contact::Edge::right ||
+                  !std::all_of(family.u.begin(), family.u.end(),
+                               [](const formula::Exact& u) { return u.to<double>() < 0.5; }))) {
+        return false;
+    }
     std::vector<double> distances;
     for (const formula::Expr& value : found->second) {
-        const formula::Expr share = substitute(value, entry.unit, formula::Expr::number(1));
+        const formula::Expr share =
+            grows ? value : substitute(value, entry.unit, formula::Expr::number(1));
         if (!free_symbols(share).empty()) {
             return false;
         }
-        distances.push_back(std::abs(formula::Exact(share).to<double>() - entry.end));
+        distances.push_back(grows ? 1 / formula::Exact(share).to<double>()
+                                  : std::abs(formula::Exact(share).to<double>() - entry.end));
     }
-    return std::is_sorted(distances.rbegin(), distances.rend()) && distances.back() < 1e-6;
+    return std::is_sorted(distances.rbegin(), distances.rend()) &&
+           distances.back() < (grows ? 1e-3 : 1e-6);
 }
 
 } // namespace
@@ -259,8 +395,11 @@ bool certify_listed(const audit::ClaimResult& result, const audit::Ledger& ledge
         return false;
     }
     Theory theory;
-    theory.imports = {"Contact", "Coefficients", "Edges",  "Symmetric", "TiltedWedge", "Unique",
-                      "Shear",   "Sides",        "Limits", "Stick",     "Orders"};
+    theory.imports = {"Contact",       "Coefficients", "Edges",    "Symmetric",
+                      "TiltedWedge",   "Unique",       "Shear",    "Sides",
+                      "Limits",        "Stick",        "Orders",   "ShearTerms",
+                      "TiltedRounded", "Inversion",    "PowerLaw", "Flatness"};
+
     const std::string name = coq_name(claim.id);
     certificate.text =
         file_head(claim, ledger, theory) +
@@ -268,7 +407,7 @@ bool certify_listed(const audit::ClaimResult& result, const audit::Ledger& ledge
                      fmt::format("  {}.\n", entry->proof));
     certificate.theorems = {{name, std::string(entry->states)}};
     certificate.leaves_out = std::string(entry->leaves_out);
-    certificate.whole_verdict = entry->whole();
+    certificate.whole_verdict = entry->whole;
     return true;
 }
 

@@ -301,7 +301,8 @@ std::string extent_theorem(const std::string& name, const StatedEdge& edge,
         "    destruct (Rle_lt_dec u ({10})) as [Hn | Hn].\n"
         "    + {11}.\n      near_the_edge constants u ({10}) ({12}). interval with (i_prec 90).\n"
         "    + assert (H : {10} <= u <= {2}) by lra. clear Hu Hn. plain constants. unfold atanh.\n"
-        "      apply Rminus_le. interval with (i_bisect u, i_taylor u, i_prec 90, i_depth 60).\n"
+        "      apply Rminus_le. first [interval with (i_bisect u, i_taylor u, i_depth 60)\n"
+        "        | interval with (i_bisect u, i_taylor u, i_prec 90, i_depth 60)].\n"
         "  - intros u ->. eexists. split. {{ {9}. }}\n"
         "    plain constants. unfold atanh. apply Rminus_lt. interval with (i_prec 90).\n"
         "{13}Qed.\n\n",

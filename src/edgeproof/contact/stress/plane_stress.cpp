@@ -16,8 +16,8 @@ std::array<Ball, 3> StressState::principal(const Ball& nu) const {
     const bool along_axes = arb_is_zero(sxz.data()) != 0; // exactly the components, also if zero
     const Ball most = along_axes ? max(sxx, szz) : mean() + tau_max();
     const Ball least = along_axes ? min(sxx, szz) : mean() - tau_max();
-    const Ball across = syy(nu);
-    return {max(most, across), max(least, min(most, across)), min(least, across)};
+    const Ball third = syy(nu);
+    return {max(most, third), max(least, min(most, third)), min(least, third)};
 }
 
 // Twice tau_max, or the difference of syy = 2 nu mean and the farther of mean -+ tau_max, without

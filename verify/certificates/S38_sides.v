@@ -1,0 +1,15 @@
+(* Claim S38.sides of the ledger moore-hills, lines 347 to 347 of its source.
+   Printed: Note that the coordinate system is aligned with the minimum of the punch
+   Says: abs(gp(x)) *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Symmetric TiltedWedge Unique Shear Sides Limits Stick Orders ShearTerms TiltedRounded Inversion PowerLaw Flatness.
+Open Scope R_scope.
+
+Theorem S38_sides (alpha t R0 : R) : 0 < alpha /\ 0 < t /\ 0 < R0 -> forall x,
+  Rabs (tilted_rounded_slope alpha t R0 x) = sign x * tilted_rounded_slope alpha t R0 x.
+Proof.
+  intros form. apply falls_and_rises; lra.
+Qed.
+

@@ -18,7 +18,7 @@
 namespace edgeproof::comparison {
 namespace {
 
-constexpr std::string_view blanks = " \t\r";
+constexpr std::string_view white_space = " \t\r";
 constexpr std::string_view stress_title = "contact stress (slave node";
 constexpr std::string_view gap_title = "relative contact displacement (slave node";
 
@@ -51,9 +51,9 @@ public:
     [[noreturn]] void reject(const std::string& problem, const std::string& instead) const {
         throw InputError(problem, instead).at(file_, number_);
     }
-    /// A part of the line, without blanks; empty beyond its end.
+    /// A part of the line, without white_space; empty beyond its end.
     [[nodiscard]] std::string cell(std::size_t from, std::size_t size) const {
-        return from < line_.size() ? std::string(trimmed(line_.substr(from, size), blanks))
+        return from < line_.size() ? std::string(trimmed(line_.substr(from, size), white_space))
                                    : std::string();
     }
     [[nodiscard]] const std::string& file() const { return file_; }
@@ -95,7 +95,7 @@ private:
     /// Returns the width of the number of a node from the format in the head of a block.
     std::size_t node_width() {
         const std::string format(trimmed(lines_.line().substr(
-            std::min(lines_.line().find_last_not_of(blanks), lines_.line().size()))));
+            std::min(lines_.line().find_last_not_of(white_space), lines_.line().size()))));
         if (format != "0" && format != "1") {
             lines_.reject("the file is not an .frd file in text",
                           "let CalculiX write it in text (no OUTPUT=BINARY)");
@@ -239,13 +239,13 @@ NodeTable nodes_of_deck(std::string_view text, const std::string& file) {
     bool in_nodes = false;
     Lines lines(text, file);
     while (lines.next()) {
-        const std::string_view line = trimmed(lines.line(), blanks);
+        const std::string_view line = trimmed(lines.line(), white_space);
         if (line.empty() || line.starts_with("**")) {
             continue;
         }
         if (line.starts_with('*')) {
             const std::string keyword = lower_case(line.substr(0, line.find(',')));
-            in_nodes = trimmed(keyword, blanks) == "*node";
+            in_nodes = trimmed(keyword, white_space) == "*node";
         } else if (in_nodes) {
             std::vector<std::string> values;
             for (const Cell& cell : split_row(line, Separator::comma)) {

@@ -184,6 +184,29 @@ def test_the_greatest_pressure(hertz, curved):
         wedge.peak()
 
 
+def test_maps_of_stresses():
+    """Arrays against single values, which are proved to 30 digits."""
+    scene = edgeproof.Scene(edgeproof.flat_and_rounded(t="0.4", R=1), a=1, contact_modulus=2,
+                            nu="0.3", Q="1/10", friction="0.6")
+    x, z = np.linspace(-1.5, 1.5, 7)[None, :], np.linspace(0, 2, 5)[:, None]
+    for body in ("A", "B"):
+        found = scene.stresses(x, z, body)
+        assert set(found) == {"sxx", "szz", "sxz", "tau_max", "mises", "bound"}
+        assert found["bound"].shape == (5, 7) and found["bound"].max() < 1e-12
+        for i in range(5):
+            for j in range(7):
+                one = scene.stress(float(x[0, j]), float(z[i, 0]), body, digits=30)
+                for name in ("sxx", "szz", "sxz", "tau_max", "mises"):
+                    error = abs(exact(found[name][i, j]) - getattr(one, name).mpmath())
+                    assert error <= found["bound"][i, j] + 1e-25
+    assert "mises" not in edgeproof.Scene(edgeproof.hertz(R=1), a=1,
+                                          contact_modulus=1).stresses([0, 1], [1, 1])
+    with pytest.raises(edgeproof.InputError, match="negative"):
+        scene.stresses(0.0, -1.0)
+    with pytest.raises(edgeproof.InputError, match="no body"):
+        scene.stresses(0.0, 1.0, "C")
+
+
 def test_stresses_under_hertz():
     """On the axis: johnson1985, eq. 4.46 and 4.47, with p_0 = 1/2 and a = 1."""
     scene = edgeproof.Scene(edgeproof.hertz(R=1), a=1, contact_modulus=1, nu="0.3")

@@ -2,11 +2,14 @@
 #include "edgeproof/scene/greatest_value.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/binary64_stresses.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 using scene::Body, scene::GreatestValue, scene::Quantity;
@@ -192,4 +195,65 @@ TEST_CASE("greatest values that do not exist, or are not one, are refused") {
     refused(
         greatest_scene_text("kind = \"tilted-wedge\"\nphi = \"0.2\"\nalpha = \"0.05\"", "1", ""),
         Quantity::tau_max, "corner inside the contact");
+}
+
+// One step of Q is partial slip; after others the value is compared with a map of stresses, which
+// misses the cusps at the edges of the zones.
+TEST_CASE("the greatest stresses after load histories" * doctest::test_suite("slow")) {
+    const std::string head =
+        "[profile]\n" + rounded + "\n[load]\ncontact_modulus = \"2\"\nnu = \"0.3\"\n";
+    const auto steps = [&](const std::string& Q) {
+        return head + "[shear]\nfriction = \"1/2\"\n[[step]]\nP = \"1/2\"\n" + Q +
+               "[ask]\ndigits = 12\n";
+    };
+    const std::string plain =
+        head + "P = \"1/2\"\n[shear]\nfriction = \"1/2\"\nQ = \"1/8\"\n" + "[ask]\ndigits = 12\n";
+    for (const Quantity quantity : {Quantity::mises, Quantity::tau_max, Quantity::sxx}) {
+        const GreatestValue one = greatest_of(steps("[[step]]\nQ = \"1/8\"\n"), quantity);
+        const GreatestValue other = greatest_of(plain, quantity);
+        CHECK(overlaps(one.value.value, other.value.value));
+        CHECK(overlaps(one.x.value, other.x.value));
+        CHECK(overlaps(one.z.value, other.z.value));
+    }
+    for (const std::string path :
+         {"[[step]]\nQ = \"1/5\"\n[[step]]\nQ = \"-1/10\"\n",
+          "[[step]]\nP = \"3/4\"\nQ = \"1/10\"\n[[step]]\nP = \"1/2\"\nQ = \"-1/20\"\n"}) {
+        CAPTURE(path);
+        const std::string text = steps(path);
+        const scene::Scene s = scene::parse_scene(text, "scene.toml");
+        constexpr int columns = 241;
+        constexpr int lines = 81;
+        std::vector<double> x;
+        std::vector<double> z;
+        for (int i = 0; i < columns * lines; ++i) {
+            x.push_back(-1.2 + 0.01 * (i % columns));
+            z.push_back(0.01 * (i / columns));
+        }
+        std::vector<std::vector<double>> maps(6, std::vector<double>(x.size()));
+        compute_binary64(s, Body::A, x, z, {maps[0], maps[1], maps[2], maps[3], maps[4], maps[5]});
+        for (const auto& [quantity, map] :
+             {std::pair{Quantity::tau_max, &maps[3]}, std::pair{Quantity::mises, &maps[4]}}) {
+            const double most = *std::max_element(map->begin(), map->end());
+            const GreatestValue found = greatest_of(text, quantity);
+            const double greatest = found.value.value.midpoint().convert_to<double>();
+            CHECK(found.value.proved);
+            CHECK(most <= greatest);
+            CHECK(greatest < most * 1.1);
+        }
+    }
+}
+
+TEST_CASE("the greatest sxx after a load history needs q of one direction") {
+    const auto steps = [](const std::string& path) {
+        return "[profile]\n" + rounded +
+               "\n[load]\ncontact_modulus = \"2\"\nnu = \"0.3\"\n[shear]\nfriction = \"1/2\"\n" +
+               "[[step]]\nP = \"1/2\"\n" + path + "[ask]\ndigits = 12\n";
+    };
+    // Where q is greatest in an inner zone, or changes its sign, sxx is refused.
+    CHECK(refusal_of(steps("[[step]]\nQ = \"1/5\"\n[[step]]\nQ = \"-1/10\"\n"), Quantity::sxx)
+              .find("q has one direction") != std::string::npos);
+    CHECK(
+        refusal_of(steps("[[step]]\nP = \"1\"\nQ = \"1/5\"\n[[step]]\nP = \"2\"\n"), Quantity::sxx)
+            .find("q has one direction") != std::string::npos);
+    CHECK(refusal_of(steps("[[step]]\nP = \"1\"\nQ = \"1/5\"\n"), Quantity::sxx).empty());
 }

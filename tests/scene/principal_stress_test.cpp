@@ -42,6 +42,10 @@ const StressedContact stressed_contacts[] = {
      "[shear]\nfriction = \"1/2\"\n[[step]]\nP = \"3/4\"\nQ = \"1/4\"\n[[step]]\nP = \"1\"\n"
      "[[step]]\nQ = \"-0.4\"\n[[step]]\nP = \"0.9\"\nQ = \"0.1\"",
      "0.45"},
+    {"kind = \"power-law\"\nm = \"5/2\"\nC = \"1/3\"",
+     "P = \"1\"\n[shear]\nQ = \"-0.3\"\nfriction = \"1/2\"\nbulk_tension = \"0.02\"", "0.3"},
+    {"kind = \"piecewise\"\nknots = [\"0\"]\nslopes = [\"x\", \"sinh(x)/2\"]",
+     "P = \"1\"\n[shear]\nQ = \"0.3\"\nfriction = \"1/2\"\nbulk_tension = \"0.02\"", "0.3"},
 };
 
 Scene stressed_scene(const StressedContact& c) {

@@ -108,6 +108,7 @@ void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
           std::pair{"stick_b", Quantity::stick_b},
           std::pair{"least_bulk_tension", Quantity::least_tension},
           std::pair{"most_bulk_tension", Quantity::most_tension},
+          std::pair{"step_energy", Quantity::step_energy},
           std::pair{"cycle_energy", Quantity::cycle_energy}}) {
         add_fact(facts, key, scene, result, quantity);
     }

@@ -41,6 +41,9 @@ void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
 /// Returns a sentence about the reliability of bounds and digits.
 [[nodiscard]] std::string bound_note(const scene::Plan& plan);
 
+/// Reads the option --body.
+[[nodiscard]] scene::Body body_of(const std::string& name);
+
 /// Returns the unit of a quantity in the units of the scene; empty if they are not known.
 [[nodiscard]] std::string unit_of(const scene::Scene& scene, scene::Quantity quantity,
                                   std::size_t k = 0);

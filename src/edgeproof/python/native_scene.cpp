@@ -44,11 +44,8 @@ scene::Place place_at(const std::string& text, const scene::Place::Names& names)
     }
 }
 
-std::vector<scene::BodyPoint> points_of(const Texts& x, const Texts& z, const std::string& body) {
-    if (body != "A" && body != "B") {
-        throw InputError("there is no body '" + body + "'",
-                         "write \"A\" (on which Q acts) or \"B\"");
-    }
+std::vector<scene::BodyPoint> points_of(const Texts& x, const Texts& z, const std::string& name) {
+    const scene::Body body = body_named(name);
     std::vector<scene::BodyPoint> points;
     for (std::size_t i = 0; i < x.size(); ++i) {
         formula::Exact depth = exact_named("z", z.at(i));
@@ -56,8 +53,7 @@ std::vector<scene::BodyPoint> points_of(const Texts& x, const Texts& z, const st
             throw InputError("the depth z = " + z[i] + " is negative",
                              "give z >= 0, the depth into the body");
         }
-        points.push_back({exact_named("x", x[i]), std::move(depth),
-                          body == "A" ? scene::Body::A : scene::Body::B});
+        points.push_back({exact_named("x", x[i]), std::move(depth), body});
     }
     return points;
 }
@@ -94,6 +90,14 @@ contact::Edge edge_named(const std::string& name) {
         return *edge;
     }
     throw InputError("there is no edge '" + name + "'", "write \"right\" or \"left\"");
+}
+
+scene::Body body_named(const std::string& name) {
+    if (name != "A" && name != "B") {
+        throw InputError("there is no body '" + name + "'",
+                         "write \"A\" (on which Q acts) or \"B\"");
+    }
+    return name == "A" ? scene::Body::A : scene::Body::B;
 }
 
 NativeScene::NativeScene(std::string text, scene::Scene scene)

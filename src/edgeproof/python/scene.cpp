@@ -6,6 +6,7 @@
 #include "edgeproof/python/bindings.hpp"
 #include "edgeproof/python/native_scene.hpp"
 #include "edgeproof/python/without_gil.hpp"
+#include "edgeproof/scene/binary64_stresses.hpp"
 #include "edgeproof/scene/binary64_values.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 #include "edgeproof/scene/run_scene.hpp"
@@ -178,6 +179,34 @@ py::array_t<double> binary64(const NativeScene& self, const std::string& quantit
                           });
 }
 
+/// Returns the stresses at points of a body, and the bound of their errors.
+py::dict stresses(const NativeScene& self, const std::string& body, const Doubles& x,
+                  const Doubles& z) {
+    if (x.size() != z.size()) {
+        throw Error("x and z differ in size");
+    }
+    const scene::Body at = body_named(body);
+    const std::vector<py::ssize_t> shape(x.shape(), x.shape() + x.ndim());
+    py::dict arrays;
+    const auto array = [&](const char* name) {
+        py::array_t<double> made(shape);
+        const std::span<double> values(made.mutable_data(), static_cast<std::size_t>(x.size()));
+        arrays[name] = std::move(made);
+        return values;
+    };
+    const scene::Binary64Stresses out{array("sxx"),
+                                      array("szz"),
+                                      array("sxz"),
+                                      array("tau_max"),
+                                      self.scene().poisson(at) ? array("mises")
+                                                               : std::span<double>(),
+                                      array("bound")};
+    const std::span<const double> across(x.data(), static_cast<std::size_t>(x.size()));
+    const std::span<const double> depths(z.data(), across.size());
+    without_gil([&] { compute_binary64(self.scene(), at, across, depths, out); });
+    return arrays;
+}
+
 /// Returns the binary64 nearest to a number as the library reads it ("pi/16").
 double nearest_to(const std::string& text) { return formula::Exact::parse(text).to<double>(); }
 
@@ -217,7 +246,8 @@ void bind_scene(py::module_& module) {
         .def("run", &run, py::arg("asked"))
         .def("pressures", &pressures, py::arg("edge"), py::arg("u"))
         .def("binary64", &binary64, py::arg("quantity"), py::arg("terms"), py::arg("edge"),
-             py::arg("by_x"), py::arg("places"));
+             py::arg("by_x"), py::arg("places"))
+        .def("stresses", &stresses, py::arg("body"), py::arg("x"), py::arg("z"));
     module.def("nearest_to", &nearest_to, py::arg("text"));
     module.def("given", &given, py::arg("text"), py::arg("digits"));
     module.def(

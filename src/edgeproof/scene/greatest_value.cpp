@@ -6,7 +6,9 @@
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/scene/route/ball_level.hpp"
 
+#include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace edgeproof::scene {
 namespace {
@@ -23,12 +25,35 @@ constexpr long most_raised = 64;
     throw InputError(problem, instead).at(scene.file, scene.load_line);
 }
 
+/// True if the ratio of shear to pressure has one sign in all layers and its size does not decrease
+/// with the force (docs/stress.md, "The greatest values").
+bool rises_outwards(const LoadHistory& history) {
+    const int sign = history.layers.back().ratio.sign();
+    const formula::Exact* before = nullptr;
+    return sign != 0 && std::ranges::all_of(history.layers, [&](const LoadHistory::Layer& layer) {
+               const formula::Exact* const last = std::exchange(before, &layer.ratio);
+               const int growth = last == nullptr
+                                      ? layer.ratio.sign()
+                                      : formula::Exact(layer.ratio.expr() - last->expr()).sign();
+               return growth * sign >= 0;
+           });
+}
+
 /// Refuses stresses that are infinite, or that have no greatest value.
 void check(const Scene& scene, Quantity quantity) {
-    if (scene.history) {
-        refuse(
-            scene, "the greatest stresses after a load history are not computed",
-            "give P and Q in [load] and [shear] instead of steps, or ask for stresses at points");
+    const bool tilted_power_law = scene.slips() && scene.shear->bulk_tension.sign() != 0 &&
+                                  scene.profile && !scene.profile->piecewise_linear();
+    if ((scene.profile && !scene.profile->has_closed_form()) || tilted_power_law) {
+        refuse(scene,
+               "the greatest stress is computed for power laws without a bulk tension and for "
+               "piecewise linear g'",
+               "give such a profile, or ask for stresses at points");
+    }
+    if (scene.history && quantity == Quantity::sxx && !rises_outwards(*scene.history)) {
+        refuse(scene,
+               "the greatest sxx on the surface is proved only where |q|/p does not decrease "
+               "towards the edges and q has one direction",
+               "ask for the state after another step, or for stresses at points");
     }
     const bool sheared =
         scene.shear && (scene.shear->Q.sign() != 0 || scene.shear->bulk_tension.sign() != 0);
@@ -156,7 +181,8 @@ GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity
         place.z = at->z;
         const auto enough = [&](const Ball& x) { return has_digits(x, scene.ask.digits); };
         const bool has_x = place.kind == GreatestPlace::Kind::axis ||
-                           place.kind == GreatestPlace::Kind::edge || enough(place.x);
+                           (place.kind == GreatestPlace::Kind::edge && !scene.history) ||
+                           enough(place.x);
         const bool has_z = contains_zero(place.z) || enough(place.z);
         return enough(stress) && has_x && has_z;
     });
@@ -170,10 +196,13 @@ GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity
         result.z = zero(route);
         break;
     case GreatestPlace::Kind::edge:
-        result.x = place_of_edge(scene, place.part == 1, place.edge);
+        if (!scene.history) { // else the zone is that of any layer
+            result.x = place_of_edge(scene, place.part == 1, place.edge);
+        }
         result.z = zero(route);
-        result.notes.push_back(place.part == 1 ? "the place is an edge of the stick zone"
-                                               : "the place is an edge of the contact");
+        result.notes.push_back(place.part == 0 ? "the place is an edge of the contact"
+                               : scene.history ? "the place is an edge of a zone of the history"
+                                               : "the place is an edge of the stick zone");
         break;
     case GreatestPlace::Kind::inside:
         break;

@@ -38,8 +38,10 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
             add({Quantity::least_tension});
             add({Quantity::most_tension});
         }
-        if (plan.slip && !lack_of(scene, {Quantity::cycle_energy})) {
-            add({Quantity::cycle_energy});
+        for (const Quantity energy : {Quantity::step_energy, Quantity::cycle_energy}) {
+            if (plan.slip && !lack_of(scene, {energy})) {
+                add({energy});
+            }
         }
     }
     for (const contact::Edge edge : plan.edges) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/routes/partial_slip.hpp"
 
-#include "edgeproof/contact/slip/ball_slip.hpp"
+#include "edgeproof/contact/slip/dissipation.hpp"
 #include "tests/contact/slip_scenes.hpp"
 #include "tests/support/namespaces.hpp"
 

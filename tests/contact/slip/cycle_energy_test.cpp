@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/slip/ball_slip.hpp"
+#include "edgeproof/contact/slip/dissipation.hpp"
 
 #include "tests/contact/slip_scenes.hpp"
 #include "tests/support/namespaces.hpp"

@@ -32,6 +32,15 @@ Scene slipping_hertz_scene(const std::string& length = "1", const std::string& m
     return sheared_hertz(length, modulus, "friction = \"8/(5*pi)\"\n");
 }
 
+/// The same contact, P first and then Q.
+Scene stepped_hertz_scene(const std::string& length = "1", const std::string& modulus = "1") {
+    const std::string force = modulus + "*" + length;
+    return parsed("[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1/" + length +
+                  "\"\n[load]\ncontact_modulus = \"" + modulus +
+                  "\"\n[shear]\nfriction = \"8/(5*pi)\"\n[[step]]\nP = \"pi/4*" + force +
+                  "\"\n[[step]]\nQ = \"3/10*" + force + "\"\n");
+}
+
 /// Returns a wedge under P and M, whose tilt is unknown; M = 0: upright.
 Scene loaded_wedge(const std::string& M, const std::string& length = "1",
                    const std::string& modulus = "1") {
@@ -52,7 +61,8 @@ bool is_made_of_others(const QuantityRow& row) { return !row.searched && row.bal
 /// True if only balls give the quantity: there is no estimate to compare with.
 bool only_in_balls(const QuantityRow& row) {
     return row.quantity == Quantity::least_tension || row.quantity == Quantity::most_tension ||
-           row.quantity == Quantity::slip_load || row.of_bodies();
+           row.quantity == Quantity::slip_load || row.needs == QuantityRow::Needs::history ||
+           row.of_bodies();
 }
 
 /// Returns a row's quantity at the right edge, u = 1/5, with a tolerance of 1% and k = 1 if it has
@@ -117,7 +127,7 @@ TEST_CASE("each quantity that has a symbol is read by it and written with it") {
             CHECK(quantity_named(symbol + "_0").has_value() == (row.index == Index::order));
         }
     }
-    CHECK(symbols == 18);
+    CHECK(symbols == 26);
     CHECK_FALSE(quantity_named(""));
     CHECK_FALSE(quantity_named("heat"));
     CHECK_FALSE(quantity_named("p_1"));
@@ -175,6 +185,16 @@ TEST_CASE("each quantity is evaluated in balls and in Real: Hertz and a wedge by
         // syy = -1/8 with nu = 1/4: (3/10)^2 + (11/40)^2 + (1/40)^2 = 133/800
         {Quantity::mises, sqrt(Ball(Rational(133, 1600), bits) + sxz * sxz * 3)},
         {Quantity::tau_max, sqrt(Ball(Rational(9, 400), bits) + sxz * sxz)},
+        {Quantity::syy, Ball(Rational(-1, 8), bits)},
+        {Quantity::s1, sqrt(Ball(Rational(9, 400), bits) + sxz * sxz) - Ball(Rational(1, 4), bits)},
+        {Quantity::s2, Ball(Rational(-1, 8), bits)},
+        {Quantity::s3,
+         -sqrt(Ball(Rational(9, 400), bits) + sxz * sxz) - Ball(Rational(1, 4), bits)},
+        {Quantity::tresca, sqrt(Ball(Rational(9, 400), bits) + sxz * sxz) * 2},
+        // Q moves the bodies by D(Q), from -Q to Q and back by 2 D(Q/2) each (johnson1985, sec.
+        // 7.4): the loop has four times the energy of the first step.
+        {Quantity::step_energy,
+         (Ball(Rational(15, 32), bits) - log(Ball(2, bits)) / 2) * 4 / (pi * 25)},
         // (1/2) (x sqrt(x^2 - 1) - arcosh x) at x = 5/4 (johnson1985, sec. 5.4)
         {Quantity::gap, (Ball(Rational(15, 16), bits) - log(Ball(2, bits))) / 2},
         {Quantity::slip_displacement, Ball(0, bits)},
@@ -185,6 +205,7 @@ TEST_CASE("each quantity is evaluated in balls and in Real: Hertz and a wedge by
         CAPTURE(row.name);
         const Scene scene = row.needs == QuantityRow::Needs::unknown_tilt ? loaded_wedge("0")
                             : row.needs == QuantityRow::Needs::round      ? sphere_scene()
+                            : row.needs == QuantityRow::Needs::history    ? stepped_hertz_scene()
                             : row.of_friction()                           ? slipping_hertz_scene()
                                                                           : sheared_hertz();
         const AskedValue asked = asked_of(row);
@@ -217,14 +238,17 @@ TEST_CASE("the dimension of each quantity: lengths doubled, moduli three times a
         const AskedValue asked = asked_of(row);
         const bool slips = row.of_friction();
         const bool round = row.needs == QuantityRow::Needs::round;
+        const bool steps = row.needs == QuantityRow::Needs::history;
         const Ball one = in_balls(tilt    ? loaded_wedge("1/100")
                                   : round ? sphere_scene()
+                                  : steps ? stepped_hertz_scene()
                                   : slips ? slipping_hertz_scene()
                                           : sheared_hertz(),
                                   asked)
                              .value;
         const Ball other = in_balls(tilt    ? loaded_wedge("1/100", "2", "3")
                                     : round ? sphere_scene("2", "3")
+                                    : steps ? stepped_hertz_scene("2", "3")
                                     : slips ? slipping_hertz_scene("2", "3")
                                             : sheared_hertz("2", "3"),
                                     asked_of(row, "2"))
@@ -241,7 +265,8 @@ TEST_CASE("the dimension of each quantity: lengths doubled, moduli three times a
 TEST_CASE("a name that is not a quantity: how to write one, and which one was likely meant") {
     const std::string all =
         "write p, q, c_0, c_1, ..., s_0, s_1, ..., a, b, P, M, alpha, "
-        "extent_1, measure_1, slip, stick_a, stick_b, p_max, cycle_energy, delta or stiffness";
+        "extent_1, measure_1, slip, stick_a, stick_b, p_max, cycle_energy, sxx, szz, sxz, "
+        "mises, tau_max, syy, tresca, step_energy, delta or stiffness";
     CHECK(quantity_advice("temperature") == all);
     CHECK(quantity_advice("c1") == "did you mean c_1? " + all);
     CHECK(quantity_advice("alhpa") == "did you mean alpha? " + all);

@@ -1,10 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/report/figures/stress_figure.hpp"
 
 namespace edgeproof::cli {
 namespace {
 
-int plot(SceneOptions& o) {
+struct PlotOptions : SceneOptions {
+    std::string field; ///< the stress of which contours are drawn
+    std::string body = "A";
+};
+
+report::ScenePicture contours(const PlotOptions& o, const scene::Scene& scene) {
+    const scene::Body body = body_of(o.body);
+    for (const scene::QuantityRow& row : scene::quantity_rows()) {
+        if (row.group == scene::QuantityGroup::stress && row.name == o.field) {
+            return io::at_place(scene.file, scene.load_line,
+                                [&] { return report::stress_picture(scene, row.quantity, body); });
+        }
+    }
+    throw InputError("--field " + o.field + ": there is no such stress",
+                     "write sxx, szz, sxz, tau_max or mises");
+}
+
+int plot(PlotOptions& o) {
     std::string file;
     std::swap(file, o.out); // the file of the picture, not of a table
     if (!file.empty()) {
@@ -12,7 +31,10 @@ int plot(SceneOptions& o) {
         io::check_output(file);
     }
     scene::Scene scene = asked_scene(o);
-    const report::ScenePicture picture = picture_of(scene);
+    if (!o.field.empty() && file.empty()) {
+        throw InputError("contours are drawn into a file", "add --out stress.svg");
+    }
+    const report::ScenePicture picture = o.field.empty() ? picture_of(scene) : contours(o, scene);
     const std::string text = file.empty() ? report::picture_text(picture, terminal_width())
                                           : report::picture_file(picture, title_of(scene), file);
     show_as_file(o);
@@ -23,7 +45,7 @@ int plot(SceneOptions& o) {
 } // namespace
 
 void add_plot(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<SceneOptions>(
+    auto [sub, o] = add_command<PlotOptions>(
         app, code, "plot",
         "a picture of a scene: the pressure, the first terms, and where they are good", plot);
     add_given_scene(sub, o);
@@ -31,6 +53,12 @@ void add_plot(CLI::App& app, int& code) {
     sub.add_option("--out,--figure", o.out,
                    "write to this file, by its ending .svg, .png, .pdf or .html, whole or not at "
                    "all (default: a small picture of letters)");
+    sub.add_option("--field", o.field,
+                   "in place of the pressure the contours of a stress below the contact: sxx, szz, "
+                   "sxz, tau_max or mises");
+    sub.add_option("--body", o.body, "the body of --field: Q acts on A")
+        ->capture_default_str()
+        ->type_name("A|B");
     sub.footer("Drawn by gnuplot. The edges are those of --edge or of the scene, else the right "
                "one; the terms 1, 2 and 3 unless --terms or the scene say which.");
 }

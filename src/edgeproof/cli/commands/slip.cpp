@@ -56,10 +56,19 @@ int slip(const SceneOptions& o) {
                               scene.ask.tolerance->text() +
                               ", P and bulk_tension/Q held; 1: up to full sliding");
     }
+    if (result.find(scene::Quantity::step_energy) != nullptr) {
+        table.notes.emplace_back("step_energy: what friction takes, per unit length, in the last "
+                                 "step");
+    }
     if (result.find(scene::Quantity::cycle_energy) != nullptr) {
-        table.notes.emplace_back(std::string("cycle_energy: what friction takes") +
-                                 (scene.round ? "" : ", per unit length,") +
-                                 " in a cycle from -Q to Q and back, P held");
+        table.notes.emplace_back(
+            std::string("cycle_energy: what friction takes") +
+            (scene.round ? "" : ", per unit length,") +
+            (!scene.history          ? " in a cycle from -Q to Q and back, P held"
+             : scene.history->steady ? " in the last pass of the repeated steps; it ends in the "
+                                       "state in which it began, so that all later passes are alike"
+                                     : " in the last pass of the repeated steps; the state is not "
+                                       "steady yet"));
     }
     table.asked =
         "size d of the slip zone at each edge, and d_n by the first n terms of its series";

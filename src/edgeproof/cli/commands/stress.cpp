@@ -14,14 +14,6 @@ struct StressOptions : SceneOptions {
     std::string greatest;            ///< the quantity whose greatest value is asked for
 };
 
-scene::Body body_of(const std::string& name) {
-    if (name != "A" && name != "B") {
-        throw InputError("--body " + name + ": there is no such body",
-                         "write A (on which Q acts) or B");
-    }
-    return name == "A" ? scene::Body::A : scene::Body::B;
-}
-
 /// Refuses the options for points and edges of the contact, except places x if `by_x`.
 void refuse_others(const SceneOptions& o, const std::string& why, bool by_x) {
     std::vector<std::pair<std::string, std::string>> given{{"--edge", o.edges},
@@ -225,6 +217,14 @@ int displacement(const SceneOptions& o) {
 }
 
 } // namespace
+
+scene::Body body_of(const std::string& name) {
+    if (name != "A" && name != "B") {
+        throw InputError("--body " + name + ": there is no such body",
+                         "write A (on which Q acts) or B");
+    }
+    return name == "A" ? scene::Body::A : scene::Body::B;
+}
 
 void add_stress(CLI::App& app, int& code) {
     auto [sub, o] = add_command<StressOptions>(

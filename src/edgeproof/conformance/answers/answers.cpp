@@ -32,6 +32,9 @@ public:
         edge_ = csv.column("edge");
         u_ = csv.column("u");
         tolerance_ = csv.column("tolerance");
+        body_ = csv.column("body");
+        x_ = csv.column("x");
+        z_ = csv.column("z");
     }
     [[nodiscard]] bool possible() const { return quantity_ && !keys_.empty(); }
 
@@ -57,7 +60,15 @@ public:
             q.edge = *edge;
         }
         if (q.at_point()) {
-            q.u = point_of(row);
+            q.u = number_of(row, u_, "u");
+        }
+        if (row_of(q.quantity).place == scene::QuantityRow::Place::body) {
+            const std::string body = body_ ? row.cells[*body_] : "";
+            if (body != "A" && body != "B") {
+                reject(row, "there is no body '" + body + "'", "write A or B");
+            }
+            q.in_body = {number_of(row, x_, "x"), number_of(row, z_, "z"),
+                         body == "A" ? scene::Body::A : scene::Body::B};
         }
         if (q.to_a_tolerance()) {
             try {
@@ -95,14 +106,17 @@ private:
         last_ = *found;
         return found->second;
     }
-    [[nodiscard]] formula::Exact point_of(const io::Csv::Row& row) const {
-        const std::string text = u_ ? row.cells[*u_] : "";
+    /// A point outside the contact is a row without a reference, but not an error.
+    [[nodiscard]] formula::Exact number_of(const io::Csv::Row& row,
+                                           const std::optional<std::size_t>& column,
+                                           const std::string& name) const {
+        const std::string text = column ? row.cells[*column] : "";
         try {
-            // A point outside the contact is a row without a reference, but not an error.
-            formula::Exact u = formula::Exact::parse(text);
-            return u;
+            formula::Exact number = formula::Exact::parse(text);
+            return number;
         } catch (const Error& error) {
-            reject(row, "u = '" + text + "' is no number", "repeat the u of the question");
+            reject(row, name + " = '" + text + "' is no number",
+                   "repeat the " + name + " of the question");
         }
     }
 
@@ -113,6 +127,9 @@ private:
     std::optional<std::size_t> edge_;
     std::optional<std::size_t> u_;
     std::optional<std::size_t> tolerance_;
+    std::optional<std::size_t> body_;
+    std::optional<std::size_t> x_;
+    std::optional<std::size_t> z_;
     std::map<std::string, std::size_t> known_;
     std::string all_; ///< the parameters of the row
     std::optional<std::pair<std::string, std::size_t>> last_;
@@ -219,6 +236,9 @@ bool same_contact(const AskedContact& echoed, const AskedContact& asked) {
 bool same_question(const Question& echoed, const Question& asked) {
     return echoed.quantity == asked.quantity && echoed.k == asked.k && echoed.edge == asked.edge &&
            (!asked.u || same_number(*echoed.u, *asked.u)) &&
+           (!asked.in_body || (echoed.in_body->body == asked.in_body->body &&
+                               same_number(echoed.in_body->x, asked.in_body->x) &&
+                               same_number(echoed.in_body->z, asked.in_body->z))) &&
            (!asked.tolerance || same_number(*echoed.tolerance, *asked.tolerance));
 }
 

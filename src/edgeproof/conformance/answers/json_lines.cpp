@@ -108,6 +108,11 @@ std::string json_lines(const Questions& questions) {
         if (q.u) {
             object["u"] = q.u->text();
         }
+        if (q.in_body) {
+            object["body"] = q.in_body->body == scene::Body::A ? "A" : "B";
+            object["x"] = q.in_body->x.text();
+            object["z"] = q.in_body->z.text();
+        }
         out += object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
     }
     return out;

@@ -65,6 +65,10 @@ bool Questions::has_tolerances() const {
     return std::ranges::any_of(list, [](const Question& q) { return q.tolerance.has_value(); });
 }
 
+bool Questions::has_body_points() const {
+    return std::ranges::any_of(list, [](const Question& q) { return q.in_body.has_value(); });
+}
+
 std::set<scene::Quantity> Questions::quantities() const {
     const auto asked = list | std::views::transform(&Question::quantity);
     return {asked.begin(), asked.end()};
@@ -77,6 +81,10 @@ Questions rounded_to_binary64(const Questions& questions) {
                                      questions.file, contact.scene.ask_line);
     }
     for (Question& q : rounded.list) {
+        if (q.in_body) {
+            q.in_body->x = rounded_to_binary64(q.in_body->x);
+            q.in_body->z = rounded_to_binary64(q.in_body->z);
+        }
         for (std::optional<formula::Exact>* const number : {&q.u, &q.tolerance}) {
             if (*number) {
                 *number = rounded_to_binary64(**number);
@@ -98,7 +106,8 @@ const std::vector<ParameterKey>& parameter_keys() {
         constexpr std::pair<std::string_view, std::string_view> sections[] = {
             {"profile", "kind geometry m C phi alpha t flat_width R R1 R2 knots slopes symmetric"},
             {"load", "a width P delta M contact_modulus nu E1 nu1 E2 nu2"},
-            {"shear", "Q bulk_tension path friction"},
+            {"shear", "Q bulk_tension bulk_A path friction"},
+            {"steps", "step_P step_Q"},
         };
         std::vector<ParameterKey> list;
         for (const auto& [section, names] : sections) {
@@ -139,6 +148,28 @@ io::TomlEntry entry_of(const Parameter& p, const std::string& file, std::size_t 
     return {p.key, p.text, line};
 }
 
+/// The steps of a scene from the lists of their P and Q.
+std::vector<io::TomlTable> steps_of(const std::vector<Parameter>& parameters,
+                                    const std::string& file, std::size_t line) {
+    std::vector<io::TomlTable> steps;
+    for (const Parameter& p : parameters) {
+        if (!p.key.starts_with("step_")) {
+            continue;
+        }
+        const std::vector<std::string> items = p.items();
+        if (!steps.empty() && items.size() != steps.size()) {
+            throw InputError("step_P and step_Q have different numbers of steps",
+                             "give P and Q of each step")
+                .at(file, p.line != 0 ? p.line : line);
+        }
+        steps.resize(items.size(), {"[[step]]", line, {}});
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            steps[i].entries.push_back({p.key.substr(5), items[i], line});
+        }
+    }
+    return steps;
+}
+
 } // namespace
 
 AskedContact make_asked_contact(std::vector<Parameter> parameters, const std::string& file,
@@ -150,12 +181,18 @@ AskedContact make_asked_contact(std::vector<Parameter> parameters, const std::st
     std::vector<std::size_t> lines;
     for (const Parameter& p : parameters) {
         const std::string_view section = parameter_keys()[place_of(p)].section;
+        if (section == "steps") {
+            continue;
+        }
         if (tables.empty() || tables.back().name != section) {
             lines.push_back(line);
             tables.push_back({std::string(section), lines.size(), {}});
         }
         lines.push_back(p.line != 0 ? p.line : line);
         tables.back().entries.push_back(entry_of(p, file, lines.size()));
+    }
+    for (io::TomlTable& step : steps_of(parameters, file, line)) {
+        tables.push_back(std::move(step));
     }
     const auto mapped = [&](std::size_t at) {
         return at >= 1 && at <= lines.size() ? lines[at - 1] : line;

@@ -27,13 +27,15 @@ struct Parameter {
     /// True for kind, geometry, slopes, symmetric and path: not a number, and the same for every
     /// program.
     [[nodiscard]] bool is_word() const;
-    [[nodiscard]] bool is_list() const { return key == "knots" || key == "slopes"; }
+    [[nodiscard]] bool is_list() const {
+        return key == "knots" || key == "slopes" || key.starts_with("step_");
+    }
 };
 
 /// The allowed keys of parameters with their sections, in the order of columns.
 struct ParameterKey {
     std::string_view name;
-    std::string_view section; ///< "profile", "load" or "shear"
+    std::string_view section; ///< "profile", "load", "shear" or "steps"
 };
 [[nodiscard]] const std::vector<ParameterKey>& parameter_keys();
 
@@ -71,6 +73,7 @@ struct Questions {
     /// The keys of parameters that occur in any contact.
     [[nodiscard]] std::vector<std::string> columns() const;
     [[nodiscard]] bool has_tolerances() const;
+    [[nodiscard]] bool has_body_points() const;
     [[nodiscard]] std::set<scene::Quantity> quantities() const;
 };
 

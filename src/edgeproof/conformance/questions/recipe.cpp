@@ -81,8 +81,9 @@ GridAxis read_axis(const io::TomlSection& section, const std::string& key) {
 
 std::vector<GridAxis> read_axes(const io::TomlSection& scene) {
     std::vector<GridAxis> axes;
-    for (const char* part : {"profile", "load", "shear"}) {
-        if (std::string_view(part) == "shear" && !scene.has(part)) {
+    for (const char* part : {"profile", "load", "shear", "steps"}) {
+        const std::string_view name(part);
+        if ((name == "shear" || name == "steps") && !scene.has(part)) {
             continue;
         }
         const io::TomlSection section = scene.section(part);
@@ -122,6 +123,26 @@ AskedPoints read_points(const io::TomlSection& scene) {
     points.range_line = line;
     points.range = read_range(scene, "u");
     check(points.range->at(0), line); // the others are greater
+    return points;
+}
+
+/// The points of the bodies: `points` (x, z) in each of the `bodies`, A if none are named.
+std::vector<scene::BodyPoint> read_body_points(const io::TomlSection& scene) {
+    std::vector<scene::BodyPoint> points;
+    for (const std::string& body :
+         scene.has("bodies") ? scene.texts("bodies") : std::vector<std::string>{"A"}) {
+        if (body != "A" && body != "B") {
+            scene.reject("bodies", "there is no body '" + body + "'",
+                         "write \"A\" (on which Q acts) or \"B\"");
+        }
+        for (const auto& [x, z] : scene.pairs("points")) {
+            if (z.value.sign() < 0) {
+                scene.reject(z.line, "the depth z = " + z.value.text() + " is negative",
+                             "give points [x, z] with z >= 0, the depth into the body");
+            }
+            points.push_back({x.value, z.value, body == "A" ? scene::Body::A : scene::Body::B});
+        }
+    }
     return points;
 }
 
@@ -191,8 +212,22 @@ AskedList read_asked(const io::TomlSection& scene, std::size_t& line) {
         scene.reject(scene.line(), "no quantity or no edge is requested",
                      "add quantities = [\"p\"] and edges = [\"right\"]");
     }
+    const auto in_body = [](const auto& row) {
+        return row.place == scene::QuantityRow::Place::body;
+    };
+    if (!scene.has("points") && !questions("", {}, in_body).empty()) {
+        scene.reject("quantities", "a stress is requested and there are no points",
+                     "add points = [[\"0\", \"1/2\"]] (x, z)");
+    }
     AskedList list(std::move(u));
-    list.add(questions("", {}, [](const auto& row) { return !row.at_edge(); }));
+    list.add(questions("", {}, [&](const auto& row) { return !row.at_edge() && !in_body(row); }));
+    for (const scene::BodyPoint& point :
+         scene.has("points") ? read_body_points(scene) : std::vector<scene::BodyPoint>{}) {
+        const scene::AskedValue value{.in_body = point};
+        list.add(questions(std::string(":") + (point.body == scene::Body::A ? "A" : "B") +
+                               ":x=" + point.x.text() + ":z=" + point.z.text(),
+                           value, in_body));
+    }
     for (const contact::Edge edge : edges) {
         const std::string from = ":" + scene::edge_name(edge);
         scene::AskedValue value{.edge = edge};
@@ -230,7 +265,8 @@ RecipeGrid RecipeGrid::parse(std::string_view text, const std::string& file) {
     std::vector<GridScene> scenes;
     for (const std::string& name : named.keys()) {
         const io::TomlSection scene = named.section(name);
-        scene.allow({"profile", "load", "shear", "edges", "u", "tolerance", "quantities"});
+        scene.allow({"profile", "load", "shear", "steps", "edges", "u", "points", "bodies",
+                     "tolerance", "quantities"});
         io::at_place(file, scene.line(), [&] {
             GridScene read{name, scene.line(), read_axes(scene), {}, 0};
             read.asked = read_asked(scene, read.asked_line);

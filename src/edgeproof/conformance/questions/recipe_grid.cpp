@@ -252,6 +252,9 @@ std::uint64_t RecipeGrid::fingerprint() const {
         for (const Question& q : part.scene.asked.sample()) {
             add(q.id + " " + symbol_of(q) + " " + scene::edge_name(q.edge));
             add((q.u ? q.u->text() : "") + " " + (q.tolerance ? q.tolerance->text() : ""));
+            if (q.in_body) {
+                add(q.in_body->x.text() + " " + q.in_body->z.text());
+            }
         }
     }
     return hash;

@@ -80,6 +80,47 @@ Ball IntegratedContact::over_spans(const Ball& a, const Ball& b, const Set& set)
     return sum;
 }
 
+Box IntegratedContact::integral_of_poles(const Box& zeta, const Ball& mean, long poles) const {
+    Box sum(bits_);
+    for (const quadrature::ThetaSpan& span : spans(a_, b_)) {
+        SlopeIntegrand f{&profile_.pieces()[span.piece].slope, &roots().formulas[span.formula],
+                         (a_ - b_) / 2, (a_ + b_) / 2};
+        f.zeta = &zeta;
+        f.mean = &mean;
+        f.poles = poles;
+        f.goal = goal_between(a_, b_, bits_);
+        sum = sum + integrate_in_plane(f, span, bits_);
+    }
+    return sum;
+}
+
+// docs/stress.md, "Curved slopes"
+CauchyIntegral IntegratedContact::cauchy_integral(const Box& zeta) const {
+    const Ball pi = Ball::pi(bits_);
+    const Ball factor = modulus_ / 2;
+    const Ball mean = zone_ ? zone_mean_slope() : Ball(0, bits_);
+    const Ball x = zeta.real();
+    const bool surface = arb_is_zero(zeta.imaginary().data()) != 0;
+    if (surface && !certainly_less(a_, x) && !certainly_less(x, -b_)) {
+        const Box unknown(unknown_ball(bits_), unknown_ball(bits_));
+        const auto piece = piece_of(x);
+        const bool inside = certainly_less(x, a_) && certainly_less(-b_, x);
+        const bool on_edge =
+            arb_is_exact(x.data()) != 0 &&
+            (arb_equal(x.data(), a_.data()) != 0 || arb_equal(x.data(), Ball(-b_).data()) != 0);
+        if (!piece || !(inside || on_edge)) {
+            return {unknown, unknown};
+        }
+        const Ball slope = series_of_slope(*piece, x, 1)[0] - mean;
+        const Ball p = on_edge ? Ball(0, bits_) : zone_pressure(Edge::right, a_ - x);
+        return {Box(slope * pi * factor, -pi * p), unknown};
+    }
+    const Box root = root_outside({a_, b_}, zeta);
+    const Box once = integral_of_poles(zeta, mean, 1);
+    const Box twice = surface ? once : integral_of_poles(zeta, mean, 2); // not used there
+    return {root * once * factor, ((zeta - (a_ - b_) / 2) / root * once - root * twice) * factor};
+}
+
 // docs/curved-slopes.md, "What is integrated".
 Ball IntegratedContact::slope_integral(const Ball& a, const Ball& b, long harmonic) const {
     return over_spans(a, b, [&](SlopeIntegrand& f, const quadrature::ThetaSpan&) {

@@ -4,6 +4,7 @@
 #include "edgeproof/contact/curved/slope_integral.hpp"
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"
+#include "edgeproof/contact/stress/cauchy_integral.hpp"
 
 #include <array>
 #include <cstddef>
@@ -64,6 +65,10 @@ public:
     [[nodiscard]] Ball zone_mean_slope() const;
     [[nodiscard]] Ball zone_rate(Edge edge) const;
     [[nodiscard]] Ball zone_pressure(Edge edge, const Ball& u) const;
+    /// The Cauchy integral of the pressure of the contact, or of the zone (docs/stress.md, "Curved
+    /// slopes"). Enclosed; not finite on the surface in the contact at knots and edges, except for
+    /// the value at an edge that is known exactly.
+    [[nodiscard]] CauchyIntegral cauchy_integral(const Box& zeta) const;
     /// An initial zone of a profile whose contact is enclosed elsewhere.
     IntegratedContact(const Profile& profile, const formula::Exact& contact_modulus, const Ball& a,
                       const Ball& b, long bits);
@@ -90,6 +95,8 @@ private:
     /// that `set(f, span)` completes.
     template <class Set>
     [[nodiscard]] Ball over_spans(const Ball& a, const Ball& b, const Set& set) const;
+    /// Returns the integral of (g' - mean)/(zeta - s)^poles over theta.
+    [[nodiscard]] Box integral_of_poles(const Box& zeta, const Ball& mean, long poles) const;
     /// Returns the integral of g' cos(harmonic theta) over theta.
     [[nodiscard]] Ball slope_integral(const Ball& a, const Ball& b, long harmonic) const;
     /// Returns P (force/length) of the contact -b < x < a.

@@ -70,7 +70,14 @@ int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong order, slong
     const auto taylor = order == 0 ? formula::real_taylor : formula::complex_taylor;
     const bool rooted = evaluation.span.root != 0;
     evaluation.span.map(s, rate, theta, f.centre, f.half_length, bits);
-    if (f.x != nullptr) {
+    if (f.zeta != nullptr) {
+        taylor(g, *f.formula, rooted ? theta : s, 1, bits);
+        acb_poly_get_coeff_acb(out, g, 0);
+        acb_sub_arb(out, out, f.mean->data(), bits);
+        acb_sub(s, f.zeta->get(), s, bits);
+        acb_pow_ui(s, s, static_cast<ulong>(f.poles), bits);
+        acb_div(out, out, s, bits);
+    } else if (f.x != nullptr) {
         taylor_quotient(out, theta, s, f, rooted, order, bits);
     } else {
         taylor(g, *f.formula, rooted ? theta : s, 1, bits);
@@ -95,32 +102,32 @@ int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong order, slong
 } // namespace
 
 // docs/curved-slopes.md, "What is integrated": the ball of a limit
-Ball integrate(const SlopeIntegrand& f, const quadrature::ThetaSpan& span, long bits) {
+Box integrate_in_plane(const SlopeIntegrand& f, const quadrature::ThetaSpan& span, long bits) {
     AcbValue from;
     AcbValue to;
-    AcbValue sum;
     AcbValue end;
+    Box sum(bits);
     arb_get_mid_arb(acb_realref(from), span.from.data());
     arb_get_mid_arb(acb_realref(to), span.to.data());
     MagValue tolerance;
     mag_set_ui_2exp_si(tolerance, 1, -bits - 64);
     Evaluation evaluation{f, span};
-    acb_calc_integrate(sum, evaluate, &evaluation, from, to, f.goal != 0 ? f.goal : bits, tolerance,
-                       nullptr, bits);
-    Ball result(0, bits);
-    arb_set(result.data(), acb_realref(sum));
+    acb_calc_integrate(sum.get(), evaluate, &evaluation, from, to, f.goal != 0 ? f.goal : bits,
+                       tolerance, nullptr, bits);
     for (const Ball* limit : {&span.from, &span.to}) {
         acb_set_arb(from, limit->data());
         evaluate(end, from, &evaluation, 0, bits);
-        Ball rest(0, bits);
-        arb_set(rest.data(), acb_realref(end));
         const Ball radius(limit->radius(), bits);
-        result += rest * radius * Ball::from_interval(Real(-1), Real(1), bits);
+        sum = sum + Box(end, bits) * (radius * Ball::from_interval(Real(-1), Real(1), bits));
     }
     if (evaluation.interrupted) {
         throw Interrupted();
     }
-    return result;
+    return sum;
+}
+
+Ball integrate(const SlopeIntegrand& f, const quadrature::ThetaSpan& span, long bits) {
+    return integrate_in_plane(f, span, bits).real();
 }
 
 std::vector<Ball> slope_series(const formula::Expr& slope, const Ball& x, std::size_t terms,

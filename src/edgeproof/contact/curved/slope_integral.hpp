@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
+#include "edgeproof/precision/ball/complex_box.hpp"
 #include "edgeproof/quadrature/theta_cells.hpp"
 
 #include <cstddef>
@@ -24,6 +25,10 @@ struct SlopeIntegrand {
     const std::vector<Ball>* taylor = nullptr; ///< the k + 1 coefficients of T_k
     bool from_right_edge = false; ///< x is the right edge: s - x is computed without cancellation
     long goal = 0;                ///< accuracy wanted of the integral, in bits; 0: all bits
+    /// With zeta the integrand is (g'(s) - mean)/(zeta - s)^poles instead.
+    const Box* zeta = nullptr;
+    const Ball* mean = nullptr;
+    long poles = 1;
 };
 
 /// Returns an enclosure of the integral over a span by Arb's rigorous integration (johansson2018).
@@ -33,6 +38,9 @@ struct SlopeIntegrand {
 /// @param span range of theta
 /// @param bits working precision
 [[nodiscard]] Ball integrate(const SlopeIntegrand& f, const quadrature::ThetaSpan& span, long bits);
+/// The same for an integrand with zeta.
+[[nodiscard]] Box integrate_in_plane(const SlopeIntegrand& f, const quadrature::ThetaSpan& span,
+                                     long bits);
 
 /// Returns the Taylor series of g' about x with `terms` terms; each coefficient is an enclosure for
 /// every point of the ball.

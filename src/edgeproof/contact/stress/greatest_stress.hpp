@@ -16,10 +16,10 @@ struct GreatestPlace {
         inside,  ///< z > 0, where both derivatives vanish
         axis,    ///< the same on the axis x = 0 of a symmetric load
         surface, ///< z = 0, where F increases towards the surface
-        edge     ///< an edge of the contact or of the stick zone, where F has a cusp
+        edge     ///< an edge of the contact or of another part of the load, where F has a cusp
     };
     Kind kind = Kind::inside;
-    std::size_t part = 0; ///< of an edge: 0 of the contact, 1 of the stick zone
+    std::size_t part = 0; ///< of an edge: the part of the load, 0 is the contact
     Edge edge = Edge::right;
     Box region{}; ///< in which there is no other such place, for kinds that are no edge
     Ball x{};

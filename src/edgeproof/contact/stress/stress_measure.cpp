@@ -260,7 +260,7 @@ bool StressMeasure::greatest_at_right_edge(std::size_t part, const Ball& radius)
     Sums at = at_right_edge(part);
     if (part == 0) { // T and P are real at an edge of the contact
         at.D = Box(at.D.real());
-    } else if (field_.untilted) {
+    } else if (part == 1 && field_.untilted) {
         at.D = Box(Ball(0, bits), at.D.imaginary());
     }
     // The parts that are analytic at the edge, by their derivative over the half disc.

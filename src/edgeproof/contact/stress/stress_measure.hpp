@@ -18,13 +18,16 @@ struct LoadPart {
 
 /// A half-plane under pressure, shear traction and bulk stress, in balls of one precision.
 struct StressField {
-    std::vector<LoadPart> parts; ///< the contact first, then its stick zone if there is one
-    Ball bulk;                   ///< stress
+    /// The contact first, then its stick zone if there is one; after a load history the zones of
+    /// the layers, the smallest one first.
+    std::vector<LoadPart> parts;
+    Ball bulk; ///< stress
     /// True if the load is known to be symmetric: then all stresses at (-x, z) are those at (x, z).
     bool mirrored = false;
     /// True if tau_max is known to be the same at (-x, 0) and at (x, 0).
     bool surface_mirrored = false;
-    /// True if sxx is known to be -p in the stick zone: neither a bulk stress nor a tilt.
+    /// True if sxx is known to be -p in the zone of the part 1: neither a bulk stress nor a tilt,
+    /// and no shear where the contact has always stuck.
     bool untilted = false;
 
     [[nodiscard]] long bits() const { return bulk.bits(); }
@@ -75,7 +78,7 @@ public:
     [[nodiscard]] PlaneJet jet(const Box& zeta) const;
     /// An upper bound of F everywhere at the distance (length) from the contact or further.
     [[nodiscard]] Ball far(const Ball& distance) const;
-    /// F at an edge of a part (0: the contact, 1: the stick zone).
+    /// F at an edge of a part (0: the contact).
     [[nodiscard]] Ball at_edge(std::size_t part, Edge edge) const;
     /// True if F is proved to be less than at the right edge of a part at all other places within
     /// `radius`, a power of two (length), of it.

@@ -35,6 +35,17 @@ struct TomlSection::Source {
         made[&node] = line;
         return node;
     }
+    /// Adds a table to the list of the tables of that name.
+    toml::node& add_listed(const std::string& name, std::size_t line) {
+        toml::node* list = root.get(name);
+        if (list == nullptr) {
+            list = &add(root, name, line, toml::array{});
+        }
+        list->as_array()->push_back(toml::table{});
+        toml::node& node = list->as_array()->back();
+        made[&node] = line;
+        return node;
+    }
 };
 
 namespace {
@@ -229,8 +240,11 @@ TomlSection TomlSection::made(const std::vector<TomlTable>& tables, const std::s
     auto source = std::make_shared<Source>();
     source->file = file;
     for (const TomlTable& table : tables) {
-        toml::table& to =
-            *source->add(source->root, table.name, table.line, toml::table{}).as_table();
+        const bool listed = table.name.starts_with("[[");
+        toml::node& node =
+            listed ? source->add_listed(table.name.substr(2, table.name.size() - 4), table.line)
+                   : source->add(source->root, table.name, table.line, toml::table{});
+        toml::table& to = *node.as_table();
         for (const TomlEntry& entry : table.entries) {
             if (const auto* list = std::get_if<std::vector<std::string>>(&entry.value)) {
                 toml::array& items =

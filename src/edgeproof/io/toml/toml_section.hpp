@@ -21,7 +21,7 @@ struct TomlEntry {
     std::size_t line = 0; ///< the line in errors
 };
 struct TomlTable {
-    std::string name;
+    std::string name; ///< "[[step]]": one of several tables with the name step
     std::size_t line = 0;
     std::vector<TomlEntry> entries;
 };

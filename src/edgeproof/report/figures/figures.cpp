@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <regex>
 
 namespace edgeproof::report {
@@ -159,9 +160,46 @@ void add_curve(GnuplotScript& script, const Plot& plot, const Curve& curve) {
     script.add(" title {}", GnuplotText(curve.title));
 }
 
+/// Colours of the whole grid, and ten contours with their values.
+void add_field(GnuplotScript& script, const Plot& plot) {
+    const PlaneField& field = *plot.field;
+    set_axis(script, GnuplotWords("x"), plot.x);
+    set_axis(script, GnuplotWords("y"), plot.y);
+    script.add("set cblabel {} noenhanced\nset cbrange [{:g}:{:g}]\n", GnuplotText(field.title),
+               field.range.first, field.range.second);
+    script.add("set xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\n", field.x.front(), field.x.back(),
+               field.y.back(), field.y.front());
+    script.add("set palette defined (0 \"#0072b2\", 0.5 \"#f7f7f7\", 1 \"#d55e00\")\n"
+               "$grid << END_OF_DATA\n");
+    for (std::size_t j = 0; j < field.y.size(); ++j) {
+        for (std::size_t i = 0; i < field.x.size(); ++i) {
+            const double value = field.values[i + j * field.x.size()];
+            script.add("{:.8g} {:.8g} ", field.x[i], field.y[j]);
+            if (std::isfinite(value)) {
+                script.add("{:.8g}\n", value);
+            } else {
+                script.add("NaN\n");
+            }
+        }
+        script.add("\n");
+    }
+    constexpr int contours = 10;
+    const double step = (field.range.second - field.range.first) / contours;
+    script.add("END_OF_DATA\nset contour base\nunset surface\n"
+               "set cntrparam levels incremental {:g},{:g},{:g}\nset table $contours\n"
+               "splot $grid using 1:2:3 with lines\nunset table\n",
+               field.range.first, step, field.range.second);
+    script.add("set key off\nplot $grid using 1:2:3 with image, \\\n"
+               "     $contours using 1:2 with lines lw 0.7 lc rgb \"#000000\"\n");
+}
+
 /// Adds all commands except the terminal.
 void add_plot(GnuplotScript& script, const Plot& plot, PictureKind kind) {
     script.add("set title {} noenhanced\n", GnuplotText(plot.title));
+    if (plot.field) {
+        add_field(script, plot);
+        return;
+    }
     set_key(script, plot, kind);
     script.add("set grid back lc rgb \"#999999\" lw 0.5 dt 3\n");
     set_axis(script, GnuplotWords("x"), plot.x);

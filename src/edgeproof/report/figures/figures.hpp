@@ -118,6 +118,16 @@ struct Band {
     double darkness = 0.15; ///< between 0 and 1
 };
 
+/// Values at the points of a grid, drawn as colours and contours: values[i + j x.size()] at x[i],
+/// y[j]. Values that are not finite are left out.
+struct PlaneField {
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> values;
+    std::string title;               ///< of the scale, with its unit
+    std::pair<double, double> range; ///< of the colours
+};
+
 /// One panel: a table, and the columns to be drawn, independent of the drawing program.
 struct Plot {
     io::FileStem id;         ///< "fig2a": the name of its files
@@ -133,6 +143,8 @@ struct Plot {
     std::optional<std::pair<std::string, std::string>> level = {};
     std::vector<Band> bands = {};
     bool key_below = false; ///< the curves are always named below the plot
+    /// Drawn in place of the curves, with y downwards.
+    std::optional<PlaneField> field = {};
 
     /// Adds a row with a value in its first column only, and returns the row.
     std::vector<std::optional<Real>>& add_row(const Real& first);

@@ -33,7 +33,7 @@ std::vector<std::string> names_of(const std::vector<Column>& columns) {
 /// The columns of questions: id, the parameters, `names`; all are exact. `numbers`: the kind of x,
 /// value, bound and binary64.
 std::vector<Column> exact_columns(const std::vector<std::string>& parameters, bool tolerances,
-                                  std::initializer_list<std::string_view> names,
+                                  bool bodies, std::initializer_list<std::string_view> names,
                                   Column::Kind numbers) {
     std::vector<Column> columns{{"id", Column::Kind::text}};
     for (const std::string& name : parameters) {
@@ -41,11 +41,16 @@ std::vector<Column> exact_columns(const std::vector<std::string>& parameters, bo
     }
     for (const std::string_view name : names) {
         const bool number = name == "x" || name == "value" || name == "bound" || name == "binary64";
-        if (name != "tolerance" || tolerances) {
+        const bool of_bodies = name == "body" || name == "z";
+        if ((name != "tolerance" || tolerances) && (!of_bodies || bodies)) {
             columns.push_back({std::string(name), number ? numbers : Column::Kind::text, true});
         }
     }
     return columns;
+}
+
+std::string body_name(const conformance::Question& q) {
+    return !q.in_body ? "" : q.in_body->body == scene::Body::A ? "A" : "B";
 }
 
 /// Returns x as an exact decimal, if a and u are rational.
@@ -78,7 +83,8 @@ std::string csv_line(const std::vector<std::string>& cells) {
 ReferenceRows::ReferenceRows(const conformance::Recipe& recipe)
     : recipe_(std::filesystem::path(recipe.file).filename().string()), title_(recipe.title),
       digits_(recipe.digits), keys_(recipe.questions.columns()),
-      tolerances_(recipe.questions.has_tolerances()), quantities_(recipe.questions.quantities()) {}
+      tolerances_(recipe.questions.has_tolerances()), bodies_(recipe.questions.has_body_points()),
+      quantities_(recipe.questions.quantities()) {}
 
 template <class Take>
 void ReferenceRows::each_cell(const conformance::Questions& questions, std::size_t i,
@@ -93,7 +99,13 @@ void ReferenceRows::each_cell(const conformance::Questions& questions, std::size
         take(q.tolerance ? q.tolerance->text() : "");
     }
     take(q.u ? q.u->text() : "");
-    take(reference.x ? printed_text(*reference.x, digits_) : "");
+    if (bodies_) {
+        take(body_name(q));
+    }
+    take(reference.x ? printed_text(*reference.x, digits_) : q.in_body ? q.in_body->x.text() : "");
+    if (bodies_) {
+        take(q.in_body ? q.in_body->z.text() : "");
+    }
     take(symbol_of(q));
     const scene::PrintedValue value = printed(reference.value, digits_);
     take(value.text);
@@ -122,10 +134,10 @@ void ReferenceRows::add_line(std::string& text, const conformance::Questions& qu
 }
 
 std::vector<Column> ReferenceRows::columns() const {
-    return exact_columns(
-        keys_, tolerances_,
-        {"edge", "tolerance", "u", "x", "quantity", "value", "bound", "binary64", "route"},
-        Column::Kind::number);
+    return exact_columns(keys_, tolerances_, bodies_,
+                         {"edge", "tolerance", "u", "body", "x", "z", "quantity", "value", "bound",
+                          "binary64", "route"},
+                         Column::Kind::number);
 }
 
 std::uint64_t ReferenceRows::header_checksum() const {
@@ -153,6 +165,9 @@ Table ReferenceRows::table(std::size_t rows, std::size_t estimates, std::uint64_
         "(estimate): then bound and digits are what the quadrature estimates of itself",
         "binary64: the one nearest to the exact value, in 17 digits",
     };
+    if (bodies_) {
+        table.notes.emplace_back("x, z: place and depth in the body; tension positive");
+    }
     if (tolerances_) {
         table.notes.emplace_back(
             "extent_n: the first u at which |1 - (the sum of n terms)/p| reaches "
@@ -192,8 +207,10 @@ Table question_table(const conformance::Questions& questions, const std::string&
                    "against is computed at the numbers in its row, taken exactly",
                    "u: distance inwards from the edge; x: place, for reading"};
     const bool tolerances = questions.has_tolerances();
-    table.columns = exact_columns(keys, tolerances, {"quantity", "edge", "tolerance", "u", "x"},
-                                  Column::Kind::text);
+    const bool bodies = questions.has_body_points();
+    table.columns =
+        exact_columns(keys, tolerances, bodies,
+                      {"quantity", "edge", "tolerance", "u", "body", "x", "z"}, Column::Kind::text);
     for (const conformance::Question& q : questions.list) {
         const conformance::AskedContact& contact = questions.contacts[q.contact];
         std::vector<std::string> row{q.id};
@@ -206,7 +223,13 @@ Table question_table(const conformance::Questions& questions, const std::string&
             row.push_back(q.tolerance ? q.tolerance->text() : "");
         }
         row.push_back(q.u ? q.u->text() : "");
-        row.push_back(exact_place(contact, q));
+        if (bodies) {
+            row.push_back(body_name(q));
+        }
+        row.push_back(q.in_body ? q.in_body->x.text() : exact_place(contact, q));
+        if (bodies) {
+            row.push_back(q.in_body ? q.in_body->z.text() : "");
+        }
         table.rows.push_back(std::move(row));
     }
     return table;

@@ -44,6 +44,7 @@ private:
     scene::Digits digits_;
     std::vector<std::string> keys_;
     bool tolerances_;
+    bool bodies_;
     std::set<scene::Quantity> quantities_;
 };
 

@@ -3,6 +3,8 @@
 
 #include "edgeproof/precision/error.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace edgeproof::scene {
@@ -41,6 +43,81 @@ public:
         P_ = P;
         Q_ = Q;
     }
+    /// Returns the phases of the next step, in which the layers are consumed from outside
+    /// (docs/histories.md, "The energy").
+    [[nodiscard]] std::vector<LoadHistory::Phase> phases_to(const Expr& P, const Expr& Q) const {
+        const int grows = sign_of_expr(P - P_);
+        const Expr dP = grows == 0 ? zero_ : P - P_;
+        const Expr dQ = Q - Q_;
+        const int direction = sign_of_expr(dQ);
+        if (grows > 0 && sign_of_expr((direction < 0 ? -dQ : dQ) - f_ * dP) <= 0) {
+            return {};
+        }
+        std::vector<LoadHistory::Phase> phases;
+        Expr left = Expr::number(Rational(1)); // the rest of the step
+        Expr force = P_;
+        Expr inner = P_;
+        Expr limit = zero_; // the ratio of what slips
+        for (std::size_t j = layers_.size(); j-- > 0;) {
+            const Expr& ratio = layers_[j].second;
+            const Expr bottom = j > 0 ? layers_[j - 1].first : zero_;
+            const bool slips = sign_of_expr(force - inner) > 0;
+            if (!slips) {
+                const int sign = grows > 0 ? direction : sign_of_expr(dQ - ratio * dP);
+                if (sign == 0) { // P and Q decrease along the layer
+                    const Expr rest = grows < 0 ? left + (force - bottom) / dP : zero_;
+                    if (grows == 0 || sign_of_expr(rest) <= 0) {
+                        break;
+                    }
+                    left = rest;
+                    force = inner = bottom;
+                    continue;
+                }
+                limit = sign > 0 ? f_ : -f_;
+            }
+            if (sign_of_expr(ratio - limit) == 0) {
+                inner = bottom; // it has this ratio already
+                continue;
+            }
+            const Expr speed = (dQ - limit * dP) / (ratio - limit); // of `inner`
+            enum class End { step, layer, contact };                // P may fall to `inner`
+            End end = End::step;
+            Expr time = left;
+            const auto ends_at = [&](const Expr& t, End which) {
+                if (sign_of_expr(t - time) < 0) {
+                    time = t;
+                    end = which;
+                }
+            };
+            ends_at((bottom - inner) / speed, End::layer);
+            if (slips && sign_of_expr(speed - dP) > 0) {
+                ends_at((force - inner) / (speed - dP), End::contact);
+            }
+            const Expr change = dQ - limit * dP;
+            const Expr next_force = grows == 0 ? force : force + dP * time;
+            const Expr next = end == End::layer     ? bottom
+                              : end == End::contact ? next_force
+                                                    : inner + speed * time;
+            phases.push_back(phase(inner, next, force, next_force,
+                                   (sign_of_expr(change) < 0 ? -change : change) * time));
+            if (end == End::step) {
+                break;
+            }
+            inner = next;
+            force = next_force;
+            left = left - time;
+            j += end == End::layer ? 0 : 1; // the rest of the layer
+        }
+        return phases;
+    }
+    /// True if P, Q and the layers are those of the other state.
+    [[nodiscard]] bool equals(const History& other) const {
+        const auto same = [](const Expr& x, const Expr& y) { return sign_of_expr(x - y) == 0; };
+        return same(P_, other.P_) && same(Q_, other.Q_) &&
+               std::ranges::equal(layers_, other.layers_, [&](const auto& x, const auto& y) {
+                   return same(x.first, y.first) && same(x.second, y.second);
+               });
+    }
     [[nodiscard]] LoadHistory state() const {
         LoadHistory state;
         for (const auto& [force, ratio] : layers_) {
@@ -61,6 +138,22 @@ private:
     /// Of each entry: its force, and the layers at its end, unless the edges slipped.
     using Entries = std::vector<std::pair<Expr, std::optional<Layers>>>;
 
+    [[nodiscard]] static LoadHistory::Phase phase(const Expr& inner_from, const Expr& inner_to,
+                                                  const Expr& force_from, const Expr& force_to,
+                                                  const Expr& change) {
+        std::vector<Expr> cuts{inner_from, inner_to, force_from, force_to};
+        std::ranges::sort(cuts,
+                          [](const Expr& x, const Expr& y) { return sign_of_expr(x - y) < 0; });
+        const auto repeated = std::ranges::unique(
+            cuts, [](const Expr& x, const Expr& y) { return sign_of_expr(x - y) == 0; });
+        cuts.erase(repeated.begin(), repeated.end());
+        LoadHistory::Phase phase{Exact(inner_from), Exact(inner_to), Exact(force_from),
+                                 Exact(force_to),   Exact(change),   {}};
+        for (const Expr& cut : cuts) {
+            phase.cuts.emplace_back(cut);
+        }
+        return phase;
+    }
     void add(const Expr& force, const Expr& ratio) {
         if (!layers_.empty() && sign_of_expr(layers_.back().second - ratio) == 0) {
             layers_.back().first = force;
@@ -142,9 +235,14 @@ private:
 
 } // namespace
 
-LoadHistory history_after(const std::vector<LoadStep>& steps, std::size_t count,
+LoadHistory history_after(const std::vector<LoadStep>& steps, std::size_t count, std::size_t pass,
                           const formula::Exact& friction, const std::string& file) {
     History history(friction);
+    const bool whole_pass = pass > 0 && count >= pass && (steps.size() - count) % pass == 0;
+    const std::size_t recorded = count - (whole_pass ? pass : 1); // the first step with phases
+    std::optional<History> begin;                                 // of the last pass
+    std::vector<LoadHistory::Phase> step_phases;
+    std::vector<LoadHistory::Phase> pass_phases;
     for (std::size_t i = 0; i < count; ++i) {
         const LoadStep& step = steps[i];
         const std::string name = "step " + std::to_string(i + 1);
@@ -160,9 +258,22 @@ LoadHistory history_after(const std::vector<LoadStep>& steps, std::size_t count,
                              "give |Q| < f P at the end of each step")
                 .at(file, step.line);
         }
+        if (i == recorded) {
+            begin = history;
+        }
+        if (i >= recorded) {
+            step_phases = history.phases_to(step.P.expr(), Q);
+            pass_phases.insert(pass_phases.end(), step_phases.begin(), step_phases.end());
+        }
         history.step(step.P.expr(), Q);
     }
-    return history.state();
+    LoadHistory state = history.state();
+    state.step = std::move(step_phases);
+    if (whole_pass) {
+        state.pass = std::move(pass_phases);
+        state.steady = history.equals(*begin);
+    }
+    return state;
 }
 
 } // namespace edgeproof::scene

@@ -39,11 +39,30 @@ struct LoadHistory {
         std::optional<std::vector<Layer>> change;
     };
     std::vector<Entry> entries; ///< by ascending force; the last one ends at P
+    /// A part of a step in which one zone slips in one direction: that outside the contact under
+    /// the force `inner`. `inner` and P change linearly in time.
+    struct Phase {
+        formula::Exact inner_from;
+        formula::Exact inner_to;
+        formula::Exact force_from; ///< P
+        formula::Exact force_to;
+        formula::Exact change;            ///< |dQ -+ f dP|
+        std::vector<formula::Exact> cuts; ///< these forces, ascending, without repetition
+    };
+    std::vector<Phase> step; ///< the phases of the last step
+    /// The phases of the last pass of the steps that are repeated (`cycles`). Nothing if the last
+    /// step is not the end of a pass.
+    std::optional<std::vector<Phase>> pass = {};
+    /// The state at the end of that pass is the one at its beginning, so that all later passes are
+    /// alike.
+    bool steady = false;
 };
 
-/// Returns the state after the first `count` steps, in which no bulk tension acts. Throws
-/// InputError, with the line of the step, where the contact opens or slides.
+/// Returns the state after the first `count` steps, in which no bulk tension acts. `pass` is the
+/// number of steps that are repeated, 0 if there are none; all passes end with the last step.
+/// Throws InputError, with the line of the step, where the contact opens or slides.
 [[nodiscard]] LoadHistory history_after(const std::vector<LoadStep>& steps, std::size_t count,
-                                        const formula::Exact& friction, const std::string& file);
+                                        std::size_t pass, const formula::Exact& friction,
+                                        const std::string& file);
 
 } // namespace edgeproof::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/input/quantity.hpp"
 
+#include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
@@ -142,15 +143,29 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
     if (needs == Needs::friction_alone && scene.shear->bulk_tension.sign() != 0) {
         return lack("there is a bulk tension", "leave bulk_tension out");
     }
-    const bool series_of_slip = row_of(asked.quantity).searched;
-    if ((needs == Needs::friction_alone || series_of_slip) && scene.history) {
+    if (row_of(asked.quantity).searched && scene.history) {
         return lack("is not computed for load histories", "");
+    }
+    if (needs == Needs::history && !scene.history) {
+        return lack("there are no steps", "add [[step]] sections with P and Q");
+    }
+    if (asked.quantity == Quantity::cycle_energy && scene.history && !scene.history->pass) {
+        return lack("the last step is not the end of a cycle",
+                    "add cycles = 2 to the [[step]] with which the cycle begins");
+    }
+    if (scene.history && scene.round &&
+        (needs == Needs::friction_alone || needs == Needs::history)) {
+        return lack("is not computed for load histories of axisymmetric contacts", "");
+    }
+    if (scene.history && (needs == Needs::friction_alone || needs == Needs::history) &&
+        !scene.symmetric() && scene.profile->kind() != contact::Profile::Kind::tilted_wedge) {
+        return lack("is not computed for load histories of profiles that are not symmetric", "");
     }
     if (needs == Needs::friction_alone && scene.round && !scene.poisson(Body::A)) {
         return lack("there is no Poisson's ratio", "add nu to [load]");
     }
-    if (needs == Needs::friction_alone && !scene.round && scene.profile &&
-        !scene.profile->has_closed_form()) {
+    if ((needs == Needs::friction_alone || needs == Needs::history) && !scene.round &&
+        scene.profile && !scene.profile->has_closed_form()) {
         return lack("is not computed for curved slopes", "");
     }
     return {};
@@ -180,8 +195,12 @@ std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
                    ? std::nullopt
                    : std::optional(Lack{problem + "Poisson's ratio", "add nu = \"0.3\" to [load]"});
     }
-    if (scene.profile && !scene.profile->has_closed_form()) {
-        return Lack{std::string(group.name) + " is not computed for curved slopes",
+    const bool integrated = group.group == QuantityGroup::stress; // by rigorous integration
+    if (scene.profile && !scene.profile->has_closed_form() &&
+        !(integrated && contact::IntegratedContact::handles(*scene.profile))) {
+        return Lack{std::string(group.name) + " is not computed for " +
+                        (integrated ? "slopes with functions beyond the rigorous integration"
+                                    : "curved slopes"),
                     "give a power law or a piecewise linear g'"};
     }
     if (scene.ask.route != contact::Route::automatic &&
@@ -189,7 +208,7 @@ std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
         return Lack{std::string(group.name) + " has no route " + route_name(scene.ask.route),
                     "write route = \"automatic\""};
     }
-    if (scene.slips() && scene.shear->bulk_tension.sign() != 0 && scene.profile &&
+    if (!integrated && scene.slips() && scene.shear->bulk_tension.sign() != 0 && scene.profile &&
         !scene.profile->piecewise_linear()) {
         return Lack{std::string(group.name) +
                         " is not computed for a power law with partial slip under a bulk tension",

@@ -44,8 +44,8 @@ enum class Quantity {
     residual, ///< 1 - (the first k terms)/p at a point, with its sign
     tilt_difference, ///< p at a point minus p of the same profile and a without tilt
     p_max,           ///< the greatest pressure
-    cycle_energy, ///< energy dissipated by friction in a cycle of Q at constant P, without a bulk
-                  ///< tension
+    cycle_energy, ///< energy dissipated by friction in a cycle of Q at constant P, or in the last
+                  ///< pass of the steps of a history, without a bulk tension
     x,            ///< coordinate of a point
     u,            ///< distance of a point from the edge, if it depends on the edges
     local,        ///< the sum of the first k terms of p at a point
@@ -72,6 +72,7 @@ enum class Quantity {
     s2,                ///< middle principal stress
     s3,                ///< least principal stress
     tresca,            ///< equivalent stress of Tresca, s1 - s3
+    step_energy,       ///< energy dissipated by friction in the last step of a load history
     gap,               ///< gap between the bodies outside the contact
     slip_displacement, ///< u_A - u_B along the surface, inside the contact
     delta,             ///< approach of the bodies of an axisymmetric contact
@@ -125,6 +126,7 @@ struct QuantityRow {
         shear,
         friction,
         friction_alone,
+        history,
         unknown_tilt,
         poisson,
         plane,
@@ -176,7 +178,8 @@ struct QuantityRow {
         return route_by != nullptr ? route_by(scene, plan) : route;
     }
     [[nodiscard]] bool of_friction() const {
-        return needs == Needs::friction || needs == Needs::friction_alone;
+        return needs == Needs::friction || needs == Needs::friction_alone ||
+               needs == Needs::history;
     }
     /// True if the quantity needs [shear] of the scene; plans of other quantities leave it out.
     [[nodiscard]] bool of_shear() const { return needs == Needs::shear || of_friction(); }

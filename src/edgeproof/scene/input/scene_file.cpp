@@ -265,6 +265,7 @@ void read_steps(const io::TomlSection& top, Scene& scene) {
         }
         read(section);
     }
+    scene.pass = sections.size() - first;
     for (std::size_t k = 1; k < cycles; ++k) {
         std::for_each(sections.begin() + static_cast<std::ptrdiff_t>(first), sections.end(), read);
     }
@@ -353,10 +354,6 @@ Scene read_contact(const io::TomlSection& top) {
     Scene scene;
     scene.file = top.file();
     read_sections(top, scene);
-    if (!scene.steps.empty()) {
-        top.reject(scene.steps.front().line, "load histories are computed from scenes only",
-                   "give P and Q in [load] and [shear] instead of steps");
-    }
     return scene;
 }
 
@@ -522,7 +519,8 @@ void set_step(Scene& scene, std::size_t count) {
         }
         return;
     }
-    scene.history = history_after(scene.steps, count, *scene.shear->friction, scene.file);
+    scene.history =
+        history_after(scene.steps, count, scene.pass, *scene.shear->friction, scene.file);
 }
 
 void require_no_history(const Scene& scene, const std::string& command) {

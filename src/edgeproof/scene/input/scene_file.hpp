@@ -125,6 +125,7 @@ struct Scene {
     /// The steps of a load history, and the state after the last one that counts, if there is
     /// friction. The load and the shear are then those at the end of that step.
     std::vector<LoadStep> steps;
+    std::size_t pass = 0; ///< the number of the last steps that `cycles` repeats; 0: none
     std::optional<LoadHistory> history;
     std::optional<Units> units; ///< labels for all numbers above
     Ask ask;

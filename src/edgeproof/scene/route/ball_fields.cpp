@@ -44,16 +44,51 @@ contact::CauchyIntegral BallLevel::shear_integral(const contact::CauchyIntegral&
     if (!scene_.slips()) {
         return cauchy_integral(contact::Extent<Ball>{a(), b()}, load(), zeta);
     }
-    const auto* const zones = part_contacts();
-    if (zones == nullptr) {
+    const auto parts = part_integrals(zeta);
+    if (!parts) {
         const Box unknown(not_known(), not_known());
         return {unknown, unknown};
     }
     contact::CauchyIntegral q = p * slip()->whole_ratio();
-    for (std::size_t i = 0; i < zones->size(); ++i) {
-        q = q - cauchy_integral((*zones)[i], zeta) * -slip()->parts()[i].ratio;
+    for (std::size_t i = 0; i < parts->size(); ++i) {
+        q = q - (*parts)[i] * -slip()->parts()[i].ratio;
     }
     return q;
+}
+
+contact::CauchyIntegral BallLevel::pressure_integral(const Box& zeta) const {
+    const contact::BallContact* const closed = contact_->closed_form();
+    return closed != nullptr
+               ? cauchy_integral(*closed, zeta)
+               : dynamic_cast<const contact::IntegratedContact&>(*contact_).cauchy_integral(zeta);
+}
+
+std::optional<std::vector<contact::CauchyIntegral>> BallLevel::part_integrals(const Box& zeta) {
+    std::vector<contact::CauchyIntegral> integrals;
+    if (slip() == nullptr || slip()->sliding()) {
+        return {};
+    }
+    if (parts_are_closed()) {
+        for (const contact::BallContact& zone : *part_contacts()) {
+            integrals.push_back(cauchy_integral(zone, zeta));
+        }
+        return integrals;
+    }
+    if (integrated_parts_.empty()) {
+        const auto* const curved = dynamic_cast<const contact::IntegratedContact*>(contact_.get());
+        const std::optional<contact::IntegratedContact> power_law =
+            curved != nullptr ? std::nullopt
+                              : std::optional(contact::IntegratedContact(
+                                    *scene_.profile, scene_.contact_modulus, a(), b(), bits_));
+        for (const contact::ShearPart& part : slip()->parts()) {
+            integrated_parts_.push_back((curved != nullptr ? *curved : *power_law)
+                                            .between(part.zone.a, part.zone.b, bits_));
+        }
+    }
+    for (const contact::IntegratedContact& zone : integrated_parts_) {
+        integrals.push_back(zone.cauchy_integral(zeta));
+    }
+    return integrals;
 }
 
 Ball BallLevel::bulk_stress(Body body) const {
@@ -77,8 +112,10 @@ std::optional<contact::StressField> BallLevel::stress_field(Body body) {
     }
     field.mirrored = false;
     const bool no_tension = scene_.shear->bulk_tension.sign() == 0;
-    field.untilted = no_tension && scene_.shear->bulk_A.sign() == 0;
-    field.surface_mirrored = scene_.symmetric() && field.untilted;
+    const bool no_bulk = no_tension && scene_.shear->bulk_A.sign() == 0;
+    field.surface_mirrored = scene_.symmetric() && no_bulk;
+    field.untilted =
+        no_bulk && (!scene_.history || scene_.history->layers.front().ratio.sign() == 0);
     const Ball side(body == Body::A ? 1 : -1, bits_); // B carries -q
     if (!scene_.slips()) {
         field.parts.front().shear = shear_ratio() * side;
@@ -111,7 +148,7 @@ const contact::StressState& BallLevel::stress(const AskedValue& at) {
         return last_stress_->second;
     }
     const Box zeta(ball_of(point.x, bits_), ball_of(point.z, bits_));
-    contact::CauchyIntegral p = cauchy_integral(*contact_->closed_form(), zeta);
+    contact::CauchyIntegral p = pressure_integral(zeta);
     contact::CauchyIntegral q = shear_integral(p, zeta);
     const bool tension = scene_.shear && scene_.shear->bulk_tension.sign() != 0;
     if (point.x.sign() == 0 && scene_.symmetric() && !tension) {
@@ -249,6 +286,55 @@ Ball BallLevel::round_slip(const Ball& r) {
                 ? axisymmetric_gap(form->between(part.zone.a, part.zone.b),
                                    contact::clamped(beyond))
                 : of_revolution().with_radius(part.zone.a).gap_beyond(contact::clamped(beyond)));
+}
+
+std::optional<Ball> BallLevel::power_of_growth() const {
+    using Kind = contact::Profile::Kind;
+    const Kind kind = scene_.profile->kind();
+    if (kind == Kind::tilted_wedge) {
+        return Ball(1, bits_);
+    }
+    return kind == Kind::power_law
+               ? std::optional(ball_of(scene_.profile->parameters().at("m"), bits_) + 1)
+               : std::nullopt;
+}
+
+// docs/histories.md, "The energy"
+Ball BallLevel::energy_of(const std::vector<LoadHistory::Phase>& phases) const {
+    const auto power = power_of_growth();
+    const Ball friction = ball_of(*scene_.shear->friction, bits_);
+    std::optional<formula::Exact> most; // of the forces: P may have been greater
+    for (const LoadHistory::Phase& phase : phases) {
+        const formula::Exact& force = phase.cuts.back();
+        most = most && formula::Exact(force.expr() - most->expr()).sign() <= 0 ? most : force;
+    }
+    if (!most) {
+        return {0, bits_};
+    }
+    std::optional<contact::BallContact> widest;
+    std::unique_ptr<contact::ZoneSolver> zones;
+    if (!power) {
+        widest.emplace(*scene_.profile, scene_.contact_modulus, contact::Load::force(*most), bits_);
+        zones = closed_form_zones(*widest);
+    }
+    std::vector<contact::SlipPhase> list;
+    for (const LoadHistory::Phase& phase : phases) {
+        const auto number = [&](const formula::Exact& x) { return ball_of(x, bits_); };
+        list.push_back({number(phase.inner_from),
+                        number(phase.inner_to),
+                        number(phase.force_from),
+                        number(phase.force_to),
+                        number(phase.change),
+                        {}});
+        for (const formula::Exact& cut : phase.cuts) {
+            const Ball force = number(cut);
+            list.back().cuts.push_back(
+                {force, zones ? zones->zone(force, Ball(0, bits_), {widest->a(), widest->b()})
+                              : contact::BallZone{a(), b()}});
+        }
+    }
+    return power ? similar_dissipated_energy(contact_->modulus(), *power, friction, list)
+                 : dissipated_energy(*widest, friction, list);
 }
 
 // docs/axisymmetric.md, "The energy of a cycle"

@@ -6,7 +6,7 @@
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/law/shear.hpp"
-#include "edgeproof/contact/slip/ball_slip.hpp"
+#include "edgeproof/contact/slip/dissipation.hpp"
 #include "edgeproof/contact/stress/axisymmetric_stress.hpp"
 #include "edgeproof/contact/stress/plane_stress.hpp"
 #include "edgeproof/contact/stress/stress_measure.hpp"
@@ -174,16 +174,18 @@ public:
     }
     /// Only for scenes with encloses_cycle_energy().
     [[nodiscard]] Ball cycle_energy() {
-        using Kind = contact::Profile::Kind;
-        const Kind kind = scene_.profile->kind();
         return of_slip([&](const contact::BallSlip& slip) {
-            return scene_.round                 ? round_cycle_energy(slip)
-                   : kind == Kind::tilted_wedge ? similar_cycle_energy(slip, Ball(1, bits_))
-                   : kind == Kind::power_law
-                       ? similar_cycle_energy(
-                             slip, ball_of(scene_.profile->parameters().at("m"), bits_) + 1)
-                       : contact::cycle_energy(*contact_->closed_form(), slip);
+            const auto power = power_of_growth();
+            return scene_.round     ? round_cycle_energy(slip)
+                   : scene_.history ? energy_of(*scene_.history->pass)
+                   : power          ? similar_cycle_energy(slip, *power)
+                                    : contact::cycle_energy(*contact_->closed_form(), slip);
         });
+    }
+    /// The energy of the last step of a load history, as cycle_energy().
+    [[nodiscard]] Ball step_energy() {
+        return of_slip(
+            [&](const contact::BallSlip& /*slip*/) { return energy_of(scene_.history->step); });
     }
     /// kappa_1, ..., at an edge; balls that are not finite if there is no slip zone.
     [[nodiscard]] const std::vector<Ball>& slip_series(contact::Edge edge, std::size_t terms) {
@@ -248,18 +250,35 @@ private:
     [[nodiscard]] Ball tangential_ratio() const;
     /// The slip at the radius r in the contact of an axisymmetric scene with friction.
     [[nodiscard]] Ball round_slip(const Ball& r);
+    /// The exponent in L ~ D^power of the contacts of a wedge or a power law under all forces L;
+    /// nothing for other profiles.
+    [[nodiscard]] std::optional<Ball> power_of_growth() const;
+    /// The energy of phases of a load history.
+    [[nodiscard]] Ball energy_of(const std::vector<LoadHistory::Phase>& phases) const;
     /// Keeps the last value.
     [[nodiscard]] const contact::StressState& stress(const AskedValue& at);
     [[nodiscard]] Ball bulk_stress(Body body) const;
     [[nodiscard]] Ball poisson(const AskedValue& at) const {
         return ball_of(*scene_.poisson(at.in_body->body), bits_);
     }
+    /// The Cauchy integral of p.
+    [[nodiscard]] contact::CauchyIntegral pressure_integral(const Box& zeta) const;
+    /// The Cauchy integrals of the pressures of the parts of q; nothing if these bits do not
+    /// isolate their zones.
+    [[nodiscard]] std::optional<std::vector<contact::CauchyIntegral>>
+    part_integrals(const Box& zeta);
     /// The Cauchy integral of q on body A; `p` is that of p.
     [[nodiscard]] contact::CauchyIntegral shear_integral(const contact::CauchyIntegral& p,
                                                          const Box& zeta);
     /// The zones of the parts of q as contacts, with the tilt of the corrective problem; null if
-    /// these bits do not isolate them.
+    /// these bits do not isolate them. Only for zones with a closed form.
     [[nodiscard]] const std::vector<contact::BallContact>* part_contacts();
+    /// True if the zones of the parts of q have closed forms.
+    [[nodiscard]] bool parts_are_closed() const {
+        const contact::BallContact* const closed = contact_->closed_form();
+        return closed != nullptr &&
+               (closed->piecewise_linear() || scene_.shear->bulk_tension.sign() == 0);
+    }
     /// The slip of the places inside a zone, and outside that of the entry before, since they came
     /// into contact: the sum of the ratios times the gaps of the contacts. Without parts it is not
     /// computed.
@@ -401,6 +420,7 @@ private:
     std::optional<Last> last_;
     std::optional<std::pair<BodyPoint, contact::StressState>> last_stress_;
     std::optional<std::vector<contact::BallContact>> part_contacts_;
+    std::vector<contact::IntegratedContact> integrated_parts_;
     std::optional<std::vector<SlipSince>> slip_since_;
     std::optional<Ball> ratio_;
     std::map<contact::Edge, std::vector<Ball>> c_;

@@ -291,7 +291,7 @@ std::unique_ptr<ValueRoute> make_route(const Scene& scene, const Plan& plan, con
             throw error.file().empty() ? error.at(scene.file, scene.load_line) : error;
         }
     }
-    if (scene.only_in_balls()) {
+    if (scene.only_in_balls() || scene.ask.wants(QuantityGroup::stress)) {
         if (scene.ask.route != contact::Route::automatic) {
             throw InputError("this contact is computed in balls only, not by the route " +
                                  route_name(scene.ask.route),

@@ -179,15 +179,18 @@ constexpr Made of_stick(Quantity quantity, std::string_view symbol, std::string_
         .by("stick zone");
 }
 
-const char* way_of_stress(const Scene& s, const Plan& /*plan*/) {
-    return s.round && !s.round->law ? "rigorous integration"
-           : !s.shear               ? "closed-form"
-           : s.slips()              ? "superposition"
-                                    : full_stick_or_similar(s, {});
+const char* way_of_stress(const Scene& s, const Plan& plan) {
+    const bool integrated = plan.route != contact::Route::closed_form || (s.round && !s.round->law);
+    return integrated  ? "rigorous integration"
+           : !s.shear  ? "closed-form"
+           : s.slips() ? "superposition"
+                       : full_stick_or_similar(s, {});
 }
-/// A stress at a point of a body; its name is that of the column.
-template <auto ball> constexpr Made stress(Quantity quantity, std::string_view name) {
-    return value<Def::Place::body, ball, nullptr, nullptr>(quantity, "", name, Group::stress,
+/// A stress at a point of a body; its name is that of the column. The principal stresses have no
+/// symbol in recipes, where s_1, s_2 are coefficients.
+template <auto ball>
+constexpr Made stress(Quantity quantity, std::string_view name, std::string_view symbol = "") {
+    return value<Def::Place::body, ball, nullptr, nullptr>(quantity, symbol, name, Group::stress,
                                                            units::stress)
         .labelled(name)
         .by(way_of_stress);
@@ -288,8 +291,10 @@ constexpr auto quantity_table = std::to_array<Def>({
     of_stick<&BallLevel::cycle_energy, &RealLevel::cycle_energy>(
         Quantity::cycle_energy, "cycle_energy", "cycle-energy", units::moment)
         .needing(Needs::friction_alone)
-        .explained("the energy dissipated by friction in a cycle of Q")
-        .by("Mindlin's loop")
+        .explained("the energy dissipated by friction in a cycle")
+        .by([](const Scene& s, const Plan& /*plan*/) {
+            return s.history ? "superposition" : "Mindlin's loop";
+        })
         .with(&Def::may_be_missing, true),
     at_point<&BallLevel::x, &ExactValues::x, nullptr>(Quantity::x, "", "coordinate",
                                                       Group::pressure, units::length)
@@ -319,16 +324,22 @@ constexpr auto quantity_table = std::to_array<Def>({
     searched(Quantity::slip_terms, "", "slip-zone-by-terms", Group::slip, units::length),
     searched(Quantity::slip_rel, "", "relative-error-of-slip-zone", Group::slip, units::number),
     searched(Quantity::slip_load, "", "slip-load", Group::slip, units::number),
-    stress<&BallLevel::sxx>(Quantity::sxx, "sxx"),
-    stress<&BallLevel::szz>(Quantity::szz, "szz"),
-    stress<&BallLevel::sxz>(Quantity::sxz, "sxz"),
-    stress<&BallLevel::mises>(Quantity::mises, "mises").needing(Needs::poisson),
-    stress<&BallLevel::tau_max>(Quantity::tau_max, "tau_max"),
-    stress<&BallLevel::syy>(Quantity::syy, "syy").needing(Needs::poisson),
+    stress<&BallLevel::sxx>(Quantity::sxx, "sxx", "sxx"),
+    stress<&BallLevel::szz>(Quantity::szz, "szz", "szz"),
+    stress<&BallLevel::sxz>(Quantity::sxz, "sxz", "sxz"),
+    stress<&BallLevel::mises>(Quantity::mises, "mises", "mises").needing(Needs::poisson),
+    stress<&BallLevel::tau_max>(Quantity::tau_max, "tau_max", "tau_max"),
+    stress<&BallLevel::syy>(Quantity::syy, "syy", "syy").needing(Needs::poisson),
     stress<&BallLevel::principal<0>>(Quantity::s1, "s1").needing(Needs::poisson),
     stress<&BallLevel::principal<1>>(Quantity::s2, "s2").needing(Needs::poisson),
     stress<&BallLevel::principal<2>>(Quantity::s3, "s3").needing(Needs::poisson),
-    stress<&BallLevel::tresca>(Quantity::tresca, "tresca").needing(Needs::poisson),
+    stress<&BallLevel::tresca>(Quantity::tresca, "tresca", "tresca").needing(Needs::poisson),
+    of_stick<&BallLevel::step_energy, nullptr>(Quantity::step_energy, "step_energy", "step-energy",
+                                               units::moment)
+        .needing(Needs::history)
+        .explained("the energy dissipated by friction in the last step")
+        .by("superposition")
+        .with(&Def::may_be_missing, true),
     on_surface<&BallLevel::gap>(Quantity::gap, "gap"),
     on_surface<&BallLevel::slip_displacement>(Quantity::slip_displacement, "slip"),
     of_contact<&BallLevel::approach, &ExactValues::approach, &RealLevel::approach>(

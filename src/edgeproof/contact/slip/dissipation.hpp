@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/slip/ball_slip.hpp"
+
+#include <vector>
+
+/// The energy that friction dissipates, in balls (docs/histories.md, "The energy").
+namespace edgeproof::contact {
+
+/// A part of a load step in which one zone slips in one direction: the zone outside the contact
+/// under L_s. L_s and P change linearly in time. Forces: force/length.
+struct SlipPhase {
+    Ball inner_from; ///< L_s at the beginning
+    Ball inner_to;   ///< L_s at the end, less than at the beginning
+    Ball force_from; ///< P at the beginning
+    Ball force_to;
+    Ball change; ///< |dQ -+ f dP| for slip in the direction +- of Q
+    /// The forces above, ascending, without repetition; each with the zone that is the contact
+    /// under it.
+    struct Cut {
+        Ball force;
+        BallZone zone;
+    };
+    std::vector<Cut> cuts;
+};
+
+/// Returns the energy per unit length (force) of phases,
+///   2 f/(pi E*) times the sum of change times the mean over the phase of
+///   the integral of (P - L) d ln D over L_s < L < P,
+/// where D(L) is the length of the contact under the force L. Proved, for symmetric
+/// profiles with piecewise linear slopes: by a Taylor polynomial on each panel of a, with the remainder from the coefficient over the
+/// panel, and next to knots by the size of the integrand. Throws BudgetError where that takes too
+/// many panels, or where the bits do not distinguish the forces.
+/// @param contact a contact of the family
+[[nodiscard]] Ball dissipated_energy(const BallContact& contact, const Ball& friction,
+                                     const std::vector<SlipPhase>& phases);
+
+/// The same in closed form if the force L is proportional to D^power: `power` is m + 1 for a power
+/// law m, and 1 for a wedge, tilted or not. The zones of the cuts are not used.
+/// @param modulus E* (stress)
+[[nodiscard]] Ball similar_dissipated_energy(const Ball& modulus, const Ball& power,
+                                             const Ball& friction,
+                                             const std::vector<SlipPhase>& phases);
+
+/// Returns the energy per unit length that friction dissipates in a cycle of the shear force from
+/// -|Q| to |Q| and back, with P held and no bulk tension (docs/partial-slip.md, "The energy of a
+/// cycle"):
+///   W = 8 f^2/(pi E*) times the integral of (P - L)(L - L_s) d ln D over L_s < L < P,
+/// where L_s = P - |Q|/f. As dissipated_energy.
+[[nodiscard]] Ball cycle_energy(const BallContact& contact, const BallSlip& slip);
+
+/// The same in closed form if the force L is proportional to D^power.
+[[nodiscard]] Ball similar_cycle_energy(const BallSlip& slip, const Ball& power);
+
+} // namespace edgeproof::contact

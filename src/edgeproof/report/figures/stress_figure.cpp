@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/figures/stress_figure.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/binary64_stresses.hpp"
+#include "edgeproof/scene/run_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace edgeproof::report {
+namespace {
+
+constexpr std::size_t columns = 241;
+constexpr std::size_t lines = 121;
+/// The part of the values that the colours leave out at both ends: near singularities they would
+/// take the whole scale.
+constexpr double left_out = 0.002;
+
+std::pair<double, double> range_of(std::vector<double> values) {
+    std::erase_if(values, [](double x) { return !std::isfinite(x); });
+    std::ranges::sort(values);
+    const auto cut = static_cast<std::size_t>(left_out * static_cast<double>(values.size()));
+    const std::pair<double, double> range{values.at(cut), values.at(values.size() - 1 - cut)};
+    return range.first < range.second ? range : std::pair{range.first - 1, range.first + 1};
+}
+
+} // namespace
+
+ScenePicture stress_picture(const scene::Scene& scene, scene::Quantity quantity, scene::Body body) {
+    using scene::Quantity;
+    const auto end = [&](Quantity edge) {
+        const scene::AskedValue asked{edge};
+        return scene::SceneValues(scene, {asked}, scene.ask.digits)
+            .value(asked)
+            .value.midpoint()
+            .convert_to<double>();
+    };
+    const double a = end(Quantity::a);
+    const double b = end(Quantity::b);
+    PlaneField field;
+    std::vector<double> x;
+    std::vector<double> z;
+    // The points lie off the surface, where a stress may be infinite.
+    for (std::size_t i = 0; i < columns; ++i) {
+        field.x.push_back(-b + (a + b) * (2 * static_cast<double>(i) / (columns - 1) - 0.5));
+    }
+    for (std::size_t j = 0; j < lines; ++j) {
+        field.y.push_back((a + b) * (static_cast<double>(j) + 0.5) / lines);
+    }
+    for (const double depth : field.y) {
+        x.insert(x.end(), field.x.begin(), field.x.end());
+        z.insert(z.end(), field.x.size(), depth);
+    }
+    std::vector<std::vector<double>> values(6, std::vector<double>(x.size()));
+    const bool has_mises = scene.poisson(body).has_value();
+    const scene::Binary64Stresses all{values[0],
+                                      values[1],
+                                      values[2],
+                                      values[3],
+                                      has_mises ? std::span(values[4]) : std::span<double>(),
+                                      values[5]};
+    const Quantity order[] = {Quantity::sxx, Quantity::szz, Quantity::sxz, Quantity::tau_max,
+                              Quantity::mises};
+    const auto* const found = std::ranges::find(order, quantity);
+    if (found == std::end(order) || (*found == Quantity::mises && !has_mises)) {
+        throw InputError("there are no contours of " + std::string(row_of(quantity).name) +
+                             (quantity == Quantity::mises ? " without a Poisson's ratio" : ""),
+                         "write sxx, szz, sxz, tau_max, or, with nu in [load], mises");
+    }
+    compute_binary64(scene, body, x, z, all);
+    field.values = std::move(values[static_cast<std::size_t>(found - std::begin(order))]);
+    field.range = range_of(field.values);
+    const auto unit = [&](const std::optional<scene::Unit>& u) {
+        return u ? " [" + u->name + "]" : std::string();
+    };
+    const std::string name(row_of(quantity).name);
+    const std::string body_name = body == scene::Body::A ? "A" : "B";
+    field.title = name + (scene.units ? unit(scene.units->pressure) : "");
+    const std::string length = scene.units ? unit(scene.units->length) : "";
+    Plot plot{};
+    plot.id = "stress";
+    plot.title = name + " in body " + body_name;
+    plot.description = "Colours and contours of " + name + " in body " + body_name +
+                       " below the contact, which lies at z = 0.";
+    plot.x.label = "x" + length;
+    plot.y.label = "z" + length;
+    plot.field = std::move(field);
+    return {{std::move(plot)}, {}};
+}
+
+} // namespace edgeproof::report

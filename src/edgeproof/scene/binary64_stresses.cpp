@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/binary64_stresses.hpp"
+
+#include "edgeproof/contact/stress/binary64_stress.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/parallel/parallel_for.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/exact_rational.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/scene/route/ball_level.hpp"
+#include "edgeproof/scene/run_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace edgeproof::scene {
+namespace {
+
+using contact::Binary64Stress;
+
+constexpr double most_error = 1e-12; ///< of the mean pressure
+constexpr std::size_t points_of_a_piece = 4096;
+
+/// The shear load on a body under full stick.
+std::optional<contact::ShearLoad<Ball>> full_stick(const Scene& scene, Body body) {
+    if (!scene.shear || scene.slips() || scene.together()) {
+        return {};
+    }
+    const Ball side(body == Body::A ? 1 : -1, Binary64Stress::field_bits);
+    return contact::ShearLoad<Ball>{
+        side * ball_of(scene.shear->Q, Binary64Stress::field_bits),
+        side * ball_of(scene.shear->bulk_tension, Binary64Stress::field_bits)};
+}
+
+class Stresses {
+public:
+    Stresses(const Scene& scene, Body body, std::span<const double> x, std::span<const double> z,
+             const Binary64Stresses& out)
+        : asked_(asking(scene, {AskedValue{Quantity::sxx}}, {20, Rounding::nearest, true})),
+          body_(body), x_(x), z_(z), out_(out) {
+        asked_.ask.in_bodies.clear();
+        const Plan plan = make_plan(asked_); // refuses stresses that are not computed
+        if (!out.mises.empty()) {
+            const Ball nu = ball_of(*scene.poisson(body), Binary64Stress::field_bits);
+            poisson_ = {(1 - nu * 2).midpoint().convert_to<double>(), 0x1p-52};
+        }
+        try {
+            BallLevel level(asked_, plan, {}, Binary64Stress::field_bits);
+            mean_pressure_ = Ball(level.force() / level.length()).midpoint().convert_to<double>();
+            const contact::BallContact* const closed = level.contact().closed_form();
+            const auto field =
+                closed != nullptr && closed->piecewise_linear() && has_binary64_balls()
+                    ? level.stress_field(body)
+                    : std::nullopt;
+            if (field) {
+                fast_.emplace(*field, full_stick(scene, body));
+            }
+        } catch (const BudgetError&) { // run_scene has more bits
+        } catch (const DomainError&) { // run_scene refuses it
+        }
+    }
+
+    void piece(std::size_t from, std::size_t to) {
+        check_interruption();
+        std::vector<std::size_t> left;
+        for (std::size_t i = from; i < to; ++i) {
+            if (!std::isfinite(x_[i]) || !std::isfinite(z_[i])) {
+                throw DomainError("a place is not a finite number");
+            }
+            if (z_[i] < 0) {
+                throw InputError("z = " + exact_text(exact_rational(z_[i])) + " is negative",
+                                 "give z >= 0, the depth into the body");
+            }
+            if (!at_once(i)) {
+                left.push_back(i);
+            }
+        }
+        if (!left.empty()) {
+            by_scene(left);
+        }
+    }
+
+private:
+    [[nodiscard]] bool at_once(std::size_t i) const {
+        if (!fast_) {
+            return false;
+        }
+        const contact::Binary64StressState s = fast_->at(x_[i], z_[i]);
+        const Binary64Ball tau = hypot(s.half_difference, s.sxz);
+        double bound = std::max({s.sxx.radius, s.szz.radius, s.sxz.radius, tau.radius});
+        if (!out_.mises.empty()) {
+            const Binary64Ball root{1.7320508075688773, 0x1p-52};
+            const Binary64Ball mises =
+                hypot(root * tau, poisson_ * (s.sxx + s.szz) * Binary64Ball{0.5, 0});
+            out_.mises[i] = mises.middle;
+            bound = std::max(bound, mises.radius);
+        }
+        out_.sxx[i] = s.sxx.middle;
+        out_.szz[i] = s.szz.middle;
+        out_.sxz[i] = s.sxz.middle;
+        out_.tau_max[i] = tau.middle;
+        out_.bound[i] = bound;
+        return s.sxx.radius + s.szz.radius + s.sxz.radius + tau.radius + bound <=
+               most_error * mean_pressure_; // false if one of them is not a number
+    }
+    void by_scene(const std::vector<std::size_t>& indices) const {
+        Scene scene = asked_;
+        for (const std::size_t i : indices) {
+            scene.ask.in_bodies.push_back({formula::Exact::of(exact_rational(x_[i])),
+                                           formula::Exact::of(exact_rational(z_[i])), body_});
+        }
+        const SceneResult result = run_scene(scene);
+        for (const RowsAt& at : result.at_places(QuantityRow::Place::body)) {
+            const std::size_t i = indices[at.point()];
+            double bound = 0;
+            const auto value = [&](Quantity quantity) {
+                const Ball& x = at.at(quantity).value;
+                const double nearest = x.midpoint().convert_to<double>();
+                const Ball error = abs(Ball(x - Ball(exact_rational(nearest), x.bits())));
+                bound =
+                    std::max(bound, std::nextafter(error.upper().convert_to<double>(), HUGE_VAL));
+                return nearest;
+            };
+            out_.sxx[i] = value(Quantity::sxx);
+            out_.szz[i] = value(Quantity::szz);
+            out_.sxz[i] = value(Quantity::sxz);
+            out_.tau_max[i] = value(Quantity::tau_max);
+            if (!out_.mises.empty()) {
+                out_.mises[i] = value(Quantity::mises);
+            }
+            out_.bound[i] = bound;
+        }
+    }
+
+    Scene asked_;
+    Body body_;
+    std::span<const double> x_;
+    std::span<const double> z_;
+    Binary64Stresses out_;
+    Binary64Ball poisson_; ///< 1 - 2 nu
+    double mean_pressure_ = 0;
+    std::optional<Binary64Stress> fast_;
+};
+
+} // namespace
+
+void compute_binary64(const Scene& scene, Body body, std::span<const double> x,
+                      std::span<const double> z, const Binary64Stresses& stresses,
+                      unsigned threads) {
+    Stresses all(scene, body, x, z, stresses);
+    const std::size_t pieces = (x.size() + points_of_a_piece - 1) / points_of_a_piece;
+    parallel::work_through(parallel::all_pieces(pieces), threads, [&](std::size_t k) {
+        all.piece(k * points_of_a_piece, std::min(x.size(), (k + 1) * points_of_a_piece));
+    });
+}
+
+} // namespace edgeproof::scene

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/scene.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+using scene::Quantity, scene::Scene;
+
+namespace {
+
+using Loads = std::vector<std::pair<double, double>>; ///< (P, Q) at the ends of the steps
+
+const double circle = std::acos(-1.0);
+
+/// `before` once, then `pass` a number of times.
+Scene repeated_steps(const std::string& profile, const Loads& before, const Loads& pass,
+                     std::size_t cycles) {
+    std::string text = "[profile]\n" + profile +
+                       "\n[load]\ncontact_modulus = \"1\"\n[shear]\nfriction = \"1/2\"\n";
+    const auto add = [&](const Loads& loads, const std::string& first) {
+        for (std::size_t i = 0; i < loads.size(); ++i) {
+            text += "[[step]]\nP = \"" + std::to_string(loads[i].first) + "\"\nQ = \"" +
+                    std::to_string(loads[i].second) + "\"\n" + (i == 0 ? first : "");
+        }
+    };
+    add(before, "");
+    add(pass, "cycles = " + std::to_string(cycles) + "\n");
+    return scene::parse_scene(text, "steps.toml");
+}
+
+Ball energy_value(const Scene& s, Quantity quantity) {
+    const scene::BoundedValue value =
+        scene::SceneValues(s, {{quantity}}, {20, Rounding::nearest, false}).value({quantity});
+    CHECK(value.proved);
+    return value.value;
+}
+double energy_number(const Scene& s, Quantity quantity) {
+    return energy_value(s, quantity).midpoint().convert_to<double>();
+}
+
+/// The layers (force, ratio) of a scene.
+Loads layers_of(const Scene& s) {
+    Loads layers;
+    if (s.history) {
+        for (const scene::LoadHistory::Layer& layer : s.history->layers) {
+            layers.emplace_back(layer.force.to<double>(), layer.ratio.to<double>());
+        }
+    }
+    return layers;
+}
+
+/// Each step of a path divided into `parts`.
+Loads divided(const Loads& path, std::pair<double, double> from, int parts) {
+    Loads fine;
+    for (const auto& [P, Q] : path) {
+        for (int k = 1; k <= parts; ++k) {
+            const double t = static_cast<double>(k) / parts;
+            fine.emplace_back(from.first + (P - from.first) * t,
+                              from.second + (Q - from.second) * t);
+        }
+        from = {P, Q};
+    }
+    return fine;
+}
+
+const Loads first_loads{{1, 0.1}, {1, 0.3}};
+const std::vector<Loads> passes{
+    {{1, -0.2}, {1, 0.3}},
+    {{1.25, 0.25}, {0.75, -0.25}, {1, 0.3}},
+    {{1.5, -0.375}, {0.625, 0.125}, {1, 0.0625}, {1, 0.3}},
+    {{0.5, 0.125}, {0.5, -0.125}, {1, 0.3}},
+};
+
+} // namespace
+
+// The energy is the area of the loop of Q over the displacement of the bodies: a punch of force
+// kappa dL over the length D moves them by -(2/(pi E*)) kappa ln D dL (docs/partial-slip.md). D(L)
+// comes from the edges of the contacts.
+TEST_CASE("the energy of a cycle is the area of the loop of shear force and displacement") {
+    constexpr std::size_t grid = 150;
+    constexpr double most = 1.5;
+    constexpr int parts = 16;
+    const std::string profiles[] = {"kind = \"hertz\"\nR = \"2\"",
+                                    "kind = \"flat-and-rounded\"\nt = \"1/2\"\nR = \"3\"",
+                                    "kind = \"power-law\"\nm = \"5/8\"\nC = \"1/3\"",
+                                    "kind = \"tilted-wedge\"\nphi = \"1/3\"\nalpha = \"1/10\""};
+    std::vector<std::vector<double>> log_lengths; // ln D at the middle of each part of L
+    for (const std::string& profile : profiles) {
+        std::vector<double>& list = log_lengths.emplace_back();
+        for (std::size_t i = 0; i < grid; ++i) {
+            const double L = most * (static_cast<double>(i) + 0.5) / grid;
+            const Scene s =
+                scene::parse_scene("[profile]\n" + profile + "\n[load]\nP = \"" +
+                                       std::to_string(L) + "\"\ncontact_modulus = \"1\"\n",
+                                   "contact.toml");
+            scene::SceneValues edges(s, {{Quantity::a}}, {10, Rounding::nearest, false});
+            const Ball D = edges.value({Quantity::a}).value + edges.value({Quantity::b}).value;
+            list.push_back(std::log(D.midpoint().convert_to<double>()));
+        }
+    }
+    for (const Loads& pass : passes) {
+        CAPTURE(pass.size());
+        // The first pass reaches the steady state, the next one is measured.
+        Loads path = first_loads;
+        path.insert(path.end(), pass.begin(), pass.end());
+        const std::size_t begin = path.size();
+        const Loads fine = divided(pass, pass.back(), parts);
+        path.insert(path.end(), fine.begin(), fine.end());
+        Scene states = repeated_steps(profiles[0], path, {fine.back()}, 1);
+        std::vector<Loads> layers; // they do not depend on the profile
+        for (std::size_t k = begin; k <= path.size(); ++k) {
+            set_step(states, k);
+            layers.push_back(layers_of(states));
+        }
+        for (std::size_t which = 0; which < std::size(profiles); ++which) {
+            CAPTURE(which);
+            double area = 0;
+            double last_moved = 0;
+            for (std::size_t k = 0; k < layers.size(); ++k) {
+                double moved = 0;
+                double from = 0;
+                for (const auto& [force, ratio] : layers[k]) {
+                    for (std::size_t i = 0; i < grid; ++i) {
+                        const double lo = std::max(from, most * static_cast<double>(i) / grid);
+                        const double hi = std::min(force, most * static_cast<double>(i + 1) / grid);
+                        moved -=
+                            hi > lo ? ratio * (hi - lo) * log_lengths[which][i] * 2 / circle : 0;
+                    }
+                    from = force;
+                }
+                if (k > 0) {
+                    const double Q = path[begin + k - 1].second;
+                    area += (Q + path[begin + k - 2].second) / 2 * (moved - last_moved);
+                }
+                last_moved = moved;
+            }
+            const Scene s = repeated_steps(profiles[which], first_loads, pass, 2);
+            CHECK(s.history->steady);
+            const double energy = energy_number(s, Quantity::cycle_energy);
+            CAPTURE(energy);
+            CAPTURE(area);
+            CHECK(std::abs(area - energy) < 1.5e-2 * energy);
+            CHECK(energy > 1e-4);
+        }
+    }
+}
+
+// Cylinders with g' = x/2, E* = 1: the traction times the increments of slip, over small parts of
+// one step. A part of q in proportion to the pressure of the half-width a moves a place x by the
+// integral of its gap (johnson1985, eqs. 2.24 and 4.41).
+TEST_CASE("the energy of a step is traction times slip") {
+    const auto half_width = [](double P) { return std::sqrt(8 * P / circle); };
+    const auto pressure = [&](double P, double x) {
+        const double a = half_width(P);
+        return std::abs(x) < a ? std::sqrt(a * a - x * x) / 4 : 0.0;
+    };
+    const auto gap = [&](double P, double x) {
+        const double a = half_width(P);
+        return x > a ? (x * std::sqrt(x * x - a * a) - a * a * std::acosh(x / a)) / 4 : 0.0;
+    };
+    /// The sum of the layers of a function of the force.
+    const auto layered = [](const Loads& layers, const auto& of) {
+        double sum = 0;
+        for (std::size_t j = 0; j < layers.size(); ++j) {
+            const double next = j + 1 < layers.size() ? layers[j + 1].second : 0.0;
+            sum += (layers[j].second - next) * of(layers[j].first);
+        }
+        return sum;
+    };
+    const std::vector<Loads> steps{
+        {{1, 0}, {1, 0.375}},                   // P is constant
+        {{1, 0}, {1, 0.375}, {1, -0.125}},      // reversed
+        {{1, 0.25}, {1.25, -0.25}},             // P increases
+        {{1, 0.25}, {0.75, -0.125}},            // P decreases
+        {{1, 0.25}, {2, 0.25}, {0.75, -0.125}}, // through several layers
+        {{1, 0.25}, {2, 0.25}, {0.75, 0.25}},   // without slip at first
+        {{1, -0.4}, {1.5, -0.2}, {0.45, -0.2}}, // P falls to L_s, and the slip changes its sign
+        {{1, -0.25}, {2, 0.125}, {1, 0.25}},
+    };
+    for (const Loads& path : steps) {
+        CAPTURE(path.size());
+        CAPTURE(path.back().first);
+        const Loads before(path.begin(), path.end() - 1);
+        const std::string cylinder = "kind = \"hertz\"\nR = \"2\"";
+        const Scene s = repeated_steps(cylinder, path, {path.back()}, 1);
+        Scene one = s;
+        set_step(one, path.size());
+        const double energy = energy_number(one, Quantity::step_energy);
+        constexpr int parts = 24;
+        const Loads fine = divided({path.back()}, before.back(), parts);
+        Loads all = before;
+        all.insert(all.end(), fine.begin(), fine.end());
+        const Scene states = repeated_steps(cylinder, all, {all.back()}, 1);
+        double sum = 0;
+        Loads last;
+        for (std::size_t k = before.size(); k <= all.size(); ++k) {
+            Scene state = states;
+            set_step(state, k);
+            Loads now = layers_of(state);
+            if (now.empty()) { // no shear yet
+                now = {{all[k - 1].first, 0}};
+            }
+            if (!last.empty()) {
+                constexpr int places = 150;
+                const double a = half_width(std::min(now.back().first, last.back().first));
+                for (int i = 0; i < places; ++i) {
+                    const double x = a * (i + 0.5) / places;
+                    const auto q = [&](const Loads& layers) {
+                        return layered(layers, [&](double L) { return pressure(L, x); });
+                    };
+                    const auto slip = [&](const Loads& layers) {
+                        return layered(layers, [&](double L) { return gap(L, x); });
+                    };
+                    sum -= (q(now) + q(last)) / 2 * (slip(now) - slip(last)) * 2 * a / places;
+                }
+            }
+            last = now;
+        }
+        CAPTURE(energy);
+        CAPTURE(sum);
+        CHECK(std::abs(sum - energy) < 1e-2 * energy);
+        CHECK(energy > 1e-6);
+    }
+}
+
+TEST_CASE("energies of histories: nothing slips, cycles that are not steady, what is refused") {
+    const std::string cylinder = "kind = \"hertz\"\nR = \"2\"";
+    const Scene stuck = repeated_steps(cylinder, {{1, 0.1}}, {{2, 0.3}}, 1);
+    const Ball none = energy_value(stuck, Quantity::step_energy);
+    CHECK((none.is_exact() && contains_zero(none)));
+    // Q = 2/5 and back at constant P: each half of Mindlin's loop of amplitude 1/5.
+    const Scene loop = repeated_steps(cylinder, {{1, 0.4}}, {{1, 0}, {1, 0.4}}, 2);
+    CHECK(loop.history->steady);
+    const Scene plain =
+        scene::parse_scene("[profile]\n" + cylinder +
+                               "\n[load]\nP = \"1\"\ncontact_modulus = \"1\"\n[shear]\nQ = "
+                               "\"1/5\"\nfriction = \"1/2\"\n",
+                           "plain.toml");
+    CHECK(overlaps(energy_value(loop, Quantity::cycle_energy),
+                   energy_value(plain, Quantity::cycle_energy)));
+    CHECK(overlaps(energy_value(loop, Quantity::step_energy) * 2,
+                   energy_value(plain, Quantity::cycle_energy)));
+    const Scene first = repeated_steps(cylinder, {{1, 0}}, {{1, 0.4}, {1, 0}}, 1);
+    CHECK_FALSE(first.history->steady);
+    Scene part = repeated_steps(cylinder, {{1, 0}}, {{1, 0.4}, {1, 0}}, 3);
+    set_step(part, 6);
+    CHECK(lack_of(part, {Quantity::cycle_energy})->problem.find("not the end of a cycle") !=
+          std::string::npos);
+    set_step(part, 5);
+    CHECK_FALSE(lack_of(part, {Quantity::cycle_energy}));
+    CHECK(part.history->steady);
+    CHECK(lack_of(plain, {Quantity::step_energy})->problem.find("no steps") != std::string::npos);
+    const Scene tilted = repeated_steps(
+        "kind = \"tilted-flat-and-rounded\"\nalpha = \"1/20\"\nt = \"1/2\"\nR = \"3\"", {{1, 0}},
+        {{1, 0.4}}, 1);
+    CHECK(lack_of(tilted, {Quantity::step_energy})->problem.find("not symmetric") !=
+          std::string::npos);
+}

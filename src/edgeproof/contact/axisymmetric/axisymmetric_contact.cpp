@@ -9,6 +9,8 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace edgeproof::contact {
@@ -282,8 +284,53 @@ Ball AxisymmetricContact::pressure(const Place& at, bool least) const {
     return modulus_ / Ball::pi(bits_) * sum;
 }
 
+namespace {
+
+// |c_k| <= M/rho^k: the omitted terms are bounded by those of M x^n/(1 - x), x = (u + z)/rho, whose
+// coefficients are positive and grow with u.
+/// The pressure series by the expansion at the edge; nothing if u is not well within its reach.
+std::optional<BallSeries> series_near_edge(const AxisymmetricContact& contact, const Ball& u,
+                                           std::size_t order) {
+    constexpr double most_terms = 500;
+    const Ball rho = lower_end(contact.reach(Edge::right)) * 9 / 10;
+    if (!certainly_positive(u) || !certainly_less(u * 10, rho * 7)) {
+        return {};
+    }
+    const double bits_of_a_term = -std::log2(approximate(upper_end(u / rho)));
+    const double wanted = (static_cast<double>(contact.bits()) + 8) / bits_of_a_term + 2;
+    const Ball M = contact.majorant(Edge::right, rho);
+    if (!(wanted < most_terms) || !M.is_finite()) {
+        return {};
+    }
+    const auto terms = static_cast<std::size_t>(wanted);
+    const std::vector<Ball> c = contact.expansion(Edge::right, terms);
+    const BallSeries at = BallSeries::variable(u, order);
+    BallSeries sum(c.back(), order);
+    for (std::size_t k = terms - 1; k-- > 0;) {
+        sum = sum * at + c[k];
+    }
+    const BallSeries x = BallSeries::variable(upper_end(u), order) * (1 / rho);
+    const BallSeries tail =
+        pow(x, Ball(static_cast<long>(terms), contact.bits())) / (-x + Ball(1, contact.bits())) * M;
+    for (std::size_t k = 0; k < order; ++k) {
+        sum.set(k, sum[k] + Ball::hull(-tail[k], tail[k]));
+    }
+    return sum * sqrt(at);
+}
+
+} // namespace
+
 BallSeries AxisymmetricContact::pressure_series(Edge /*edge*/, const Ball& u,
                                                 std::size_t order) const {
+    if (auto near = series_near_edge(*this, u.with_bits(bits_), order)) {
+        return *near;
+    }
+    if (auto near = series_near_edge(*this, a_ * 2 - u, order)) { // from the opposite edge
+        for (std::size_t k = 1; k < order; k += 2) {
+            near->set(k, -(*near)[k]);
+        }
+        return *near;
+    }
     const BallSeries from = BallSeries::variable(u.with_bits(bits_), order);
     const BallSeries other = -from + a_ * 2;
     const BallSeries r = -from + a_; // its sign does not matter off the origin

@@ -66,8 +66,15 @@ std::pair<Ball, Ball> RelativeError::tangent(const Rational& u) const {
 RelativeError::Over RelativeError::over(const Rational& lo, const Rational& hi) const {
     const Ball u = Ball::hull(Ball(lo, bits_), Ball(hi, bits_));
     const Rational m = middle(lo, hi);
-    const BallSeries whole = series(u, taylor_terms_ + 1);
     Over found;
+    const bool integrated = contact_.cost() > 1;
+    if (integrated) { // p alone costs less than its derivatives
+        found.side = side_of_whole(u);
+        if (found.side != Side::unknown) {
+            return found;
+        }
+    }
+    const BallSeries whole = series(u, taylor_terms_ + 1);
     if (whole[taylor_terms_].is_finite()) {
         const BallSeries at = series(Ball(m, bits_), taylor_terms_);
         const Ball h = u - Ball(m, bits_);
@@ -86,7 +93,7 @@ RelativeError::Over RelativeError::over(const Rational& lo, const Rational& hi) 
             return found;
         }
     }
-    found.side = side_of_whole(u);
+    found.side = integrated ? Side::unknown : side_of_whole(u);
     return found;
 }
 bool RelativeError::corner_between(const Rational& lo, const Rational& hi) const {

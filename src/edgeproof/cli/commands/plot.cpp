@@ -31,7 +31,8 @@ void add_plot(CLI::App& app, int& code) {
     sub.add_option("--out,--figure", o.out,
                    "write to this file, by its ending .svg, .png, .pdf or .html, whole or not at "
                    "all (default: a small picture of letters)");
-    sub.footer("Drawn by gnuplot. The edges are those of --edge or of the scene, else the right "
+    sub.footer("Drawn by gnuplot; a .svg also without it. The edges are those of --edge or of the "
+               "scene, else the right "
                "one; the terms 1, 2 and 3 unless --terms or the scene say which.");
 }
 

@@ -4,16 +4,29 @@
 #include "edgeproof/precision/real.hpp"
 
 #include <boost/math/constants/constants.hpp>
-#include <boost/multiprecision/float128.hpp>
 
+#include <cfloat>
 #include <cmath>
 #include <concepts>
 #include <limits>
 #include <type_traits>
 
+#if LDBL_MANT_DIG != 113
+#include <boost/multiprecision/float128.hpp>
+#endif
+
 namespace edgeproof {
 
+/// binary128: a type of libquadmath, except where long double has this format (WebAssembly, ARM).
+#if LDBL_MANT_DIG == 113
+using Float128 = long double;
+#define EDGEPROOF_FOR_EACH_ARITHMETIC(M) M(double) M(long double) M(Real)
+#else
 using Float128 = boost::multiprecision::float128;
+#define EDGEPROOF_FOR_EACH_ARITHMETIC(M) M(double) M(long double) M(Float128) M(Real)
+#endif
+// The number types for which every numerical route is compiled, once, in its own source file: a
+// file that includes the header does not compile the quadrature again.
 
 /// The number types for which all numerical routes are compiled from the same templates: binary64,
 /// the extended format of the machine, binary128, and arbitrary precision.
@@ -68,14 +81,6 @@ template <Arithmetic T> [[nodiscard]] unsigned digits_of() {
         return static_cast<unsigned>(std::numeric_limits<T>::digits10);
     }
 }
-
-} // namespace edgeproof
-
-/// The number types for which every numerical route is compiled, once, in its own source file. A
-/// file that includes the header does not compile the quadrature again.
-#define EDGEPROOF_FOR_EACH_ARITHMETIC(M) M(double) M(long double) M(Float128) M(Real)
-
-namespace edgeproof {
 
 /// Returns x^n for n > 0 by repeated squaring, for any type with products.
 template <class T> [[nodiscard]] T repeated_product(const T& x, unsigned long n) {

@@ -59,7 +59,8 @@ void add_plot(CLI::App& app, int& code) {
     sub.add_option("--body", o.body, "the body of --field: Q acts on A")
         ->capture_default_str()
         ->type_name("A|B");
-    sub.footer("Drawn by gnuplot. The edges are those of --edge or of the scene, else the right "
+    sub.footer("Drawn by gnuplot; a .svg also without it. The edges are those of --edge or of the "
+               "scene, else the right "
                "one; the terms 1, 2 and 3 unless --terms or the scene say which.");
 }
 

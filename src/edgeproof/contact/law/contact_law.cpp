@@ -305,9 +305,8 @@ template <Arithmetic T> bool ContactLaw<T>::left_edge_on_knot(const Extent<T>& e
     return false;
 }
 
-template class ContactLaw<double>;
-template class ContactLaw<long double>;
-template class ContactLaw<Float128>;
-template class ContactLaw<Real>;
+#define EDGEPROOF_CONTACT_LAW(T) template class ContactLaw<T>;
+EDGEPROOF_FOR_EACH_ARITHMETIC(EDGEPROOF_CONTACT_LAW)
+#undef EDGEPROOF_CONTACT_LAW
 
 } // namespace edgeproof::contact

@@ -100,9 +100,8 @@ private:
     mutable std::size_t evaluations_ = 0;
 };
 
-extern template class ContactLaw<double>;
-extern template class ContactLaw<long double>;
-extern template class ContactLaw<Float128>;
-extern template class ContactLaw<Real>;
+#define EDGEPROOF_CONTACT_LAW(T) extern template class ContactLaw<T>;
+EDGEPROOF_FOR_EACH_ARITHMETIC(EDGEPROOF_CONTACT_LAW)
+#undef EDGEPROOF_CONTACT_LAW
 
 } // namespace edgeproof::contact

@@ -4,7 +4,10 @@
 #include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/special_functions/hypot.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <string>
 
 namespace edgeproof::formula {
@@ -133,7 +136,8 @@ Real power_with_guard(const Real& x, const Rational& q) {
 } // namespace
 
 std::optional<SmallFraction> small_fraction(const Rational& q) {
-    constexpr long largest = 1'000'000'000'000;
+    constexpr auto largest = static_cast<unsigned long>(std::min<std::int64_t>(
+        1'000'000'000'000, std::numeric_limits<long>::max())); // long has 32 bits in WebAssembly
     const auto* raw = q.backend().data();
     if (mpz_cmpabs_ui(mpq_numref(raw), largest) > 0 || mpz_fits_ulong_p(mpq_denref(raw)) == 0) {
         return std::nullopt;
@@ -179,8 +183,8 @@ template <Arithmetic T> T pow_int(const T& x, long n) {
         using std::pow;
         constexpr unsigned long few =
             8; // beyond this the power function of the C library is more accurate
-        constexpr unsigned long exact_in_double = 1UL << 53U;
-        const unsigned long size =
+        constexpr std::uint64_t exact_in_double = std::uint64_t{1} << 53U;
+        const std::uint64_t size =
             n < 0 ? 0UL - static_cast<unsigned long>(n) : static_cast<unsigned long>(n);
         return size <= few || size > exact_in_double ? detail::power_by_products(x, n, T(1))
                                                      : pow(x, static_cast<T>(n));

@@ -155,10 +155,9 @@ template <Arithmetic T> T Exact::to() const {
                       "'");
 }
 
-template double Exact::to() const;
-template long double Exact::to() const;
-template Float128 Exact::to() const;
-template Real Exact::to() const;
+#define EDGEPROOF_EXACT_TO(T) template T Exact::to() const;
+EDGEPROOF_FOR_EACH_ARITHMETIC(EDGEPROOF_EXACT_TO)
+#undef EDGEPROOF_EXACT_TO
 
 int Exact::sign() const {
     if (is_rational()) {

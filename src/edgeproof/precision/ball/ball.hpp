@@ -4,6 +4,8 @@
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/real.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace edgeproof {
@@ -49,7 +51,12 @@ public:
     [[nodiscard]] bool is_finite() const { return arb_is_finite(x_) != 0; }
     [[nodiscard]] bool is_exact() const { return arb_is_exact(x_) != 0; }
     /// About -log2(radius/|midpoint|).
-    [[nodiscard]] long relative_accuracy_bits() const { return arb_rel_accuracy_bits(x_); }
+    /// The greatest long for a number without a radius.
+    [[nodiscard]] long relative_accuracy_bits() const {
+        return static_cast<long>(std::clamp<slong>(arb_rel_accuracy_bits(x_),
+                                                   std::numeric_limits<long>::min(),
+                                                   std::numeric_limits<long>::max()));
+    }
 
     Ball& operator+=(const Ball& o) {
         arb_add(x_, x_, o.x_, widen(o));

@@ -4,6 +4,7 @@
 #include "edgeproof/precision/double_word/double_word_ball.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace edgeproof {
@@ -35,8 +36,9 @@ double above(const Ball& x) {
 
 PiecewiseSeries::PiecewiseSeries(const std::vector<Ball>& a, long most) {
     const long bits = a.front().bits();
+    constexpr std::int64_t one = std::int64_t{1} << 40;
     // The range of t, including the rounding of x to a cell.
-    const Ball reach = Ball(Rational((1L << 40) + 1, 1L << 40), bits) / (2L * cells);
+    const Ball reach = Ball(Rational(one + 1, one), bits) / (2L * cells);
     for (long c = 0; c <= cells / 2; ++c) {
         Cell& cell = cells_[static_cast<std::size_t>(c)];
         Ball power(1, bits);

@@ -13,6 +13,37 @@
 namespace edgeproof {
 namespace {
 
+/// The largest numbers of a group of terms: a limb of GMP, whose functions for one number take
+/// `unsigned long`, which has only 32 bits on some systems (WebAssembly).
+using Word = mp_limb_t;
+constexpr bool word_is_long = sizeof(Word) == sizeof(unsigned long);
+
+void multiply(mpz_ptr out, mpz_srcptr x, Word w) {
+    if constexpr (word_is_long) {
+        mpz_mul_ui(out, x, static_cast<unsigned long>(w));
+    } else {
+        mpz_t view;
+        mpz_mul(out, x, mpz_roinit_n(view, &w, 1));
+    }
+}
+void add_product(mpz_ptr out, mpz_srcptr x, Word w) {
+    if constexpr (word_is_long) {
+        mpz_addmul_ui(out, x, static_cast<unsigned long>(w));
+    } else {
+        mpz_t view;
+        mpz_addmul(out, x, mpz_roinit_n(view, &w, 1));
+    }
+}
+/// Rounds down.
+void divide(mpz_ptr out, mpz_srcptr x, Word w) {
+    if constexpr (word_is_long) {
+        mpz_fdiv_q_ui(out, x, static_cast<unsigned long>(w));
+    } else {
+        mpz_t view;
+        mpz_fdiv_q(out, x, mpz_roinit_n(view, &w, 1));
+    }
+}
+
 constexpr double largest_argument = 0.999;
 constexpr double most_ratio_terms = 1e6;
 constexpr double largest_term = 1e100;
@@ -28,8 +59,8 @@ constexpr double rounded_up = 1 + 1e-7;
 struct Group {
     std::size_t first;
     std::size_t count;
-    unsigned long denominator;
-    unsigned long last;
+    Word denominator;
+    Word last;
 };
 
 /// The data of the sum that are valid for every number from 0 to x: the sizes of the terms in
@@ -48,7 +79,7 @@ public:
     [[nodiscard]] std::size_t terms() const { return terms_; }
     [[nodiscard]] std::size_t block() const { return block_; }
     [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }
-    [[nodiscard]] const unsigned long* numerators(const Group& g) const {
+    [[nodiscard]] const Word* numerators(const Group& g) const {
         return numerators_.data() + g.first;
     }
     /// The errors in the block that contains k and in later blocks are multiplied by at most
@@ -151,13 +182,13 @@ private:
     }
     /// Returns a_k and b_k of the ratio a_k/b_k, for a k for which `size` shows that they are
     /// words.
-    [[nodiscard]] std::pair<unsigned long, unsigned long> words(std::size_t k) const {
-        unsigned long over = 1;
-        unsigned long under = 1;
+    [[nodiscard]] std::pair<Word, Word> words(std::size_t k) const {
+        Word over = 1;
+        Word under = 1;
         for (const auto& q : of_.quotients) {
-            const unsigned long from = static_cast<unsigned long>(q.slope) * k;
-            over *= from + static_cast<unsigned long>(q.over);
-            under *= from + static_cast<unsigned long>(q.under);
+            const Word from = static_cast<Word>(q.slope) * k;
+            over *= from + static_cast<Word>(q.over);
+            under *= from + static_cast<Word>(q.under);
         }
         return {over, under};
     }
@@ -171,8 +202,8 @@ private:
         return most;
     }
     bool make_groups() {
-        constexpr auto largest = static_cast<double>(std::numeric_limits<unsigned long>::max()) / 2;
-        std::vector<std::pair<unsigned long, unsigned long>> of_group;
+        constexpr auto largest = static_cast<double>(std::numeric_limits<Word>::max()) / 2;
+        std::vector<std::pair<Word, Word>> of_group;
         numerators_.resize(terms());
         std::size_t block_end = block_;
         for (std::size_t k = 0; k < terms();) {
@@ -185,12 +216,12 @@ private:
             if (of_group.empty()) {
                 return false;
             }
-            unsigned long under = 1;
+            Word under = 1;
             for (std::size_t i = of_group.size(); i-- > 0;) {
                 under *= of_group[i].second;
                 numerators_[k + i] = under;
             }
-            unsigned long over = 1;
+            Word over = 1;
             for (std::size_t i = 0; i < of_group.size(); ++i) {
                 numerators_[k + i] *= over;
                 over *= of_group[i].first;
@@ -208,7 +239,7 @@ private:
     std::size_t terms_ = 0;
     std::vector<long> log2_weights_;
     std::vector<Group> groups_;
-    std::vector<unsigned long> numerators_;
+    std::vector<Word> numerators_;
     double tail_ = 0;
     long tail_exponent_ = 0;
     double derivative_ = 0;
@@ -293,13 +324,13 @@ std::optional<Ball> RatioSeries::sum(const Ball& x, long bits) const {
             mpz_set(s.get(), Upper(work, limbs - cut).get());
             cut = here;
         }
-        const unsigned long* numerator = plan.numerators(g);
-        mpz_mul_ui(work.get(), s.get(), g.last);
+        const Word* numerator = plan.numerators(g);
+        multiply(work.get(), s.get(), g.last);
         for (std::size_t j = 0; j < g.count; ++j) {
-            mpz_addmul_ui(work.get(), Upper(powers[(g.first + j) % plan.block()], cut).get(),
-                          numerator[j]);
+            add_product(work.get(), Upper(powers[(g.first + j) % plan.block()], cut).get(),
+                        numerator[j]);
         }
-        mpz_fdiv_q_ui(s.get(), work.get(), g.denominator);
+        divide(s.get(), work.get(), g.denominator);
     }
 
     Ball result(0, bits);

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 
@@ -203,9 +204,9 @@ std::string layout(const Decimal& d, unsigned digits) {
 }
 
 std::string bound_at_a_glance(double near, long place) {
-    constexpr int more = 15;                   // digits after the first
-    constexpr long unsure = 100'000;           // units of the last of them
-    constexpr long unit = 100'000'000'000'000; // of the second digit
+    constexpr int more = 15;                           // digits after the first
+    constexpr std::int64_t unsure = 100'000;           // units of the last of them
+    constexpr std::int64_t unit = 100'000'000'000'000; // of the second digit
     constexpr unsigned bound_digits = 2;
     if (!(near > least_binary64 && near < most_binary64)) {
         return {};
@@ -216,7 +217,7 @@ std::string bound_at_a_glance(double near, long place) {
                                           std::chars_format::scientific, more)
                                 .ptr;
     const char* const e = text.data() + 2 + more;
-    long behind = 0;
+    std::int64_t behind = 0;
     (void)std::from_chars(text.data() + 3, e, behind);
     if (behind < unsure || behind > unit - unsure) {
         return {};

@@ -113,7 +113,7 @@ Ends exact_ends(const Ball& x) {
         }
         Real& end = upper ? e.hi : e.lo;
         const slong bits = arf_bits(r);
-        mpfr_set_prec(end.backend().data(), bits < 2 ? 2 : bits);
+        mpfr_set_prec(end.backend().data(), static_cast<mpfr_prec_t>(bits < 2 ? 2 : bits));
         arf_get_mpfr(end.backend().data(), r, MPFR_RNDN);
     }
     return e;

@@ -13,7 +13,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <ranges>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -76,9 +76,10 @@ std::string drawn(const io::FileStem& id, const GnuplotScript& script,
 
 std::optional<std::filesystem::path> find_gnuplot() {
     const char* const path = std::getenv("PATH");
-    for (const auto part : std::views::split(std::string_view(path == nullptr ? "" : path), ':')) {
+    std::istringstream folders(path == nullptr ? "" : path);
+    for (std::string part; std::getline(folders, part, ':');) {
         // An empty entry would be the current folder, from which programs are never started.
-        const std::filesystem::path folder(part.begin(), part.end());
+        const std::filesystem::path folder(part);
         const std::filesystem::path candidate = folder / "gnuplot";
         if (!folder.empty() && access(candidate.c_str(), X_OK) == 0 &&
             std::filesystem::is_regular_file(candidate)) {

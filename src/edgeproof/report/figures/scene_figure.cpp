@@ -5,6 +5,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
+#include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/percent.hpp"
 #include "edgeproof/report/text/program_line.hpp"
@@ -387,6 +388,9 @@ std::string picture_file(const ScenePicture& picture, const std::string& title,
     const std::filesystem::path ending = std::filesystem::path(file).extension();
     if (ending == ".html") {
         return page_of(picture, title);
+    }
+    if (ending == ".svg" && !find_gnuplot()) {
+        return svg_without_gnuplot(picture.plots);
     }
     const auto gnuplot = gnuplot_for_picture();
     return draw_picture(picture.plots,

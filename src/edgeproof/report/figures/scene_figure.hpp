@@ -25,7 +25,8 @@ scene_picture(const scene::Scene& scene,
               const std::function<void(std::size_t, std::size_t)>& progress);
 
 /// Returns the picture in the format of the file's ending: .svg, .png, .pdf, .html. Throws
-/// InputError for other endings, and without gnuplot.
+/// InputError for other endings, and without gnuplot (except for .svg, which is then drawn by
+/// svg_without_gnuplot).
 [[nodiscard]] std::string picture_file(const ScenePicture& picture, const std::string& title,
                                        const std::string& file);
 /// Throws InputError for an ending that picture_file does not support.

@@ -42,17 +42,37 @@ constexpr Unit stress{1, -1};
 
 /// A row, and what is set in it after the fields that all rows have.
 struct Made : Def {
-    [[nodiscard]] constexpr Made with_index(Index k) const { return with(&Def::index, k); }
-    [[nodiscard]] constexpr Made needing(Needs what) const { return with(&Def::needs, what); }
+    // Assignments instead of calls of `with`, which clang 14 does not evaluate at compile time
+    // here.
+    [[nodiscard]] constexpr Made with_index(Index k) const {
+        Made made = *this;
+        made.index = k;
+        return made;
+    }
+    [[nodiscard]] constexpr Made needing(Needs what) const {
+        Made made = *this;
+        made.needs = what;
+        return made;
+    }
     [[nodiscard]] constexpr Made explained(std::string_view text) const {
-        return with(&Def::meaning, text);
+        Made made = *this;
+        made.meaning = text;
+        return made;
     }
     [[nodiscard]] constexpr Made labelled(std::string_view text) const {
-        return with(&Def::label, text);
+        Made made = *this;
+        made.label = text;
+        return made;
     }
-    [[nodiscard]] constexpr Made by(const char* way) const { return with(&Def::route, way); }
+    [[nodiscard]] constexpr Made by(const char* way) const {
+        Made made = *this;
+        made.route = way;
+        return made;
+    }
     [[nodiscard]] constexpr Made by(const char* (*way)(const Scene&, const Plan&)) const {
-        return with(&Def::route_by, way);
+        Made made = *this;
+        made.route_by = way;
+        return made;
     }
     template <class Field> [[nodiscard]] constexpr Made with(Field Def::*field, Field value) const {
         Made made = *this;

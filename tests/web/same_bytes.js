@@ -61,6 +61,9 @@ const main = async () => {
         pageTime += middle - began;
         nativeTime += performance.now() - middle;
         ++totals.scenes;
+        if (totals.scenes % 20 === 0) {
+            console.error(`${totals.scenes} runs, ${totals.different} different`);
+        }
         totals.errors += there.status === 0 ? 0 : 1;
         const shown = (ran) => [ran.status, withoutProgram(ran.out), withoutProgram(ran.err),
                                 withoutProgram(ran.files['figure.svg'])];
@@ -72,17 +75,17 @@ const main = async () => {
                 console.log(`--- page\n${String(part).slice(0, 1500)}\n--- native\n${String(b[i]).slice(0, 1500)}`));
         }
     };
+    for (let i = 0; i < Number(count); ++i) {
+        const {state, quantity} = drawn();
+        state.ask = quantity;
+        await compare(`scene ${i} of seed ${seed}`, argumentsOf(quantity), sceneOf(state).text);
+    }
     const scenes = path.join(root, 'examples', 'scenes');
     for (const file of fs.readdirSync(scenes).filter((name) => name.endsWith('.toml')).sort()) {
         const text = fs.readFileSync(path.join(scenes, file), 'utf8');
         for (const command of ['pressure', 'expand', 'extent', 'explain']) {
             await compare(file, argumentsOf(command), text);
         }
-    }
-    for (let i = 0; i < Number(count); ++i) {
-        const {state, quantity} = drawn();
-        state.ask = quantity;
-        await compare(`scene ${i} of seed ${seed}`, argumentsOf(quantity), sceneOf(state).text);
     }
     console.log(`${totals.scenes} runs, ${totals.errors} of them refused, ${totals.different} different; ` +
         `page ${(pageTime / 1000).toFixed(1)} s, native ${(nativeTime / 1000).toFixed(1)} s (with the start of each program)`);

@@ -14,9 +14,10 @@ const askedBoxes = () => [...document.querySelectorAll('#asked input')];
 
 const showFields = () => {
     const state = readForm();
-    const names = new Set(FORM.profiles[state.kind].fields.map(([name]) => name));
+    const labels = new Map(FORM.profiles[state.kind].fields.map(([name, label]) => [name, label]));
     for (const field of document.querySelectorAll('[data-profile]')) {
-        field.hidden = !names.has(field.dataset.profile);
+        field.hidden = !labels.has(field.dataset.profile);
+        field.querySelector('label').textContent = labels.get(field.dataset.profile) ?? '';
     }
     byId('symmetric-field').hidden = state.kind !== 'piecewise';
     for (const key of ['load', 'material', 'shear']) {

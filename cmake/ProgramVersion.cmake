@@ -7,9 +7,9 @@ function(edgeproof_add_version target)
     find_package(Git QUIET)
     set(output ${PROJECT_BINARY_DIR}/program_version.cpp)
     add_custom_target(program_version BYPRODUCTS ${output}
-        COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D VERSION=${PROJECT_VERSION}
+        COMMAND ${CMAKE_COMMAND} -D SOURCE=${CMAKE_CURRENT_FUNCTION_LIST_DIR}/.. -D VERSION=${PROJECT_VERSION}
             -D OUTPUT=${output} -D GIT=${GIT_EXECUTABLE}
-            -P ${PROJECT_SOURCE_DIR}/cmake/program_version.cmake
+            -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/program_version.cmake
         COMMENT "The version and the commit" VERBATIM)
     set_source_files_properties(${output} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     target_sources(${target} PRIVATE ${output})

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The form, its link, and the buttons.
+
+const byId = (id) => document.getElementById(id);
+const computer = new Computer();
+const data = JSON.parse(byId('data').textContent);
+let results = {scene: '', csv: '', svg: ''};
+let running = 0; // the number of the computation that may show results
+
+const choices = (select, values) => {
+    select.replaceChildren(...Object.entries(values).map(([value, label]) => element('option', {value}, label)));
+};
+const askedBoxes = () => [...document.querySelectorAll('#asked input')];
+
+const showFields = () => {
+    const state = readForm();
+    const labels = new Map(FORM.profiles[state.kind].fields.map(([name, label]) => [name, label]));
+    for (const field of document.querySelectorAll('[data-profile]')) {
+        field.hidden = !labels.has(field.dataset.profile);
+        field.querySelector('label').textContent = labels.get(field.dataset.profile) ?? '';
+    }
+    byId('symmetric-field').hidden = state.kind !== 'piecewise';
+    for (const key of ['load', 'material', 'shear']) {
+        for (const field of document.querySelectorAll(`[data-${key}]`)) {
+            field.hidden = !field.dataset[key].split(' ').includes(state[key]);
+        }
+    }
+    const asked = askedOf(state);
+    for (const field of document.querySelectorAll('[data-asked]')) {
+        field.hidden = !asked.includes(field.dataset.asked);
+    }
+};
+
+const readForm = () => {
+    const state = defaultState();
+    for (const name of Object.keys(state)) {
+        const field = byId(name);
+        if (field !== null) {
+            state[name] = field.value;
+        }
+    }
+    state.ask = askedBoxes().filter((box) => box.checked).map((box) => box.value).join(' ');
+    return state;
+};
+const writeForm = (state) => {
+    for (const [name, value] of Object.entries(state)) {
+        const field = byId(name);
+        if (field !== null) {
+            field.value = value;
+        }
+    }
+    const asked = askedOf(state);
+    for (const box of askedBoxes()) {
+        box.checked = asked.includes(box.value);
+    }
+    showFields();
+};
+
+const clearErrors = () => {
+    for (const field of document.querySelectorAll('[aria-invalid]')) {
+        field.removeAttribute('aria-invalid');
+        field.removeAttribute('aria-describedby');
+    }
+    document.querySelectorAll('.field > .error').forEach((line) => line.remove());
+    byId('form-error').textContent = '';
+};
+/// Shows an error next to the field of its line, or below the form.
+const showError = (error, fields) => {
+    const field = byId(fields[(error.line ?? 0) - 1] ?? '');
+    const place = field?.closest('.field');
+    if (!place || place.hidden) {
+        byId('form-error').textContent = error.message;
+        return;
+    }
+    const id = `${field.id}-error`;
+    field.setAttribute('aria-invalid', 'true');
+    field.setAttribute('aria-describedby', id);
+    place.append(element('p', {id, class: 'error', role: 'alert'}, error.message));
+    field.focus();
+};
+
+const setBusy = (busy) => {
+    byId('stop').disabled = !busy;
+    byId('compute').disabled = busy;
+    byId('results').setAttribute('aria-busy', String(busy));
+};
+
+const compute = async () => {
+    const state = readForm();
+    const mine = ++running;
+    history.replaceState(null, '', `#${toFragment(state)}`);
+    clearErrors();
+    byId('tables').replaceChildren();
+    byId('downloads').hidden = byId('command').hidden = true;
+    const asked = askedOf(state);
+    const {text, fields} = sceneOf(state);
+    results = {scene: text, csv: '', svg: ''};
+    const began = performance.now();
+    setBusy(true);
+    let failed = false;
+    for (const quantity of asked) {
+        byId('status').textContent = `Computing: ${FORM.quantities[quantity]}.`;
+        const ran = await computer.run(argumentsOf(quantity), text, ['figure.svg']);
+        if (mine !== running) {
+            return;
+        }
+        if (ran === undefined) {
+            byId('status').textContent = 'Stopped.';
+            setBusy(false);
+            return;
+        }
+        if (ran.status !== 0) {
+            failed = true;
+            showError(readError(ran.err), fields);
+            break;
+        }
+        show(quantity, ran);
+    }
+    setBusy(false);
+    byId('scene').textContent = [...asked.map((q) => `edgeproof ${argumentsOf(q).join(' ')}`), '', '# scene.toml', text].join('\n');
+    byId('command').hidden = false;
+    byId('downloads').hidden = failed;
+    byId('save-svg').disabled = results.svg === '';
+    byId('save-csv').disabled = results.csv === '';
+    byId('status').textContent = failed ? 'Not computed: see the message in the form.'
+        : asked.length === 0 ? 'Nothing is asked for: choose a quantity.'
+        : `Computed in ${((performance.now() - began) / 1000).toFixed(2)} s.`;
+};
+
+const show = (quantity, ran) => {
+    const title = FORM.quantities[quantity];
+    if (quantity === 'plot') {
+        results.svg = ran.files['figure.svg'];
+        byId('tables').append(pictureElement(results.svg));
+    } else if (quantity === 'explain') {
+        byId('tables').append(element('h3', {}, title), element('pre', {tabindex: '0'}, ran.out));
+    } else {
+        results.csv += `${results.csv === '' ? '' : '\n'}# ${title}\n${ran.out}`;
+        byId('tables').append(tableElement(title, readTable(ran.out)));
+    }
+};
+
+// Refuted formulas.
+let asking = 0;
+const compareClaim = async () => {
+    const claim = data.claims.find(({id}) => id === byId('claim').value);
+    const gamma = byId('gamma').value;
+    byId('gamma-value').value = gamma;
+    const mine = ++asking;
+    const [edge, coefficient] = claim.of.split('.');
+    byId('claim-formula').textContent = `${coefficient.replace('c', 'c_')} (${edge} edge) = ${claim.says}`;
+    const scene = ['[profile]', 'kind = "tilted-wedge"', 'phi = "pi/16"',
+                   `alpha = "1/8*asin((1 - ${gamma})/(1 + ${gamma}))"`,
+                   '[load]', 'a = "1"', 'contact_modulus = "1"', '[ask]', `edges = ["${edge}"]`,
+                   `terms = [${Number(coefficient.slice(1)) + 1}]`, 'digits = 12', ''].join('\n');
+    const ran = await computer.run(['expand', 'scene.toml', '--format', 'csv'], scene);
+    if (mine !== asking || ran === undefined) {
+        return;
+    }
+    const table = readTable(ran.out);
+    const row = table.rows.find((cells) => cells[1] === coefficient.replace('c', 'c_'));
+    const exact = row?.[table.columns.indexOf('value')];
+    const bound = row?.[table.columns.indexOf('bound')];
+    const printed = printedValue(claim.says, {gam: Number(gamma), calP: Math.PI / 16, Pi: Math.PI, a: 1});
+    byId('claim-exact').textContent = exact === undefined ? ran.err : `${exact} +- ${bound}`;
+    byId('claim-printed').textContent = printed.toPrecision(6);
+    byId('claim-ratio').textContent = (printed / Number(exact)).toPrecision(4);
+};
+
+const begin = () => {
+    choices(byId('kind'), Object.fromEntries(Object.entries(FORM.profiles).map(([k, p]) => [k, p.label])));
+    choices(byId('load'), FORM.loads);
+    choices(byId('material'), FORM.materials);
+    const seen = new Set();
+    for (const profile of Object.values(FORM.profiles)) {
+        for (const [name, label] of profile.fields.filter(([name]) => !seen.has(name))) {
+            seen.add(name);
+            byId('profile-fields').append(
+                element('div', {class: 'field', 'data-profile': name}, element('label', {for: name}, label),
+                        element(name === 'slopes' ? 'textarea' : 'input', {id: name})));
+        }
+    }
+    byId('asked').append(...Object.entries(FORM.quantities).map(([value, label]) =>
+        element('label', {}, element('input', {type: 'checkbox', value}), label)));
+    byId('gallery').append(...data.gallery.map(({title, state}) =>
+        element('li', {}, element('a', {href: `#${toFragment({...defaultState(), ...state})}`}, title))));
+    choices(byId('claim'), Object.fromEntries(data.claims.map(({id}) => [id, id])));
+
+    byId('form').addEventListener('submit', (event) => {
+        event.preventDefault();
+        compute();
+    });
+    byId('form').addEventListener('input', showFields);
+    byId('stop').addEventListener('click', () => computer.stop());
+    byId('reset').addEventListener('click', () => {
+        clearErrors();
+        writeForm(defaultState());
+    });
+    byId('save-scene').addEventListener('click', () => save('scene.toml', 'application/toml', results.scene));
+    byId('save-csv').addEventListener('click', () => save('edgeproof.csv', 'text/csv', results.csv));
+    byId('save-svg').addEventListener('click', () => save('edgeproof.svg', 'image/svg+xml', results.svg));
+    byId('copy-link').addEventListener('click', async () => {
+        await navigator.clipboard.writeText(location.href);
+        byId('status').textContent = 'The link is copied.';
+    });
+    byId('claim').addEventListener('change', compareClaim);
+    byId('gamma').addEventListener('input', compareClaim);
+    addEventListener('hashchange', () => {
+        writeForm(fromFragment(location.hash));
+        compute();
+    });
+    writeForm(fromFragment(location.hash));
+    computer.compiled.then(() => {
+        byId('status').textContent = 'Ready.';
+        return location.hash.length > 1 ? compute() : undefined;
+    }).then(compareClaim, () => {
+        byId('status').textContent = 'This browser cannot run the page: it needs WebAssembly with exceptions (2022 or later).';
+    });
+};
+begin();

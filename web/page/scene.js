@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The state of the form, as the text of a scene file and as the fragment of a link. No document is
+// used here: the tests run this file in Node, too.
+
+const FORM = {
+    // Fields of a profile: name (the key of the scene), label.
+    profiles: {
+        'hertz': {label: "Cylinder or sphere (Hertz)", fields: [['R', 'relative radius R', '100']]},
+        'power-law': {label: "Power law: g'(x) = C x^m", fields: [['m', 'exponent m', '1'], ['C', 'coefficient C', '1/100']]},
+        'flat-and-rounded': {label: 'Flat and rounded punch', fields: [['t', 'half of the flat t', '1'], ['R', 'radius of the edges R', '50']]},
+        'tilted-wedge': {label: 'Wedge (tilted)', fields: [['phi', 'angle of the faces phi', 'pi/16'], ['alpha', 'tilt alpha', '0']]},
+        'tilted-flat-and-rounded': {label: 'Flat and rounded punch, tilted', fields: [['alpha', 'tilt alpha', '1/1000'], ['t', 'half of the flat t', '1'], ['R', 'radius of the edges R', '50']]},
+        'cylinder-on-flat': {label: 'Cylinder or sphere on a flat', fields: [['R', 'radius R', '100']]},
+        'piecewise': {label: "Your own g'(x), piece by piece", fields: [['slopes', "g'(x) of each piece, one in a line", 'x/10\nx/10 + (x - 1/2)^3'], ['knots', 'knots between the pieces', '1/2']]},
+    },
+    loads: {
+        a: 'half width (radius) a', P: 'force P', delta: 'approach delta (axisymmetric)',
+        PM: 'force P and moment M',
+    },
+    materials: {Es: 'composite modulus E*', E: 'E and nu of both bodies'},
+    // What can be asked: the label and the subcommand.
+    quantities: {
+        pressure: 'Pressure at places', expand: 'First terms of the expansion',
+        extent: 'How far the first terms are good', slip: 'Slip zones', stress: 'Stresses at points',
+        mises: 'Greatest von Mises stress', tau_max: 'Greatest shear stress',
+        displacement: 'Gap and slip on the surface', explain: 'How it is computed', plot: 'Picture',
+    },
+    defaults: {
+        kind: 'flat-and-rounded', geometry: 'plane', symmetric: '1', load: 'P', a: '1', P: '100', M: '0', delta: '1/100',
+        material: 'E', Es: '64e3', E1: '115e3', nu1: '0.32', E2: '115e3', nu2: '0.32',
+        units: 'mm', shear: 'none', Q: '20', bulk_tension: '0', friction: '0.6', bulk_A: '0',
+        edges: 'right', u: '1e-6, 1e-3, 0.1', terms: '1, 2, 3', tolerance: '5%',
+        points: '0 0; 0 1/2; 1 1', x: '0, 2', digits: '15', ask: 'pressure expand extent plot',
+    },
+};
+
+const defaultState = () => {
+    const state = {...FORM.defaults};
+    for (const profile of Object.values(FORM.profiles)) {
+        for (const [name, , value] of profile.fields) {
+            state[name] ??= value;
+        }
+    }
+    return state;
+};
+
+/// A string of TOML. JSON's escapes are TOML's; DEL must be escaped as well.
+const tomlString = (text) => JSON.stringify(text).replace(/\x7f/g, '\\u007F');
+
+/// Splits a list at commas, semicolons or line breaks, outside brackets.
+const listOf = (text, separators = ',;\n') => {
+    const parts = [''];
+    let depth = 0;
+    for (const c of text) {
+        depth += c === '(' ? 1 : c === ')' ? -1 : 0;
+        if (depth <= 0 && separators.includes(c)) {
+            parts.push('');
+        } else {
+            parts[parts.length - 1] += c;
+        }
+    }
+    return parts.map((part) => part.trim()).filter((part) => part !== '');
+};
+const tomlList = (items) => `[${items.map(tomlString).join(', ')}]`;
+
+const hasShear = (state) => state.shear !== 'none';
+
+/// Returns {text, fields}: the scene file, and for each of its lines the name of the field of the
+/// form that it comes from (or undefined).
+const sceneOf = (state) => {
+    const lines = [];
+    const fields = [];
+    const add = (line, field) => {
+        lines.push(line);
+        fields.push(field);
+    };
+    const value = (name) => add(`${name} = ${tomlString(state[name].trim())}`, name);
+    if (state.units === 'mm') {
+        add('[units]');
+        add('length = "mm"');
+        add('force = "N"');
+        add('pressure = "MPa"');
+    }
+    add('[profile]', 'kind');
+    add(`kind = ${tomlString(state.kind)}`, 'kind');
+    if (state.geometry === 'axisymmetric') {
+        add('geometry = "axisymmetric"', 'geometry');
+    }
+    if (state.kind === 'piecewise') {
+        if (state.symmetric === '1') {
+            add('symmetric = true', 'symmetric');
+        }
+        add(`knots = ${tomlList(listOf(state.knots))}`, 'knots');
+        add(`slopes = ${tomlList(listOf(state.slopes, ';\n'))}`, 'slopes');
+    } else {
+        for (const [name] of FORM.profiles[state.kind]?.fields ?? []) {
+            value(name);
+        }
+    }
+    add('[load]', 'load');
+    if (state.load === 'PM') {
+        value('P');
+        value('M');
+    } else {
+        value(state.load);
+    }
+    if (state.material === 'Es') {
+        add(`contact_modulus = ${tomlString(state.Es.trim())}`, 'Es');
+    } else {
+        ['E1', 'nu1', 'E2', 'nu2'].forEach(value);
+    }
+    if (hasShear(state)) {
+        add('[shear]', 'shear');
+        ['Q', 'bulk_tension'].forEach(value);
+        if (state.shear === 'friction') {
+            value('friction');
+        }
+        if (state.bulk_A.trim() !== '0') {
+            value('bulk_A');
+        }
+    }
+    add('[ask]');
+    add(`edges = ${tomlList(state.edges === 'both' ? ['right', 'left'] : [state.edges])}`, 'edges');
+    add(`terms = [${listOf(state.terms).join(', ')}]`, 'terms');
+    add(`tolerance = ${tomlString(state.tolerance.trim())}`, 'tolerance');
+    add(`digits = ${state.digits.trim()}`, 'digits');
+    const asked = askedOf(state);
+    if (asked.includes('pressure')) {
+        add(`u = ${tomlList(listOf(state.u))}`, 'u');
+    }
+    if (asked.includes('displacement')) {
+        add(`x = ${tomlList(listOf(state.x))}`, 'x');
+    }
+    if (asked.includes('stress')) {
+        const points = listOf(state.points, ';\n').map((point) => point.trim().split(/\s+/));
+        add(`points = [${points.map(tomlList).join(', ')}]`, 'points');
+    }
+    return {text: `${lines.join('\n')}\n`, fields};
+};
+
+/// The quantities that are asked for, in the order of the form.
+const askedOf = (state) => {
+    const asked = state.ask.split(' ');
+    return Object.keys(FORM.quantities).filter((name) => asked.includes(name));
+};
+
+/// The arguments of the program for a quantity.
+const argumentsOf = (quantity, scene = 'scene.toml') => {
+    switch (quantity) {
+    case 'mises':
+    case 'tau_max':
+        return ['stress', scene, '--greatest', quantity, '--format', 'csv'];
+    case 'explain':
+        return ['explain', scene];
+    case 'plot':
+        return ['plot', scene, '--out', 'figure.svg'];
+    default:
+        return [quantity, scene, '--format', 'csv'];
+    }
+};
+
+const toFragment = (state) => {
+    const from = defaultState();
+    const changed = Object.entries(state).filter(([name, value]) => from[name] !== value);
+    return new URLSearchParams(changed).toString();
+};
+/// Reads a link. Unknown names and values of choices that do not exist are left out.
+const fromFragment = (fragment) => {
+    const state = defaultState();
+    for (const [name, value] of new URLSearchParams(fragment.replace(/^#/, ''))) {
+        if (Object.hasOwn(state, name)) {
+            state[name] = value;
+        }
+    }
+    if (!Object.hasOwn(FORM.profiles, state.kind)) {
+        state.kind = FORM.defaults.kind;
+    }
+    if (!Object.hasOwn(FORM.loads, state.load)) {
+        state.load = FORM.defaults.load;
+    }
+    return state;
+};
+
+/// Reads a table of the program: {columns, rows, notes}.
+const readTable = (csv) => {
+    const lines = csv.split('\n').filter((line) => line !== '');
+    const cells = (line) => [...line.matchAll(/(?:^|,)(?:"((?:[^"]|"")*)"|([^,]*))/g)]
+        .map(([, quoted, plain]) => quoted === undefined ? plain : quoted.replaceAll('""', '"'));
+    const data = lines.filter((line) => !line.startsWith('#'));
+    return {
+        columns: data.length > 0 ? cells(data[0]) : [],
+        rows: data.slice(1).map(cells),
+        notes: lines.filter((line) => line.startsWith('#')).map((line) => line.replace(/^# ?/, '')),
+    };
+};
+
+/// Returns {line, message} of an error of the program: "scene.toml:7: message".
+const readError = (text) => {
+    const found = /^scene\.toml:(?:(\d+):)? ?([^]*)$/.exec(text.trim());
+    return found === null ? {message: text.trim().replace(/^edgeproof: /, '')}
+        : {line: found[1] === undefined ? undefined : Number(found[1]), message: found[2]};
+};

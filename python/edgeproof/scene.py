@@ -499,8 +499,8 @@ class Scene:
         x and z are broadcast: x of shape (1, 1000) and z of shape (500, 1) give maps of 500 x 1000.
         The dict has arrays "sxx", "szz", "sxz", "tau_max", with a Poisson's ratio "mises", and
         "bound": a proved bound of the error of each value at the point, at most 1e-12 of the mean
-        pressure P/(a + b), or 2^-52 of the value where it is large. Piecewise linear g' take about a microsecond a point, power laws and
-        points on a knot much longer. Raises InputError as stress() does.
+        pressure P/(a + b), or 2^-52 of the value where it is large. Power laws, curved slopes and
+        points on a knot take much longer than other points. Raises InputError as stress() does.
         """
         import numpy
 

@@ -195,7 +195,8 @@ private:
 
 // Both bodies, tilts, tension, full stick, partial slip and a load history: the components by
 // quadrature, and the principal stresses as the eigenvalues of the matrix.
-TEST_CASE("stresses of scenes agree with integrals of the tractions and with eigenvalues") {
+TEST_CASE("stresses of scenes agree with integrals of the tractions and with eigenvalues" *
+          doctest::test_suite("slow")) {
     const PrecisionScope precision(34);
     std::mt19937_64 dice(20261125);
     std::uniform_real_distribution<double> across(-2.5, 2.5);

@@ -105,8 +105,8 @@ private:
         out_.sxz[i] = s.sxz.middle;
         out_.tau_max[i] = tau.middle;
         out_.bound[i] = bound;
-        return s.sxx.radius + s.szz.radius + s.sxz.radius + tau.radius + bound <=
-               most_error * mean_pressure_; // false if one of them is not a number
+        const double sum = s.sxx.radius + s.szz.radius + s.sxz.radius + tau.radius + bound;
+        return std::isfinite(sum) && bound <= most_error * mean_pressure_;
     }
     void by_scene(const std::vector<std::size_t>& indices) const {
         Scene scene = asked_;

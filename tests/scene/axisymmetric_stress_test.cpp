@@ -114,6 +114,8 @@ TEST_CASE("the stresses of a sphere agree with the printed formulas") {
     }
 }
 
+namespace {
+
 // Boussinesq's point loads (johnson1985, eq. 3.19) on rings of radius r, with rho^2 = r^2 + z^2: on
 // the axis srr = integral of p (3 z^3/(2 rho^5) - (1 + nu) z/rho^3) r dr and szz = -3 z^3 integral
 // of p/rho^5 r dr; on the surface srr = (1 - 2 nu) F/r^2 - p with F the integral of p r dr up to r.
@@ -158,6 +160,8 @@ void compare_with_rings(const std::vector<std::string>& profiles) {
         }
     }
 }
+
+} // namespace
 
 TEST_CASE("the stresses of axisymmetric power laws are those of their pressure") {
     compare_with_rings({"kind = \"power-law\"\nC = \"1/2\"\nm = \"1/3\"\n",

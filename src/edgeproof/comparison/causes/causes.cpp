@@ -12,6 +12,7 @@ namespace edgeproof::comparison {
 namespace {
 
 constexpr double right_as_a_mesh = 0.003; ///< of the largest pressure: data that need no cause
+constexpr double share_of_error = 0.05;   ///< the least allowance, of the error to be explained
 constexpr double most_of_a_mesh = 0.03;   ///< the largest allowance for a mesh's own error
 constexpr double scatter_allowance = 1.6;
 constexpr double share_left = 0.3;
@@ -255,7 +256,11 @@ Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
         diagnosis.at_edges_only =
             as_it_is->is_scatter(std::max(right_as_a_mesh, std::min(mesh_error, most_of_a_mesh)));
     }
-    const double allowance = std::min(mesh_error, most_of_a_mesh);
+    // Noise of some percent needs the floor: the scatter of a few hundred nodes is not known
+    // better.
+    const double allowance =
+        std::max(std::min(mesh_error, most_of_a_mesh),
+                 std::min(right_as_a_mesh, share_of_error * diagnosis.unexplained));
     const double factor = median_ratio(data, right.values);
     for (const Suspect& suspect : suspects) {
         const auto fit = fit_of(data, suspect);

@@ -125,9 +125,9 @@ const std::vector<TestedContact>& tested_contacts() {
         {"two cylinders, partial slip",
          keys_of(cylinders + like + " shear.Q=60 shear.friction=0.5")},
         {"two spheres", keys_of("profile.geometry=axisymmetric " + cylinders + unlike)},
-        {"a cone, a given", keys_of("profile.geometry=axisymmetric profile.kind=power-law "
-                                    "profile.m=0 profile.C=0.1 load.a=1.2" +
-                                    like)},
+        {"a cone, delta given", keys_of("profile.geometry=axisymmetric profile.kind=power-law "
+                                        "profile.m=0 profile.C=0.1 load.delta=0.19" +
+                                        like)},
         {"a sphere, partial slip",
          keys_of("profile.geometry=axisymmetric profile.kind=hertz profile.R=20 load.P=300 "
                  "shear.Q=60 shear.friction=0.5" +

@@ -47,11 +47,20 @@ ExactValue exact_value(const scene::BoundedValue& value) {
     return {value.value.midpoint().convert_to<double>(), value.how()};
 }
 
-/// The pressure at a place, to the digits of the place. Throws DomainError on a corner.
+/// The pressure at a place, to the digits of the place. Throws DomainError on a corner. Where the
+/// place is on a bend to within all digits, the enclosure is too wide: then the place is moved by
+/// 1e-20 a, which changes p by the order of 1e-19 (its slope there is a logarithm).
 Real abel_pressure(const contact::AxisymmetricContact& contact, const contact::Point<Real>& place) {
     const bool by_right = place.right < place.left;
+    const contact::Edge edge = by_right ? contact::Edge::right : contact::Edge::left;
     const Ball u = Ball(by_right ? place.right : place.left, contact.bits());
-    const Ball p = contact.pressure(by_right ? contact::Edge::right : contact::Edge::left, u);
+    const auto is_narrow = [](const Ball& p) {
+        return p.is_finite() && p.relative_accuracy_bits() >= 64;
+    };
+    Ball p = contact.pressure(edge, u);
+    if (!is_narrow(p) && !contains_zero(u)) {
+        p = contact.pressure(edge, u * (1 - Ball(parse_decimal("1e-20"), contact.bits())));
+    }
     if (!p.is_finite()) {
         throw DomainError("the place is on a corner");
     }

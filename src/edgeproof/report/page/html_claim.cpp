@@ -120,7 +120,8 @@ std::string later_html(const Erratum& erratum, const audit::AuditResult& result,
 }
 
 constexpr std::array weight_words{"changes a conclusion", "changes a figure quoted",
-                                  "a wrong conclusion rests on it", "misprint"};
+                                  "a wrong conclusion rests on it", "misprint",
+                                  "what rests on it is not stated"};
 
 std::string where_html(const audit::Claim& claim, const PageHead& head) {
     std::string out;

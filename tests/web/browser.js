@@ -111,8 +111,8 @@ class Page {
             await this.send('Input.dispatchKeyEvent', {type, key, code, windowsVirtualKeyCode, ...(type === 'keyDown' && text ? {text} : {})});
         }
     }
-    async screenshot(file) {
-        const {data} = await this.send('Page.captureScreenshot', {captureBeyondViewport: true});
+    async screenshot(file, whole = true) {
+        const {data} = await this.send('Page.captureScreenshot', {captureBeyondViewport: whole});
         fs.writeFileSync(file, Buffer.from(data, 'base64'));
     }
     async pdf(file) {

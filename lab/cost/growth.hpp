@@ -49,8 +49,8 @@ struct EffectCost {
     double ratio = 1;   ///< of `seconds` to the base's
 };
 
-/// Measures what a tilt, shear, expansions and extents add to ten pressures of a punch, and what ten
-/// values of the other quantities cost. Throws Interrupted.
+/// Measures what a tilt, shear, expansions and extents add to ten pressures of a punch, and what
+/// ten values of the other quantities cost. Throws Interrupted.
 [[nodiscard]] std::vector<EffectCost>
 effect_costs(unsigned digits, bool timed,
              const std::function<void(std::size_t, std::size_t)>& progress);

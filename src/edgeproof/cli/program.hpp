@@ -24,6 +24,8 @@ struct LabCommands {
 };
 
 /// Runs the program with all its commands and returns its exit status.
+/// @param argc the number of words
+/// @param argv the words
 /// @param lab null: the commands of the lab are started as the program edgeproof-lab
 [[nodiscard]] int run_edgeproof(int argc, char** argv, const LabCommands* lab);
 

@@ -25,6 +25,11 @@ struct Binary64Stresses {
 ///
 /// Throws InputError for z < 0, for points at which a stress is infinite, and if the stresses of
 /// the scene are not computed; DomainError for numbers that are not finite; Interrupted.
+/// @param scene the contact
+/// @param body the body in which the points are
+/// @param x places (length)
+/// @param z depths (length), as many
+/// @param stresses receives the values
 /// @param threads 0: the processors available
 void compute_binary64(const Scene& scene, Body body, std::span<const double> x,
                       std::span<const double> z, const Binary64Stresses& stresses,

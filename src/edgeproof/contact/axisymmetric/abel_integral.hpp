@@ -35,8 +35,8 @@ struct IntegralGoal {
 /// @param r2 r^2 (length^2)
 /// @param d2 r^2 - v^2 (length^2), positive; 0 exactly for r = v
 /// @param W sqrt(a^2 - r^2) (length)
-/// With `moment`, a series of one term, the integrand has the factor t^2; times W^3 it is the part
-/// of the bend in the integral of h'(s) sqrt(s^2 - r^2).
+/// @param moment true: a series of one term, whose integrand has the factor t^2; times W^3 it is
+/// the part of the bend in the integral of h'(s) sqrt(s^2 - r^2)
 [[nodiscard]] BallSeries outside_bend(const RingBend& bend, const BallSeries& r2,
                                       const BallSeries& d2, const BallSeries& W,
                                       const IntegralGoal& goal, bool moment = false);
@@ -47,7 +47,7 @@ struct IntegralGoal {
 /// @param goal the accuracy
 /// @param d2 v^2 - r^2 (length^2), positive
 /// @param Y sqrt(a^2 - v^2) (length)
-/// With `moment`, a series of one term, the integrand has the factor y^2 + v^2 - r^2.
+/// @param moment true: a series of one term, whose integrand has the factor y^2 + v^2 - r^2
 [[nodiscard]] BallSeries inside_bend(const RingBend& bend, const BallSeries& d2, const Ball& Y,
                                      const IntegralGoal& goal, bool moment = false);
 

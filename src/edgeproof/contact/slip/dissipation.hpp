@@ -29,16 +29,22 @@ struct SlipPhase {
 ///   2 f/(pi E*) times the sum of change times the mean over the phase of
 ///   the integral of (P - L) d ln D over L_s < L < P,
 /// where D(L) is the length of the contact under the force L. Proved, for symmetric
-/// profiles with piecewise linear slopes: by a Taylor polynomial on each panel of a, with the remainder from the coefficient over the
-/// panel, and next to knots by the size of the integrand. Throws BudgetError where that takes too
-/// many panels, or where the bits do not distinguish the forces.
+/// profiles with piecewise linear slopes: by a Taylor polynomial on each panel of a, with the
+/// remainder from the coefficient over the panel, and next to knots by the size of the integrand.
+/// Throws BudgetError where that takes too many panels, or where the bits do not distinguish the
+/// forces.
 /// @param contact a contact of the family
+/// @param friction f
+/// @param phases of the history, in any order
 [[nodiscard]] Ball dissipated_energy(const BallContact& contact, const Ball& friction,
                                      const std::vector<SlipPhase>& phases);
 
 /// The same in closed form if the force L is proportional to D^power: `power` is m + 1 for a power
 /// law m, and 1 for a wedge, tilted or not. The zones of the cuts are not used.
 /// @param modulus E* (stress)
+/// @param power of D in L
+/// @param friction f
+/// @param phases of the history, in any order
 [[nodiscard]] Ball similar_dissipated_energy(const Ball& modulus, const Ball& power,
                                              const Ball& friction,
                                              const std::vector<SlipPhase>& phases);

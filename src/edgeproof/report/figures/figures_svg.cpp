@@ -214,7 +214,8 @@ private:
     }
     // Within the drawing; what is far outside stays just outside.
     [[nodiscard]] static double pixels(const Real& part, int length) {
-        return Real(std::clamp(part, Real(-2), Real(3)) * length).convert_to<double>();
+        const Real length_of_part = std::clamp(part, Real(-2), Real(3)) * length;
+        return length_of_part.convert_to<double>() + 0.0; // no negative zero
     }
     [[nodiscard]] double across(const Real& x) const { return pixels(x_.part(x), width()); }
     [[nodiscard]] double down(const Real& y) const {

@@ -2,6 +2,7 @@
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/roots/bracketed_root.hpp"
 
 #include <functional>
@@ -18,8 +19,8 @@ formula::Expr number(long k) { return formula::Expr::number(Rational(k)); }
 
 /// A decimal within the relative distance 10^-digits of v, as an exact number.
 formula::Exact decimal(const Real& v, unsigned digits) {
-    return formula::Exact::parse(
-        v.str(static_cast<std::streamsize>(digits), std::ios_base::scientific));
+    return formula::Exact::of(
+        parse_decimal(v.str(static_cast<std::streamsize>(digits), std::ios_base::scientific)));
 }
 
 int sign_or_zero(const formula::Exact& x, bool& certain) {

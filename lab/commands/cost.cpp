@@ -62,7 +62,7 @@ report::CostReport measured(const CostArguments& a) {
     options.full = a.full;
     if (a.scenes.empty()) {
         report.effects = with_progress("effects", options.progress, [&] {
-            return cost::effect_costs(report.usual_digits(), true, options.progress);
+            return cost::effect_costs(report.effect_digits(), true, options.progress);
         });
     }
     report.cells = with_progress("routes by digits", options.progress,

@@ -186,7 +186,7 @@ Table bound_table(const CostReport& report) {
 }
 
 Table effect_table(const CostReport& report) {
-    Table t = table("What an effect of a scene adds, at " + std::to_string(report.usual_digits()) +
+    Table t = table("What an effect of a scene adds, at " + std::to_string(report.effect_digits()) +
                         " digits",
                     {{"effect", ColumnKind::text},
                      {"compared with", ColumnKind::text},

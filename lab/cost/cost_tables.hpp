@@ -4,6 +4,7 @@
 #include "edgeproof/report/tables/table.hpp"
 #include "lab/cost/cost.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,8 @@ struct CostReport {
 
     /// The number of digits for results shown at one number only: 50, or the middle one.
     [[nodiscard]] unsigned usual_digits() const;
+    /// The number of digits for the effects: a tilt found from P and M has at most about 1200.
+    [[nodiscard]] unsigned effect_digits() const { return std::min(usual_digits(), 1000U); }
     [[nodiscard]] const cost::CostCase& case_named(const std::string& name) const;
 };
 

@@ -192,12 +192,6 @@ TEST_CASE("the tilt is enclosed over extreme ratios" * doctest::test_suite("slow
     CHECK(fault_of_enclosure(flat, "1e4", "-1e-21") == "");
 }
 
-TEST_CASE("the tilt is enclosed to thousands of digits" * doctest::test_suite("slow")) {
-    const EnclosedTilt tilt = enclose_tilt(TiltedPunch::flat_and_rounded(exact("1"), exact("2")),
-                                           exact("1"), exact("1/2"), exact("-1/50"), 20'000);
-    CHECK(tilt.alpha.relative_accuracy_bits() > 16'000);
-}
-
 TEST_CASE("the enclosure of a tilt ends at every precision that is too low for the moment") {
     for (long bits = 180; bits <= 260; bits += 4) {
         CAPTURE(bits);

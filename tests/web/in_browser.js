@@ -30,9 +30,9 @@ const tests = {
         await page.until(`${text('status')} === 'Ready.'`);
         for (const kind of Object.keys(FORM.profiles)) {
             for (const geometry of ['plane', 'axisymmetric']) {
-                for (const ask of ['pressure', 'expand extent', 'slip', 'stress', 'displacement', 'mises', 'tau_max', 'explain']) {
-                    const state = {...defaultState(), kind, geometry, ask, alpha: '1/1000', digits: '8',
-                                   shear: ask === 'slip' ? 'friction' : 'none'};
+                for (const [ask, shear] of [['pressure', 'none'], ['expand extent', 'none'], ['slip', 'friction'], ['slip', 'steps'],
+                                            ['stress', 'none'], ['displacement', 'none'], ['mises', 'none'], ['tau_max', 'none'], ['explain', 'steps']]) {
+                    const state = {...defaultState(), kind, geometry, ask, shear, alpha: '1/1000', digits: '8'};
                     await page.value(`new Promise((done) => {
                         addEventListener('hashchange', () => setTimeout(done), {once: true});
                         location.hash = ${JSON.stringify(toFragment(state))};})`);
@@ -78,6 +78,8 @@ const tests = {
             await page.value(set('load', load));
             assert.strictEqual(await page.value("document.querySelector('[data-load=a]').hidden"), load !== 'a');
         }
+        await page.value(set('shear', 'steps'));
+        assert.strictEqual(await page.value("document.getElementById('one-load').hidden"), true);
         await page.value(click('reset'));
         assert.strictEqual(await page.value("document.getElementById('load').value"), FORM.defaults.load);
         assert.deepStrictEqual(page.errors, []);
@@ -85,9 +87,10 @@ const tests = {
     'an error stands next to its field, in one line, as text': async (browser) => {
         const page = await browser.open(address);
         await page.until(`${text('status')} === 'Ready.'`);
-        for (const [id, wrong] of [['R', '-1'], ['P', 'abc'], ['P', '<img src=x onerror=alert(1)>'], ['nu1', '0.7'],
+        for (const [id, wrong, shear = 'none'] of [['steps', 'P = 100\n<b>"]', 'steps'], ['steps', 'P = 100\nQ', 'steps'], ['R', '-1'], ['P', 'abc'], ['P', '<img src=x onerror=alert(1)>'], ['nu1', '0.7'],
                                    ['u', '1e-6, ,"; ['], ['terms', '0'], ['digits', '-3'], ['tolerance', 'none']]) {
             await page.value(click('reset'));
+            await page.value(set('shear', shear));
             await page.value(set(id, wrong));
             await page.value(click('compute'));
             await page.until(`${idle} && ${text('status')}.startsWith('Not computed')`);
@@ -150,7 +153,7 @@ const tests = {
             await page.key('Tab', 'Tab', 9);
             reached.push(await page.value('document.activeElement.id'));
         }
-        for (const id of ['kind', 'geometry', 'R', 'units', 'P', 'shear', 'edges', 'u', 'terms', 'digits', 'compute', 'gamma']) {
+        for (const id of ['kind', 'geometry', 'R', 'units', 'P', 'shear', 'edges', 'u', 'terms', 'digits', 'compute', 'slider']) {
             assert.ok(reached.includes(id), `Tab does not reach ${id}`);
         }
         await page.value("document.getElementById('P').focus()");
@@ -162,11 +165,14 @@ const tests = {
     'refuted formulas: the slider changes the ratio': async (browser) => {
         const page = await browser.open(address);
         await page.until(`${text('claim-ratio')} !== ''`);
-        const before = await page.value(text('claim-ratio'));
-        await page.value(set('gamma', '0.25'));
-        await page.until(`${text('claim-ratio')} !== '${before}'`);
-        // EQ30.L lacks the factor sqrt(gam).
-        assert.strictEqual(Number(await page.value(text('claim-ratio'))), 2);
+        const ratio = async (claim, value, expected) => {
+            await page.value(`(() => {const f = document.getElementById('claim'); f.value = '${claim}'; f.dispatchEvent(new Event('change'));})()`);
+            await page.value(set('slider', value));
+            await page.until(`Number(${text('claim-ratio')}) === ${expected}`, 20);
+        };
+        await ratio('EQ30.L', '0.25', 2); // the factor sqrt(gam) is missing
+        await ratio('EQ18', '3', 3); // a factor a is too many
+        await ratio('EQ27', '0.5', 0); // the logarithm of 1
         assert.deepStrictEqual(page.errors, []);
     },
     'narrow and dark: nothing is wider than the display': async (browser) => {

@@ -25,6 +25,7 @@ const showFields = () => {
             field.hidden = !field.dataset[key].split(' ').includes(state[key]);
         }
     }
+    byId('one-load').hidden = state.shear === 'steps';
     const asked = askedOf(state);
     for (const field of document.querySelectorAll('[data-asked]')) {
         field.hidden = !asked.includes(field.dataset.asked);
@@ -143,28 +144,52 @@ const show = (quantity, ran) => {
     }
 };
 
-// Refuted formulas.
+// Refuted formulas: for each profile the slider, the lines of the scene, and the values of names.
+const sliders = {
+    'tilted-wedge': {
+        label: 'gamma', range: {min: 0.05, max: 0.95, step: 0.05, value: 0.5},
+        scene: (gamma) => ['phi = "pi/16"', `alpha = "1/8*asin((1 - ${gamma})/(1 + ${gamma}))"`,
+                           '[load]', 'a = "1"'],
+        values: (gamma) => ({gam: gamma, a: 1, b: gamma, phi: Math.PI / 16, calP: Math.PI / 16, x: 0.5}),
+    },
+    'flat-and-rounded': {
+        label: 'a', range: {min: 1.25, max: 4, step: 0.25, value: 2},
+        scene: (a) => ['t = "1"', 'R = "10"', '[load]', `a = "${a}"`],
+        values: (a) => ({a, t: 1, R: 10, x: a - 0.5}),
+    },
+};
 let asking = 0;
+const chosenClaim = () => data.claims.find(({id}) => id === byId('claim').value);
+const showSlider = () => {
+    const {label, range} = sliders[chosenClaim().over];
+    document.querySelector('label[for=slider]').textContent = label;
+    for (const [name, value] of Object.entries(range)) {
+        byId('slider')[name] = value;
+    }
+};
 const compareClaim = async () => {
-    const claim = data.claims.find(({id}) => id === byId('claim').value);
-    const gamma = byId('gamma').value;
-    byId('gamma-value').value = gamma;
+    const claim = chosenClaim();
+    const slider = sliders[claim.over];
+    const at = byId('slider').value;
+    byId('slider-value').value = at;
     const mine = ++asking;
-    const [edge, coefficient] = claim.of.split('.');
-    byId('claim-formula').textContent = `${coefficient.replace('c', 'c_')} (${edge} edge) = ${claim.says}`;
-    const scene = ['[profile]', 'kind = "tilted-wedge"', 'phi = "pi/16"',
-                   `alpha = "1/8*asin((1 - ${gamma})/(1 + ${gamma}))"`,
-                   '[load]', 'a = "1"', 'contact_modulus = "1"', '[ask]', `edges = ["${edge}"]`,
-                   `terms = [${Number(coefficient.slice(1)) + 1}]`, 'digits = 12', ''].join('\n');
-    const ran = await computer.run(['expand', 'scene.toml', '--format', 'csv'], scene);
+    const [, edge, coefficient] = /^(left|right)\.(c\d)$/.exec(claim.of) ?? [];
+    byId('claim-formula').textContent = coefficient === undefined ? `p at a - x = 1/2: ${claim.says}`
+        : `${coefficient.replace('c', 'c_')} (${edge} edge) = ${claim.says}`;
+    const scene = ['[profile]', `kind = "${claim.over}"`, ...slider.scene(at), 'contact_modulus = "1"', '[ask]',
+                   `edges = ["${edge ?? 'right'}"]`, 'digits = 12',
+                   coefficient === undefined ? 'u = ["1/2"]' : `terms = [${Number(coefficient.slice(1)) + 1}]`, ''];
+    const ran = await computer.run([coefficient === undefined ? 'pressure' : 'expand', 'scene.toml', '--format', 'csv'],
+                                   scene.join('\n'));
     if (mine !== asking || ran === undefined) {
         return;
     }
-    const table = readTable(ran.out);
-    const row = table.rows.find((cells) => cells[1] === coefficient.replace('c', 'c_'));
-    const exact = row?.[table.columns.indexOf('value')];
-    const bound = row?.[table.columns.indexOf('bound')];
-    const printed = printedValue(claim.says, {gam: Number(gamma), calP: Math.PI / 16, Pi: Math.PI, a: 1});
+    const {columns, rows} = readTable(ran.out);
+    const row = coefficient === undefined ? rows[0]
+        : rows.find((cells) => cells[1] === coefficient.replace('c', 'c_'));
+    const exact = row?.[columns.indexOf(coefficient === undefined ? 'p' : 'value')];
+    const bound = row?.[columns.indexOf(coefficient === undefined ? 'p_bound' : 'bound')];
+    const printed = printedValue(claim.says, {Pi: Math.PI, Es: 1, ...slider.values(Number(at))});
     byId('claim-exact').textContent = exact === undefined ? ran.err : `${exact} +- ${bound}`;
     byId('claim-printed').textContent = printed.toPrecision(6);
     byId('claim-ratio').textContent = (printed / Number(exact)).toPrecision(4);
@@ -206,8 +231,12 @@ const begin = () => {
         await navigator.clipboard.writeText(location.href);
         byId('status').textContent = 'The link is copied.';
     });
-    byId('claim').addEventListener('change', compareClaim);
-    byId('gamma').addEventListener('input', compareClaim);
+    showSlider();
+    byId('claim').addEventListener('change', () => {
+        showSlider();
+        compareClaim();
+    });
+    byId('slider').addEventListener('input', compareClaim);
     addEventListener('hashchange', () => {
         writeForm(fromFragment(location.hash));
         compute();

@@ -29,6 +29,7 @@ const FORM = {
         kind: 'flat-and-rounded', geometry: 'plane', symmetric: '1', load: 'P', a: '1', P: '100', M: '0', delta: '1/100',
         material: 'E', Es: '64e3', E1: '115e3', nu1: '0.32', E2: '115e3', nu2: '0.32',
         units: 'mm', shear: 'none', Q: '20', bulk_tension: '0', friction: '0.6', bulk_A: '0',
+        steps: 'P = 100\nQ = 20\nQ = -10, cycles = 2\nQ = 15',
         edges: 'right', u: '1e-6, 1e-3, 0.1', terms: '1, 2, 3', tolerance: '5%',
         points: '0 0; 0 1/2; 1 1', x: '0, 2', digits: '15', ask: 'pressure expand extent plot',
     },
@@ -63,7 +64,13 @@ const listOf = (text, separators = ',;\n') => {
 };
 const tomlList = (items) => `[${items.map(tomlString).join(', ')}]`;
 
-const hasShear = (state) => state.shear !== 'none';
+/// The steps of a load history, one in a line: 'P = 100, Q = 20'. Text without '=' becomes a key that
+/// the program refuses.
+const stepsOf = (text) => text.split('\n').map((line) => line.trim()).filter((line) => line !== '')
+    .map((line) => listOf(line, ',;').map((part) => {
+        const [name, ...value] = part.split('=').map((word) => word.trim());
+        return `${/^\w+$/.test(name) ? name : tomlString(name)} = ${tomlString(value.join('='))}`;
+    }));
 
 /// Returns {text, fields}: the scene file, and for each of its lines the name of the field of the
 /// form that it comes from (or undefined).
@@ -98,7 +105,9 @@ const sceneOf = (state) => {
         }
     }
     add('[load]', 'load');
-    if (state.load === 'PM') {
+    if (state.shear === 'steps') {
+        // The steps give the loads.
+    } else if (state.load === 'PM') {
         value('P');
         value('M');
     } else {
@@ -109,15 +118,21 @@ const sceneOf = (state) => {
     } else {
         ['E1', 'nu1', 'E2', 'nu2'].forEach(value);
     }
-    if (hasShear(state)) {
+    if (state.shear !== 'none') {
         add('[shear]', 'shear');
-        ['Q', 'bulk_tension'].forEach(value);
-        if (state.shear === 'friction') {
+        if (state.shear !== 'steps') {
+            ['Q', 'bulk_tension'].forEach(value);
+        }
+        if (state.shear !== 'stick') {
             value('friction');
         }
         if (state.bulk_A.trim() !== '0') {
             value('bulk_A');
         }
+    }
+    for (const step of state.shear === 'steps' ? stepsOf(state.steps) : []) {
+        add('[[step]]', 'steps');
+        step.forEach((line) => add(line, 'steps'));
     }
     add('[ask]');
     add(`edges = ${tomlList(state.edges === 'both' ? ['right', 'left'] : [state.edges])}`, 'edges');

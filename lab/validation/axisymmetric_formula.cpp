@@ -88,6 +88,7 @@ T AxisymmetricFormula<T>::over_bends(const T& s, const F& f) const {
     return sum;
 }
 
+// docs/axisymmetric.md, "Power laws" and "Piecewise linear slopes" (`sneddon1965`)
 template <Arithmetic T> T AxisymmetricFormula<T>::approach(const T& s) const {
     using std::pow;
     return power_ ? T(kappa_ * pow(s, T(m_ + T(1))))
@@ -106,6 +107,7 @@ template <Arithmetic T> T AxisymmetricFormula<T>::force(const T& a) const {
                     });
 }
 
+// docs/axisymmetric.md, "What is integrated"
 template <Arithmetic T> T AxisymmetricFormula<T>::pressure(const T& r) const {
     using std::atan;
     using std::pow;

@@ -2,7 +2,6 @@
 #pragma once
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
-#include "lab/validation/value_routes.hpp"
 
 #include <vector>
 
@@ -40,11 +39,5 @@ extern template class AxisymmetricFormula<double>;
 extern template class AxisymmetricFormula<long double>;
 extern template class AxisymmetricFormula<Float128>;
 extern template class AxisymmetricFormula<Real>;
-
-/// p, P or delta without a closed form of h: h and h' are integrals of g' over an angle, and the
-/// integrals over s have them as integrands; all by tanh-sinh in the distances from the ends. It
-/// shares only the radius with the other routes.
-[[nodiscard]] SecondRoute by_nested_integrals(const scene::Scene& scene,
-                                              const scene::AskedValue& asked, unsigned digits);
 
 } // namespace edgeproof::validation

@@ -4,6 +4,7 @@
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/run_scene.hpp"
+#include "lab/validation/abel_quadrature.hpp"
 #include "lab/validation/axisymmetric_formula.hpp"
 #include "lab/validation/textbook_formula.hpp"
 
@@ -103,8 +104,6 @@ namespace {
 constexpr unsigned most_extra = 6000;
 /// Additional digits for a coefficient far below its natural size.
 constexpr unsigned cancelled = 25;
-/// The step of the divided differences is this many decades below the radius of convergence.
-constexpr unsigned step_decades = 12;
 
 Real power_of_ten(int k) { return pow(Real(10), k); }
 
@@ -147,37 +146,12 @@ SecondRoute by_series(const scene::Scene& scene, const AskedValue& asked, unsign
     return relative("series", c, power_of_ten(-static_cast<int>(digits)));
 }
 
-/// Computes c_n from p/sqrt(u) at u = delta, 2 delta, ..., where delta is 1e-12 of the radius of
-/// convergence, by Newton's divided differences (DLMF 3.3(iv)), expanded about u = 0.
 SecondRoute by_differences(const scene::Scene& scene, const AskedValue& asked, unsigned digits) {
-    const auto n = static_cast<unsigned>(asked.k);
-    const unsigned natural = digits + cancelled;
-    const unsigned count = n + (natural + 15) / (step_decades - 1) + 2;
-    const unsigned working = natural + step_decades * n + 40;
-    const contact::NormalContact contact = contact_of(scene, working);
-    const PrecisionScope scope(working + 60);
-    const Real delta =
-        contact.convergence_radius(asked.edge) * power_of_ten(-static_cast<int>(step_decades));
-    std::vector<Real> f;
-    for (unsigned j = 1; j <= count; ++j) {
-        const Real u = delta * j;
-        f.push_back(contact.pressure(asked.edge, u, contact::Route::singular_integral).value /
-                    sqrt(u));
-    }
-    for (unsigned order = 1; order < count; ++order) {
-        for (unsigned j = count; j-- > order;) {
-            f[j] = (f[j] - f[j - 1]) / order;
-        }
-    }
-    std::vector<Real> polynomial{f[count - 1]}; // in t = u/delta, by Horner at t = j
-    for (unsigned j = count - 1; j-- > 0;) {
-        polynomial.insert(polynomial.begin(), Real(0));
-        for (std::size_t k = 0; k + 1 < polynomial.size(); ++k) {
-            polynomial[k] -= polynomial[k + 1] * (j + 1);
-        }
-        polynomial[0] += f[j];
-    }
-    const Real c = polynomial[n] / pow(delta, static_cast<int>(n));
+    const contact::NormalContact contact = contact_of(scene, difference_digits(asked.k, digits));
+    const Real c = coefficient_by_differences(
+        asked.k, digits, contact.convergence_radius(asked.edge), [&](const Real& u) {
+            return contact.pressure(asked.edge, u, contact::Route::singular_integral).value;
+        });
     return relative("divided-differences", c, power_of_ten(-static_cast<int>(digits)));
 }
 
@@ -395,7 +369,7 @@ constexpr TwoRoutes two_routes[] = {
     {Quantity::extent, by_library_scan, independent_extent},
 };
 constexpr TwoRoutes axisymmetric_routes[] = {
-    {Quantity::p, by_nested_integrals, by_formula},
+    {Quantity::p, by_nested_integrals, by_elliptic_integrals},
     {Quantity::P, by_nested_integrals, by_formula},
     {Quantity::delta, by_nested_integrals, by_formula},
 };

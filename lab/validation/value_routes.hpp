@@ -34,8 +34,10 @@ struct SecondRoute {
 ///                     the library's route; the printed formula with more digits than it loses
 ///   tilt difference   as the pressure
 ///   extent            the library's scan; an independent scan with the printed pressure
-///   axisymmetric contacts: pressure, load, approach
-///                     nested integrals of g'; the printed formula
+///   axisymmetric contacts: pressure
+///                     nested integrals of g'; elliptic integrals
+///   axisymmetric contacts: load, approach
+///                     integrals of g'; the printed formula
 /// Each aims at about `digits` correct digits. Throws as the routes do; Error for a quantity
 /// without two routes.
 [[nodiscard]] std::vector<SecondRoute>

@@ -195,13 +195,6 @@ TEST_CASE("the pressure of a body of revolution returns its profile, its load an
     check_body_of_revolution(bodies_of_revolution()[0], {"3/2"});
 }
 
-TEST_CASE("the pressures of four bodies of revolution return their profiles, loads and gaps" *
-          doctest::test_suite("slow")) {
-    for (const BodyOfRevolution& body : bodies_of_revolution()) {
-        check_body_of_revolution(body, {"1/8", "3/7", "3/5", "3/2"});
-    }
-}
-
 TEST_CASE("the size of a body of revolution follows from its load and from its approach") {
     for (const BodyOfRevolution& body : bodies_of_revolution()) {
         CAPTURE(std::string(body.profile));

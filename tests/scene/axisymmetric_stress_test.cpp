@@ -269,3 +269,36 @@ TEST_CASE("the slip of a sphere in partial slip") {
         CHECK(abs(Real(slip + gap / 3 * (2 - nu) / (2 * (1 - nu)))) <= gap * Real("1e-22"));
     }
 }
+
+// The gap outside a contact is compared with another route in axisymmetric_profiles_test.cpp.
+TEST_CASE("the slip of a body of revolution is in proportion to the gap of the stick zone") {
+    const PrecisionScope precision(50);
+    const scene::Scene s = stressed(stressed_punch, "[shear]\nQ = \"1/2\"\nfriction = \"1/3\"\n");
+    const scene::AskedValue stick{scene::Quantity::stick_a};
+    const Real c =
+        at_working_precision(scene::SceneValues(s, {stick}, {40, Rounding::nearest, false})
+                                 .value(stick)
+                                 .value.midpoint());
+    const std::string c_text = c.str(40, std::ios_base::scientific);
+    scene::Scene inner = stressed(stressed_punch);
+    inner.load = contact::Load::right_edge(Exact::parse(c_text));
+    inner.round->load = inner.load;
+    const auto at = [](const scene::Scene& of, scene::Quantity quantity, const std::string& r) {
+        scene::AskedValue asked{quantity};
+        asked.place = scene::Distance(formula::Expr::symbol("a") - Exact::parse(r).expr(),
+                                      Exact::parse(r).expr());
+        const scene::BoundedValue value =
+            scene::SceneValues(of, {asked}, {25, Rounding::nearest, false}).value(asked);
+        CHECK(value.proved);
+        return at_working_precision(value.value.midpoint());
+    };
+    CHECK(c < Real("1.24"));
+    for (const char* r : {"1.24", "1.2499"}) {
+        const Real gap = at(inner, scene::Quantity::gap, r);
+        CHECK(gap > 0);
+        // (2 - nu)/(2 (1 - nu)) = 17/14, f = 1/3
+        CHECK(
+            close_to(at(s, scene::Quantity::slip_displacement, r), Real(-gap * 17 / 42), "1e-20"));
+    }
+    CHECK(at(s, scene::Quantity::slip_displacement, "1/2") == 0);
+}

@@ -50,12 +50,16 @@ Number difference(double x, const DoubleWord& word) {
 Complex root_above(const Complex& c) {
     const Number size = hypot(c.re, c.im);
     const Number half = exactly(0.5);
+    const bool real = c.im.middle == 0 && c.im.radius == 0;
+    if (real && !(std::fabs(c.re.middle) > c.re.radius)) { // the root may be real or imaginary
+        return {sqrt((size + c.re) * half), sqrt((size - c.re) * half)};
+    }
     if (c.re.middle >= 0) {
         const Number re = sqrt((size + c.re) * half);
-        return {re, c.im.middle == 0 && c.im.radius == 0 ? exactly(0) : c.im * half / re};
+        return {re, real ? exactly(0) : c.im * half / re};
     }
     const Number im = sqrt((size - c.re) * half);
-    return {c.im.middle == 0 && c.im.radius == 0 ? exactly(0) : c.im * half / im, im};
+    return {real ? exactly(0) : c.im * half / im, im};
 }
 
 } // namespace

@@ -37,8 +37,9 @@ struct StressField {
 };
 
 /// The greatest stress sxx along the surface, tension positive (stress), and the edge of the
-/// contact at which it is, for a shear traction between the surfaces that has one direction, as in
-/// partial slip: at the trailing edge (docs/stress.md, "The greatest values"). Infinite nowhere.
+/// contact at which it is, for a shear traction between the surfaces of one direction, whose ratio
+/// to the pressure does not decrease towards the edges, as in partial slip: at the trailing edge
+/// (docs/stress.md, "The greatest values"). Infinite nowhere.
 struct SurfaceTension {
     Edge edge;
     Ball value;

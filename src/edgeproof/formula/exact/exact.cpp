@@ -19,6 +19,7 @@ Real value_at(const Expr& e, unsigned digits) {
 }
 
 constexpr long most_bits = 4096;
+constexpr std::size_t most_shown = 100; ///< bytes of an expression in a message
 
 template <class T> mpfr_prec_t bits_of_arithmetic() {
     if constexpr (std::same_as<T, Real>) {
@@ -151,8 +152,8 @@ template <Arithmetic T> T Exact::to() const {
             }
         }
     }
-    throw BudgetError(std::to_string(most_bits) + " bits do not decide the rounding of '" + text_ +
-                      "'");
+    throw BudgetError(std::to_string(most_bits) + " bits do not decide the rounding of '" +
+                      shortened(text_, most_shown) + "'");
 }
 
 #define EDGEPROOF_EXACT_TO(T) template T Exact::to() const;
@@ -173,7 +174,8 @@ int Exact::sign() const {
             }
         }
     }
-    throw BudgetError("4096 bits do not distinguish '" + text_ + "' from zero");
+    throw BudgetError(std::to_string(most_bits) + " bits do not distinguish '" +
+                      shortened(text_, most_shown) + "' from zero");
 }
 
 } // namespace edgeproof::formula

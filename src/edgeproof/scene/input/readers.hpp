@@ -13,6 +13,22 @@ namespace edgeproof::scene {
 /// absent.
 void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scene);
 
+/// Fills in the load and the materials of a scene, whose steps are known, from [load].
+void read_load(const io::TomlSection& load, Scene& scene);
+/// Refuses a load that does not suit the profile: a contact that ends on the flat carries no load,
+/// and half the width is an edge only if b = a.
+void check_reach(const io::TomlSection& load, const Scene& scene);
+
+/// Fills in the shear of a scene without steps, whose contact is known, from [shear].
+void read_shear(const io::TomlSection& shear, Scene& scene);
+/// Fills in the friction and bulk_A of a scene with steps, from [shear] of `top`, if it is there.
+void read_shear_of_steps(const io::TomlSection& top, Scene& scene);
+
+/// Fills in the steps of a scene from the [[step]] of `top`. What a step leaves out keeps its
+/// value; the contact begins unloaded. `cycles` in a step is the number of times that the steps
+/// from this one to the last are gone through.
+void read_steps(const io::TomlSection& top, Scene& scene);
+
 /// Fills in the request of a scene, whose contact is known, from [ask]. Places may use the keys of
 /// `profile` as names, in addition to a and b.
 void read_ask(const io::TomlSection& section, const io::TomlSection& profile, Scene& scene);

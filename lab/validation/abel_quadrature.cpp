@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/validation/abel_quadrature.hpp"
+
+#include "edgeproof/precision/ball/complex_box.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/quadrature/tanh_sinh.hpp"
+#include "edgeproof/scene/run_scene.hpp"
+
+#include <acb_elliptic.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace edgeproof::validation {
+namespace {
+
+constexpr unsigned digits_spare = 60;
+
+long bits_now() { return mpfr_get_prec(Real().backend().data()); }
+
+/// The nodes that leave an error of 10^-digits of an integrand that is analytic in the ellipse
+/// `rho`: it decreases as rho^(-2n) (`trefethen2013`, theorem 19.3).
+std::size_t nodes_for(unsigned digits, double rho) {
+    return static_cast<std::size_t>(digits * 1.1513 / std::log(rho)) + 4; // ln(10)/2
+}
+// The ellipses with the foci 0 and 1 through sqrt(2), and through i.
+constexpr double rho_of_slope = 3.36;
+constexpr double rho_of_width = 4.61;
+
+/// The integral of f over from < x < from + width.
+template <class F>
+Real integral_by(const quadrature::GaussLegendreRule& rule, const Real& from, const Real& width,
+                 const F& f) {
+    Real sum = 0;
+    for (std::size_t i = 0; i < rule.x.size(); ++i) {
+        const Real near = rule.from_end[i] / 2;
+        sum += rule.weight[i] * f(Real(from + width * near));
+        if (rule.x[i] != 0) {
+            sum += rule.weight[i] * f(Real(from + width * (1 - near)));
+        }
+    }
+    return sum * width / 2;
+}
+
+/// The integral of sin^m over a quarter of the circle.
+Real sine_power(const Real& m) {
+    const Real quarter = pi<Real>() / 2;
+    return quarter * quadrature::tanh_sinh<Real>([&](const Real& lo, const Real&) {
+                         return Real(pow(sin(Real(quarter * lo)), m));
+                     }).value;
+}
+
+/// A number of a scene at the working precision of the thread.
+Real number(const formula::Exact& x) { return x.to<Real>(); }
+
+} // namespace
+
+AbelQuadrature::AbelQuadrature(const scene::Scene& scene, Real a, unsigned digits)
+    : slope_(scene.round->profile), a_(std::move(a)), modulus_(number(scene.contact_modulus)),
+      first_piece_(slope_.origin() + 1),
+      inner_(quadrature::gauss_legendre_rule(nodes_for(digits, rho_of_slope) *
+                                                 (scene.round->profile.piecewise_linear() ? 1 : 2),
+                                             bits_now())),
+      outer_(quadrature::gauss_legendre_rule(nodes_for(digits, rho_of_width) *
+                                                 (scene.round->profile.piecewise_linear() ? 1 : 2),
+                                             bits_now())) {
+    if (scene.round->law) {
+        const auto& parameters = scene.round->profile.parameters();
+        power_ = number(parameters.at("m"));
+        factor_ = number(parameters.at("C"));
+        kappa_ = factor_ * sine_power(*power_);
+    }
+    knots_.emplace_back(0);
+    jump_at_.emplace_back(0); // a jump on the axis has no term of its own
+    for (std::size_t i = slope_.origin() + 1; i < slope_.knots().size() && !power_; ++i) {
+        knots_.push_back(slope_.knots()[i]);
+        jump_at_.push_back(slope_.jump(i) * knots_.back());
+    }
+}
+
+/// The integral of f(piece, r)/sqrt(s^2 - r^2) over 0 < r < s; `beyond` are the positive s - v.
+template <class F>
+Real AbelQuadrature::over_slope(const std::vector<Real>& beyond, const Real& s, const F& f) const {
+    Real sum = 0;
+    for (std::size_t i = 0; i < beyond.size(); ++i) {
+        const Real from = i + 1 < beyond.size() ? Real(sqrt(beyond[i + 1])) : Real(0);
+        sum += integral_by(inner_, from, Real(sqrt(beyond[i]) - from), [&](const Real& y) {
+            const Real y2 = y * y;
+            return Real(2 * f(first_piece_ + i, Real(s - y2)) / sqrt(Real(2 * s - y2)));
+        });
+    }
+    return sum;
+}
+
+/// h'(s), s^2 = A^2 + w2, by the formulas for radii beyond A.
+Real AbelQuadrature::h_rate(const Real& A, const Real& w2) const {
+    const Real s = sqrt(Real(A * A + w2));
+    if (power_) {
+        return (*power_ + 1) * kappa_ * pow(s, *power_);
+    }
+    std::vector<Real> beyond;
+    Real sum = 0;
+    for (std::size_t i = 0; i < knots_.size() && knots_[i] <= A; ++i) {
+        const Real apart = (A - knots_[i]) * (A + knots_[i]) + w2; // s^2 - v^2
+        beyond.push_back(apart / (s + knots_[i]));
+        if (jump_at_[i] != 0) {
+            sum += jump_at_[i] / sqrt(apart);
+        }
+    }
+    return sum + over_slope(beyond, s, [&](std::size_t piece, const Real& r) {
+               return slope_.pieces()[piece].linear
+                          ? Real(slope_.pieces()[piece].at_origin +
+                                 2 * slope_.pieces()[piece].rate * r)
+                          : Real(slope_.value(piece, r) + r * slope_.rate(piece, r));
+           });
+}
+
+/// The integral of h'(s)/sqrt(s^2 - r^2) over A < s < sqrt(A^2 + width2), r <= A.
+Real AbelQuadrature::over_width(const Real& A, const Real& width2, const Real& r) const {
+    const Real from_r = A == r ? Real(0) : Real((A - r) * (A + r));
+    Real nearest = width2;
+    const auto meet = [&](const Real& apart) {
+        if (apart > 0 && apart < nearest) {
+            nearest = apart;
+        }
+    };
+    meet(A * A);
+    meet(from_r);
+    for (std::size_t i = 0; i < knots_.size() && knots_[i] < A; ++i) {
+        meet((A - knots_[i]) * (A + knots_[i]));
+    }
+    nearest = sqrt(nearest);
+    const auto integrand = [&](const Real& w) {
+        const Real w2 = w * w;
+        const Real rate = h_rate(A, w2);
+        const Real s2 = A * A + w2;
+        return Real(A == r ? rate / sqrt(s2) : rate * w / sqrt(Real(s2 * (w2 + from_r))));
+    };
+    Real sum = 0;
+    Real width = sqrt(width2);
+    for (; width > nearest; width /= 2) {
+        sum += integral_by(outer_, Real(width / 2), Real(width / 2), integrand);
+    }
+    return sum + integral_by(outer_, Real(0), width, integrand);
+}
+
+Real AbelQuadrature::approach() const {
+    if (power_) {
+        return kappa_ * pow(a_, Real(*power_ + 1));
+    }
+    std::vector<Real> beyond;
+    for (std::size_t i = 0; i < knots_.size() && knots_[i] < a_; ++i) {
+        beyond.push_back(a_ - knots_[i]);
+    }
+    return a_ * over_slope(beyond, a_, [&](std::size_t piece, const Real& r) {
+               return slope_.value(piece, r);
+           });
+}
+
+Real AbelQuadrature::force() const {
+    if (power_) {
+        return 2 * modulus_ * factor_ * pow(a_, Real(*power_ + 2)) * sine_power(*power_ + 2);
+    }
+    std::vector<Real> beyond;
+    for (std::size_t i = 0; i < knots_.size() && knots_[i] < a_; ++i) {
+        beyond.push_back(a_ - knots_[i]);
+    }
+    return 2 * modulus_ * over_slope(beyond, a_, [&](std::size_t piece, const Real& r) {
+               return Real(slope_.value(piece, r) * r * r);
+           });
+}
+
+Real AbelQuadrature::pressure(const Real& u) const {
+    Real r = abs(Real(a_ - u));
+    if (power_ && r == 0) {
+        throw DomainError("a power law is not integrated on the axis");
+    }
+    const Real same = ldexp(a_, static_cast<int>(8 - bits_now()));
+    for (const Real& v : knots_) {
+        r = abs(Real(r - v)) < same ? v : r;
+    }
+    std::vector<Real> ends{r};
+    for (const Real& v : knots_) {
+        if (v > r && v < a_) {
+            ends.push_back(v);
+        }
+    }
+    Real sum = 0;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const bool last = i + 1 == ends.size();
+        const Real width2 = last && i == 0 ? Real(u * (2 * a_ - u))
+                            : last         ? Real((a_ - ends[i]) * (a_ + ends[i]))
+                                   : Real((ends[i + 1] - ends[i]) * (ends[i + 1] + ends[i]));
+        sum += over_width(ends[i], width2, r);
+    }
+    return modulus_ / pi<Real>() * sum;
+}
+
+namespace {
+
+/// Digits for differences of neighbouring places.
+unsigned digits_with_spare(const scene::AskedValue& asked, unsigned digits) {
+    unsigned working = digits + digits_spare;
+    if (asked.u) {
+        const PrecisionScope scope(30);
+        const Real small = -log10(asked.u->to<Real>());
+        working += small > 0 ? 2 * static_cast<unsigned>(ceil(small)) : 0;
+    }
+    return working;
+}
+
+Ball radius_at(const scene::Scene& scene, unsigned digits) {
+    const scene::AskedValue radius{scene::Quantity::a};
+    return scene::SceneValues(scene, {radius}, {digits, Rounding::nearest, false})
+        .value(radius)
+        .value;
+}
+
+/// R_F(x, y, z) (DLMF 19.16.1) of positive numbers.
+Real carlson_rf(const Real& x, const Real& y, const Real& z) {
+    const long bits = bits_now();
+    Box value(bits);
+    acb_elliptic_rf(value.get(), Box(Ball(x, bits)).get(), Box(Ball(y, bits)).get(),
+                    Box(Ball(z, bits)).get(), 0, bits);
+    return at_working_precision(value.real().midpoint());
+}
+
+} // namespace
+
+SecondRoute by_nested_integrals(const scene::Scene& scene, const scene::AskedValue& asked,
+                                unsigned digits) {
+    const unsigned working = digits_with_spare(asked, digits);
+    const Ball radius = radius_at(scene, working);
+    const PrecisionScope scope(working + 10);
+    const AbelQuadrature of(scene, at_working_precision(radius.midpoint()), digits + 10);
+    const Real value = asked.quantity == scene::Quantity::p   ? of.pressure(number(*asked.u))
+                       : asked.quantity == scene::Quantity::P ? of.force()
+                                                              : of.approach();
+    return {"nested-integrals", value, Real(abs(value) * pow(Real(10), -static_cast<int>(digits)))};
+}
+
+SecondRoute by_elliptic_integrals(const scene::Scene& scene, const scene::AskedValue& asked,
+                                  unsigned digits) {
+    const unsigned working = digits_with_spare(asked, digits);
+    const Ball radius = radius_at(scene, working);
+    const PrecisionScope scope(working + 10);
+    const Real a = at_working_precision(radius.midpoint());
+    const Real u = number(*asked.u);
+    const Real r = abs(Real(a - u));
+    const contact::Profile& profile = scene.round->profile;
+    const contact::SlopeIn<Real> slope(profile);
+    std::optional<Real> power;
+    if (scene.round->law) {
+        power = number(profile.parameters().at("m"));
+    }
+    const Real C = power ? number(profile.parameters().at("C")) : Real(0);
+    const Real from_edge = u < a ? u : Real(2 * a - u); // of r
+    /// `apart`: the distance of the radii; `outer`: a minus the greater one.
+    const auto kernel = [&](const Real& x, const Real& apart, const Real& outer) {
+        const Real big2 = x > r ? Real(x * x) : Real(r * r);
+        const Real small = x > r ? r : x;
+        const Real D = apart * (x + r);
+        const Real first = outer * (2 * a - outer); // a^2 - the square of the greater radius
+        return Real(sqrt(first) * carlson_rf(Real(a * a * D), Real(big2 * D),
+                                             Real(big2 * (x > r ? Real((a - small) * (a + small))
+                                                                : Real((a - x) * (a + x))))));
+    };
+    std::vector<Real> ends{Real(0), r, a};
+    Real sum = 0;
+    for (std::size_t i = slope.origin() + 1; i < slope.knots().size() && !power; ++i) {
+        const Real& v = slope.knots()[i];
+        if (v < a) {
+            ends.push_back(v);
+            if (slope.has_corner(i)) {
+                sum += slope.jump(i) * v *
+                       kernel(v, Real(abs(Real(v - r))), v > r ? Real(a - v) : from_edge);
+            }
+        }
+    }
+    std::sort(ends.begin(), ends.end());
+    Real error = 0;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        const Real& lo = ends[i];
+        const Real& hi = ends[i + 1];
+        const Real width = hi - lo;
+        if (!(width > ldexp(a, static_cast<int>(8 - bits_now())))) {
+            continue;
+        }
+        const std::size_t piece = slope.piece_at(Real((lo + hi) / 2));
+        const auto part = quadrature::tanh_sinh<Real>(
+            [&](const Real& from_lo, const Real& from_hi) {
+                const Real x = lo + width * from_lo;
+                const bool beyond = !(lo < r);
+                const Real apart =
+                    beyond ? Real((lo - r) + width * from_lo) : Real((r - hi) + width * from_hi);
+                const Real outer = beyond ? Real((a - hi) + width * from_hi) : from_edge;
+                const Real rate = power ? Real(C * (*power + 1) * pow(x, *power))
+                                        : Real(slope.value(piece, x) + x * slope.rate(piece, x));
+                return Real(rate * kernel(x, apart, outer));
+            },
+            {.target_digits = digits + 5});
+        sum += width * part.value;
+        error = std::max(error, part.estimate);
+    }
+    const Real value = number(scene.contact_modulus) / pi<Real>() * sum;
+    return {"elliptic-integrals", value, Real(abs(value) * error)};
+}
+
+namespace {
+
+/// The step of the divided differences is this many decades below the radius of convergence.
+constexpr unsigned step_decades = 12;
+/// Additional digits for a coefficient far below its natural size.
+constexpr unsigned digits_cancelled = 25;
+
+} // namespace
+
+unsigned difference_digits(std::size_t n, unsigned digits) {
+    return digits + digits_cancelled + step_decades * static_cast<unsigned>(n) + 40;
+}
+
+Real coefficient_by_differences(std::size_t n, unsigned digits, const Real& radius,
+                                const std::function<Real(const Real& u)>& pressure) {
+    const auto k = static_cast<unsigned>(n);
+    const unsigned count = k + (digits + digits_cancelled + 15) / (step_decades - 1) + 2;
+    const PrecisionScope scope(difference_digits(n, digits) + 60);
+    const Real delta = radius * pow(Real(10), -static_cast<int>(step_decades));
+    std::vector<Real> f;
+    for (unsigned j = 1; j <= count; ++j) {
+        const Real u = delta * j;
+        f.push_back(pressure(u) / sqrt(u));
+    }
+    for (unsigned order = 1; order < count; ++order) {
+        for (unsigned j = count; j-- > order;) {
+            f[j] = (f[j] - f[j - 1]) / order;
+        }
+    }
+    std::vector<Real> polynomial{f[count - 1]}; // in t = u/delta, by Horner at t = j
+    for (unsigned j = count - 1; j-- > 0;) {
+        polynomial.insert(polynomial.begin(), Real(0));
+        for (std::size_t i = 0; i + 1 < polynomial.size(); ++i) {
+            polynomial[i] -= polynomial[i + 1] * (j + 1);
+        }
+        polynomial[0] += f[j];
+    }
+    return polynomial[n] / pow(delta, static_cast<int>(n));
+}
+
+} // namespace edgeproof::validation

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pressure of an axisymmetric contact, and its series.
+#include "edgeproof/contact/axisymmetric/abel_integral.hpp"
+#include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr long bits_of_searches = 48;
+
+} // namespace
+
+/// The radius by its distances from the edge, r = a - u, and from the opposite edge.
+struct AxisymmetricContact::Place {
+    Ball u;                    ///< from the nearer edge
+    Ball other;                ///< 2a - u
+    Ball r;                    ///< not negative
+    std::vector<bool> on_knot; ///< r is known to be exactly on the bend
+    [[nodiscard]] Ball W() const { return Field<Ball>::root(clamped(u) * clamped(other)); }
+};
+
+Ball AxisymmetricContact::pressure(Edge edge, const formula::Exact& u) const {
+    const Ball from = enclosed_constant(u, bits_);
+    const Ball other = a_ * 2 - from;
+    Place at{from, other, abs(a_ - from), std::vector<bool>(bends_.size())};
+    if (const auto a = known(edge)) {
+        for (std::size_t i = 0; i < bends_.size(); ++i) {
+            const formula::Expr v = profile_.knots()[bends_[i].knot].expr();
+            const formula::Expr x = a->expr() - u.expr();
+            at.on_knot[i] =
+                overlaps(at.r, bends_[i].v) && (certainly_zero(x - v) || certainly_zero(x + v));
+        }
+    }
+    return pressure(at, false);
+}
+
+AxisymmetricContact::Place AxisymmetricContact::place_at(const formula::Exact& r) const {
+    const Ball x = enclosed_constant(r, bits_);
+    Place at{a_ - x, a_ + x, x, std::vector<bool>(bends_.size())};
+    for (std::size_t i = 0; i < bends_.size(); ++i) {
+        at.on_knot[i] = overlaps(x, bends_[i].v) &&
+                        certainly_zero(profile_.knots()[bends_[i].knot].expr() - r.expr());
+    }
+    return at;
+}
+
+Ball AxisymmetricContact::pressure_at(const formula::Exact& r) const {
+    return pressure(place_at(r), false);
+}
+
+Ball AxisymmetricContact::outer_moment(const formula::Exact& r) const {
+    const Place at = place_at(r);
+    const Ball W = at.W();
+    const Ball W3 = W * W * W;
+    const auto series = [](const Ball& x) { return BallSeries(x, 1); };
+    Ball sum(0, bits_);
+    for (std::size_t i = 0; i < bends_.size(); ++i) {
+        const Bend& bend = bends_[i];
+        const Ball& v = bend.v;
+        const bool corner = !contains_zero(bend.jump);
+        if (bend.at_origin) {
+            sum += bend.rate * W3 * 2 / 3;
+            if (corner) {
+                sum += bend.jump * Ball::pi(bits_) / 4 * (a_ * W - at.r * at.r * asinh(W / at.r));
+            }
+            continue;
+        }
+        if (!inside(bend.knot)) {
+            continue;
+        }
+        const Ball beyond = at.r - v;
+        const bool on = at.on_knot[i];
+        const long known =
+            std::min(on ? bits_ : beyond.relative_accuracy_bits(), W.relative_accuracy_bits());
+        const long accuracy = useful_accuracy(known, bits_);
+        const IntegralGoal goal{std::min(bits_, accuracy + 64), accuracy, Ball(0, bits_),
+                                abs(beyond)};
+        const RingBend of{v, bend.jump, bend.rate};
+        if ((on && !corner) || certainly_positive(beyond)) {
+            const Ball d2 = on ? Ball(0, bits_) : beyond * (at.r + v);
+            sum += outside_bend(of, series(at.r * at.r), series(d2), series(W), goal, true)[0] * W3;
+        } else if (certainly_negative(beyond)) {
+            const Ball Y = Field<Ball>::root(clamped(a_ - v) * (a_ + v));
+            sum += inside_bend(of, series(-beyond * (at.r + v)), Y, goal, true)[0] * Y;
+        } else {
+            return unknown_ball(bits_);
+        }
+    }
+    return sum;
+}
+
+Ball AxisymmetricContact::pressure(Edge /*edge*/, const Ball& u) const {
+    return pressure(Place{u, a_ * 2 - u, abs(a_ - u), std::vector<bool>(bends_.size())}, false);
+}
+
+Ball AxisymmetricContact::least_pressure(Edge /*edge*/, const Ball& u) const {
+    return pressure(Place{u, a_ * 2 - u, abs(a_ - u), std::vector<bool>(bends_.size())}, true);
+}
+
+// docs/axisymmetric.md, "What is integrated"
+Ball AxisymmetricContact::pressure(const Place& at, bool least) const {
+    if (certainly_negative(at.u) || certainly_negative(at.other)) {
+        throw DomainError("a point lies outside the contact");
+    }
+    const Ball W = at.W();
+    Ball sum(0, bits_);
+    const auto series = [](const Ball& x) { return BallSeries(x, 1); };
+    for (std::size_t i = 0; i < bends_.size(); ++i) {
+        const Bend& bend = bends_[i];
+        if (bend.at_origin) { // h' = (pi/2) jump + 2 rate s
+            sum += bend.rate * W * 2;
+            if (!contains_zero(bend.jump)) {
+                // p is infinite at the apex; the least one in the ball is that of its far end
+                const Ball r = least && contains_zero(at.r) ? upper_end(at.r) : at.r;
+                sum += bend.jump * Ball::pi(bits_) / 2 * asinh(W / r);
+            }
+            continue;
+        }
+        if (!inside(bend.knot)) {
+            continue;
+        }
+        const Ball& v = bend.v;
+        const Ball beyond = at.r - v;
+        const long known = std::min(at.on_knot[i] ? bits_ : beyond.relative_accuracy_bits(),
+                                    W.relative_accuracy_bits());
+        const long accuracy = useful_accuracy(known, bits_);
+        const IntegralGoal goal{std::min(bits_, accuracy + 64), accuracy,
+                                abs(bend.jump) / v + abs(bend.rate), abs(beyond)};
+        const auto outside = [&](const RingBend& of, const Ball& r, const Ball& width, bool on) {
+            const Ball d2 = on ? Ball(0, bits_) : (r - v) * (r + v);
+            return outside_bend(of, series(r * r), series(d2), series(width), goal)[0] * width;
+        };
+        const Ball Y = Field<Ball>::root(clamped(a_ - v) * (a_ + v));
+        const auto within = [&](const RingBend& of, const Ball& r) {
+            return inside_bend(of, series((v - r) * (v + r)), Y, goal)[0] * Y;
+        };
+        const RingBend whole{v, bend.jump, bend.rate};
+        const bool corner = !contains_zero(bend.jump);
+        if (at.on_knot[i] && corner) {
+            return unknown_ball(bits_);
+        }
+        if (at.on_knot[i] || certainly_positive(beyond)) {
+            sum += outside(whole, at.on_knot[i] ? v : at.r, W, at.on_knot[i]);
+        } else if (certainly_negative(beyond)) {
+            sum += within(whole, at.r);
+        } else if (corner && !least) {
+            return unknown_ball(bits_);
+        } else {
+            // The ball of r contains the bend. Its part increases up to it, and beyond it h'/s
+            // increases with s for a change of the rate, and decreases for a jump
+            // (docs/axisymmetric.md, "Near a bend").
+            const Ball lo(max(at.r, Ball(0, bits_)).lower(), bits_);
+            const Ball hi(at.r.upper(), bits_);
+            const Ball W_hi = Field<Ball>::root(clamped(a_ - hi) * (a_ + hi));
+            const Ball zero(0, bits_);
+            const Ball one(1, bits_);
+            const auto before = [&](const RingBend& of, const Ball& otherwise) {
+                return certainly_less(lo, v) ? within(of, lo) : otherwise;
+            };
+            const RingBend bent{v, zero, one};
+            const Ball after = outside(bent, v, W_hi, true);
+            const Ball highest =
+                certainly_less(v, hi) ? outside(bent, hi, Y, false) : outside(bent, v, Y, true);
+            sum += bend.rate *
+                   Ball::hull(min(lower_end(before(bent, after)), lower_end(after)), highest);
+            if (corner) {
+                const RingBend jump{v, one, zero};
+                const Ball beyond_it =
+                    certainly_less(v, hi) ? outside(jump, hi, W_hi, false) : unknown_ball(bits_);
+                sum += bend.jump * min(before(jump, beyond_it), beyond_it);
+            }
+        }
+    }
+    return modulus_ / Ball::pi(bits_) * sum;
+}
+
+namespace {
+
+// |c_k| <= M/rho^k: the omitted terms are bounded by those of M x^n/(1 - x), x = (u + z)/rho, whose
+// coefficients are positive and grow with u.
+/// The pressure series by the expansion at the edge; nothing if u is not well within its reach.
+std::optional<BallSeries> series_near_edge(const AxisymmetricContact& contact, const Ball& u,
+                                           std::size_t order) {
+    constexpr double most_terms = 500;
+    const Ball rho = lower_end(contact.reach(Edge::right)) * 9 / 10;
+    if (!certainly_positive(u) || !certainly_less(u * 10, rho * 7)) {
+        return {};
+    }
+    const double bits_of_a_term = -std::log2(approximate(upper_end(u / rho)));
+    const double wanted = (static_cast<double>(contact.bits()) + 8) / bits_of_a_term + 2;
+    const Ball M = contact.majorant(Edge::right, rho);
+    if (!(wanted < most_terms) || !M.is_finite()) {
+        return {};
+    }
+    const auto terms = static_cast<std::size_t>(wanted);
+    const std::vector<Ball> c = contact.expansion(Edge::right, terms);
+    const BallSeries at = BallSeries::variable(u, order);
+    BallSeries sum(c.back(), order);
+    for (std::size_t k = terms - 1; k-- > 0;) {
+        sum = sum * at + c[k];
+    }
+    const BallSeries x = BallSeries::variable(upper_end(u), order) * (1 / rho);
+    const BallSeries tail =
+        pow(x, Ball(static_cast<long>(terms), contact.bits())) / (-x + Ball(1, contact.bits())) * M;
+    for (std::size_t k = 0; k < order; ++k) {
+        sum.set(k, sum[k] + Ball::hull(-tail[k], tail[k]));
+    }
+    return sum * sqrt(at);
+}
+
+} // namespace
+
+BallSeries AxisymmetricContact::pressure_series(Edge /*edge*/, const Ball& u,
+                                                std::size_t order) const {
+    if (auto near = series_near_edge(*this, u.with_bits(bits_), order)) {
+        return *near;
+    }
+    if (auto near = series_near_edge(*this, a_ * 2 - u, order)) { // from the opposite edge
+        for (std::size_t k = 1; k < order; k += 2) {
+            near->set(k, -(*near)[k]);
+        }
+        return *near;
+    }
+    const BallSeries from = BallSeries::variable(u.with_bits(bits_), order);
+    const BallSeries other = -from + a_ * 2;
+    const BallSeries r = -from + a_; // its sign does not matter off the origin
+    if (!certainly_positive(u) || !certainly_positive(other[0])) {
+        return unknown_series(order, bits_);
+    }
+    const BallSeries r2 = r * r;
+    const BallSeries W = sqrt(from * other);
+    BallSeries sum(Ball(0, bits_), order);
+    for (const Bend& bend : bends_) {
+        if (bend.at_origin) {
+            sum = sum + W * (bend.rate * 2);
+            if (contains_zero(bend.jump)) {
+                continue;
+            }
+            if (contains_zero(r[0])) {
+                return unknown_series(order, bits_);
+            }
+            // d asinh(W/r)/dr = -a/(r W), dr/du = -1
+            const BallSeries rate = BallSeries(a_, order) / (r * W);
+            BallSeries angle(asinh(W[0] / abs(r[0])), order);
+            for (std::size_t k = 0; k + 1 < order; ++k) {
+                angle.set(k + 1, rate[k] / static_cast<long>(k + 1));
+            }
+            sum = sum + angle * (bend.jump * Ball::pi(bits_) / 2);
+            continue;
+        }
+        if (!inside(bend.knot)) {
+            continue;
+        }
+        const BallSeries d2 = r2 + -(bend.v * bend.v);
+        const Ball beyond = abs(r[0]) - bend.v;
+        // Long series serve searches, which need few digits.
+        const long accuracy =
+            useful_accuracy(beyond.relative_accuracy_bits(), order > 3 ? bits_of_searches : bits_);
+        const IntegralGoal goal{std::min(bits_, accuracy + 64), accuracy,
+                                abs(bend.jump) / bend.v + abs(bend.rate), abs(beyond)};
+        const RingBend of{bend.v, bend.jump, bend.rate};
+        if (certainly_positive(beyond)) {
+            BallSeries apart = d2;
+            apart.set(0, beyond * (abs(r[0]) + bend.v));
+            sum = sum + outside_bend(of, r2, apart, W, goal) * W;
+        } else if (certainly_negative(beyond)) {
+            BallSeries apart = -d2;
+            apart.set(0, -beyond * (abs(r[0]) + bend.v));
+            const Ball Y = Field<Ball>::root(clamped(a_ - bend.v) * (a_ + bend.v));
+            sum = sum + inside_bend(of, apart, Y, goal) * Y;
+        } else {
+            return unknown_series(order, bits_);
+        }
+    }
+    return sum * (modulus_ / Ball::pi(bits_));
+}
+
+} // namespace edgeproof::contact

@@ -69,6 +69,13 @@ private:
                               " at a place beyond the contact",
                           e);
         }
+        if (name == "slip") {
+            return beyond({formula::Expr::symbol("a") - x, x + formula::Expr::symbol("b")},
+                          "slip at a place beyond the contact", e);
+        }
+        if (name == "sxx" || name == "szz" || name == "sxz") {
+            return beyond({e.arg(1)}, "stress at a negative depth", e);
+        }
         if (name == "bof" || name == "binv" || name == "Pof" || name == "P1of") {
             return beyond({x}, name + " of a number that is not positive", e);
         }

@@ -4,6 +4,7 @@
 #include "edgeproof/audit/enclosure/contact_formulas.hpp"
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
 #include "edgeproof/audit/enclosure/integrand_parts.hpp"
+#include "edgeproof/audit/sample/body_fields.hpp"
 #include "edgeproof/audit/sample/quantity_names.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/curved/slope_monotonicity.hpp"
@@ -110,20 +111,19 @@ struct EnclosedSample::State {
         return {Q->second, tension->second};
     }
 
+    [[nodiscard]] const BodyFields& fields() const {
+        if (!fields_) {
+            const bool sheared = names.contains("Q") || names.contains("sig0");
+            fields_.emplace(sample.scene, sheared ? std::optional(load()) : std::nullopt,
+                            slips() ? std::optional(symbol("friction")) : std::nullopt, bits);
+        }
+        return *fields_;
+    }
+    mutable std::optional<BodyFields> fields_; ///< computed on first use
     /// For a scene with friction.
     [[nodiscard]] const contact::ProvedSlip& partial_slip() const {
-        if (!slip) {
-            slip = std::make_unique<contact::ProvedSlip>(
-                profile, sample.scene.parameter("Es"),
-                contact::Load::right_edge(sample.scene.parameter("a")), load(), symbol("friction"),
-                bits);
-        }
-        if (!slip->admissible()) {
-            throw Error("no partial slip: the contact slides, or the stick zone leaves it");
-        }
-        return *slip;
+        return fields().partial_slip();
     }
-    mutable std::unique_ptr<contact::ProvedSlip> slip; ///< computed on first use
     [[nodiscard]] Ball traction(const Expr& written, const Ball& at) const {
         if (!slips()) {
             const contact::Edge edge = u ? sample.edge : contact::Edge::right;
@@ -255,6 +255,12 @@ Ball EnclosedSample::State::call(const Expr& node, std::span<const Ball> args) c
     if (name == "gap") {
         return gap_at(closed_form(name), axisymmetric(), args[0]);
     }
+    if (name == "sxx" || name == "szz" || name == "sxz") {
+        return fields().stress(name, args[0], args[1]);
+    }
+    if (name == "slip") {
+        return fields().slip(args[0]);
+    }
     if (name == "right_local") {
         return local(contact::Edge::right, node, args);
     }
@@ -347,7 +353,7 @@ Ball EnclosedSample::evaluate(const Expr& e) const { return formula::evaluate<Ba
 void EnclosedSample::set(const std::string& name, const Ball& value) {
     state_->names.insert_or_assign(name, value);
     state_->overridden.insert(name);
-    state_->slip.reset();
+    state_->fields_.reset();
 }
 
 void EnclosedSample::set_place(contact::Edge edge, const Ball& u) {

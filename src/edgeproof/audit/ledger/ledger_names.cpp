@@ -84,7 +84,9 @@ void refuse_names(Vocabulary& v, const Friction& friction, const std::string& fa
         }
     }
     if (!friction.all) {
-        for (const std::string& name : slip_symbols()) {
+        std::vector<std::string> names = slip_symbols();
+        names.emplace_back("slip");
+        for (const std::string& name : names) {
             v.refused[name] = {
                 dotted(name) + " is a quantity of partial slip, and family " + family +
                     " has no friction",
@@ -280,7 +282,8 @@ bool is_full_stick_symbol(std::string_view name) {
 const std::vector<std::pair<std::string, unsigned>>& scene_functions() {
     static const std::vector<std::pair<std::string, unsigned>> functions{
         {"p", 1},    {"g1", 1},          {"Pof", 1},        {"P1of", 1}, {"bof", 1},
-        {"binv", 1}, {"right_local", 2}, {"left_local", 2}, {"q", 1},    {"gap", 1}};
+        {"binv", 1}, {"right_local", 2}, {"left_local", 2}, {"q", 1},    {"gap", 1},
+        {"sxx", 2},  {"szz", 2},         {"sxz", 2},        {"slip", 1}};
     return functions;
 }
 
@@ -342,9 +345,9 @@ InputError with_scope(const InputError& error) {
         }
         if (topic == below) {
             return InputError(
-                       problem + ": formulas have no names for stresses below the surface",
-                       "write them as integrals of p(s), as in docs/references.md, or define "
-                       "the name if it is something else")
+                       problem + ": stresses in formulas are functions of the place and the depth",
+                       "write sxx(x, z), szz(x, z), sxz(x, z), stresses in body A without a bulk "
+                       "stress, or define the name if it is something else")
                 .at(error.file(), error.line());
         }
         if (topic == point) {

@@ -38,7 +38,7 @@ struct Ledger;
 [[nodiscard]] const std::vector<std::pair<std::string, unsigned>>& scene_functions();
 
 /// For a name that is not available in formulas: its usual meaning in the literature, if that is a
-/// part of mechanics which Edgeproof does not cover: "stress below the surface" for tau_max,
+/// part of mechanics which formulas write otherwise: "stress below the surface" for tau_max,
 /// "friction" for mu, a "point contact" for sphere. Nothing for any other name.
 [[nodiscard]] std::optional<std::string_view> outside_of_scope(std::string_view name);
 

@@ -20,6 +20,11 @@ constexpr int screening_level = 6;
 constexpr long most_local_terms = 1000;
 constexpr std::size_t most_pressures = 4096; ///< stored for each edge
 
+/// True for the functions of BodyFields.
+bool is_body_function(std::string_view name) {
+    return name == "sxx" || name == "szz" || name == "sxz" || name == "slip";
+}
+
 } // namespace
 
 EvaluatedSceneLevel::EvaluatedSceneLevel(const SceneSpec& spec, const contact::Profile& profile)
@@ -178,6 +183,9 @@ Real EvaluatedSceneState::call(const std::string& name, std::span<const Real> ar
     if (name == "gap") {
         return gap(s);
     }
+    if (is_body_function(name)) {
+        return of_body(name, args, place);
+    }
     if (name == "right_local" || name == "left_local") {
         const contact::Edge edge =
             name == "right_local" ? contact::Edge::right : contact::Edge::left;
@@ -204,7 +212,7 @@ std::vector<Real> EvaluatedSceneState::critical_arguments(const std::string& fun
     EvaluatedSceneLevel& level = here();
     const auto& law = level.law;
     for (const Real& knot : law.slope().knots()) {
-        if (function == "g1" || function == "p" || function == "q") {
+        if (function == "g1" || function == "p" || function == "q" || is_body_function(function)) {
             values.push_back(knot);
         } else if (function == "binv") {
             values.push_back(knot > 0 ? level.extent_at(knot).b : Real(-knot));
@@ -216,7 +224,7 @@ std::vector<Real> EvaluatedSceneState::critical_arguments(const std::string& fun
             values.emplace_back(0);
         }
     }
-    if (function == "q" && spec.slips()) {
+    if ((function == "q" || is_body_function(function)) && spec.slips()) {
         values.push_back(*derived_symbol("stick_a"));
         values.push_back(-*derived_symbol("stick_b"));
     }

@@ -57,7 +57,8 @@ enum class Effort { screening, full };
 /// right_local(n, x), left_local(n, x), the n-term approximations, and q(x), the shear traction
 /// under full stick if the scene has Q and sig0; right_s0, left_s0, ... are its coefficients. With
 /// `friction` as well, q(x) is that of partial slip, right_d and left_d are the sizes of the slip
-/// zones, stick_a and stick_b the edges of the stick zone.
+/// zones, stick_a and stick_b the edges of the stick zone, and slip(x) is u_A - u_B. sxx(x, z),
+/// szz(x, z), sxz(x, z) are the stresses in body A, without a bulk stress of A.
 /// integral(f, s, lo, hi) and pv(f, s, lo, hi, x) are evaluated as printed, with a precision that
 /// is sufficient at their end points. Not thread-safe: one thread may use an object at a time.
 class EvaluatedScene {

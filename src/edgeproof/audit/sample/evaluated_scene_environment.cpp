@@ -113,18 +113,26 @@ void EvaluatedSceneEnvironment::collect_cuts(const formula::Expr& f, const std::
     }
 }
 
-/// The quantities of partial slip in an EvaluatedScene.
-Real EvaluatedSceneState::of_slip(const std::function<Ball(const contact::ProvedSlip&)>& quantity) {
-    if (enclosed_slips.empty()) {
+Real EvaluatedSceneState::of_fields(const std::function<Ball(const BodyFields&)>& quantity) {
+    if (enclosed_fields.empty() && spec.slips()) {
         require_partial_slip(spec);
     }
     const long needed = formula::bits_for(precision.integrand());
     std::optional<Ball> best;
     for (long bits = 2 * needed; bits <= 16 * needed; bits *= 2) {
-        const auto [it, fresh] = enclosed_slips.try_emplace(bits);
+        const auto [it, fresh] = enclosed_fields.try_emplace(bits);
         try {
             if (fresh) {
-                it->second = std::make_unique<contact::ProvedSlip>(spec.partial_slip(bits));
+                const auto number = [&](const char* name) {
+                    return formula::ball_of(spec.parameter(name), bits);
+                };
+                const bool sheared =
+                    spec.parameters.contains("Q") || spec.parameters.contains("sig0");
+                it->second = std::make_unique<BodyFields>(
+                    spec,
+                    sheared ? std::optional(contact::ShearLoad<Ball>{number("Q"), number("sig0")})
+                            : std::nullopt,
+                    spec.slips() ? std::optional(number("friction")) : std::nullopt, bits);
             }
             if (it->second == nullptr) {
                 continue;
@@ -145,9 +153,25 @@ Real EvaluatedSceneState::of_slip(const std::function<Ball(const contact::Proved
     }
     if (!best) {
         throw BudgetError("balls of " + std::to_string(16 * needed) +
-                          " bits do not enclose the partial slip");
+                          " bits do not enclose the stress or the slip");
     }
     return at_working_precision(best->midpoint());
+}
+
+Real EvaluatedSceneState::of_body(const std::string& function, std::span<const Real> args,
+                                  const Place* place) {
+    if (function != "slip" && args[1] < 0) {
+        throw DomainError("a stress at a negative depth");
+    }
+    return of_fields([&](const BodyFields& f) {
+        const long bits = f.contact().bits();
+        Ball x(args[0], bits);
+        if (place != nullptr && at_working_precision(place->x) == args[0]) {
+            const Ball u(place->u, bits);
+            x = place->edge == contact::Edge::right ? f.contact().a() - u : u - f.contact().b();
+        }
+        return function == "slip" ? f.slip(x) : f.stress(function, x, Ball(args[1], bits));
+    });
 }
 
 Real EvaluatedSceneState::gap(const Real& x) const {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/audit/sample/body_fields.hpp"
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/audit/sample/naive_integral.hpp"
-#include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/law/contact_law.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
@@ -49,8 +49,8 @@ struct EvaluatedSceneState {
     /// p by the distance from the right edge and from the left edge; integrals of p share nodes.
     std::array<std::map<Real, Real>, 2> pressures;
 
-    /// For a scene with friction, by bits; null if this number of bits does not give an enclosure.
-    std::map<long, std::unique_ptr<contact::ProvedSlip>> enclosed_slips;
+    /// By bits; null if this number of bits does not give an enclosure.
+    std::map<long, std::unique_ptr<BodyFields>> enclosed_fields;
 
     /// Returns the level of the working precision. Far from their ends, integrands need few digits;
     /// this saves time only if all their parts have as few.
@@ -95,8 +95,14 @@ struct EvaluatedSceneState {
     std::vector<Real> critical_arguments(const std::string& function);
     [[nodiscard]] contact::ShearLoad<Real> shear_load() const;
     [[nodiscard]] Place place_of_x(const Real& x) const;
-    /// Returns the middle of the enclosure of a quantity of partial slip.
-    Real of_slip(const std::function<Ball(const contact::ProvedSlip&)>& quantity);
+    /// Returns the middle of the enclosure of a quantity of the bodies.
+    Real of_fields(const std::function<Ball(const BodyFields&)>& quantity);
+    /// The same for a quantity of partial slip.
+    Real of_slip(const std::function<Ball(const contact::ProvedSlip&)>& quantity) {
+        return of_fields([&](const BodyFields& f) { return quantity(f.partial_slip()); });
+    }
+    /// Returns a stress or the slip, a function of BodyFields, at a place of the sample or at x.
+    Real of_body(const std::string& function, std::span<const Real> args, const Place* place);
     /// Returns the middle of the enclosure of the gap at x > a.
     [[nodiscard]] Real gap(const Real& x) const;
     /// Returns q(x), under partial slip if the scene has friction.

@@ -81,15 +81,14 @@ template <class T> [[nodiscard]] T sum_of_terms(std::span<const T> c, const T& u
     return sum * sqrt(u);
 }
 
-/// Returns the gap (length) at x > a (length), right of the contact.
+/// Returns the gap (length) at the place x (length) outside the contact.
 [[nodiscard]] inline Ball gap_at(const contact::BallContact& contact, bool axisymmetric,
                                  const Ball& x) {
     const Ball beyond = x - contact.a();
-    if (!certainly_positive(beyond)) {
+    if (!certainly_positive(beyond) && (axisymmetric || !certainly_positive(-x - contact.b()))) {
         throw DomainError("the gap at a place that may be inside the contact");
     }
-    return axisymmetric ? axisymmetric_gap(contact, beyond)
-                        : gap_beyond(contact, contact::Edge::right, beyond);
+    return axisymmetric ? axisymmetric_gap(contact, beyond) : contact::gap_at(contact, x);
 }
 
 } // namespace edgeproof::audit

@@ -26,6 +26,7 @@ public:
                const ShearLoad<Ball>& shear, const Ball& friction, long bits);
 
     [[nodiscard]] const BallSlip& slip() const { return *slip_; }
+    [[nodiscard]] const ProvedContact& contact() const { return *contact_; }
     /// True unless the contact is proved to slide or an edge of the stick zone is proved to lie
     /// outside the contact.
     [[nodiscard]] bool admissible() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/stress/surface_gap.hpp"
 
+#include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/stress/cauchy_integral.hpp"
 
 #include <cstddef>
@@ -84,6 +85,16 @@ Ball gap_beyond(const BallContact& contact, Edge edge, const Ball& beyond) {
     }
     return edge == Edge::right ? linear_gap(contact, beyond)
                                : linear_gap(contact.mirrored(), beyond);
+}
+
+Ball gap_at(const BallContact& contact, const Ball& x) {
+    const Ball right = x - contact.a();
+    const Ball left = -x - contact.b();
+    if (certainly_negative(right) && certainly_negative(left)) {
+        return {0, x.bits()};
+    }
+    return certainly_negative(right) ? gap_beyond(contact, Edge::left, clamped(left))
+                                     : gap_beyond(contact, Edge::right, clamped(right));
 }
 
 } // namespace edgeproof::contact

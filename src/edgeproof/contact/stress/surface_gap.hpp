@@ -10,4 +10,8 @@ namespace edgeproof::contact {
 /// a closed form. Enclosed. It grows as beyond^(3/2) at the edge.
 [[nodiscard]] Ball gap_beyond(const BallContact& contact, Edge edge, const Ball& beyond);
 
+/// The gap (length) at the place x (length) on either side of a contact with a closed form, or of a
+/// zone of its profile; 0 inside. Enclosed.
+[[nodiscard]] Ball gap_at(const BallContact& contact, const Ball& x);
+
 } // namespace edgeproof::contact

@@ -5,34 +5,21 @@
 #include "edgeproof/scene/route/ball_level.hpp"
 
 namespace edgeproof::scene {
-namespace {
 
-/// The gap at x of a zone as a contact of its own; 0 inside.
-Ball gap_of_zone(const contact::BallContact& zone, const Ball& x) {
-    const Ball right = x - zone.a();
-    const Ball left = -x - zone.b();
-    if (certainly_negative(right) && certainly_negative(left)) {
-        return {0, x.bits()};
+const contact::TractionParts* BallLevel::traction_parts() {
+    if (!traction_parts_ && slip() != nullptr && !slip()->sliding()) {
+        traction_parts_.emplace(*slip(), *contact_, tilt_ ? tilt_->near : *scene_.profile,
+                                scene_.contact_modulus, scene_.shear->bulk_tension.sign() != 0);
     }
-    return certainly_negative(right)
-               ? gap_beyond(zone, contact::Edge::left, contact::clamped(left))
-               : gap_beyond(zone, contact::Edge::right, contact::clamped(right));
+    return traction_parts_ ? &*traction_parts_ : nullptr;
 }
-
-} // namespace
 
 const std::vector<contact::BallContact>* BallLevel::part_contacts() {
-    if (!part_contacts_ && slip() != nullptr && !slip()->sliding()) {
-        part_contacts_.emplace();
-        for (const contact::ShearPart& part : slip()->parts()) {
-            part_contacts_->push_back(contact_->closed_form()->between(part.zone.a, part.zone.b));
-        }
-    }
-    return part_contacts_ ? &*part_contacts_ : nullptr;
+    const contact::TractionParts* const parts = traction_parts();
+    return parts == nullptr ? nullptr : parts->closed();
 }
 
-// docs/stress.md, "The Cauchy integrals of q": in partial slip q = f (p - p*) in the direction of
-// Q; after a load history q is a sum of such parts (docs/histories.md).
+// docs/stress.md, "The Cauchy integrals of q"
 contact::CauchyIntegral BallLevel::shear_integral(const contact::CauchyIntegral& p,
                                                   const Box& zeta) {
     if (!scene_.shear) {
@@ -44,51 +31,12 @@ contact::CauchyIntegral BallLevel::shear_integral(const contact::CauchyIntegral&
     if (!scene_.slips()) {
         return cauchy_integral(contact::Extent<Ball>{a(), b()}, load(), zeta);
     }
-    const auto parts = part_integrals(zeta);
-    if (!parts) {
+    const contact::TractionParts* const parts = traction_parts();
+    if (parts == nullptr) {
         const Box unknown(not_known(), not_known());
         return {unknown, unknown};
     }
-    contact::CauchyIntegral q = p * slip()->whole_ratio();
-    for (std::size_t i = 0; i < parts->size(); ++i) {
-        q = q - (*parts)[i] * -slip()->parts()[i].ratio;
-    }
-    return q;
-}
-
-contact::CauchyIntegral BallLevel::pressure_integral(const Box& zeta) const {
-    const contact::BallContact* const closed = contact_->closed_form();
-    return closed != nullptr
-               ? cauchy_integral(*closed, zeta)
-               : dynamic_cast<const contact::IntegratedContact&>(*contact_).cauchy_integral(zeta);
-}
-
-std::optional<std::vector<contact::CauchyIntegral>> BallLevel::part_integrals(const Box& zeta) {
-    std::vector<contact::CauchyIntegral> integrals;
-    if (slip() == nullptr || slip()->sliding()) {
-        return {};
-    }
-    if (parts_are_closed()) {
-        for (const contact::BallContact& zone : *part_contacts()) {
-            integrals.push_back(cauchy_integral(zone, zeta));
-        }
-        return integrals;
-    }
-    if (integrated_parts_.empty()) {
-        const auto* const curved = dynamic_cast<const contact::IntegratedContact*>(contact_.get());
-        const std::optional<contact::IntegratedContact> power_law =
-            curved != nullptr ? std::nullopt
-                              : std::optional(contact::IntegratedContact(
-                                    *scene_.profile, scene_.contact_modulus, a(), b(), bits_));
-        for (const contact::ShearPart& part : slip()->parts()) {
-            integrated_parts_.push_back((curved != nullptr ? *curved : *power_law)
-                                            .between(part.zone.a, part.zone.b, bits_));
-        }
-    }
-    for (const contact::IntegratedContact& zone : integrated_parts_) {
-        integrals.push_back(zone.cauchy_integral(zeta));
-    }
-    return integrals;
+    return parts->integral(p, zeta);
 }
 
 Ball BallLevel::bulk_stress(Body body) const {
@@ -148,7 +96,7 @@ const contact::StressState& BallLevel::stress(const AskedValue& at) {
         return last_stress_->second;
     }
     const Box zeta(ball_of(point.x, bits_), ball_of(point.z, bits_));
-    contact::CauchyIntegral p = pressure_integral(zeta);
+    contact::CauchyIntegral p = contact::pressure_integral(*contact_, zeta);
     contact::CauchyIntegral q = shear_integral(p, zeta);
     const bool tension = scene_.shear && scene_.shear->bulk_tension.sign() != 0;
     if (point.x.sign() == 0 && scene_.symmetric() && !tension) {
@@ -182,7 +130,7 @@ Ball BallLevel::gap(const AskedValue& at) {
         return form != nullptr ? axisymmetric_gap(*form, beyond)
                                : of_revolution().gap_beyond(beyond);
     }
-    return gap_of_zone(*form, x);
+    return gap_at(*form, x);
 }
 
 const std::vector<BallLevel::SlipSince>* BallLevel::slip_since_contact() {
@@ -230,7 +178,7 @@ Ball BallLevel::slip_after_history(const Ball& x) {
             }
             Ball sum(0, bits_);
             for (const auto& [ratio, contact] : *parts) {
-                sum += ratio * gap_of_zone(contact, x);
+                sum += ratio * gap_at(contact, x);
             }
             return sum;
         }
@@ -258,7 +206,7 @@ Ball BallLevel::slip_displacement(const AskedValue& at) {
     }
     const auto* const zones = part_contacts();
     return zones == nullptr ? not_known()
-                            : slip()->parts().front().ratio * gap_of_zone(zones->front(), x);
+                            : slip()->parts().front().ratio * gap_at(zones->front(), x);
 }
 
 // docs/axisymmetric.md, "The slip"

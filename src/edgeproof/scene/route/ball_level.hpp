@@ -3,6 +3,7 @@
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
+#include "edgeproof/contact/curved/proved_tractions.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/law/shear.hpp"
@@ -261,24 +262,14 @@ private:
     [[nodiscard]] Ball poisson(const AskedValue& at) const {
         return ball_of(*scene_.poisson(at.in_body->body), bits_);
     }
-    /// The Cauchy integral of p.
-    [[nodiscard]] contact::CauchyIntegral pressure_integral(const Box& zeta) const;
-    /// The Cauchy integrals of the pressures of the parts of q; nothing if these bits do not
-    /// isolate their zones.
-    [[nodiscard]] std::optional<std::vector<contact::CauchyIntegral>>
-    part_integrals(const Box& zeta);
     /// The Cauchy integral of q on body A; `p` is that of p.
     [[nodiscard]] contact::CauchyIntegral shear_integral(const contact::CauchyIntegral& p,
                                                          const Box& zeta);
+    /// The parts of q; null if these bits do not isolate them, or if the contact slides.
+    [[nodiscard]] const contact::TractionParts* traction_parts();
     /// The zones of the parts of q as contacts, with the tilt of the corrective problem; null if
-    /// these bits do not isolate them. Only for zones with a closed form.
+    /// these bits do not isolate them, or if they have no closed forms.
     [[nodiscard]] const std::vector<contact::BallContact>* part_contacts();
-    /// True if the zones of the parts of q have closed forms.
-    [[nodiscard]] bool parts_are_closed() const {
-        const contact::BallContact* const closed = contact_->closed_form();
-        return closed != nullptr &&
-               (closed->piecewise_linear() || scene_.shear->bulk_tension.sign() == 0);
-    }
     /// The slip of the places inside a zone, and outside that of the entry before, since they came
     /// into contact: the sum of the ratios times the gaps of the contacts. Without parts it is not
     /// computed.
@@ -419,8 +410,7 @@ private:
     std::optional<contact::SlipSeries<Ball>> slip_series_;
     std::optional<Last> last_;
     std::optional<std::pair<BodyPoint, contact::StressState>> last_stress_;
-    std::optional<std::vector<contact::BallContact>> part_contacts_;
-    std::vector<contact::IntegratedContact> integrated_parts_;
+    std::optional<contact::TractionParts> traction_parts_;
     std::optional<std::vector<SlipSince>> slip_since_;
     std::optional<Ball> ratio_;
     std::map<contact::Edge, std::vector<Ball>> c_;

@@ -24,7 +24,7 @@ constexpr std::size_t most_pressures = 4096; ///< stored for each edge
 
 EvaluatedSceneLevel::EvaluatedSceneLevel(const SceneSpec& spec, const contact::Profile& profile)
     : law(profile, spec.parameter("Es").to<Real>()) {
-    for (const auto& [name, value] : spec.parameters) {
+    for (const auto& [name, value] : spec.names()) {
         parameters.emplace(name, value.to<Real>());
     }
     extent = law.extent(parameters.at("a"));

@@ -237,6 +237,9 @@ Explained CauseSearch::by_name(const Group& group) {
     const WrongRows some = wrong_rows(answers_, agreements_, evenly(group.rows, most_rows_tried));
     add_factors(all, all_of(all), {}, explained);
     add_readings(some, all, explained);
+    if (constant_is_better(all, explained)) {
+        return {group, {}};
+    }
     add_undistinguished(some, all, explained);
     keep_best(explained);
     add_doubt(all, explained);
@@ -264,20 +267,37 @@ CauseSearch::Values CauseSearch::times(Values values, const Real& factor) {
     return values;
 }
 
-Explained CauseSearch::by_constant(const Group& group) {
-    Explained explained{group, {}};
-    const WrongRows all = wrong_rows(answers_, agreements_, group.rows);
+std::optional<Likely> CauseSearch::constant_of(const Group& group, const WrongRows& all) const {
     const auto ratio = common_ratio(all, all_of(all));
     if (!ratio || abs(Real(ratio->value - 1)) < std::max(least_constant, 3 * noise_)) {
-        return explained;
+        return {};
     }
     auto fit = fit_of(all, times(all_of(all), ratio->value), noise_);
     const double unscattered = std::max(same_value, 3 * noise_);
-    if (fit && (is_whole(group) || fit->held <= same_value) &&
-        fit->noise_like.value_or(fit->held <= unscattered) &&
-        (all.size() >= least_rows_of_constant || fit->held <= same_value)) {
-        noise_ = std::max(noise_, fit->scatter);
-        explained.likely.push_back(constant(*ratio, std::move(*fit)));
+    const bool accepted = fit && (is_whole(group) || fit->held <= same_value) &&
+                          fit->noise_like.value_or(fit->held <= unscattered) &&
+                          (all.size() >= least_rows_of_constant || fit->held <= same_value);
+    return accepted ? std::optional(constant(*ratio, std::move(*fit))) : std::nullopt;
+}
+
+bool CauseSearch::constant_is_better(const WrongRows& all, const Explained& named) const {
+    const auto other = named.likely.empty() ? std::nullopt : constant_of(named.group, all);
+    if (!other) {
+        return false;
+    }
+    const double unit = std::max(other->fit.scatter, noise_);
+    return std::ranges::all_of(named.likely, [&](const Likely& l) {
+        return !l.fit.noise_like.value_or(true) &&
+               misfit(l.fit, unit) > misfit(other->fit, unit) + indistinguishable_misfit(l.fit);
+    });
+}
+
+Explained CauseSearch::by_constant(const Group& group) {
+    Explained explained{group, {}};
+    const WrongRows all = wrong_rows(answers_, agreements_, group.rows);
+    if (auto found = constant_of(group, all)) {
+        noise_ = std::max(noise_, found->fit.scatter);
+        explained.likely.push_back(std::move(*found));
         add_undistinguished(wrong_rows(answers_, agreements_, evenly(group.rows, most_rows_tried)),
                             all, explained);
         keep_best(explained);

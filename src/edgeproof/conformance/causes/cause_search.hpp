@@ -79,8 +79,8 @@ private:
 
     /// Adds the readings and factors that fit the rows as well as the causes found, however little
     /// they change or however improbable the noise is with them: the answers do not distinguish
-    /// them. If the answers have noise, it may hide what a mistake
-    /// in the data of a contact does to other rows of the quantity.
+    /// them. If the answers have noise, it may hide what a mistake in the data of a contact does to
+    /// other rows of the quantity.
     void add_undistinguished(const WrongRows& some, const WrongRows& all, Explained& to);
 
     [[nodiscard]] bool is_whole(const Group& group) const;
@@ -94,6 +94,10 @@ private:
     /// A constant without a name: only of all failing rows of a quantity, and only if the answers
     /// scatter about it from point to point, or no more than those of the other quantities, so that
     /// it is one to the accuracy of the answers.
+    [[nodiscard]] std::optional<Likely> constant_of(const Group& group, const WrongRows& all) const;
+    /// True if all named causes leave a smooth remainder that a constant without a name does not
+    /// leave: one that is nearly the effect of a mistake by chance.
+    [[nodiscard]] bool constant_is_better(const WrongRows& all, const Explained& named) const;
     [[nodiscard]] Explained by_constant(const Group& group);
 
     /// Adds to each group the causes of other groups that fit it as well as its own or better: a

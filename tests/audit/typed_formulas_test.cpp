@@ -52,31 +52,3 @@ TEST_CASE("a claim that can be read in two ways is refused with its line") {
         CHECK(ledger.claims.empty());
     }
 }
-
-TEST_CASE("a rigid flat punch: its pressure is the traction q(x) of a force Q under full stick") {
-    // p = P/(pi sqrt(a^2 - x^2)) for the force P (Johnson, eq. 2.64), with Q as that force.
-    const std::string punch = small_ledger::head + R"(
-[[family]]
-name = "flat-punch"
-profile = "power-law"
-count = 4
-u = ["1e-9", "1/20", "1/3"]
-[family.parameters]
-m = ["1"]
-C = ["1"]
-Es = ["1"]
-a = ["3/2", "0.02"]
-Q = ["7/5", "2e4"]
-sig0 = ["0"]
-)";
-    const auto verdict = [&](const char* says) {
-        const Ledger ledger = small_ledger::ledger_of(
-            std::string("kind = \"value\"\nof = \"q(x)\"\nover = \"flat-punch\"\nsays = '") + says +
-                "'\n",
-            punch);
-        return small_ledger::audit_of(ledger).claims.front().outcome.verdict;
-    };
-    CHECK(verdict(R"(\frac{Q}{\pi\sqrt{a^2-x^2}})") == Verdict::confirmed);
-    CHECK(verdict("Q/(Pi*sqrt(u*(2*a - u)))") == Verdict::confirmed);
-    CHECK(verdict(R"(\frac{Q}{2\sqrt{a^2-x^2}})") == Verdict::refuted);
-}

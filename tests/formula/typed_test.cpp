@@ -15,6 +15,8 @@ const Symbols typed_symbols = [] {
               "t", "u", "x", "m",  "sigma_0", "phi", "nu1"};
     s.add_function("Pof", 1).add_function("P1of", 1).add_function("bof", 1).add_function("p", 1);
     s.add_function("g1", 1);
+    // A function and a name of two bodies, each with the letters of another reading.
+    s.add("F").add_function("F", 1).add("R1").add("g").add("d").add_function("gap", 1);
     return s;
 }();
 
@@ -119,6 +121,19 @@ TEST_CASE("a subset of LaTeX is read") {
         {R"(\frac{1}{\pi}\int_0^a g'(s)\,\mathrm{d}s + x)", "1/Pi*integral(g1(s), s, 0, a)+x"},
         {R"(\int_{-b}^{a}(s+x)^2 ds)", "integral((s+x)^2, s, -b, a)"},
         {R"(\operatorname{sgn}(x)\sqrt{2}a)", "sgn(x)*sqrt(2)*a"},
+        {R"(\sin x\cdot\cos x)", "sin(x)*cos(x)"},
+        {R"(\left(\sin x\right)a)", "(sin(x))*a"},
+        {R"(\int_0^a \sin s\,ds)", "integral(sin(s), s, 0, a)"},
+        {R"(\int_1^a \frac{dx}{x})", "integral(1/x, x, 1, a)"},
+        {R"(e^{\sin x}a)", "exp(sin(x))*a"},
+        {R"(a\frac12)", "a*(1/2)"},
+        {R"(2\sqrt[3]{2})", "2*2^(1/3)"},
+        {R"(x^{(3/2)})", "x^(3/2)"},
+        {R"(p[x]\,)", "p(x)"},
+        {R"(F(a+b)\,)", "F(a+b)"},
+        {R"(2e^{x})", "2*exp(x)"},
+        {R"({(a+b)}^2)", "(a+b)^2"},
+        {R"(\frac{d^2}{4})", "d^2/4"},
     };
     for (const auto& [typed, plain] : cases) {
         CAPTURE(typed);
@@ -128,10 +143,43 @@ TEST_CASE("a subset of LaTeX is read") {
 }
 
 TEST_CASE("LaTeX that can be read in two ways, or is not of the subset, is refused in one line") {
-    for (const char* text :
-         {R"(a/2b\cdot{})", R"(1/2\sqrt{x})", R"(\sin 2x)", R"(\sin x y)", R"(\sin^{-1}x)",
-          R"(\sin(x)^2\,)", R"(P(a)\,)", R"(P(a+b)\,)", R"(\mathrm{C}(a))", R"(\int_0^a ds\,p(s))",
-          R"(\int_0^a p(s) ds\, x)"}) {
+    for (const char* text : {R"(a/2b\cdot{})",
+                             R"(1/2\sqrt{x})",
+                             R"(\sin 2x)",
+                             R"(\sin x y)",
+                             R"(\sin^{-1}x)",
+                             R"(\sin(x)^2\,)",
+                             R"(P(a)\,)",
+                             R"(P(a+b)\,)",
+                             R"(\mathrm{C}(a))",
+                             R"(\int_0^a ds\,p(s))",
+                             R"(\int_0^a p(s) ds\, x)",
+                             R"(\sin x/2)",
+                             R"(\ln a\cdot b)",
+                             R"({\sin x}a)",
+                             R"(\sin^{(-1)}x)",
+                             R"(\int_0^a dx/x)",
+                             R"(\int_0^a dx \sin x)",
+                             R"({\int_0^a s\,ds}b)",
+                             R"(\int_0^a s\,ds\cdot b)",
+                             R"(\,exp(x))",
+                             R"(a\,exp(x))",
+                             R"(\,gap(x))",
+                             R"(\,e(x))",
+                             R"(2e-3\,)",
+                             R"(3e2\,)",
+                             R"(2\frac12)",
+                             R"(2{3})",
+                             R"(a\mathrm{3})",
+                             R"(P^{(2)})",
+                             R"(p^{-1}(x)\,)",
+                             R"(\frac{dP}{da})",
+                             R"(\frac{d^2P}{da^2})",
+                             R"(C(-a)\,)",
+                             R"(C[a]\,)",
+                             R"(C{(a)})",
+                             R"({C}(a))",
+                             R"(C\{a\})"}) {
         CAPTURE(text);
         CHECK(refused(tex, text).find("can be read in two ways") != std::string::npos);
     }
@@ -165,7 +213,12 @@ TEST_CASE("LaTeX that can be read in two ways, or is not of the subset, is refus
                              R"(\mathrm{a b^2})",
                              "{",
                              "}",
-                             R"(\{a)"}) {
+                             R"(\{a)",
+                             R"(R'\,)",
+                             R"({x^2}^3)",
+                             R"({\sin x}^2)",
+                             R"(\int_0^a \frac{s}{ds})",
+                             R"(\left.x\right.)"}) {
         CAPTURE(text);
         (void)refused(tex, text);
     }

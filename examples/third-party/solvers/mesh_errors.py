@@ -64,13 +64,14 @@ def main():
     edgeproof = shutil.which(os.environ.get("EDGEPROOF", "edgeproof"))
     if edgeproof is None:
         scenes.give_up("there is no edgeproof; put it on the PATH, or say where it is by EDGEPROOF")
-    rows = []
+    rows, left_out = [], []
     for contact in chosen.contacts:
         for count in chosen.elements:
             try:
                 inside, error = measured(edgeproof, contact, count, chosen)
             except SystemExit as failure:  # CalculiX does not converge on every mesh
                 print(f"{contact}, {count} elements, is left out: {str(failure)[:80]}", file=sys.stderr)
+                left_out.append(f"{contact} {count}")
                 continue
             rows.append([contact, count, f"{inside:.1f}", f"{error:.3g}", f"{inside * error:.3g}"])
             print(*rows[-1], sep=",", flush=True)
@@ -79,6 +80,8 @@ def main():
             print("# Errors of CalculiX away from the edges, by mesh_errors.py --write. error: root mean square,",
                   "# relative to the largest pressure. product: error times the elements in the contact.", sep="\n",
                   file=file)
+            if left_out:
+                print(f"# CalculiX does not converge: {', '.join(left_out)}.", file=file)
             table = csv.writer(file, lineterminator="\n")
             table.writerow(["contact", "elements_of_mesh", "elements_in_contact", "error", "product"])
             table.writerows(rows)

@@ -163,8 +163,12 @@ Certificate certify(const audit::ClaimResult& result, const audit::Ledger& ledge
         {"superposition", certify_superposition},
         {"relation", certify_relation}};
     try {
-        if (result.claim.has("over") && ledger.family(result.claim.text("over")).axisymmetric) {
-            throw NotStated("axisymmetric contacts are not stated");
+        if (result.claim.has("over")) {
+            const audit::Family& family = ledger.family(result.claim.text("over"));
+            if (family.axisymmetric || audit::is_flat_punch(family.profile)) {
+                throw NotStated(family.axisymmetric ? "axisymmetric contacts are not stated"
+                                                    : "flat punches are not stated");
+            }
         }
         if (certify_listed(result, ledger, certificate)) {
             return certificate;

@@ -171,12 +171,10 @@ const std::vector<InjectedMistake>& injected_mistakes() {
         {"shifted-origin", false,
          with({},
               [](Program& program) {
-                  const double length = std::stod(
-                      program.keys.at(program.keys.contains("load.a") ? "load.a" : "load.P"));
-                  program.written_x = [length,
-                                       given_a = program.keys.contains("load.a")](double x) {
-                      return x + (given_a ? 0.02 * length : 0.01);
-                  };
+                  const auto a = program.keys.find("load.a");
+                  const double shift =
+                      a == program.keys.end() ? 0.01 : 0.02 * std::stod(a->second);
+                  program.written_x = [shift](double x) { return x + shift; };
               })},
         {"shifted-rows", false, rows(shift_rows)},
         {"element-average", false, rows(average_rows)},

@@ -178,13 +178,13 @@ SelfTest run_self_test(std::uint64_t seed, const std::vector<std::string>& conta
     for (const TestedContact& contact : tested_contacts()) {
         if (contacts.empty() || std::ranges::find(contacts, contact.name) != contacts.end()) {
             trials.contact(contact);
+            ++result.contacts;
         }
         ++done;
         if (progress) {
             progress(done, tested_contacts().size());
         }
     }
-    result.contacts = tested_contacts().size();
     return result;
 }
 

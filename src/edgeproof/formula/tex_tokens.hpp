@@ -99,6 +99,16 @@ protected:
     char peek() { return at_end() ? '\0' : tex_[at_]; }
     /// The command at this place; empty if there is none.
     std::string_view command() { return peek() == '\\' ? command_at(at_) : std::string_view{}; }
+    /// True at an opening bracket, also if braces, which are not printed, precede it.
+    bool opens_bracket() {
+        const std::size_t start = at_;
+        while (peek() == '{') {
+            ++at_;
+        }
+        const bool opens = peek() == '(' || peek() == '[' || command() == "{";
+        at_ = start;
+        return opens;
+    }
     bool take(char c) {
         const bool found = peek() == c;
         at_ += found ? 1 : 0;

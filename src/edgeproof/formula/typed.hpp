@@ -19,8 +19,8 @@ namespace edgeproof::formula {
 /// Greek letters, superscripts, and names with subscripts and primes. A name is looked up in
 /// `allowed` as x_1, x1 (x_{1}), Es (E^{*}), P1 (P'), P1of(s) (P'(s), or P1 if s is a), g1(x)
 /// (g'(x)). \\log is the natural logarithm. Throws FormulaError, always with one line, for other
-/// commands, for texts that can be read in two ways (a/2b, \\sin 2x, \\sin^{-1}x, P(a)), and within
-/// the limits of parse().
+/// commands, for texts that can be read in two ways (a/2b, \\sin 2x, \\sin x/2, \\sin^{-1}x, P(a),
+/// 2\\frac12, exp(x) without a backslash, 1e-3), and within the limits of parse().
 [[nodiscard]] std::string plain_from_tex(std::string_view tex, const Symbols& allowed);
 
 } // namespace edgeproof::formula

@@ -67,7 +67,9 @@ py::dict case_of(const report::Conformance& c, std::size_t i) {
     const conformance::Question& question = c.answers.questions.list[i];
     const conformance::Answer& answer = c.answers.given[i];
     const conformance::CaseAgreement& held = c.agreements.cases[i];
+    using State = conformance::Answer::State;
     static constexpr std::array states{"number", "missing", "nan", "infinite", "garbage", "died"};
+    static_assert(states.size() == static_cast<std::size_t>(State::died) + 1);
     py::dict d;
     d["id"] = question.id;
     d["quantity"] = scene::symbol_of(question);

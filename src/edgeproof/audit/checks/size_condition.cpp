@@ -48,9 +48,24 @@ bool holds(const Relation& r, const SizeEnvironment& at) {
     return compare(r.op, lhs, rhs);
 }
 
+const char* sign_of(Relation::Op op) {
+    switch (op) {
+    case Relation::Op::less:
+        return " < ";
+    case Relation::Op::less_equal:
+        return " <= ";
+    case Relation::Op::greater:
+        return " > ";
+    case Relation::Op::greater_equal:
+        return " >= ";
+    case Relation::Op::equal:
+        break;
+    }
+    return " = ";
+}
+
 std::string relation_text(const Relation& r) {
-    constexpr std::array signs{"<", "<=", ">", ">=", "="};
-    return to_text(r.lhs) + " " + signs.at(static_cast<std::size_t>(r.op)) + " " + to_text(r.rhs);
+    return to_text(r.lhs) + sign_of(r.op) + to_text(r.rhs);
 }
 
 /// Judges a condition at the tried sizes, by enclosures. A finite list of sizes confirms it only at

@@ -43,7 +43,7 @@ struct EnclosedSample::State {
                 contact::SlopeMonotonicity::Kind::rises) {
             throw Error("a slope that is not proved to rise over the contact has no enclosure");
         }
-        for (const auto& [name, value] : of.scene.parameters) {
+        for (const auto& [name, value] : of.scene.names()) {
             names.emplace(name, ball_of(value, bits));
         }
         for (const auto& [name, value] : of.variables) {

@@ -28,6 +28,8 @@ formula::Definitions resolved(const Family& family, const formula::Definitions& 
 
 using contact::Profile;
 
+formula::Exact number(long n) { return formula::Exact(formula::Expr::number(n)); }
+
 /// The constructor of a profile and the parameters that it needs.
 struct ProfileMaker {
     std::string_view name;
@@ -60,6 +62,9 @@ const std::vector<ProfileMaker>& profile_makers() {
         {"piecewise-symmetric",
          {},
          [](const SceneSpec& s) { return Profile::piecewise_symmetric(s.knots, s.slopes); }},
+        {"flat-punch",
+         {"P"},
+         [](const SceneSpec&) { return Profile::power_law(number(1), number(1)); }},
     };
     return makers;
 }
@@ -72,7 +77,7 @@ const ProfileMaker& maker_of(std::string_view profile) {
     }
     throw InputError("unknown profile '" + std::string(profile) + "'",
                      "write power-law, flat-and-rounded, tilted-wedge, tilted-flat-and-rounded, "
-                     "piecewise or piecewise-symmetric");
+                     "piecewise, piecewise-symmetric or flat-punch");
 }
 
 constexpr long first_slip_bits = 128;
@@ -110,6 +115,7 @@ const std::vector<std::string_view>& profile_keys(const std::string& profile) {
 }
 
 bool is_piecewise(std::string_view profile) { return profile.starts_with("piecewise"); }
+bool is_flat_punch(std::string_view profile) { return profile == "flat-punch"; }
 
 void require_partial_slip(const SceneSpec& scene) {
     if (scene.parameter("friction").sign() <= 0) {
@@ -147,11 +153,24 @@ void require_partial_slip(const SceneSpec& scene) {
 
 const formula::Exact& SceneSpec::parameter(std::string_view name) const {
     const auto it = parameters.find(name);
+    if (it == parameters.end() && name == "Es" && flat_punch()) {
+        static const formula::Exact any = number(1); // the pressure does not depend on it
+        return any;
+    }
     if (it == parameters.end()) {
         throw InputError("a scene of family " + family + " has no " + std::string(name),
                          "add " + std::string(name) + " = [\"...\"] to the family");
     }
     return it->second;
+}
+
+std::map<std::string, formula::Exact, std::less<>> SceneSpec::names() const {
+    auto all = parameters;
+    if (flat_punch()) {
+        all.insert_or_assign("Q", parameter("P"));
+        all.insert_or_assign("sig0", number(0));
+    }
+    return all;
 }
 
 contact::Profile SceneSpec::make_profile() const {

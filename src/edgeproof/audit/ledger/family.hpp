@@ -17,6 +17,9 @@ class ProvedSlip;
 
 namespace edgeproof::audit {
 
+/// True for the profile "flat-punch".
+[[nodiscard]] bool is_flat_punch(std::string_view profile);
+
 /// One scene of a family; all its numbers are exact.
 struct SceneSpec {
     std::string family;  ///< the family from which it was drawn (not the union of families)
@@ -30,8 +33,13 @@ struct SceneSpec {
     bool axisymmetric = false;
 
     [[nodiscard]] const formula::Exact& parameter(std::string_view name) const;
+    /// True for a rigid flat punch with sharp edges under the force P. It has no slope: its
+    /// pressure is the traction that the shear force Q = P has under full stick.
+    [[nodiscard]] bool flat_punch() const { return is_flat_punch(profile); }
+    /// Returns the values of the names in formulas: the parameters, and of a flat punch Q and sig0.
+    [[nodiscard]] std::map<std::string, formula::Exact, std::less<>> names() const;
     /// Returns the profile; for a body of revolution that of the plane contact with the same
-    /// pressure.
+    /// pressure, and for a flat punch one with the same edges.
     [[nodiscard]] contact::Profile make_profile() const;
     /// The total force P and the approach delta of a body of revolution.
     [[nodiscard]] formula::Exact total_force() const;

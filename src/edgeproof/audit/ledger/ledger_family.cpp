@@ -49,9 +49,12 @@ public:
                 table_.reject("union", "there is no family '" + member + "' above",
                               "name families that are defined above the union");
             }
-            if (std::ranges::find(above, member, &Family::name)->axisymmetric) {
-                table_.reject("union", "the family '" + member + "' is axisymmetric",
-                              "name families of plane contacts only");
+            const auto of = std::ranges::find(above, member, &Family::name);
+            if (of->axisymmetric || is_flat_punch(of->profile)) {
+                table_.reject("union",
+                              "the family '" + member + "' is " +
+                                  (of->axisymmetric ? "axisymmetric" : "a flat punch"),
+                              "name families of plane contacts with a slope only");
             }
         }
         return std::move(family_);
@@ -125,12 +128,14 @@ private:
             longest = std::max(longest, values.size());
             family_.parameters.emplace_back(name, std::move(values));
         }
-        for (const std::string_view needed : {"a", "Es"}) {
+        const bool punch = is_flat_punch(family_.profile);
+        for (const std::string_view needed : {"a", punch ? "P" : "Es"}) {
             if (!names_.has(needed)) {
                 table_.reject("parameters",
                               "the family " + family_.name + " has no " + std::string(needed),
                               "add " + std::string(needed) +
-                                  " = [\"...\"] to its parameters (a: right edge, Es: E*)");
+                                  " = [\"...\"] to its parameters (a: right edge, " +
+                                  (punch ? "P: force)" : "Es: E*)"));
             }
         }
         return longest;
@@ -138,7 +143,8 @@ private:
 
     /// Refuses a parameter that would hide a value computed by the scene.
     void refuse_computed(const io::TomlSection& parameters, const std::string& name) const {
-        const bool given = name == "a" || name == "Es";
+        const bool given =
+            name == "a" || name == "Es" || (name == "P" && is_flat_punch(family_.profile));
         const bool computed = std::ranges::find(scene_symbols(), name) != scene_symbols().end() ||
                               std::ranges::find(slip_symbols(), name) != slip_symbols().end() ||
                               (family_.axisymmetric && name == "delta");
@@ -152,8 +158,10 @@ private:
 
     void read_shear() const {
         for (const char* shear : {"friction", "Q", "sig0"}) {
-            if (family_.axisymmetric && family_.has(shear)) {
-                throw InputError("the family " + family_.name + " is axisymmetric: " + shear +
+            const bool punch = is_flat_punch(family_.profile);
+            if ((family_.axisymmetric || punch) && family_.has(shear)) {
+                throw InputError("the family " + family_.name +
+                                     (punch ? " is a flat punch: " : " is axisymmetric: ") + shear +
                                      " has no effect on it",
                                  "leave it out, or give it another name")
                     .at(file_, family_.lines.at(shear));
@@ -221,7 +229,7 @@ void try_drawing(const Family& family, const std::string& file, const std::vecto
         scenes = draw_scenes(family, all);
         for (const SceneSpec& scene : scenes) {
             static_cast<void>(scene.make_profile());
-            for (const char* positive : {"a", "Es"}) {
+            for (const char* positive : {"a", scene.flat_punch() ? "P" : "Es"}) {
                 if (scene.parameter(positive).sign() <= 0) {
                     throw InputError(std::string(positive) + " = " +
                                          scene.parameter(positive).text() + " is not positive",
@@ -315,7 +323,7 @@ std::string instead_of_unused(const Family& family, const std::string& name) {
 
 /// `names`: the names used by the claims over the family.
 void refuse_unused_of(const Family& family, std::set<std::string> names, const std::string& file) {
-    names.insert({"a", "Es"});
+    names.insert({"a", is_flat_punch(family.profile) ? "P" : "Es"});
     for (const std::string_view key : profile_keys(family.profile)) {
         names.emplace(key);
     }

@@ -122,6 +122,33 @@ void refuse_plane_names(Vocabulary& v, const Claim& claim, const std::string& fa
     }
 }
 
+/// The pressure of a flat punch is the traction of full stick under Q = P (SceneSpec::names()).
+/// Refuses what depends on a slope, and the kinds of claim that use it.
+void use_flat_punch(Vocabulary& v, const Claim& claim, const std::string& family,
+                    const std::set<std::string>& parameters) {
+    const std::set<std::string_view> kinds{"definition", "value", "relation", "figure", "order"};
+    if (!kinds.contains(claim.kind)) {
+        claim.reject("over",
+                     "family " + family + " is a flat punch, and claim " + claim.id +
+                         " is of kind " + claim.kind,
+                     "write kind = \"value\", \"relation\", \"figure\" or \"order\"");
+    }
+    const std::set<std::string_view> known{"a", "b", "L", "P", "u", "x", "p", "q"};
+    const auto refuse = [&](const std::string& name) {
+        if (!known.contains(name) && !is_full_stick_symbol(name) && !parameters.contains(name)) {
+            v.refused[name] = {"'" + dotted(name) + "' is not available in the family " + family +
+                                   " of flat punches",
+                               "use a, b, L, P, u, x, p(x), or right.s0, right.s1, ..., the "
+                               "coefficients of u^(-1/2), u^(1/2), ..."};
+        }
+    };
+    std::ranges::for_each(scene_symbols(), refuse);
+    for (const auto& [name, arity] : scene_functions()) {
+        refuse(name);
+    }
+    v.definitions.push_back({"p", "s", formula::Expr::call("q", {formula::Expr::symbol("s")})});
+}
+
 /// Splits "F(s)" into a function name and its argument; "gam" has no argument.
 std::pair<std::string, std::optional<std::string>> signature(const std::string& key) {
     const std::size_t open = key.find('(');
@@ -214,6 +241,9 @@ Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim) {
         if (it->axisymmetric) {
             add_name(v.symbols, "delta");
             refuse_plane_names(v, claim, over);
+        }
+        if (is_flat_punch(it->profile)) {
+            use_flat_punch(v, claim, over, parameters);
         }
     }
     const auto add = [&](std::string_view key, const std::string& name) {

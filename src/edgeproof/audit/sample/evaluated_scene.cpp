@@ -29,7 +29,7 @@ bool is_body_function(std::string_view name) {
 
 EvaluatedSceneLevel::EvaluatedSceneLevel(const SceneSpec& spec, const contact::Profile& profile)
     : law(profile, spec.parameter("Es").to<Real>()) {
-    for (const auto& [name, value] : spec.parameters) {
+    for (const auto& [name, value] : spec.names()) {
         parameters.emplace(name, value.to<Real>());
     }
     extent = law.extent(parameters.at("a"));

@@ -184,9 +184,21 @@ std::optional<std::string> with_exponent_letter(const std::string& text) {
 } // namespace
 
 std::string separator_name(Separator separator) {
-    static constexpr const char* names[] = {"tabs",   "semicolons",           "bars",
-                                            "commas", "commas before blanks", "blanks"};
-    return names[static_cast<std::size_t>(separator)];
+    switch (separator) {
+    case Separator::tab:
+        return "tabs";
+    case Separator::semicolon:
+        return "semicolons";
+    case Separator::bar:
+        return "bars";
+    case Separator::comma:
+        return "commas";
+    case Separator::comma_and_blank:
+        return "commas before blanks";
+    case Separator::blank:
+        break;
+    }
+    return "blanks";
 }
 
 std::size_t ResultText::numbers_in(const std::vector<Cell>& cells) const {

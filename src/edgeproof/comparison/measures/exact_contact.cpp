@@ -50,7 +50,15 @@ ExactValue exact_value(const scene::BoundedValue& value) {
 /// The pressure at a place, to the digits of the place. Throws DomainError on a corner. Where the
 /// place is on a bend to within all digits, the enclosure is too wide: then the place is moved by
 /// 1e-20 a, which changes p by the order of 1e-19 (its slope there is a logarithm).
-Real abel_pressure(const contact::AxisymmetricContact& contact, const contact::Point<Real>& place) {
+Real abel_pressure(const contact::AxisymmetricContact& contact, const contact::Profile& profile,
+                   const contact::Point<Real>& place) {
+    const Real moved = Real("1e-20") * (place.right + place.left) / 2;
+    for (std::size_t i = 0; i < profile.knots().size(); ++i) {
+        if (profile.has_corner(i) &&
+            abs(Real(profile.knots()[i].to<Real>() - place.x)) <= 2 * moved) {
+            throw DomainError("the place is on a corner");
+        }
+    }
     const bool by_right = place.right < place.left;
     const contact::Edge edge = by_right ? contact::Edge::right : contact::Edge::left;
     const Ball u = Ball(by_right ? place.right : place.left, contact.bits());
@@ -121,7 +129,7 @@ struct ExactContact::Solved {
 
     /// Throws DomainError on a corner.
     [[nodiscard]] Real pressure(const contact::Point<Real>& place) const {
-        return by_abel ? abel_pressure(*by_abel, place) : (*batch)(place).value;
+        return by_abel ? abel_pressure(*by_abel, profile, place) : (*batch)(place).value;
     }
 
     contact::Profile profile;
@@ -305,8 +313,8 @@ constexpr unsigned slip_digits = 16; ///< for PartialSlip, which needs a quadrat
 struct ExactShear::Solved {
     Solved(const scene::Scene& asked, const contact::Profile& profile,
            const contact::Extent<Real>& extent, const Real& normal)
-        : spec(*asked.shear), axisymmetric(asked.round.has_value()), whole(extent),
-          P(normal), load{spec.Q.to<Real>(), spec.bulk_tension.to<Real>()} {
+        : spec(*asked.shear), profile(profile), axisymmetric(asked.round.has_value()),
+          whole(extent), P(normal), load{spec.Q.to<Real>(), spec.bulk_tension.to<Real>()} {
         if (!spec.friction) {
             return;
         }
@@ -334,10 +342,11 @@ struct ExactShear::Solved {
     }
     /// The pressure of the stick zone, in which the place lies.
     [[nodiscard]] Real pressure(const contact::Point<Real>& place) const {
-        return by_abel ? abel_pressure(*by_abel, place) : (*stick_pressure)(place).value;
+        return by_abel ? abel_pressure(*by_abel, profile, place) : (*stick_pressure)(place).value;
     }
 
     contact::ShearSpec spec;
+    contact::Profile profile;
     bool axisymmetric;
     contact::Extent<Real> whole;
     Real P;

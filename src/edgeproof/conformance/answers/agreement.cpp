@@ -226,9 +226,25 @@ Agreements held_against(std::vector<ReferenceOrWhy> found, const Answers& answer
 } // namespace
 
 std::string regime_name(Regime regime) {
-    static constexpr const char* names[] = {"near edge", "apex",        "knot",    "far field",
-                                            "interior",  "coefficient", "contact", "outside"};
-    return names[static_cast<std::size_t>(regime)];
+    switch (regime) {
+    case Regime::near_edge:
+        return "near edge";
+    case Regime::apex:
+        return "apex";
+    case Regime::knot:
+        return "knot";
+    case Regime::far_field:
+        return "far field";
+    case Regime::interior:
+        return "interior";
+    case Regime::coefficient:
+        return "coefficient";
+    case Regime::contact:
+        return "contact";
+    case Regime::outside:
+        break;
+    }
+    return "outside";
 }
 
 unsigned reference_digits(const Target& target) {

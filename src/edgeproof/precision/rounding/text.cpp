@@ -17,6 +17,7 @@ constexpr long max_exponent = 100000;
 /// For a result: relative errors of many terms contain powers of the input.
 constexpr long most_result_exponent = 100 * max_exponent;
 constexpr std::array<std::string_view, 4> rounding_names{"nearest", "down", "up", "enclosure"};
+static_assert(rounding_names.size() == static_cast<std::size_t>(Rounding::enclosure) + 1);
 
 [[noreturn]] void not_a_number(std::string_view text) {
     throw InputError("'" + std::string(text.substr(0, 60)) + "' is not a number",

@@ -24,6 +24,7 @@ constexpr std::array okabe_ito{GnuplotWords("#000000"), GnuplotWords("#E69F00"),
                                GnuplotWords("#56B4E9"), GnuplotWords("#009E73"),
                                GnuplotWords("#F0E442"), GnuplotWords("#0072B2"),
                                GnuplotWords("#D55E00"), GnuplotWords("#CC79A7")};
+static_assert(okabe_ito.size() == static_cast<std::size_t>(Pen::Colour::purple) + 1);
 
 /// Returns the name of an SVG's elements, which is also used in its JavaScript.
 GnuplotText element_name(const io::FileStem& id) {

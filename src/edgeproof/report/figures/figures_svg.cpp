@@ -31,6 +31,7 @@ constexpr double mark = 4;      ///< half the size of a point
 
 constexpr std::array<std::string_view, 8> colours{"currentColor", "#e69f00", "#56b4e9", "#009e73",
                                                   "#f0e442",      "#0072b2", "#d55e00", "#cc79a7"};
+static_assert(colours.size() == static_cast<std::size_t>(Pen::Colour::purple) + 1);
 constexpr std::array<std::string_view, 7> dashes{"",    "", "9 5", "2 3", "9 4 2 4", "9 3 2 3 2 3",
                                                  "14 4"};
 

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <map>
 #include <set>
@@ -104,11 +103,14 @@ std::vector<Erratum> errata_of(const audit::AuditResult& result,
 }
 
 std::string errata_count(const std::vector<Erratum>& errata) {
-    std::array<std::size_t, 5> counts{};
-    for (const Erratum& erratum : errata) {
-        ++counts[static_cast<std::size_t>(erratum.weight)];
-    }
-    const auto& [conclusions, figures, carried, slips, lines] = counts;
+    const auto count = [&](Weight weight) {
+        return static_cast<std::size_t>(std::ranges::count(errata, weight, &Erratum::weight));
+    };
+    const std::size_t conclusions = count(Weight::conclusion);
+    const std::size_t figures = count(Weight::figure);
+    const std::size_t carried = count(Weight::carried);
+    const std::size_t slips = count(Weight::slip);
+    const std::size_t lines = count(Weight::line);
     if (errata.empty()) {
         return "No error was found.";
     }

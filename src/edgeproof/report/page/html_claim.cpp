@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 namespace edgeproof::report {
@@ -119,9 +118,21 @@ std::string later_html(const Erratum& erratum, const audit::AuditResult& result,
                              out + "</ul></div>\n";
 }
 
-constexpr std::array weight_words{"changes a conclusion", "changes a figure quoted",
-                                  "a wrong conclusion rests on it", "misprint",
-                                  "what rests on it is not stated"};
+const char* weight_words(Weight weight) {
+    switch (weight) {
+    case Weight::conclusion:
+        return "changes a conclusion";
+    case Weight::figure:
+        return "changes a figure quoted";
+    case Weight::carried:
+        return "a wrong conclusion rests on it";
+    case Weight::slip:
+        return "misprint";
+    case Weight::line:
+        break;
+    }
+    return "what rests on it is not stated";
+}
 
 std::string where_html(const audit::Claim& claim, const PageHead& head) {
     std::string out;
@@ -200,7 +211,7 @@ std::string erratum_html(const Erratum& erratum, const audit::AuditResult& resul
         "<h3 id=\"erratum-{0}-heading\">{1} {2} <span class=\"weight\">{3}</span></h3>\n"
         "<p class=\"where\">{4}{5}evidence:",
         id, escape_html(place_words(first.claim, head.source)), verdict_mark(first.outcome.verdict),
-        weight_words.at(static_cast<std::size_t>(erratum.weight)), where_html(first.claim, head),
+        weight_words(erratum.weight), where_html(first.claim, head),
         first.claim.lines.first == 0 ? "" : " · ");
     for (const audit::ClaimResult* part : erratum.parts) {
         out += fmt::format(" <a href=\"#{0}\">{0}</a>", escape_html(part->claim.id));

@@ -33,6 +33,7 @@ constexpr std::array file_kinds{
                "a file of hard cases (TOML with [cases.NAME])",
                "edgeproof bounds hard-cases"},
 };
+static_assert(file_kinds.size() == static_cast<std::size_t>(FileKind::hard_cases) + 1);
 
 /// The first section of a file that only this kind has; empty if there is none.
 std::string_view mark_in(const io::TomlSection& top, const KindOfFile& kind) {

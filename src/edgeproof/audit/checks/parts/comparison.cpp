@@ -23,7 +23,7 @@ bool symmetric_family(const Ledger& ledger, const Family& family) {
         });
     }
     return family.profile == "power-law" || family.profile == "flat-and-rounded" ||
-           family.profile == "piecewise-symmetric";
+           family.profile == "piecewise-symmetric" || is_flat_punch(family.profile);
 }
 
 } // namespace

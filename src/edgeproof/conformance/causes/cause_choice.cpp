@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/causes/cause_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace edgeproof::conformance {
+
+void CauseSearch::add_causes_of_others() {
+    const std::vector<Explained> before = explained_;
+    for (Explained& group : explained_) {
+        const WrongRows rows = wrong_rows(answers_, agreements_, group.group.rows);
+        for (const Explained& other : before) {
+            for (Likely cause : other.likely) {
+                // The text of a constant without a name may be that of a named factor.
+                const bool known = std::ranges::any_of(group.likely, [&](const Likely& l) {
+                    return l.name == cause.name && l.relation == cause.relation;
+                });
+                if (!known) {
+                    cause.fit = remainder_of(rows, values_of(cause, rows));
+                    group.likely.push_back(std::move(cause));
+                }
+            }
+        }
+        keep_best(group);
+    }
+}
+
+void CauseSearch::add_doubt(const WrongRows& rows, Explained& to) const {
+    const auto ratio = common_ratio(rows, all_of(rows));
+    if (to.likely.empty() || !ratio || 4 * ratio->error < unlikely_by_chance) {
+        return;
+    }
+    constexpr double two_deviations = 4;
+    auto fit = fit_of(rows, times(all_of(rows), ratio->value), noise_);
+    const bool as_well = fit && std::ranges::all_of(to.likely, [&](const Likely& l) {
+                             const double unit = std::max(fit->scatter, noise_);
+                             const double allowed = l.rank == 0 ? -two_deviations : two_deviations;
+                             return misfit(*fit, unit) <= misfit(l.fit, unit) + allowed;
+                         });
+    if (as_well && fit->noise_like.value_or(true)) {
+        to.likely.push_back(constant(*ratio, std::move(*fit)));
+    }
+}
+
+double CauseSearch::unit_of(const Explained& explained) const {
+    double least = std::numeric_limits<double>::max();
+    for (const Likely& l : explained.likely) {
+        least = std::min(least, l.fit.scatter);
+    }
+    return std::max(least * uncertainty_of_scatter(explained.group.rows.size()), noise_);
+}
+
+void CauseSearch::keep_best(Explained& explained) {
+    auto& likely = explained.likely;
+    if (std::ranges::any_of(likely, [](const Likely& l) { return !l.contradicted; })) {
+        std::erase_if(likely, [](const Likely& l) { return l.contradicted; });
+    }
+    if (likely.empty()) {
+        return;
+    }
+    const double unit = unit_of(explained);
+    const auto misfit_in_units = [&](const Likely& l) { return misfit(l.fit, unit); };
+    const Likely& best = *std::ranges::min_element(likely, {}, misfit_in_units);
+    const double most = misfit_in_units(best) + indistinguishable_misfit(best.fit);
+    if (best.fit.noise_like.value_or(false)) {
+        noise_ = std::max(noise_, best.fit.scatter);
+    }
+    std::erase_if(likely, [&](const Likely& l) { return misfit_in_units(l) > most; });
+    std::ranges::stable_sort(likely, {}, [&](const Likely& l) {
+        return std::pair(l.rank, l.rank == 1 ? 0 : misfit_in_units(l));
+    });
+}
+
+std::size_t CauseSearch::rows_of(const Likely& cause) const {
+    std::size_t rows = 0;
+    for (const Explained& explained : explained_) {
+        std::size_t most = 0;
+        for (const Likely& l : explained.likely) {
+            if (l.name == cause.name && l.relation == cause.relation) {
+                most = std::max(most, l.fit.rows);
+            }
+        }
+        rows += most;
+    }
+    return rows;
+}
+
+Convention CauseSearch::convention(const Explained& explained) const {
+    const auto& likely = explained.likely;
+    const Likely& first = *std::ranges::max_element(likely, {}, [&](const Likely& l) {
+        return std::pair(l.rank != rank_of_constant, rows_of(l));
+    });
+    Convention c;
+    c.of = first.of_family ? explained.group.family : explained.group.name;
+    c.relation = first.relation;
+    c.hint = first.hint;
+    c.name = first.name;
+    c.factor = first.factor;
+    c.rows = first.fit.rows;
+    c.failing = explained.group.rows.size();
+    c.digits = digits_of(first.fit.worst);
+    c.held = digits_of(first.fit.held);
+    c.remains = first.fit.noise_like.value_or(true) ? 0 : first.fit.held;
+    for (const Likely& l : likely) {
+        const bool new_words =
+            l.relation != c.relation && std::ranges::find(c.also, l.relation) == c.also.end();
+        if (new_words) {
+            c.also.push_back(l.relation);
+            c.equally_likely.push_back(l.name);
+        }
+    }
+    if (first.rank == 2 && first.doubtful > unlikely_by_chance) {
+        c.also.emplace_back("a constant without a name");
+        c.equally_likely.emplace_back("factor");
+    }
+    return c;
+}
+
+double CauseSearch::digits_of(double off) {
+    return off == 0 ? most_cause_digits
+                    : std::clamp(-std::log10(off), 0.0, double(most_cause_digits));
+}
+
+} // namespace edgeproof::conformance

@@ -163,9 +163,7 @@ Certificate certify(const audit::ClaimResult& result, const audit::Ledger& ledge
         {"superposition", certify_superposition},
         {"relation", certify_relation}};
     try {
-        if (result.claim.has("over") && ledger.family(result.claim.text("over")).axisymmetric) {
-            throw NotStated("axisymmetric contacts are not stated");
-        }
+        require_usual_meaning(result.claim, ledger);
         if (certify_listed(result, ledger, certificate)) {
             return certificate;
         }

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 /// The program's tests of itself: commands of the program edgeproof-lab, which edgeproof starts
-/// (edgeproof/cli/program.hpp):
+/// (edgeproof/cli/all_commands.hpp):
 ///   counts/      values drawn by a seed, counted, and compared with second routes
 ///   validation/  hard cases, second routes, claimed and true errors
 ///   cost/        the cost of a value

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/program.hpp"
+#include "edgeproof/cli/all_commands.hpp"
 #include "lab/lab.hpp"
 
 int main(int argc, char** argv) {

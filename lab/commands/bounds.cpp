@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/lab.hpp"
 
-#include "edgeproof/cli/program.hpp"
+#include "edgeproof/cli/all_commands.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/child_process.hpp"
 #include "edgeproof/io/process_cleanup.hpp"

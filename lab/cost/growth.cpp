@@ -110,6 +110,9 @@ const Section flat_of_revolution{
     {"kind", "flat-and-rounded"}, {"t", "0.4"}, {"R", "1"}, {"geometry", "axisymmetric"}};
 const Section shear_with_slip{{"Q", "0.1"}, {"friction", "0.6"}};
 
+/// p and q, as `pressure` computes them: without the sizes of slip zones and the energy of a cycle.
+const io::TomlEntry tractions{"quantities", Texts{"pressure", "shear"}};
+
 /// Asks for a group of quantities alone, at no point of the contact.
 Section only(const char* group) { return {{"quantities", Texts{group}}}; }
 Section displacement_at(const Texts& x) {
@@ -152,9 +155,16 @@ const Added effects[] = {
     {"expansion to 10 terms", plain, flat, by_edge, {}, {{"terms", "10"}}},
     {"expansion to 3 terms, tilted", "tilt", tilted, by_edge, {}, {{"terms", "3"}}},
     {"extents of 1 and 3 terms", plain, flat, by_edge, {}, extents_of_terms},
-    {slipping, plain, flat, by_edge, shear_with_slip},
-    {"shear after 5 steps of a history", slipping, flat, by_force, shear_with_slip, {}, in_cycles},
-    {"sizes of the slip zones", slipping, flat, by_edge, shear_with_slip, only("slip")},
+    {slipping, plain, flat, by_edge, shear_with_slip, {tractions}},
+    {"shear after 5 steps of a history",
+     slipping,
+     flat,
+     by_force,
+     shear_with_slip,
+     {tractions},
+     in_cycles},
+    {"slip zones and the energy of a cycle", slipping, flat, by_edge, shear_with_slip,
+     only("slip")},
     {"greatest pressure", plain, flat, by_edge, {}, only("peak")},
     {"gap at ten places", plain, flat, by_edge, {}, displacement_at(outside)},
     {"slip at ten places", slipping, flat, by_edge, shear_with_slip, displacement_at(inside)},
@@ -163,7 +173,7 @@ const Added effects[] = {
      in_bodies},
     {of_revolution, plain, sphere, by_edge},
     {"pressures under a flat punch of revolution", of_revolution, flat_of_revolution, by_edge},
-    {"shear under a sphere", of_revolution, sphere, by_edge, shear_with_slip},
+    {"shear under a sphere", of_revolution, sphere, by_edge, shear_with_slip, {tractions}},
     {"gap around a sphere", of_revolution, sphere, by_edge, {}, displacement_at(outside)},
 };
 
@@ -171,9 +181,10 @@ scene::Scene scene_of(const Added& e, unsigned digits) {
     scene::SceneEntries entries{"", e.profile, e.load, e.shear, e.ask};
     entries.load.push_back({"contact_modulus", "1"});
     entries.ask.push_back({"digits", std::to_string(digits)});
-    const bool has_no_points = std::ranges::any_of(
-        e.ask, [](const io::TomlEntry& entry) { return entry.key == "quantities"; });
-    if (!has_no_points) {
+    const bool only_others = std::ranges::any_of(e.ask, [](const io::TomlEntry& entry) {
+        return entry.key == "quantities" && entry.value != tractions.value;
+    });
+    if (!only_others) {
         entries.ask.push_back({"u", Texts{"1e-8", "1e-6", "1e-4", "1e-3", "0.01", "0.03", "0.1",
                                           "0.2", "0.3", "0.45"}});
     }

@@ -415,8 +415,8 @@ class Scene:
         u     in place of x: distances inwards from the edge, if that is an exact number
 
         Stresses are in the unit of the contact modulus. Raises InputError for z < 0, for points at
-        which a stress is infinite (under full stick the edges; corners of the profile), and for
-        curved slopes. Of an axisymmetric contact x is the radius, sxx the radial stress and syy the
+        which a stress is infinite (under full stick the edges; corners of the
+        profile). Of an axisymmetric contact x is the radius, sxx the radial stress and syy the
         hoop stress; points off the axis and the surface, and shear, raise InputError.
         """
         name, places = _given_places(u, x)

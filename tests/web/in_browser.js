@@ -100,6 +100,38 @@ const tests = {
         await picture(page, 'error.png');
         assert.deepStrictEqual(page.errors, []);
     },
+    'a link adds no lines to the scene, and an unknown choice becomes the usual one': async (browser) => {
+        const state = {...defaultState(), ask: 'pressure', digits: '5\n[extra]', units: 'cm', shear: 'glue', load: 'x'};
+        assert.strictEqual(sceneOf(state).text.split('\n').filter((line) => line.startsWith('[extra]')).length, 0);
+        const page = await browser.open(`${address}#${toFragment(state)}`);
+        await page.until(`${idle} && ${text('status')}.startsWith('Not computed')`);
+        assert.strictEqual(await page.value("document.getElementById('digits').getAttribute('aria-invalid')"), 'true');
+        for (const id of ['units', 'shear', 'load']) {
+            assert.strictEqual(await page.value(`document.getElementById('${id}').value`), FORM.defaults[id]);
+        }
+        assert.deepStrictEqual(page.errors, []);
+    },
+    'the downloads are the scene, the tables and the picture': async (browser) => {
+        const page = await browser.open(address);
+        await page.until(`${text('status')} === 'Ready.'`);
+        await page.value(click('compute'));
+        await page.until(`${idle} && ${text('status')}.startsWith('Computed')`);
+        const saved = (id) => page.value(`(() => {
+            const made = URL.createObjectURL;
+            let blob;
+            URL.createObjectURL = (given) => made.call(URL, blob = given);
+            document.getElementById('${id}').click();
+            URL.createObjectURL = made;
+            return blob.text();})()`);
+        const scene = sceneOf(defaultState()).text;
+        const run = (quantity, files) => native(argumentsOf(quantity), {'scene.toml': scene}, files);
+        assert.strictEqual(await saved('save-scene'), scene);
+        const tables = await saved('save-csv');
+        for (const quantity of ['pressure', 'expand', 'extent']) {
+            assert.ok(withoutProgram(tables).includes(withoutProgram(run(quantity).out)), quantity);
+        }
+        assert.strictEqual(withoutProgram(await saved('save-svg')), withoutProgram(run('plot', ['figure.svg']).files['figure.svg']));
+    },
     'Stop ends a computation, and the next one works': async (browser) => {
         const page = await browser.open(`${address}#${toFragment({...defaultState(), ask: 'pressure', digits: '60000', kind: 'power-law', m: '5/8'})}`);
         await page.until("!document.getElementById('stop').disabled");

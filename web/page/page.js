@@ -47,6 +47,9 @@ const writeForm = (state) => {
         const field = byId(name);
         if (field !== null) {
             field.value = value;
+            if (field.value === '' && field.tagName === 'SELECT') { // a link with an unknown choice
+                field.value = FORM.defaults[name];
+            }
         }
     }
     const asked = askedOf(state);

@@ -121,9 +121,9 @@ const sceneOf = (state) => {
     }
     add('[ask]');
     add(`edges = ${tomlList(state.edges === 'both' ? ['right', 'left'] : [state.edges])}`, 'edges');
-    add(`terms = [${listOf(state.terms).join(', ')}]`, 'terms');
+    add(`terms = ${tomlList(listOf(state.terms))}`, 'terms');
     add(`tolerance = ${tomlString(state.tolerance.trim())}`, 'tolerance');
-    add(`digits = ${state.digits.trim()}`, 'digits');
+    add(`digits = ${tomlString(state.digits.trim())}`, 'digits');
     const asked = askedOf(state);
     if (asked.includes('pressure')) {
         add(`u = ${tomlList(listOf(state.u))}`, 'u');
@@ -164,7 +164,7 @@ const toFragment = (state) => {
     const changed = Object.entries(state).filter(([name, value]) => from[name] !== value);
     return new URLSearchParams(changed).toString();
 };
-/// Reads a link. Unknown names and values of choices that do not exist are left out.
+/// Reads a link. Unknown names, and a kind of profile that does not exist, are left out.
 const fromFragment = (fragment) => {
     const state = defaultState();
     for (const [name, value] of new URLSearchParams(fragment.replace(/^#/, ''))) {
@@ -174,9 +174,6 @@ const fromFragment = (fragment) => {
     }
     if (!Object.hasOwn(FORM.profiles, state.kind)) {
         state.kind = FORM.defaults.kind;
-    }
-    if (!Object.hasOwn(FORM.loads, state.load)) {
-        state.load = FORM.defaults.load;
     }
     return state;
 };

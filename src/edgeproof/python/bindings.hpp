@@ -10,9 +10,9 @@
 #include <utility>
 
 /// The Python module: the library's values, scenes, audits and conformance checks as Python
-/// objects. It computes nothing itself. Each source has one function, which adds its part:
+/// objects. It computes nothing itself. Each part has one function, which adds it:
 ///   module.cpp   the library's exceptions as those of edgeproof.errors
-///   value.cpp    Value
+///   value.cpp, value_arithmetic.cpp  Value
 ///   scene.cpp    NativeScene
 ///   audit.cpp    verify
 ///   check.cpp    check
@@ -51,6 +51,9 @@ private:
 /// Throws DomainError outside 2 ... 100,000.
 [[nodiscard]] unsigned checked_digits(long count);
 
+/// Returns the exact value of a Python number; nothing for anything else.
+[[nodiscard]] std::optional<Rational> number_of(const pybind11::object& other);
+
 /// Thrown if the bounds of the values do not answer a question.
 class UndecidedError : public Error {
 public:
@@ -64,6 +67,8 @@ private:
 
 void bind_errors(pybind11::module_& module);
 void bind_value(pybind11::module_& module);
+/// Adds + - * /, the sign and abs() of values.
+void bind_arithmetic(pybind11::class_<Value>& value);
 void bind_scene(pybind11::module_& module);
 void bind_audit(pybind11::module_& module);
 void bind_check(pybind11::module_& module);

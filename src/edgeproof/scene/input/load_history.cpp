@@ -144,9 +144,10 @@ private:
         std::vector<Expr> cuts{inner_from, inner_to, force_from, force_to};
         std::ranges::sort(cuts,
                           [](const Expr& x, const Expr& y) { return sign_of_expr(x - y) < 0; });
-        const auto repeated = std::ranges::unique(
-            cuts, [](const Expr& x, const Expr& y) { return sign_of_expr(x - y) == 0; });
-        cuts.erase(repeated.begin(), repeated.end());
+        cuts.erase(
+            std::unique(cuts.begin(), cuts.end(),
+                        [](const Expr& x, const Expr& y) { return sign_of_expr(x - y) == 0; }),
+            cuts.end());
         LoadHistory::Phase phase{Exact(inner_from), Exact(inner_to), Exact(force_from),
                                  Exact(force_to),   Exact(change),   {}};
         for (const Expr& cut : cuts) {

@@ -286,3 +286,30 @@ TEST_CASE("the formula of full stick is stated in part") {
     CHECK(contains(c.text, "is_traction"));
     CHECK_FALSE(c.whole_verdict);
 }
+
+// The theorem of this expansion is about symmetric contacts.
+TEST_CASE("an expansion of symmetric contacts is not stated about tilted ones") {
+    const std::string expansion =
+        "kind = \"expansion\"\nsays = \"P1\"\nof = \"P1of(a-eps*S)/sqrt(1-eps*(X+S)/(2*a))\"\n"
+        "variable = \"eps\"\nthrough = \"2\"\nvary = { eps = [\"a*1e-14\"], X = [\"9/10\"], S = "
+        "[\"1/3\"] }\n";
+    const std::string power =
+        "profile = \"power-law\"\ncount = 2\nu = [\"1/5\"]\n[family.parameters]\nm "
+        "= [\"1/2\", \"1\"]\nC = [\"3/7\"]\na = [\"3/2\"]\nEs = [\"7/3\"]\n";
+    CHECK(only_certificate(power, expansion).whole_verdict);
+    const auto c = only_certificate(wedges, expansion);
+    CHECK(c.verdict == "refuted");
+    CHECK(c.theorems.empty());
+}
+
+// Another condition leaves the contact of the theorem out.
+TEST_CASE("a formula is refuted at a place that the claim is about") {
+    const std::string printed = value("2*p(x)*(1+x/a)", "p(x)*(1+x/a)^2");
+    const std::string places = "u = [\"1/5\", \"4/5\"]\n" + wedges;
+    const auto right = only_certificate(places, printed + "where = \"x > 0 and x < a\"\n");
+    CHECK(right.verdict == "refuted");
+    CHECK(right.whole_verdict);
+    const auto left = only_certificate(places, printed + "where = \"x < 0\"\n");
+    CHECK(left.verdict == "refuted");
+    CHECK(left.theorems.empty());
+}

@@ -141,6 +141,12 @@ std::string imports_text(const std::vector<std::string>& files) {
     return text + ".\nOpen Scope R_scope.\n\n";
 }
 
+bool is_symmetric(const std::vector<std::string>& profiles) {
+    return std::all_of(profiles.begin(), profiles.end(), [](const std::string& profile) {
+        return profile.find("tilted") == std::string::npos && profile != "piecewise";
+    });
+}
+
 std::string file_head(const audit::Claim& claim, const audit::Ledger& ledger,
                       const Theory& theory) {
     return file_comment(claim, ledger) + imports_text(theory.imports);

@@ -74,5 +74,7 @@ inline constexpr std::string_view smoothness = "the load and the left edge are t
 /// Returns the profiles of a family; for a union, those of its members in their order.
 [[nodiscard]] std::vector<std::string> profiles_of(const audit::Ledger& ledger,
                                                    std::string_view family);
+/// Whether all punches of these profiles are symmetric.
+[[nodiscard]] bool is_symmetric(const std::vector<std::string>& profiles);
 
 } // namespace edgeproof::certificate

@@ -9,11 +9,12 @@
 
 namespace {
 
-/// Returns the certificate of the only claim of a ledger.
-certificate::Certificate only_certificate(const std::string& family, const std::string& claim) {
+/// Returns the certificate of the only claim of a ledger with these definitions.
+certificate::Certificate only_certificate(const std::string& family, const std::string& claim,
+                                          const std::string& define = "") {
     const audit::Ledger ledger = audit::parse_ledger(
-        "[ledger]\nname = \"own\"\n[[family]]\nname = \"family\"\n" + family +
-            "[[claim]]\nid = \"own\"\nprinted = \"own\"\nover = \"family\"\n" + claim,
+        "[ledger]\nname = \"own\"\n[define]\n" + define + "[[family]]\nname = \"family\"\n" +
+            family + "[[claim]]\nid = \"own\"\nprinted = \"own\"\nover = \"family\"\n" + claim,
         "own.toml");
     audit::AuditOptions options;
     options.digits = 30;
@@ -188,4 +189,127 @@ TEST_CASE("a limit is stated only if the values of the claim end there") {
     const auto coarse =
         only_certificate(wedge("[\"phi/3\", \"phi/4\", \"phi/5\", \"phi/6\"]"), limit);
     CHECK(coarse.theorems.empty());
+}
+
+// The theorems are found by what a claim means. Each of these ledgers has the words of a claim with
+// a theorem, and gives a name another meaning, or is about other contacts.
+TEST_CASE("a claim with the same words and another meaning has no theorem") {
+    const std::string tilts =
+        "profile = \"tilted-wedge\"\ncount = 2\n[family.parameters]\nphi = "
+        "[\"1/50\"]\na = [\"3/2\"]\nEs = [\"7/3\"]\nalpha = [\"phi/3\", \"phi/2\"]\n";
+    const std::string range = "kind = \"relation\"\nsays = \"0 < b/a and b/a < 1\"\n";
+    CHECK(only_certificate(tilts, range).whole_verdict);
+    const std::string punch = "profile = \"tilted-flat-and-rounded\"\ncount = 2\nu = [\"1/5\"]\n"
+                              "[family.parameters]\nalpha = [\"1/10\"]\nt = [\"1\"]\nR = [\"2\"]\n"
+                              "a = [\"1/4\"]\nEs = [\"7/3\"]\nQ = [\"1/3\", \"2/7\"]\n";
+    const std::string force = punch + "sig0 = [\"0\"]\n";
+    const std::string below = "kind = \"relation\"\nsays = \"abs(right.s0)/sqrt(u) < abs(q(x))\"\n";
+    CHECK(only_certificate(force, below).whole_verdict);
+    const std::string hertzian = value("x/R", "g1(x)") + "where = \"x > 0\"\n";
+    CHECK(only_certificate(force, hertzian).whole_verdict);
+    const std::string similar =
+        "profile = \"power-law\"\ncount = 2\nu = [\"1/3\"]\n"
+        "[family.parameters]\nm = [\"1\"]\nC = [\"1/7\"]\na = [\"1\", \"3\"]\n"
+        "Es = [\"1\"]\nsig0 = [\"0\"]\nQ = [\"a^2/100\"]\n";
+    const std::string share = "kind = \"independence\"\nof = \"q(x)*L/Q\"\nat = [\"1/5\"]\n";
+    CHECK(only_certificate(similar, share).theorems.size() == 1);
+    struct Other {
+        const char* what;
+        std::string family;
+        std::string claim;
+        std::string define;
+    };
+    const Other others[] = {
+        {"another left edge", tilts, range, "b = \"a/2\"\n"},
+        {"another right edge", tilts, range, "a = \"7*b\"\n"},
+        {"another distance", force, below, "u = \"1e9\"\n"},
+        {"a distance of its own", force, below + "vary = { u = [\"1e9\"] }\n", ""},
+        {"another traction", force, below, "\"q(s)\" = \"1e9\"\n"},
+        {"another slope", force, hertzian, "\"g1(s)\" = \"s/R\"\n"},
+        {"another radius", force, hertzian, "R = \"x/g1(x)\"\n"},
+        {"places nearer than half of the contact", punch + "sig0 = [\"0\"]\n",
+         "kind = \"relation\"\nsays = \"abs(right.s0)/sqrt(u) < abs(q(x))\"\nwhere = \"u < L/2\"\n",
+         ""},
+        {"partial slip", similar + "friction = [\"1\"]\n", share, ""},
+        {"another unit", similar, share, "L = \"Q/q(x)\"\n"}};
+    for (const Other& other : others) {
+        CAPTURE(other.what);
+        const auto c = only_certificate(other.family, other.claim, other.define);
+        INFO(c.leaves_out);
+        CHECK(c.verdict == "confirmed");
+        CHECK(c.theorems.empty());
+        CHECK_FALSE(c.whole_verdict);
+    }
+}
+
+TEST_CASE("a reading about other contacts is not covered by the theorem of the claim") {
+    const std::string wedge =
+        "profile = \"power-law\"\ncount = 1\nu = [\"1/5\"]\n[family.parameters]\n"
+        "C = [\"3/7\"]\na = [\"3/2\"]\nEs = [\"7/3\"]\nm = ";
+    const std::string below =
+        "kind = \"relation\"\nsays = \"right_local(1, x) < p(x) and right_local(2, x) < p(x) and "
+        "right_local(3, x) < p(x)\"\nwhere = \"x > 0\"\n";
+    CHECK(only_certificate(wedge + "[\"0\"]\n", below).whole_verdict);
+    const std::string other = "[[family]]\nname = \"other\"\n" + wedge + "[\"1/10\"]\n";
+    const auto c =
+        only_certificate(wedge + "[\"0\"]\n" + other,
+                         below + "[[claim.reading]]\ntext = \"wedges\"\n"
+                                 "[[claim.reading]]\ntext = \"others\"\nover = \"other\"\n");
+    CHECK(c.verdict == "confirmed");
+    CHECK(c.theorems.empty());
+}
+
+// The theorem is about 0 < x < a.
+TEST_CASE("a pressure without a condition on its places is stated in part") {
+    const std::string power =
+        "profile = \"power-law\"\ncount = 2\nu = [\"1/5\"]\n[family.parameters]\nm "
+        "= [\"0\", \"1/2\"]\nC = [\"3/7\"]\na = [\"3/2\"]\nEs = [\"7/3\"]\n";
+    const std::string printed = value("Es*C/sqrt(Pi)*(1+m)/(2+m)*gamma(2+m/2)/gamma((3+m)/"
+                                      "2)*integral(s^m/sqrt(s^2-x^2), s, x, a)",
+                                      "p(x)");
+    CHECK(only_certificate(power, printed + "where = \"x > 0 and x < a\"\n").whole_verdict);
+    const auto c = only_certificate(power, printed);
+    CHECK(c.verdict == "confirmed");
+    CHECK(c.theorems.size() == 1);
+    CHECK_FALSE(c.whole_verdict);
+}
+
+// The integral equation of full stick may have other solutions, as far as Coq knows.
+TEST_CASE("the formula of full stick is stated in part") {
+    const auto c = only_certificate(
+        "profile = \"tilted-wedge\"\ncount = 2\nu = [\"1/5\"]\n[family.parameters]\nphi = "
+        "[\"1/50\"]\n"
+        "alpha = [\"phi/3\"]\na = [\"3/2\"]\nEs = [\"7/3\"]\nQ = [\"1/3\", \"2/7\"]\nsig0 = "
+        "[\"1/5\"]\n",
+        value("Q/(Pi*sqrt((a-x)*(x+b))) + sig0*(2*x+b-a)/(8*sqrt((a-x)*(x+b)))", "q(x)"));
+    CHECK(c.verdict == "confirmed");
+    CHECK(contains(c.text, "is_traction"));
+    CHECK_FALSE(c.whole_verdict);
+}
+
+// The theorem of this expansion is about symmetric contacts.
+TEST_CASE("an expansion of symmetric contacts is not stated about tilted ones") {
+    const std::string expansion =
+        "kind = \"expansion\"\nsays = \"P1\"\nof = \"P1of(a-eps*S)/sqrt(1-eps*(X+S)/(2*a))\"\n"
+        "variable = \"eps\"\nthrough = \"2\"\nvary = { eps = [\"a*1e-14\"], X = [\"9/10\"], S = "
+        "[\"1/3\"] }\n";
+    const std::string power =
+        "profile = \"power-law\"\ncount = 2\nu = [\"1/5\"]\n[family.parameters]\nm "
+        "= [\"1/2\", \"1\"]\nC = [\"3/7\"]\na = [\"3/2\"]\nEs = [\"7/3\"]\n";
+    CHECK(only_certificate(power, expansion).whole_verdict);
+    const auto c = only_certificate(wedges, expansion);
+    CHECK(c.verdict == "refuted");
+    CHECK(c.theorems.empty());
+}
+
+// Another condition leaves the contact of the theorem out.
+TEST_CASE("a formula is refuted at a place that the claim is about") {
+    const std::string printed = value("2*p(x)*(1+x/a)", "p(x)*(1+x/a)^2");
+    const std::string places = "u = [\"1/5\", \"4/5\"]\n" + wedges;
+    const auto right = only_certificate(places, printed + "where = \"x > 0 and x < a\"\n");
+    CHECK(right.verdict == "refuted");
+    CHECK(right.whole_verdict);
+    const auto left = only_certificate(places, printed + "where = \"x < 0\"\n");
+    CHECK(left.verdict == "refuted");
+    CHECK(left.theorems.empty());
 }

@@ -141,6 +141,12 @@ std::string imports_text(const std::vector<std::string>& files) {
     return text + ".\nOpen Scope R_scope.\n\n";
 }
 
+bool is_symmetric(const std::vector<std::string>& profiles) {
+    return std::all_of(profiles.begin(), profiles.end(), [](const std::string& profile) {
+        return profile.find("tilted") == std::string::npos && profile != "piecewise";
+    });
+}
+
 std::string file_head(const audit::Claim& claim, const audit::Ledger& ledger,
                       const Theory& theory) {
     return file_comment(claim, ledger) + imports_text(theory.imports);
@@ -163,13 +169,7 @@ Certificate certify(const audit::ClaimResult& result, const audit::Ledger& ledge
         {"superposition", certify_superposition},
         {"relation", certify_relation}};
     try {
-        if (result.claim.has("over")) {
-            const audit::Family& family = ledger.family(result.claim.text("over"));
-            if (family.axisymmetric || audit::is_flat_punch(family.profile)) {
-                throw NotStated(family.axisymmetric ? "axisymmetric contacts are not stated"
-                                                    : "flat punches are not stated");
-            }
-        }
+        require_usual_meaning(result.claim, ledger);
         if (certify_listed(result, ledger, certificate)) {
             return certificate;
         }

@@ -359,6 +359,9 @@ void certify_expansion(const audit::ClaimResult& result, const audit::Ledger& le
     if (!refuted && result.outcome.verdict != audit::Verdict::proved) {
         throw NotStated("only expansions that are refuted or proved are stated");
     }
+    if (expanded_of(claim).symmetric && !is_symmetric(profiles_of(ledger, claim.text("over")))) {
+        throw NotStated("the expansion is stated for symmetric contacts only");
+    }
     Theory theory;
     theory.imports = {"Contact", "Coefficients", "Edges",      "ClosedForm", "Symmetric",
                       "Unique",  "Tactics",      "Expansions", "HalfPowers", "PressureExpansions",

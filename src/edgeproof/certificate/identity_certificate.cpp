@@ -9,12 +9,6 @@
 namespace edgeproof::certificate {
 namespace {
 
-bool is_symmetric(const std::vector<std::string>& profiles) {
-    return std::all_of(profiles.begin(), profiles.end(), [](const std::string& profile) {
-        return profile.find("tilted") == std::string::npos && profile != "piecewise";
-    });
-}
-
 /// Returns the exponent q of a load given as c a^q, where c does not depend on a.
 Rational exponent_of_load(const audit::Claim& claim) {
     const formula::Expr& load = claim.formulas("given").front();

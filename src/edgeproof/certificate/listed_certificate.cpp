@@ -27,20 +27,25 @@ bool tilted_wedge(const audit::SceneSpec& s) {
 bool tilted_to_the_left(const audit::SceneSpec& s) {
     return tilted_wedge(s) && s.parameter("alpha").sign() > 0;
 }
+bool flat_and_rounded(const audit::SceneSpec& s) {
+    return s.profile == "flat-and-rounded" && s.parameters.contains("a");
+}
 bool beyond_the_flat(const audit::SceneSpec& s) {
-    return s.profile == "flat-and-rounded" &&
+    return flat_and_rounded(s) &&
            formula::Exact(s.parameter("a").expr() - s.parameter("t").expr()).sign() > 0;
 }
 bool within_the_flat(const audit::SceneSpec& s) {
-    return s.profile == "flat-and-rounded" &&
-           formula::Exact(s.parameter("a").expr() - s.parameter("t").expr()).sign() <= 0;
+    return flat_and_rounded(s) && !beyond_the_flat(s);
 }
 bool without(const audit::SceneSpec& s, const std::string& load) {
     const auto found = s.parameters.find(load);
     return found != s.parameters.end() && found->second.sign() == 0;
 }
-bool force_alone(const audit::SceneSpec& s) { return without(s, "sig0") && !without(s, "Q"); }
-bool tension_alone(const audit::SceneSpec& s) { return without(s, "Q") && !without(s, "sig0"); }
+bool under(const audit::SceneSpec& s, const std::string& load) {
+    return s.parameters.contains(load) && !without(s, load);
+}
+bool force_alone(const audit::SceneSpec& s) { return without(s, "sig0") && under(s, "Q"); }
+bool tension_alone(const audit::SceneSpec& s) { return without(s, "Q") && under(s, "sig0"); }
 bool tilted_punch(const audit::SceneSpec& s) {
     return s.profile == "tilted-flat-and-rounded" && s.parameter("alpha").sign() > 0 &&
            s.parameter("t").sign() > 0 && s.parameter("R").sign() > 0;
@@ -48,31 +53,45 @@ bool tilted_punch(const audit::SceneSpec& s) {
 bool power_law(const audit::SceneSpec& s) {
     return s.profile == "power-law" && s.parameter("m").sign() >= 0 && s.parameter("C").sign() > 0;
 }
+bool symmetric(const audit::SceneSpec& s) {
+    return s.profile == "power-law" || s.profile == "flat-and-rounded" ||
+           s.profile == "piecewise-symmetric";
+}
 bool any_contact(const audit::SceneSpec& /*s*/) { return true; }
 
 /// In place of a unit: the values grow without bound, and the places are to the right of x = 0.
 constexpr std::string_view growing = "growing";
 
-/// A claim for which the Coq files have a theorem: its kind, its words (`key_of`), and the scenes
-/// that the theorem is about.
+/// What a claim says, in the syntax of ledgers: "gp" is the slope of a tilted punch. Two formulas
+/// are equal if they are the same tree, with the definitions of the ledger put in.
+struct Said {
+    std::string_view of = ""; ///< of a series: the edge
+    /// Of a limit: the limit; of a monotone claim: the sense; ">" and "<" as in signs_of_terms().
+    std::string_view says = "";
+    std::string_view along = ""; ///< a parameter of the family
+    std::string_view unit = "";  ///< this parameter, divided by `unit`, ends at `end`
+    double end = 0;
+    std::string_view where = "";
+    std::string_view also = ""; ///< the formula of a second reading
+};
+
+/// A claim for which the Coq files have a theorem: its kind, what it says, and the scenes that the
+/// theorem is about.
 struct Listed {
     std::string_view kind;
-    std::string_view words;
+    Said said;
     bool (*about)(const audit::SceneSpec&);
-    /// The parameter of `about` that the claim follows, divided by this one, ends there.
-    std::string_view unit;
-    double end;
     std::string_view parameters; ///< of the theorem: "phi a : R"
     std::string_view statement;
     std::string_view proof;
     std::string_view states;
-    std::string_view leaves_out;
+    std::string_view leaves_out = "";
     bool whole = true;
 };
 
 constexpr std::string_view convex_smooth =
-    "the punch is taken to be convex; the load and the left edge are taken to be smooth functions "
-    "of the right edge, as the expansion needs";
+    "that the load and the left edge are smooth functions of the right edge, which is assumed; the "
+    "punch is taken to be convex";
 constexpr std::string_view contact_parameters =
     "(Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) (y z : R)";
 constexpr std::string_view right_orders =
@@ -85,74 +104,100 @@ constexpr std::string_view left_orders =
     "  exists l0 l1 l2, is_the_left_series Es g1 (b a) l0 l1 l2 /\\\n"
     "    has_orders Es (mirrored g1) (b a) l0 l1 l2";
 constexpr std::string_view states_orders =
-    "for all contacts, the pressure and what one and two terms leave of it, divided by u^(1/2), "
-    "u^(3/2) and u^(5/2), tend to the coefficients";
+    "for all smooth contacts, the pressure and what one and two terms leave of it, divided by "
+    "u^(1/2), u^(3/2) and u^(5/2), tend to the coefficients";
 
 constexpr std::array<Listed, 23> listed{
-    {{"relation", "0 < b/a and b/a < 1", tilted_to_the_left, "", 0, "(phi a alpha : R)",
+    {{"relation",
+      {.says = "0 < b/a and b/a < 1"},
+      tilted_to_the_left,
+      "(phi a alpha : R)",
       "0 < phi /\\ 0 < a /\\ 0 < alpha < phi ->\n"
       "  exists b, is_the_left_edge (slope phi alpha) a b /\\ 0 < b / a /\\ b / a < 1",
       "intros form. apply ratio_in_range; lra",
-      "for all wedges tilted by less than their angle, 0 < b/a < 1", ""},
-     {"limit", "b/a -> 1 along alpha", tilted_to_the_left, "phi", 0, "(phi a : R)",
+      "for all wedges tilted by less than their angle, 0 < b/a < 1"},
+     {"limit",
+      {.of = "b/a", .says = "1", .along = "alpha", .unit = "phi"},
+      tilted_to_the_left,
+      "(phi a : R)",
       "0 < phi /\\ 0 < a -> exists b : R -> R,\n"
       "  (forall alpha, 0 < alpha < phi -> is_the_left_edge (slope phi alpha) a (b alpha)) /\\\n"
       "  filterlim (fun alpha => b alpha / a) (at_right 0) (locally 1)",
       "intros form. apply ratio_of_a_small_tilt; lra",
-      "for all wedges, b/a tends to 1 as the tilt tends to 0", ""},
-     {"limit", "b/a -> 0 along alpha", tilted_to_the_left, "phi", 1, "(phi a : R)",
+      "for all wedges, b/a tends to 1 as the tilt tends to 0"},
+     {"limit",
+      {.of = "b/a", .says = "0", .along = "alpha", .unit = "phi", .end = 1},
+      tilted_to_the_left,
+      "(phi a : R)",
       "0 < phi /\\ 0 < a -> exists b : R -> R,\n"
       "  (forall alpha, 0 < alpha < phi -> is_the_left_edge (slope phi alpha) a (b alpha)) /\\\n"
       "  filterlim (fun alpha => b alpha / a) (at_left phi) (locally 0)",
       "intros form. apply ratio_of_the_largest_tilt; lra",
-      "for all wedges, b/a tends to 0 as the tilt tends to the angle", ""},
-     {"value", "Es/2*integral(s*g1(s)/sqrt(a^2-s^2), s, -a, a) = 0", within_the_flat, "", 0,
+      "for all wedges, b/a tends to 0 as the tilt tends to the angle"},
+     {"value",
+      {.of = "Es/2*integral(s*g1(s)/sqrt(a^2-s^2), s, -a, a)", .says = "0"},
+      within_the_flat,
       "(Es t R0 a : R)",
       "0 < t /\\ 0 < R0 /\\ 0 < a <= t ->\n"
       "  is_load Es (Symmetric.slope (rounded t R0)) a a 0 /\\\n"
       "  forall P, is_load Es (Symmetric.slope (rounded t R0)) a a P -> P = 0",
       "intros form. apply no_load_within_flat; lra",
-      "for all punches, between edges on the flat the load is 0, and no other", ""},
-     {"value", "Pof(a) = 0", within_the_flat, "", 0, "(Es t R0 a : R)",
+      "for all punches, between edges on the flat the load is 0, and no other"},
+     {"value",
+      {.of = "Pof(a)", .says = "0"},
+      within_the_flat,
+      "(Es t R0 a : R)",
       "0 < t /\\ 0 < R0 /\\ 0 < a <= t ->\n"
       "  is_load Es (Symmetric.slope (rounded t R0)) a a 0 /\\\n"
       "  forall P, is_load Es (Symmetric.slope (rounded t R0)) a a P -> P = 0",
       "intros form. apply no_load_within_flat; lra",
-      "for all punches, between edges on the flat the load is 0, and no other", ""},
-     {"monotone", "P decreasing along a", beyond_the_flat, "t", 1, "(Es t R0 a c : R)",
+      "for all punches, between edges on the flat the load is 0, and no other"},
+     {"monotone",
+      {.of = "P", .says = "decreasing", .along = "a", .unit = "t", .end = 1},
+      beyond_the_flat,
+      "(Es t R0 a c : R)",
       "0 < Es /\\ 0 < t /\\ 0 < R0 /\\ t < a < c -> exists P Q,\n"
       "  is_the_load Es (Symmetric.slope (rounded t R0)) a a P /\\\n"
       "  is_the_load Es (Symmetric.slope (rounded t R0)) c c Q /\\ P < Q",
       "intros form. apply load_grows; lra",
       "for all punches, of two contacts the one with the edge nearer to the flat has the smaller "
-      "load",
-      ""},
-     {"limit", "P/(Es*t) -> 0 along a", beyond_the_flat, "t", 1, "(Es t R0 : R)",
+      "load"},
+     {"limit",
+      {.of = "P/(Es*t)", .says = "0", .along = "a", .unit = "t", .end = 1},
+      beyond_the_flat,
+      "(Es t R0 : R)",
       "0 < Es /\\ 0 < t /\\ 0 < R0 -> exists P : R -> R,\n"
       "  (forall a, t < a -> is_the_load Es (Symmetric.slope (rounded t R0)) a a (P a)) /\\\n"
       "  filterlim (fun a => P a / (Es * t)) (at_right t) (locally 0)",
       "intros form. apply load_vanishes; lra",
-      "for all punches, the load tends to 0 as the edge tends to the end of the flat", ""},
-     {"value", "0 = gp(0), gp(s) = -alpha + max(s + alpha*R, 0)/R + min(s + 2*t + alpha*R, 0)/R",
-      tilted_punch, "", 0, "(alpha t R0 : R)",
-      "0 < alpha /\\ 0 < t /\\ 0 < R0 -> tilted_rounded_slope alpha t R0 0 = 0",
-      "intros form. apply lowest_at_origin; lra", "for all such punches, the slope is 0 at x = 0",
-      ""},
+      "for all punches, the load tends to 0 as the edge tends to the end of the flat"},
      {"value",
-      "sgn(x)*gp(x) = abs(gp(x)), gp(s) = -alpha + max(s + alpha*R, 0)/R + min(s + 2*t + "
-      "alpha*R, 0)/R",
-      tilted_punch, "", 0, "(alpha t R0 : R)",
+      {.of = "0", .says = "gp(0)"},
+      tilted_punch,
+      "(alpha t R0 : R)",
+      "0 < alpha /\\ 0 < t /\\ 0 < R0 -> tilted_rounded_slope alpha t R0 0 = 0",
+      "intros form. apply lowest_at_origin; lra",
+      "for all such punches, the slope is 0 at x = 0"},
+     {"value",
+      {.of = "sgn(x)*gp(x)", .says = "abs(gp(x))"},
+      tilted_punch,
+      "(alpha t R0 : R)",
       "0 < alpha /\\ 0 < t /\\ 0 < R0 -> forall x,\n"
       "  Rabs (tilted_rounded_slope alpha t R0 x) = sign x * tilted_rounded_slope alpha t R0 x",
       "intros form. apply falls_and_rises; lra",
-      "for all such punches and all x, |g'(x)| = sgn(x) g'(x)", ""},
-     {"value", "g1(x) = x/R where x > 0", tilted_punch, "", 0, "(alpha t R0 : R)",
+      "for all such punches and all x, |g'(x)| = sgn(x) g'(x)"},
+     {"value",
+      {.of = "g1(x)", .says = "x/R", .where = "x > 0"},
+      tilted_punch,
+      "(alpha t R0 : R)",
       "0 < alpha /\\ 0 < t /\\ 0 < R0 -> forall x, 0 < x ->\n"
       "  x / R0 = tilted_rounded_slope alpha t R0 x",
       "intros form. apply parabola_to_the_right; lra",
-      "for all such punches and all x > 0, g'(x) = x/R", ""},
-     {"value", "q(x) = Q/(Pi*sqrt((a-x)*(x+b))) + sig0*(2*x+b-a)/(8*sqrt((a-x)*(x+b)))",
-      any_contact, "", 0, "(Q sig0 a b : R)",
+      "for all such punches and all x > 0, g'(x) = x/R"},
+     {"value",
+      {.of = "q(x)", .says = "Q/(Pi*sqrt((a-x)*(x+b))) + sig0*(2*x+b-a)/(8*sqrt((a-x)*(x+b)))"},
+      any_contact,
+      "(Q sig0 a b : R)",
       "0 < a + b ->\n"
       "  is_traction (fun x => Q / (PI * sqrt ((a - x) * (x + b))) +\n"
       "    sig0 * (2 * x + b - a) / (8 * sqrt ((a - x) * (x + b)))) a b Q sig0 /\\\n"
@@ -165,9 +210,13 @@ constexpr std::array<Listed, 23> listed{
       "for all contacts, the printed traction solves the integral equation of full stick and has "
       "the "
       "force Q; of all functions (A + B x)/sqrt((a - x)(x + b)) it is the only one",
-      "that the integral equation has no solution of another form"},
-     {"value", "p(x) = Es/(2*Pi)*sqrt(a^2-x^2)*pv(g1(s)/sqrt(a^2-s^2)*(1/(s-x)), s, -a, a, x)",
-      any_contact, "", 0, "(Es m a x : R) (l : list part)",
+      "that the integral equation has no solution of another form",
+      false},
+     {"value",
+      {.of = "p(x)",
+       .says = "Es/(2*Pi)*sqrt(a^2-x^2)*pv(g1(s)/sqrt(a^2-s^2)*(1/(s-x)), s, -a, a, x)"},
+      symmetric,
+      "(Es m a x : R) (l : list part)",
       "convex_punch l -> beyond m l -> 0 < m < x -> x < a ->\n"
       "  exists p0 l0, is_the_pressure Es (Symmetric.slope l) a x p0 /\\\n"
       "  is_principal_value (fun s => Symmetric.slope l s / sqrt (a ^ 2 - s ^ 2) * (1 / (s - x))) "
@@ -177,8 +226,11 @@ constexpr std::array<Listed, 23> listed{
       "for all symmetric punches whose g' is piecewise linear and convex (wedges, parabolas, flat "
       "punches with rounded edges and sums of these), beyond all knots, printed = Barber and "
       "Mossakovskii's integral",
-      "power laws with other exponents than 0 and 1; places on the flat", false},
-     {"relation", "the terms 2 to 9 of both edges have the sign of the first", force_alone, "", 0,
+      "power laws with other exponents than 0 and 1; places on the flat",
+      false},
+     {"relation",
+      {.says = ">"},
+      force_alone,
       "(a b Q : R)",
       "0 < a + b /\\ Q <> 0 -> exists s v : nat -> R,\n"
       "  are_the_right_terms (full_stick Q 0 a b) a s 9 /\\ are_the_left_terms (full_stick Q 0 a "
@@ -186,19 +238,22 @@ constexpr std::array<Listed, 23> listed{
       "v 9 /\\\n  forall k, (1 <= k <= 9)%nat -> 0 < s k * s 0%nat /\\ 0 < v k * v 0%nat",
       "intros form. apply force_signs; apply form",
       "for all contacts under a shear force, the terms 1 to 9 of both edges have the sign of the "
-      "first",
-      ""},
-     {"relation", "the terms 2 to 9 of both edges have the opposite sign of the first",
-      tension_alone, "", 0, "(a b sig0 : R)",
+      "first"},
+     {"relation",
+      {.says = "<"},
+      tension_alone,
+      "(a b sig0 : R)",
       "0 < a + b /\\ sig0 <> 0 -> exists s v : nat -> R,\n"
       "  are_the_right_terms (full_stick 0 sig0 a b) a s 9 /\\ are_the_left_terms (full_stick 0 "
       "sig0 "
       "a b) b v 9 /\\\n  forall k, (1 <= k <= 9)%nat -> s k * s 0%nat < 0 /\\ v k * v 0%nat < 0",
       "intros form. apply tension_signs; apply form",
       "for all contacts under a tension, the terms 1 to 9 of both edges have the opposite sign of "
-      "the first",
-      ""},
-     {"limit", "p(x)/(P/(Pi*sqrt(a^2-x^2))) -> 1 along m", power_law, growing, 0, "(Es C a x : R)",
+      "the first"},
+     {"limit",
+      {.of = "p(x)/(P/(Pi*sqrt(a^2-x^2)))", .says = "1", .along = "m", .unit = growing},
+      power_law,
+      "(Es C a x : R)",
       "0 < Es /\\ 0 < C /\\ 0 < x < a -> exists p P : R -> R,\n"
       "  (forall m, 0 <= m -> is_the_pressure Es (power_slope C m) a x (p m) /\\\n"
       "    is_the_load Es (power_slope C m) a a (P m)) /\\\n"
@@ -206,11 +261,15 @@ constexpr std::array<Listed, 23> listed{
       "(locally 1)",
       "exact (becomes_rectangular Es C a x)",
       "at every place x > 0 of all contacts, the pressure divided by that of a rectangular punch "
-      "tends to 1 as m grows without bound",
-      ""},
+      "tends to 1 as m grows without bound"},
      {"limit",
-      "right_local(1, x)/p(x) -> infinity along m and right_local(1, x)*a/P -> infinity along m",
-      power_law, growing, 0, "(Es C a x : R)",
+      {.of = "right_local(1, x)/p(x)",
+       .says = "infinity",
+       .along = "m",
+       .unit = growing,
+       .also = "right_local(1, x)*a/P"},
+      power_law,
+      "(Es C a x : R)",
       "0 < Es /\\ 0 < C /\\ 0 < x < a -> exists p P r : R -> R,\n"
       "  (forall m, 0 <= m -> is_the_pressure Es (power_slope C m) a x (p m) /\\\n"
       "    is_the_load Es (power_slope C m) a a (P m) /\\\n"
@@ -221,9 +280,11 @@ constexpr std::array<Listed, 23> listed{
       "p_infty)",
       "exact (one_term_diverges Es C a x)",
       "at every place x > 0 of all contacts, one term divided by the pressure, and divided by P/a, "
-      "grows without bound with m",
-      ""},
-     {"independence", "q(x)*L/Q", force_alone, "", 0, "(a b c e Q N xi : R)",
+      "grows without bound with m"},
+     {"independence",
+      {.of = "q(x)*L/Q"},
+      force_alone,
+      "(a b c e Q N xi : R)",
       "0 < a + b -> 0 < c + e -> Q <> 0 -> N <> 0 -> 0 < xi < 1 ->\n"
       "  is_traction (full_stick Q 0 a b) a b Q 0 /\\ is_traction (full_stick N 0 c e) c e N 0 "
       "/\\\n"
@@ -232,8 +293,12 @@ constexpr std::array<Listed, 23> listed{
       "exact (force_independent a b c e Q N xi)",
       "for any two contacts and forces, both tractions solve the integral equation of full stick, "
       "and q L/Q is the same at the same share of the contact",
-      "that the integral equation has no other solution"},
-     {"independence", "q(x)/sig0", tension_alone, "", 0, "(a b c e sig0 tau xi : R)",
+      "that the integral equation has no other solution",
+      false},
+     {"independence",
+      {.of = "q(x)/sig0"},
+      tension_alone,
+      "(a b c e sig0 tau xi : R)",
       "0 < a + b -> 0 < c + e -> sig0 <> 0 -> tau <> 0 -> 0 < xi < 1 ->\n"
       "  is_traction (full_stick 0 sig0 a b) a b 0 sig0 /\\\n"
       "  is_traction (full_stick 0 tau c e) c e 0 tau /\\\n"
@@ -243,8 +308,12 @@ constexpr std::array<Listed, 23> listed{
       "for any two contacts and tensions, both tractions solve the integral equation of full "
       "stick, "
       "and q/sig0 is the same at the same share of the contact",
-      "that the integral equation has no other solution"},
-     {"series", "right: 1/2 3/2 5/2 7/2", tilted_wedge, "", 0, "(Es phi gam a : R)",
+      "that the integral equation has no other solution",
+      false},
+     {"series",
+      {.of = "right", .says = "1/2 3/2 5/2 7/2"},
+      tilted_wedge,
+      "(Es phi gam a : R)",
       "0 < Es /\\ 0 < phi /\\ 0 < gam /\\ 0 < a -> exists r0 r1 r2,\n"
       "  is_the_right_series Es (slope phi (tilt phi gam)) a r0 r1 r2 /\\\n"
       "  has_orders Es (slope phi (tilt phi gam)) a r0 r1 r2 /\\\n"
@@ -253,9 +322,11 @@ constexpr std::array<Listed, 23> listed{
       "for all tilted wedges, what three terms leave is at most C u^(7/2); the pressure and what "
       "one "
       "and two terms leave of it, divided by u^(1/2), u^(3/2) and u^(5/2), tend to the "
-      "coefficients",
-      ""},
-     {"series", "left: 1/2 3/2 5/2 7/2", tilted_wedge, "", 0, "(Es phi gam a : R)",
+      "coefficients"},
+     {"series",
+      {.of = "left", .says = "1/2 3/2 5/2 7/2"},
+      tilted_wedge,
+      "(Es phi gam a : R)",
       "0 < Es /\\ 0 < phi /\\ 0 < gam /\\ 0 < a -> exists l0 l1 l2,\n"
       "  is_the_left_series Es (slope phi (tilt phi gam)) (gam * a) l0 l1 l2 /\\\n"
       "  has_orders Es (mirrored (slope phi (tilt phi gam))) (gam * a) l0 l1 l2 /\\\n"
@@ -264,90 +335,101 @@ constexpr std::array<Listed, 23> listed{
       "for all tilted wedges, what three terms leave is at most C u^(7/2); the pressure and what "
       "one "
       "and two terms leave of it, divided by u^(1/2), u^(3/2) and u^(5/2), tend to the "
-      "coefficients",
-      ""},
-     {"series", "right: 1/2 3/2 5/2", any_contact, "", 0, contact_parameters, right_orders,
-      "intros contact left convex. eapply orders_at_right; eassumption", states_orders,
-      convex_smooth},
-     {"series", "left: 1/2 3/2 5/2", any_contact, "", 0, contact_parameters, left_orders,
-      "intros contact left convex. eapply orders_at_left; eassumption", states_orders,
-      convex_smooth},
-     {"series", "right: 1/2 3/2", any_contact, "", 0, contact_parameters, right_orders,
-      "intros contact left convex. eapply orders_at_right; eassumption", states_orders,
-      convex_smooth}}};
+      "coefficients"},
+     {"series",
+      {.of = "right", .says = "1/2 3/2 5/2"},
+      any_contact,
+      contact_parameters,
+      right_orders,
+      "intros contact left convex. eapply orders_at_right; eassumption",
+      states_orders,
+      convex_smooth,
+      false},
+     {"series",
+      {.of = "left", .says = "1/2 3/2 5/2"},
+      any_contact,
+      contact_parameters,
+      left_orders,
+      "intros contact left convex. eapply orders_at_left; eassumption",
+      states_orders,
+      convex_smooth,
+      false},
+     {"series",
+      {.of = "right", .says = "1/2 3/2"},
+      any_contact,
+      contact_parameters,
+      right_orders,
+      "intros contact left convex. eapply orders_at_right; eassumption",
+      states_orders,
+      convex_smooth,
+      false}}};
 
 /// Returns how a ledger says that the products of the terms 2 to 9 of a shear traction with the
-/// first, at both edges, have a sign.
+/// first, at both edges, are > 0 or < 0.
 std::string signs_of_terms(std::string_view sign) {
     std::string all;
     for (const char* edge : {"right", "left"}) {
         for (int k = 2; k <= 9; ++k) {
-            all += fmt::format("{0}{1}.s{2}*{1}.s0{3}", all.empty() ? "" : " and ", edge, k, sign);
+            all +=
+                fmt::format("{0}{1}.s{2}*{1}.s0 {3} 0", all.empty() ? "" : " and ", edge, k, sign);
         }
     }
     return all;
 }
 
-/// The words of a claim, by which it is found in the list; empty if the claim has other fields that
-/// change its meaning.
-std::string words_of(const audit::Claim& claim) {
-    if (claim.kind == "limit" && !claim.readings.empty()) {
-        std::string all;
-        for (const audit::Claim& reading : claim.readings) {
-            all += (all.empty() ? "" : " and ") + words_of(reading);
-        }
-        return all;
-    }
-    if (!claim.readings.empty() || claim.has("vary") || claim.has("given") ||
-        (claim.kind != "value" && (claim.has("where") || claim.has("with")))) {
-        return "";
-    }
+/// Whether the coefficients of a series are the exact ones, and the orders those of the theorem.
+bool is_series(const audit::Claim& claim, const Said& said) {
     const std::string edge = claim.edge() == contact::Edge::right ? "right" : "left";
-    if (claim.kind == "relation") {
-        return claim.has("holds") ? ""
-               : claim.text("says") == signs_of_terms(" > 0")
-                   ? "the terms 2 to 9 of both edges have "
-                     "the sign of the first"
-               : claim.text("says") == signs_of_terms(" < 0")
-                   ? "the terms 2 to 9 of both edges have the opposite sign of the first"
-                   : claim.text("says");
-    }
-    if (claim.kind == "limit") {
-        return claim.text("of") + " -> " + claim.text("limit") + " along " + claim.text("along");
-    }
-    if (claim.kind == "monotone") {
-        return claim.text("of") + " " + claim.text("sense") + " along " + claim.text("along");
-    }
-    if (claim.kind == "value") {
-        std::string words = claim.text("of") + " = " + claim.text("says");
-        if (claim.has("with")) {
-            for (const auto& [name, meaning] : claim.table("with")) {
-                words += fmt::format(", {} = {}", name, fmt::join(meaning, " "));
-            }
+    const std::size_t terms = claim.has("terms") ? claim.formulas("terms").size() : 0;
+    for (std::size_t k = 0; k < terms; ++k) {
+        if (claim.formulas("terms")[k] != formula::Expr::symbol(fmt::format("{}_c{}", edge, k))) {
+            return false;
         }
-        return claim.has("where") ? words + " where " + claim.text("where") : words;
     }
-    if (claim.kind == "independence") {
-        return claim.text("of");
+    return edge == said.of && fmt::format("{}", fmt::join(claim.list("orders"), " ")) == said.says;
+}
+
+/// Whether a claim without readings, or one reading of it, says this. A field that changes what the
+/// claim means, and that the theorem does not have, makes it another claim.
+bool is_said(const audit::Claim& claim, const Said& said) {
+    if (claim.has("vary") || claim.has("given") || claim.has("holds") ||
+        (said.where.empty() ? claim.has("where") : !is_condition(claim, "where", said.where))) {
+        return false;
     }
     if (claim.kind == "series") {
-        std::string words = edge + ":";
-        for (const std::string& order : claim.list("orders")) {
-            words += " " + order;
-        }
-        for (std::size_t k = 0; claim.has("terms") && k < claim.list("terms").size(); ++k) {
-            if (claim.list("terms")[k] != fmt::format("{}.c{}", edge, k)) {
-                return "";
-            }
-        }
-        return words;
+        return is_series(claim, said);
     }
-    return "";
+    if (claim.kind == "relation") {
+        const bool signs = said.says == ">" || said.says == "<";
+        return is_condition(claim, "says", signs ? signs_of_terms(said.says) : said.says);
+    }
+    if (!is_formula(claim, "of", said.of)) {
+        return false;
+    }
+    if (claim.kind == "value") {
+        return is_formula(claim, "says", said.says);
+    }
+    const std::string_view key = claim.kind == "limit" ? "limit" : "sense";
+    return claim.kind == "independence" ||
+           (claim.text(key) == said.says && claim.text("along") == said.along);
+}
+
+bool says(const audit::Claim& claim, const Listed& entry) {
+    if (claim.kind != entry.kind) {
+        return false;
+    }
+    if (claim.readings.empty()) {
+        return entry.said.also.empty() && is_said(claim, entry.said);
+    }
+    Said second = entry.said;
+    second.of = second.also;
+    return !second.of.empty() && claim.readings.size() == 2 &&
+           is_said(claim.readings[0], entry.said) && is_said(claim.readings[1], second);
 }
 
 /// Whether the values that the claim follows end where the theorem's limit is, or approach it.
 bool ends_there(const audit::Claim& claim, const audit::Ledger& ledger, const Listed& entry) {
-    if (entry.unit.empty()) {
+    if (entry.said.unit.empty()) {
         return true;
     }
     const audit::Family& family = ledger.family(claim.text("over"));
@@ -357,7 +439,7 @@ bool ends_there(const audit::Claim& claim, const audit::Ledger& ledger, const Li
     if (found == family.parameters.end() || found->second.size() < 2) {
         return false;
     }
-    const bool grows = entry.unit == growing;
+    const bool grows = entry.said.unit == growing;
     if (grows && (claim.edge() != contact::Edge::right ||
                   !std::all_of(family.u.begin(), family.u.end(),
                                [](const formula::Exact& u) { return u.to<double>() < 0.5; }))) {
@@ -366,12 +448,14 @@ bool ends_there(const audit::Claim& claim, const audit::Ledger& ledger, const Li
     std::vector<double> distances;
     for (const formula::Expr& value : found->second) {
         const formula::Expr share =
-            grows ? value : substitute(value, entry.unit, formula::Expr::number(1));
-        if (!free_symbols(share).empty()) {
-            return false;
+            grows ? value : substitute(value, entry.said.unit, formula::Expr::number(1));
+        const formula::Expr of_two = substitute(value, entry.said.unit, formula::Expr::number(2));
+        if (!free_symbols(share).empty() ||
+            (!grows && formula::Exact(of_two - formula::Expr::number(2) * share).sign() != 0)) {
+            return false; // not a multiple of the unit
         }
         distances.push_back(grows ? 1 / formula::Exact(share).to<double>()
-                                  : std::abs(formula::Exact(share).to<double>() - entry.end));
+                                  : std::abs(formula::Exact(share).to<double>() - entry.said.end));
     }
     return std::is_sorted(distances.rbegin(), distances.rend()) &&
            distances.back() < (grows ? 1e-3 : 1e-6);
@@ -385,10 +469,9 @@ bool certify_listed(const audit::ClaimResult& result, const audit::Ledger& ledge
     if (result.outcome.verdict != audit::Verdict::confirmed || !claim.has("over")) {
         return false;
     }
-    const std::string words = words_of(claim);
     const auto scenes = draw_scenes(ledger.family(claim.text("over")), ledger.families);
     const auto entry = std::find_if(listed.begin(), listed.end(), [&](const Listed& l) {
-        return l.kind == claim.kind && l.words == words &&
+        return says(claim, l) && !scenes.empty() &&
                std::all_of(scenes.begin(), scenes.end(), l.about) && ends_there(claim, ledger, l);
     });
     if (entry == listed.end()) {

@@ -33,10 +33,22 @@ void certify_superposition(const audit::ClaimResult& result, const audit::Ledger
 void certify_relation(const audit::ClaimResult& result, const audit::Ledger& ledger,
                       Certificate& certificate);
 
-/// Adds the theorem of a claim for whose words the Coq files have a theorem of their own, and
-/// returns true; returns false for all other claims.
+/// Adds the theorem of a claim for which the Coq files have a theorem of its own, and returns true;
+/// returns false for all other claims.
 [[nodiscard]] bool certify_listed(const audit::ClaimResult& result, const audit::Ledger& ledger,
                                   Certificate& certificate);
+
+/// Throws NotStated if the contacts of the claim have friction or are bodies of revolution, if a
+/// name of the contact or one of its parameters has another meaning in the claim, or if a reading
+/// is about another family or edge.
+void require_usual_meaning(const audit::Claim& claim, const audit::Ledger& ledger);
+/// Whether a formula or a condition of the claim is, with all definitions put in, the tree of this
+/// text. The text may use the names of the contact, the family's parameters, and gp(x), the slope
+/// of a tilted punch.
+[[nodiscard]] bool is_formula(const audit::Claim& claim, std::string_view key,
+                              std::string_view text);
+[[nodiscard]] bool is_condition(const audit::Claim& claim, std::string_view key,
+                                std::string_view text);
 
 /// Returns the text changed so that it can stand inside a Coq comment: it opens and closes no
 /// comment and begins no string.
@@ -62,5 +74,7 @@ inline constexpr std::string_view smoothness = "the load and the left edge are t
 /// Returns the profiles of a family; for a union, those of its members in their order.
 [[nodiscard]] std::vector<std::string> profiles_of(const audit::Ledger& ledger,
                                                    std::string_view family);
+/// Whether all punches of these profiles are symmetric.
+[[nodiscard]] bool is_symmetric(const std::vector<std::string>& profiles);
 
 } // namespace edgeproof::certificate

@@ -138,8 +138,8 @@ const Compared& compared_in(const audit::Claim& claim, std::string_view subject,
                             std::string_view edge) {
     for (const Compared& c : compared) {
         if (c.subject == subject &&
-            claim.text("says") == replaced(std::string(c.says), '@', edge) &&
-            claim.text_or("where", "") == c.where) {
+            is_condition(claim, "says", replaced(std::string(c.says), '@', edge)) &&
+            (c.where.empty() ? !claim.has("where") : is_condition(claim, "where", c.where))) {
             return c;
         }
     }
@@ -183,6 +183,9 @@ void certify_relation(const audit::ClaimResult& result, const audit::Ledger& led
     const std::string name = coq_name(claim.id);
     std::vector<std::string> names;
     for (const audit::Claim& reading : readings) {
+        if (reading.text_or("holds", "everywhere") != "everywhere") {
+            throw NotStated("only relations that hold everywhere are stated");
+        }
         const Compared& c = compared_in(reading, name_of_subject, edge);
         const std::string conclusion =
             of_pressure ? std::string(c.conclusion) + ")"

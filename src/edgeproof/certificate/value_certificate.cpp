@@ -107,6 +107,15 @@ std::optional<std::string> theorem_for_all(const std::string& name, const Theory
     }
 }
 
+/// Whether the claim is about places x > 0 only, by its condition.
+bool is_right_of_origin(const audit::Claim& claim) {
+    return claim.has("where") &&
+           std::ranges::any_of(claim.condition("where"), [](const audit::Relation& r) {
+               return r.lhs == Expr::symbol("x") && r.op == audit::Relation::Op::greater &&
+                      r.rhs == Expr();
+           });
+}
+
 std::optional<Expr> correction(const audit::ClaimResult& result) {
     if (!result.outcome.correct) {
         return std::nullopt;
@@ -132,11 +141,26 @@ bool is_of_shear(const Expr& e) {
     });
 }
 
-/// Returns the sample at which the relative difference of the two is largest.
-const SampledTheory* clearest(const std::vector<SampledTheory>& theories, const Expr& printed,
-                              const Expr& exact, Gap& gap) {
+/// Whether the sample is proved to be one that the condition of the claim admits.
+bool admits(const audit::Claim& claim, const audit::Sample& sample) {
+    using Op = audit::Relation::Op;
+    return !claim.has("where") ||
+           std::ranges::all_of(claim.condition("where"), [&](const audit::Relation& r) {
+               const bool less = r.op == Op::less || r.op == Op::less_equal;
+               const Expr& larger = less ? r.rhs : r.lhs;
+               return r.op != Op::equal &&
+                      excess(larger, sample, less ? r.lhs : r.rhs, sample).has_value();
+           });
+}
+
+/// Returns the sample of the claim at which the relative difference of the two is largest.
+const SampledTheory* clearest(const audit::Claim& claim, const std::vector<SampledTheory>& theories,
+                              const Expr& printed, const Expr& exact, Gap& gap) {
     const SampledTheory* best = nullptr;
     for (const SampledTheory& t : theories) {
+        if (!admits(claim, t.sample)) {
+            continue;
+        }
         const auto here = gap_at(printed, exact, t.sample);
         if (here && here->relative > gap.relative) {
             gap = *here;
@@ -194,7 +218,11 @@ void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger
         if (const auto all = for_all(name, printed)) {
             certificate.text = file_head(claim, ledger, *form) + *all;
             certificate.theorems = {{name, "for all contacts of this form, printed = exact"}};
-            certificate.whole_verdict = true;
+            const bool at_x =
+                free_symbols(printed).contains("x") || free_symbols(exact).contains("x");
+            certificate.whole_verdict = !at_x || !form->all_of_form->place.starts_with("0 < x") ||
+                                        is_right_of_origin(claim);
+            certificate.leaves_out = certificate.whole_verdict ? "" : "places x < 0";
             return;
         }
         if (theories.empty()) {
@@ -209,7 +237,7 @@ void certify_value(const audit::ClaimResult& result, const audit::Ledger& ledger
         return;
     }
     Gap gap;
-    const SampledTheory* const sample = clearest(theories, printed, exact, gap);
+    const SampledTheory* const sample = clearest(claim, theories, printed, exact, gap);
     if (sample == nullptr) {
         throw NotStated("the formula agrees at the samples that the Coq files have");
     }

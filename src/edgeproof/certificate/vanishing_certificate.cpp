@@ -45,8 +45,9 @@ void certify_vanishing(const audit::ClaimResult& result, const audit::Ledger& le
                        Certificate& certificate) {
     const audit::Claim& claim = result.claim;
     if (result.outcome.verdict != audit::Verdict::refuted || !claim.readings.empty() ||
-        claim.text("ratio") != "sig0*d/Q") {
-        throw NotStated("of what vanishes, only that it does not at a ratio sig0*d/Q is stated");
+        !is_formula(claim, "ratio", "sig0*((a+b)/2)/Q")) {
+        throw NotStated("of what vanishes, only that it does not at a ratio sig0*d/Q, where d is "
+                        "(a+b)/2, is stated");
     }
     const formula::Expr of = claim.formula("of");
     const SampledTheory printed = contact_of_ratio(claim, "sig0", claim.formula("says"));

@@ -48,12 +48,5 @@ foreach(module IN LISTS arb_modules)
     list(APPEND sources ${more})
 endforeach()
 
-# Names of headers are the same for both: with and without the folder flint.
-file(MAKE_DIRECTORY ${LIBRARIES}/include)
-file(CREATE_LINK ${flint} ${LIBRARIES}/include/flint SYMBOLIC)
-file(GLOB headers ${arb}/*.h)
-foreach(header IN LISTS headers)
-    cmake_path(GET header FILENAME name)
-    file(CREATE_LINK ${header} ${LIBRARIES}/include/${name} SYMBOLIC)
-endforeach()
+set(headers_of_arb ${arb})
 set(folders ${flint} ${arb})

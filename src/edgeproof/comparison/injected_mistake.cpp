@@ -172,8 +172,7 @@ const std::vector<InjectedMistake>& injected_mistakes() {
          with({},
               [](Program& program) {
                   const auto a = program.keys.find("load.a");
-                  const double shift =
-                      a == program.keys.end() ? 0.01 : 0.02 * std::stod(a->second);
+                  const double shift = a == program.keys.end() ? 0.01 : 0.02 * std::stod(a->second);
                   program.written_x = [shift](double x) { return x + shift; };
               })},
         {"shifted-rows", false, rows(shift_rows)},

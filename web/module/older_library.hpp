@@ -1,30 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 /// Parts of C++20 that the program uses, for the C++ library of Emscripten 3.1.6 (libc++ 13 has no
-/// algorithms for ranges, for example). Included before every source; for a newer library it is
-/// empty except for <sys/types.h>: FLINT 2 makes its type `ulong` a macro.
+/// algorithms for ranges, for example) and 3.1.69 (libc++ 19 reads no double). Included before
+/// every source. FLINT 2 makes `ulong` a macro: <sys/types.h>, which declares this type, comes
+/// first.
 #include <sys/types.h>
 #include <version>
-#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 15000
-#include <algorithm>
-#include <array>
+#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 200000
 #include <cerrno>
 #include <charconv>
-#include <compare>
-#include <cstdio>
 #include <cstdlib>
-#include <functional>
-#include <iterator>
-#include <ranges>
 #include <string>
-#include <utility>
 
 namespace std {
-/// As in <charconv> of newer versions, for the one format that is used.
-inline to_chars_result to_chars(char* first, char* last, double x, chars_format, int precision) {
-    const int n = std::snprintf(first, static_cast<size_t>(last - first), "%.*e", precision, x);
-    return {first + n, errc{}};
-}
+/// As in <charconv> of newer versions.
 inline from_chars_result from_chars(const char* first, const char* last, double& x) {
     const string text(first, last);
     char* end = nullptr;
@@ -38,6 +27,24 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
     }
     x = read;
     return {first + (end - text.c_str()), errc{}};
+}
+} // namespace std
+#endif
+#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 15000
+#include <algorithm>
+#include <array>
+#include <compare>
+#include <cstdio>
+#include <functional>
+#include <iterator>
+#include <ranges>
+#include <utility>
+
+namespace std {
+/// The same, for the one format that is used.
+inline to_chars_result to_chars(char* first, char* last, double x, chars_format, int precision) {
+    const int n = std::snprintf(first, static_cast<size_t>(last - first), "%.*e", precision, x);
+    return {first + n, errc{}};
 }
 template <class T, size_t N>
 constexpr auto operator<=>(const array<T, N>& x, const array<T, N>& y) {

@@ -11,12 +11,21 @@
 
 namespace edgeproof::contact {
 
+/// An axisymmetric contact that is integrated, in ball arithmetic.
+class RoundContact : public ProvedContact {
+public:
+    using ProvedContact::ProvedContact;
+    /// The approach delta of the bodies (length).
+    [[nodiscard]] virtual Ball approach() const = 0;
+    [[nodiscard]] Ball moment() const override { return {0, bits_}; }
+};
+
 /// An axisymmetric contact whose slope g'(r) is piecewise linear, in ball arithmetic
 /// (docs/axisymmetric.md). x is the radius r, a the radius of the contact, u = a - r; the left edge
 /// is the mirror image of the right one. The radius, the force and the approach are elementary
 /// functions (`sneddon1965`); the pressure is found by Arb's rigorous integration
 /// (`johansson2018`).
-class AxisymmetricContact : public ProvedContact {
+class AxisymmetricContact : public RoundContact {
 public:
     /// Throws BudgetError where `bits` do not suffice to enclose the radius.
     /// @param profile g'(r), symmetric and piecewise linear
@@ -30,9 +39,7 @@ public:
     [[nodiscard]] Ball force() const override { return force_at(a_); }
     /// dP/da (force/length).
     [[nodiscard]] Ball force_rate() const;
-    /// The approach delta of the bodies (length).
-    [[nodiscard]] Ball approach() const;
-    [[nodiscard]] Ball moment() const override { return {0, bits_}; }
+    [[nodiscard]] Ball approach() const override;
     [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const override;
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
     [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const override;

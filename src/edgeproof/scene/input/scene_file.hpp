@@ -150,6 +150,10 @@ struct Scene {
     [[nodiscard]] bool only_in_balls() const {
         return history || (profile && profile->axisymmetric()) || (round && slips());
     }
+    /// True for an axisymmetric contact with curved slopes, other than a power law.
+    [[nodiscard]] bool curved_body() const {
+        return profile && profile->axisymmetric() && !profile->piecewise_linear();
+    }
     /// The profile and the load as the scene gives them, also of an axisymmetric power law.
     [[nodiscard]] const contact::Profile& given_profile() const {
         return round ? round->profile : *profile;

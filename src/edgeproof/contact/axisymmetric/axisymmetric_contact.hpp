@@ -4,8 +4,10 @@
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/contact/law/load.hpp"
 #include "edgeproof/contact/slip/stick_zone.hpp"
+#include "edgeproof/precision/ball/complex_box.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -57,6 +59,10 @@ public:
     /// The integral of h'(s) s/(s^2 + w)^n over 0 < s < a, for w > 0 (length^2) and n > 0.
     [[nodiscard]] Ball approach_moment(const Ball& w, long n) const;
 
+    /// The real part of the integral of h'(s) f(s) over 0 < s < a, for f as in `integral_of`
+    /// (abel_integral.hpp).
+    [[nodiscard]] Ball over_approach(const std::function<Box(const Box& s)>& f) const;
+
     /// The gap (length) between the bodies at the distance `beyond` >= 0 (length) outside the edge.
     [[nodiscard]] Ball gap_beyond(const Ball& beyond) const;
     /// The contact of the same profile with the radius `a` (length).
@@ -107,6 +113,11 @@ private:
 /// `force` the total force.
 [[nodiscard]] std::unique_ptr<ZoneSolver> axisymmetric_zones(const BallContact& plane,
                                                              const Ball& force);
+
+/// The real part of the integral of h'(s) f(s) over 0 < s < a (AxisymmetricContact::over_approach)
+/// of an axisymmetric power law; `plane` is the plane contact that has the same pressure.
+[[nodiscard]] Ball over_approach(const BallContact& plane,
+                                 const std::function<Box(const Box& s)>& f);
 
 /// The gap (length) at the distance `beyond` >= 0 (length) outside the edge of an axisymmetric
 /// power law; `plane` is the plane contact that has the same pressure.

@@ -377,7 +377,7 @@ Ball CurvedBody::majorant(Edge /*edge*/, const Ball& rho) const {
 
 // The Taylor coefficients of h' at a by Cauchy's formula over a circle of a sixteenth of the disk
 // on which h' is bounded by M. The mean over N points adds the coefficients k + N, k + 2N, ...
-// (`trefethen2013`, chapter 4), which are at most M/reach^(k + lN).
+// (`trefethen-weideman2014`), which are at most M/reach^(k + lN).
 std::vector<Ball> CurvedBody::expansion(Edge edge, std::size_t terms) const {
     if (terms == 0) {
         return {};

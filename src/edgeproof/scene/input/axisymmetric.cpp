@@ -82,15 +82,6 @@ void change_given(Scene& scene, const std::function<void(Scene&)>& change) {
     revolve(scene);
 }
 
-void require_axis_or_surface(const BodyPoint& point) {
-    if (point.x.sign() != 0 && point.z.sign() != 0) {
-        throw InputError("the point x = " + point.x.text() + ", z = " + point.z.text() +
-                             " is inside the body: the stresses of an axisymmetric contact are "
-                             "computed on the axis and on the surface",
-                         "give points with x = 0 or z = 0");
-    }
-}
-
 const char* Axisymmetric::size_from() const {
     return load.kind == contact::Load::Kind::force      ? "from P"
            : load.kind == contact::Load::Kind::approach ? "from delta"

@@ -213,9 +213,6 @@ void revolve(Scene& scene);
 /// those of an axisymmetric scene from them again.
 void change_given(Scene& scene, const std::function<void(Scene&)>& change);
 
-/// Refuses a point of a body of an axisymmetric scene that lies neither on the axis nor on the
-/// surface.
-void require_axis_or_surface(const BodyPoint& point);
 /// Refuses a load history for a command that does not compute one.
 void require_no_history(const Scene& scene, const std::string& command);
 /// Refuses a load history and an axisymmetric scene.

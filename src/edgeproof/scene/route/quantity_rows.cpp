@@ -370,7 +370,7 @@ constexpr auto quantity_table = std::to_array<Def>({
         Quantity::delta, "delta", "approach", Group::contact, units::length)
         .needing(Needs::round)
         .explained("approach of the bodies")
-        .by("closed-form"),
+        .by(way_of_integral),
     of_contact<&BallLevel::stiffness, &ExactValues::stiffness, &RealLevel::stiffness>(
         Quantity::stiffness, "stiffness", "contact-stiffness", Group::contact, units::force)
         .needing(Needs::round)

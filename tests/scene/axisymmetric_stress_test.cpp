@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stresses of axisymmetric contacts on the axis and on the surface, and the slip.
+// Stresses of axisymmetric contacts without shear, and the slip.
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 #include "edgeproof/scene/greatest_value.hpp"
@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -45,8 +47,14 @@ public:
     explicit PressureOf(const scene::Scene& s)
         : values_(s, {asked("1/2")}, {20, Rounding::nearest, false}) {}
     Real operator()(const Real& u) {
-        const auto at = asked(u.str(40, std::ios_base::scientific));
-        return at_working_precision(values_.value(at).value.midpoint());
+        if (abs(Real(u - Real(5) / 4)) < Real("1e-30")) {
+            return 0; // p may be infinite on the axis, where it has no weight
+        }
+        const std::string place = u.str(40, std::ios_base::scientific);
+        if (const auto known = known_.find(place); known != known_.end()) {
+            return known->second;
+        }
+        return known_[place] = at_working_precision(values_.value(asked(place)).value.midpoint());
     }
 
 private:
@@ -56,6 +64,7 @@ private:
         return value;
     }
     scene::SceneValues values_;
+    std::map<std::string, Real> known_; ///< several integrals use the same places
 };
 
 /// The integral of f(r) p(r) r over lo < r < hi.
@@ -175,6 +184,132 @@ TEST_CASE("the stresses of other axisymmetric contacts are those of their pressu
                         "slopes = [\"x\", \"x/2 + 1/2\", \"3*x - 2\"]\n"});
 }
 
+namespace {
+
+// huber1904 (fischer-cripps2007, section 5.4), with p_m = 2 p_0/3
+void compare_with_huber(const std::vector<std::pair<std::string, std::string>>& points) {
+    const PrecisionScope precision(70);
+    const scene::Scene s = stressed(stressed_sphere);
+    const Real a = Real(5) / 4;
+    const Real nu = Real(3) / 10;
+    const Real p0 = 2 * a * (Real(7) / 3) / edgeproof::pi<Real>();
+    for (const auto& [r_text, z_text] : points) {
+        CAPTURE(r_text);
+        CAPTURE(z_text);
+        const Real x = Exact::parse(r_text).to<Real>();
+        const Real r = abs(x);
+        const Real z = Exact::parse(z_text).to<Real>();
+        const Real apart = r * r + z * z - a * a;
+        const Real u = (apart + sqrt(Real(apart * apart + 4 * a * a * z * z))) / 2;
+        const Real root = sqrt(u);
+        const Real ratio = z / root;
+        const Real cube = ratio * ratio * ratio;
+        const Real spread = (1 - 2 * nu) / 3 * a * a / (r * r) * (1 - cube);
+        const Real angle = (1 + nu) * root / a * atan(Real(a / root));
+        const Real share = u * (1 - nu) / (a * a + u);
+        const Real normal = cube * a * a * u / (u * u + a * a * z * z);
+        const Real radial = p0 * (spread + normal + ratio * (share + angle - 2));
+        const Real hoop = -p0 * (spread + ratio * (2 * nu + share - angle));
+        const Real shear = -p0 * x * z * z / (u * u + a * a * z * z) * a * a * root / (u + a * a);
+        const auto at = [&](scene::Quantity quantity) {
+            return stress_at(s, quantity, r_text, z_text);
+        };
+        CHECK(close_to(at(scene::Quantity::sxx), radial));
+        CHECK(close_to(at(scene::Quantity::szz), Real(-p0 * normal)));
+        CHECK(close_to(at(scene::Quantity::syy), hoop));
+        CHECK(close_to(at(scene::Quantity::sxz), shear));
+        const Real mean = (radial - p0 * normal) / 2;
+        const Real half = (radial + p0 * normal) / 2;
+        const Real in_plane = sqrt(Real(half * half + shear * shear));
+        const Real most = std::max(Real(mean + in_plane), hoop);
+        const Real least = std::min(Real(mean - in_plane), hoop);
+        CHECK(close_to(at(scene::Quantity::tau_max), Real((most - least) / 2)));
+        CHECK(close_to(at(scene::Quantity::s1), most));
+        CHECK(close_to(at(scene::Quantity::s3), least));
+        const Real differences =
+            pow(Real(2 * half), 2) + pow(Real(radial - hoop), 2) + pow(Real(hoop + p0 * normal), 2);
+        CHECK(close_to(at(scene::Quantity::mises),
+                       Real(sqrt(Real(differences / 2 + 3 * shear * shear)))));
+    }
+}
+
+} // namespace
+
+TEST_CASE("the stresses inside the body of a sphere agree with Huber's formulas") {
+    compare_with_huber({{"1/3", "1/4"}});
+}
+
+TEST_CASE("the stresses of a sphere near the axis, the surface and far away agree with Huber's" *
+          doctest::test_suite("slow")) {
+    compare_with_huber(
+        {{"-1/3", "1/4"}, {"5/4", "1/100"}, {"1e-6", "1"}, {"1/2", "1e-8"}, {"7", "3"}});
+}
+
+// Point loads (johnson1985, eq. 3.18) on rings of the radius rho, at the angle phi; the mean over
+// the angle by the trapezoidal rule, which converges exponentially.
+TEST_CASE(
+    "the stresses inside the body of other axisymmetric contacts are those of their pressure" *
+    doctest::test_suite("slow")) {
+    const PrecisionScope precision(40);
+    const Real nu = Real(3) / 10;
+    const Real a = Real(5) / 4;
+    const Real r = Real(1) / 2;
+    const Real z = Real(3) / 4;
+    constexpr int angles = 96;
+    for (const std::string& profile :
+         {std::string("kind = \"power-law\"\nC = \"1/2\"\nm = \"1/3\"\n"),
+          std::string("kind = \"power-law\"\nC = \"1/2\"\nm = \"0\"\n"),
+          std::string(stressed_punch),
+          std::string("kind = \"piecewise\"\nsymmetric = true\nknots = [\"1/3\", \"1\"]\n"
+                      "slopes = [\"x\", \"x/2 + 1/2\", \"3*x - 2\"]\n")}) {
+        CAPTURE(profile);
+        const scene::Scene s = stressed(profile);
+        PressureOf p(s);
+        const auto whole = [&](const auto& at_point) {
+            Real sum = 0;
+            Real from = 0;
+            for (const char* knot : {"1/3", "2/5", "1", "5/4"}) {
+                const Real end = Exact::parse(knot).to<Real>();
+                sum += over_ring(p, from, end, [&](const Real& rho) {
+                    Real mean = 0;
+                    for (int j = 0; j < angles; ++j) {
+                        const Real phi = 2 * edgeproof::pi<Real>() * (j + Real(1) / 3) / angles;
+                        mean += at_point(Real(r - rho * cos(phi)), Real(rho * sin(phi)));
+                    }
+                    return Real(mean / angles);
+                });
+                from = end;
+            }
+            return sum;
+        };
+        const auto distance = [&](const Real& x, const Real& y) {
+            return Real(sqrt(Real(x * x + y * y + z * z)));
+        };
+        const Real normal = whole([&](const Real& x, const Real& y) {
+            return Real(-3 * z * z * z / pow(distance(x, y), 5));
+        });
+        const Real shear = whole([&](const Real& x, const Real& y) {
+            return Real(-3 * x * z * z / pow(distance(x, y), 5));
+        });
+        const auto along = [&](const Real& x, const Real& y) {
+            const Real R = distance(x, y);
+            const Real q = x * x + y * y;
+            return Real((1 - 2 * nu) / q *
+                            ((1 - z / R) * (x * x - y * y) / q + z * y * y / (R * R * R)) -
+                        3 * z * x * x / pow(R, 5));
+        };
+        const Real radial = whole(along);
+        const Real hoop = whole([&](const Real& x, const Real& y) { return along(y, x); });
+        const auto at = [&](scene::Quantity quantity) {
+            return stress_at(s, quantity, "1/2", "3/4", 20);
+        };
+        CHECK(close_to(at(scene::Quantity::szz), normal, "1e-12"));
+        CHECK(close_to(at(scene::Quantity::sxz), shear, "1e-12"));
+        CHECK(close_to(at(scene::Quantity::sxx), radial, "1e-12"));
+        CHECK(close_to(at(scene::Quantity::syy), hoop, "1e-12"));
+    }
+}
+
 // johnson1985, section 3.4: 0.310 p_0 at z = 0.48 a for nu = 0.3; here by golden sections of the
 // printed formula.
 TEST_CASE("the greatest tau_max on the axis and its place are proved") {
@@ -229,9 +364,6 @@ TEST_CASE("stresses of axisymmetric contacts that are not computed are refused")
         return std::string();
     };
     CHECK(refusal(stressed_sphere, "[ask]\npoints = [[\"0\", \"1\"]]\n").empty());
-    const std::string inside = refusal(stressed_sphere, "[ask]\npoints = [[\"1\", \"1\"]]\n");
-    CHECK(inside.find("on the axis and on the surface") != std::string::npos);
-    CHECK(inside.find("stress.toml:10") != std::string::npos);
     CHECK(refusal(stressed_sphere, "[shear]\nQ = \"0.1\"\nfriction = \"1\"\n[ask]\npoints = "
                                    "[[\"0\", \"1\"]]\nquantities = [\"stress\"]\n")
               .find("without shear") != std::string::npos);

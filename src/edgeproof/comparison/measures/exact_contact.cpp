@@ -148,6 +148,11 @@ struct ExactContact::Solved {
 
 ExactContact::ExactContact(const scene::Scene& scene) {
     require_no_history(scene, "compare");
+    if (scene.curved_body()) {
+        throw InputError("compare does not compute curved slopes of revolution",
+                         "give a power law or a piecewise linear g'")
+            .at(scene.file, scene.profile_line);
+    }
     io::at_place(scene.file, scene.load_line, [&] { solve(scene); });
     scale_ = {force_.value / area(), 0, true};
     if (std::ranges::none_of(knots_, &ContactKnot::corner)) {

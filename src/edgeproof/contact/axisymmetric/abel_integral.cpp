@@ -199,15 +199,14 @@ Box principal_arctangent(const Box& x) {
     return r;
 }
 
-Ball integral_of(const std::function<Box(const Box& t)>& f, const IntegralGoal& goal) {
+Box inner_integral_of(const std::function<Box(const Box& t)>& f, const IntegralGoal& goal) {
     AcbValue from;
     AcbValue to;
-    AcbValue sum;
     acb_one(to);
     // Where the parameters are wide balls, the integrand may be unbounded everywhere.
     const Box in_the_middle = f(Box(Ball(Rational(1, 2), goal.bits)));
     if (!in_the_middle.is_finite()) {
-        return unknown_ball(goal.bits);
+        return unknown_box(goal.bits);
     }
     MagValue tolerance;
     arb_get_mag(tolerance,
@@ -218,13 +217,15 @@ Ball integral_of(const std::function<Box(const Box& t)>& f, const IntegralGoal& 
     options->eval_limit =
         goal.accuracy < narrow_bits ? evaluations_if_wide : evaluations_a_bit * goal.accuracy;
     Evaluation evaluation{f};
-    acb_calc_integrate(sum, evaluate, &evaluation, from, to, goal.accuracy, tolerance, options,
-                       goal.bits);
-    if (evaluation.interrupted) {
-        throw Interrupted();
-    }
-    Ball result(0, goal.bits);
-    arb_set(result.data(), acb_realref(sum));
+    Box sum(goal.bits);
+    acb_calc_integrate(sum.get(), evaluate, &evaluation, from, to, goal.accuracy, tolerance,
+                       options, goal.bits);
+    return evaluation.interrupted ? unknown_box(goal.bits) : sum;
+}
+
+Ball integral_of(const std::function<Box(const Box& t)>& f, const IntegralGoal& goal) {
+    const Ball result = inner_integral_of(f, goal).real();
+    check_interruption();
     return result;
 }
 

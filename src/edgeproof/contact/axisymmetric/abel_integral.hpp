@@ -59,8 +59,12 @@ struct IntegralGoal {
 [[nodiscard]] Box unknown_box(long bits);
 
 /// The integral of a function that is holomorphic near 0 < t < 1, or whose value is not finite
-/// where it is not.
+/// where it is not. `integral_of` is the real part of it.
 [[nodiscard]] Ball integral_of(const std::function<Box(const Box& t)>& f, const IntegralGoal& goal);
+/// The same for complex values, inside the integrand of another integral: after an interruption the
+/// result is not finite, and nothing is thrown, because no exception may pass through Arb.
+[[nodiscard]] Box inner_integral_of(const std::function<Box(const Box& t)>& f,
+                                    const IntegralGoal& goal);
 
 /// Returns the bits of accuracy that are useful in an integral whose parameters have `known` bits;
 /// exact parameters have more than any other number.

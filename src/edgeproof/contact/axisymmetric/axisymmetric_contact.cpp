@@ -12,7 +12,7 @@ namespace edgeproof::contact {
 AxisymmetricContact::AxisymmetricContact(const Profile& profile,
                                          const formula::Exact& contact_modulus, const Load& load,
                                          long bits)
-    : ProvedContact(profile, enclosed_constant(contact_modulus, bits), bits) {
+    : RoundContact(profile, enclosed_constant(contact_modulus, bits), bits) {
     const std::size_t origin = slope_.origin;
     for (std::size_t i = origin; i < slope_.knots.size(); ++i) {
         const bool first = i == origin;

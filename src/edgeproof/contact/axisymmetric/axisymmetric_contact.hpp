@@ -4,19 +4,30 @@
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/contact/law/load.hpp"
 #include "edgeproof/contact/slip/stick_zone.hpp"
+#include "edgeproof/precision/ball/complex_box.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
 namespace edgeproof::contact {
+
+/// An axisymmetric contact that is integrated, in ball arithmetic.
+class RoundContact : public ProvedContact {
+public:
+    using ProvedContact::ProvedContact;
+    /// The approach delta of the bodies (length).
+    [[nodiscard]] virtual Ball approach() const = 0;
+    [[nodiscard]] Ball moment() const override { return {0, bits_}; }
+};
 
 /// An axisymmetric contact whose slope g'(r) is piecewise linear, in ball arithmetic
 /// (docs/axisymmetric.md). x is the radius r, a the radius of the contact, u = a - r; the left edge
 /// is the mirror image of the right one. The radius, the force and the approach are elementary
 /// functions (`sneddon1965`); the pressure is found by Arb's rigorous integration
 /// (`johansson2018`).
-class AxisymmetricContact : public ProvedContact {
+class AxisymmetricContact : public RoundContact {
 public:
     /// Throws BudgetError where `bits` do not suffice to enclose the radius.
     /// @param profile g'(r), symmetric and piecewise linear
@@ -30,9 +41,7 @@ public:
     [[nodiscard]] Ball force() const override { return force_at(a_); }
     /// dP/da (force/length).
     [[nodiscard]] Ball force_rate() const;
-    /// The approach delta of the bodies (length).
-    [[nodiscard]] Ball approach() const;
-    [[nodiscard]] Ball moment() const override { return {0, bits_}; }
+    [[nodiscard]] Ball approach() const override;
     [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const override;
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
     [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const override;
@@ -49,6 +58,10 @@ public:
     [[nodiscard]] Ball outer_moment(const formula::Exact& r) const;
     /// The integral of h'(s) s/(s^2 + w)^n over 0 < s < a, for w > 0 (length^2) and n > 0.
     [[nodiscard]] Ball approach_moment(const Ball& w, long n) const;
+
+    /// The real part of the integral of h'(s) f(s) over 0 < s < a, for f as in `integral_of`
+    /// (abel_integral.hpp).
+    [[nodiscard]] Ball over_approach(const std::function<Box(const Box& s)>& f) const;
 
     /// The gap (length) between the bodies at the distance `beyond` >= 0 (length) outside the edge.
     [[nodiscard]] Ball gap_beyond(const Ball& beyond) const;
@@ -100,6 +113,11 @@ private:
 /// `force` the total force.
 [[nodiscard]] std::unique_ptr<ZoneSolver> axisymmetric_zones(const BallContact& plane,
                                                              const Ball& force);
+
+/// The real part of the integral of h'(s) f(s) over 0 < s < a (AxisymmetricContact::over_approach)
+/// of an axisymmetric power law; `plane` is the plane contact that has the same pressure.
+[[nodiscard]] Ball over_approach(const BallContact& plane,
+                                 const std::function<Box(const Box& s)>& f);
 
 /// The gap (length) at the distance `beyond` >= 0 (length) outside the edge of an axisymmetric
 /// power law; `plane` is the plane contact that has the same pressure.

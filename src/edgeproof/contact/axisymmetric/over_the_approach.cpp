@@ -147,6 +147,66 @@ Ball AxisymmetricContact::approach_moment(const Ball& w, long n) const {
     return sum;
 }
 
+// docs/axisymmetric.md, "Stresses", with s^2 = v^2 + Y^2 t^2
+Ball AxisymmetricContact::over_approach(const std::function<Box(const Box& s)>& f) const {
+    const IntegralGoal goal{bits_, useful_accuracy(a_.relative_accuracy_bits(), bits_),
+                            Ball(0, bits_), Ball(1, bits_)};
+    Ball sum(0, bits_);
+    for (const Bend& bend : bends_) {
+        const Ball& v = bend.v;
+        if (bend.at_origin) {
+            sum +=
+                a_ * integral_of(
+                         [&](const Box& t) {
+                             const Box s = t * a_;
+                             return f(s) * (s * (bend.rate * 2) + bend.jump * Ball::pi(bits_) / 2);
+                         },
+                         goal);
+        } else if (inside(bend.knot)) {
+            const Ball Y = Field<Ball>::root(clamped(a_ - v) * (a_ + v));
+            sum += Y * integral_of(
+                           [&](const Box& t) {
+                               const Box y = t * Y;
+                               const Box s = principal_root(y * y + v * v);
+                               const Box A = principal_arctangent(y / v);
+                               const Box rate = (A * y + v) * bend.jump +
+                                                (y * Ball(2, bits_) - A * v) * y * bend.rate;
+                               return f(s) * rate / s; // ds = y dy/s
+                           },
+                           goal);
+        }
+    }
+    return sum;
+}
+
+// With s = a exp(-x) the power is an exponential. Beyond x = X the integrand is bounded by its
+// values in the box of the remaining s.
+Ball over_approach(const BallContact& plane, const std::function<Box(const Box& s)>& f) {
+    const long bits = plane.bits();
+    const std::optional<PowerLaw<Ball>>& law = plane.power_law();
+    const Ball power =
+        law ? law->exponent + 1 : Ball(plane.slope().has_corner(0) ? 1 : 2, bits); // m + 1
+    const Ball& a = plane.a();
+    const Ball scale = plane.force_rate() / plane.modulus() * a; // a h'(a)
+    const Ball X = middle(log(Ball(2, bits)) * (bits + 16) / power);
+    const auto place = [&](const Box& x) {
+        Box s(bits);
+        acb_exp(s.get(), (-x).get(), bits);
+        return s * a;
+    };
+    const Ball whole = X * integral_of(
+                               [&](const Box& t) {
+                                   const Box x = t * X;
+                                   Box weight(bits);
+                                   acb_exp(weight.get(), (x * -power).get(), bits);
+                                   return f(place(x)) * weight;
+                               },
+                               {bits, bits, Ball(0, bits), Ball(1, bits)});
+    const Ball rest = place(Box(X)).real();
+    const Ball end = upper_end(exp(-power * X)) / power;
+    return scale * (whole + up_to(end * upper_end(abs(f(Box(Ball::hull(Ball(0, bits), rest)))))));
+}
+
 // docs/axisymmetric.md, "The energy of a cycle"
 Ball AxisymmetricContact::loop_integral(const Ball& from, const Ball& tau) const {
     // Between two bends h' is analytic, and with s = s0 + t^2 (s1 - s0) also at a bend at s0.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
+#include "edgeproof/contact/curved/curved_body.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 
 #include <algorithm>
@@ -22,6 +23,9 @@ std::unique_ptr<ProvedContact> proved_contact(const Profile& profile,
                                               const Load& load, long bits) {
     if (BallContact::has_closed_form(profile)) {
         return std::make_unique<BallContact>(profile, contact_modulus, load, bits);
+    }
+    if (profile.axisymmetric() && !profile.piecewise_linear()) {
+        return std::make_unique<CurvedBody>(profile, contact_modulus, load, bits);
     }
     if (profile.axisymmetric()) {
         return std::make_unique<AxisymmetricContact>(profile, contact_modulus, load, bits);

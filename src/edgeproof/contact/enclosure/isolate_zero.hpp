@@ -15,6 +15,7 @@ namespace edgeproof::contact {
 struct ZeroSearch {
     bool prove = true;     ///< false: the result is the place found, without a proof
     bool nested = false;   ///< the function needs another search, so that it has fewer correct bits
+    bool near = false;     ///< the start is near the zero, and f need not be finite far from it
     int most_stalls = 400; ///< number of small steps without progress after which the search ends
 };
 
@@ -33,7 +34,7 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
     std::optional<Ball> lo;
     std::optional<Ball> hi;
     long factor = 2;
-    for (int k = 0; k < 64 && !(lo && hi); ++k) {
+    for (int k = 0; k < 64 && !search.near && !(lo && hi); ++k) {
         const Ball value = f(x);
         if (certainly_positive(value)) {
             lo = x;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/stress/axisymmetric_stress.hpp"
 
+#include "edgeproof/contact/axisymmetric/abel_integral.hpp"
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/isolate_zero.hpp"
@@ -70,6 +71,37 @@ StressState AxisymmetricStress::on_axis(const formula::Exact& z) const {
     const Ball radial = scale * (B - A * (poisson_ + Ball(1, bits) / 2));
     return {radial, -scale * (A + B * 2), Ball(0, bits),
             scale * (A * (Ball(1, bits) / 2 - poisson_) + B * 3) / 2, radial};
+}
+
+// docs/axisymmetric.md, "Inside the body", with tau = z + i s and R^2 = r^2 + tau^2
+StressState AxisymmetricStress::inside(const formula::Exact& r, const formula::Exact& z) const {
+    const long bits = contact_.bits();
+    const Ball radius = ball_of(r, bits);
+    const Ball depth = ball_of(z, bits);
+    const auto imaginary_part = [&](const auto& f) {
+        const auto integrand = [&](const Box& s) {
+            const Box tau = times_i(s) + depth;
+            // The cuts of these roots leave the branch points s = +-r + i z at a right angle.
+            const Box R = principal_root(times_i(s + radius) + depth) *
+                          principal_root(times_i(s - radius) + depth);
+            return -times_i(f(tau, R));
+        };
+        return of_revolution_ != nullptr ? of_revolution_->over_approach(integrand)
+                                         : over_approach(*contact_.closed_form(), integrand);
+    };
+    const Box one(Ball(1, bits));
+    const Ball I = imaginary_part([&](const Box&, const Box& R) { return one / R; });
+    const Ball J = imaginary_part([&](const Box&, const Box& R) { return one / (R * R * R); });
+    const Ball K =
+        imaginary_part([](const Box& tau, const Box& R) { return tau / (R * R * R); }) * depth;
+    const Ball L =
+        imaginary_part([&](const Box& tau, const Box& R) { return one / (R * (R + tau)); }) * depth;
+    const Ball M = imaginary_part([&](const Box& tau, const Box& R) { return one / (R + tau); }) *
+                   (1 - poisson_ * 2);
+    const Ball scale = contact_.modulus() / Ball::pi(bits);
+    const Ball hoop = scale * (poisson_ * I * 2 - L + M);
+    return {scale * (I - K + L - M), scale * (I + K), scale * depth * radius * J,
+            scale * (-K * 2 + L - M) / 2, hoop};
 }
 
 // The force inside r is P - 2 E* times the integral of h'(s) sqrt(s^2 - r^2) over r < s < a.

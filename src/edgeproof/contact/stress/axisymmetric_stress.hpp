@@ -8,9 +8,9 @@
 
 namespace edgeproof::contact {
 
-/// The stresses in a body of an axisymmetric contact without shear, on the axis and on the surface
-/// (docs/axisymmetric.md, "Stresses"): sxx is the radial stress, `across` the hoop stress. The
-/// object keeps a reference to the contact.
+/// The stresses in a body of an axisymmetric contact without shear (docs/axisymmetric.md,
+/// "Stresses"): sxx is the radial stress, `across` the hoop stress. The object keeps a reference to
+/// the contact.
 class AxisymmetricStress {
 public:
     /// @param contact an AxisymmetricContact, or the plane contact that has the pressure of an
@@ -23,6 +23,9 @@ public:
     [[nodiscard]] StressState on_axis(const formula::Exact& z) const;
     /// At the radius r > 0 (length) on the surface. Throws DomainError at a corner.
     [[nodiscard]] StressState on_surface(const formula::Exact& r) const;
+
+    /// At the radius r > 0 and the depth z > 0 (lengths).
+    [[nodiscard]] StressState inside(const formula::Exact& r, const formula::Exact& z) const;
 
     /// The greatest tau_max on the axis and its depth, by branch and bound: both are proved.
     struct Greatest {

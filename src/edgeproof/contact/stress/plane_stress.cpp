@@ -6,16 +6,17 @@ namespace edgeproof::contact {
 // docs/stress.md, "The measures"; a sum of squares, whose root has no negative part.
 Ball StressState::mises(const Ball& nu) const {
     if (across) { // the square root of half the sum of the squares of the differences
-        return hypot(half_difference * 2, hypot(sxx - *across, *across - szz)) /
-               sqrt(Ball(2, nu.bits()));
+        return hypot(hypot(half_difference * 2, hypot(sxx - *across, *across - szz)) /
+                         sqrt(Ball(2, nu.bits())),
+                     sqrt(Ball(3, nu.bits())) * sxz);
     }
     return hypot(sqrt(Ball(3, nu.bits())) * tau_max(), (1 - nu * 2) * mean());
 }
 
 std::array<Ball, 3> StressState::principal(const Ball& nu) const {
     const bool along_axes = arb_is_zero(sxz.data()) != 0; // exactly the components, also if zero
-    const Ball most = along_axes ? max(sxx, szz) : mean() + tau_max();
-    const Ball least = along_axes ? min(sxx, szz) : mean() - tau_max();
+    const Ball most = along_axes ? max(sxx, szz) : mean() + shear_in_plane();
+    const Ball least = along_axes ? min(sxx, szz) : mean() - shear_in_plane();
     const Ball third = syy(nu);
     return {max(most, third), max(least, min(most, third)), min(least, third)};
 }

@@ -9,7 +9,6 @@ namespace edgeproof::contact {
 
 /// The stress at a point of a body in the plane of the contact, tension positive (stress). z is the
 /// depth into that body; on its surface szz = -p, and sxz = -q with the traction q on that body.
-/// Of an axisymmetric contact sxz is 0 (axisymmetric_stress.hpp).
 struct StressState {
     Ball sxx;
     Ball szz;
@@ -20,8 +19,8 @@ struct StressState {
 
     /// The greatest shear stress in the plane; with `across`, of all planes.
     [[nodiscard]] Ball tau_max() const {
-        return across ? max(abs(half_difference), max(abs(sxx - *across), abs(*across - szz)) / 2)
-                      : hypot(half_difference, sxz);
+        const Ball in_plane = shear_in_plane();
+        return across ? max(in_plane, (abs(mean() - *across) + in_plane) / 2) : in_plane;
     }
     /// The normal stress across the plane, in plane strain, for Poisson's ratio `nu`.
     [[nodiscard]] Ball syy(const Ball& nu) const { return across ? *across : nu * (sxx + szz); }
@@ -34,6 +33,10 @@ struct StressState {
     [[nodiscard]] Ball tresca(const Ball& nu) const;
 
 private:
+    /// The greatest shear stress in the plane.
+    [[nodiscard]] Ball shear_in_plane() const {
+        return arb_is_zero(sxz.data()) != 0 ? abs(half_difference) : hypot(half_difference, sxz);
+    }
     [[nodiscard]] Ball mean() const { return (sxx + szz) / 2; }
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/curved/curved_body.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/input/readers.hpp"
 
@@ -17,14 +18,28 @@ bool is_axisymmetric(const io::TomlSection& profile) {
 }
 
 void require_axisymmetric(const io::TomlSection& profile, const Scene& scene) {
-    if (!scene.profile || !scene.profile->symmetric() ||
-        (scene.profile->kind() != contact::Profile::Kind::power_law &&
-         !scene.profile->piecewise_linear())) {
+    if (!scene.profile || !scene.profile->symmetric()) {
         profile.reject("geometry",
-                       "only power laws and symmetric, piecewise linear slopes are computed as "
-                       "axisymmetric contacts",
+                       "only power laws and symmetric slopes are computed as axisymmetric contacts",
                        "write kind = \"power-law\" (sphere: m = 1, C = 1/R; cone: m = 0), "
-                       "flat-and-rounded, or piecewise with symmetric = true and linear slopes");
+                       "flat-and-rounded, or piecewise with symmetric = true");
+    }
+    if (scene.profile->kind() == contact::Profile::Kind::power_law ||
+        scene.profile->piecewise_linear()) {
+        return;
+    }
+    if (!contact::CurvedBody::handles(*scene.profile)) {
+        profile.reject("geometry",
+                       "g' of the axisymmetric contact has a function beyond the rigorous "
+                       "integration",
+                       "write g' without abs and hypot, in more pieces if necessary");
+    }
+    if (const auto v = contact::CurvedBody::not_analytic_at(*scene.profile)) {
+        profile.reject("geometry",
+                       "g' is not analytic at r = " + v->text() +
+                           ", so that the axisymmetric contact is not computed",
+                       "write pieces that are analytic up to their ends; a power of r alone is "
+                       "kind = \"power-law\"");
     }
 }
 
@@ -65,15 +80,6 @@ void change_given(Scene& scene, const std::function<void(Scene&)>& change) {
     scene.load = scene.round->load;
     change(scene);
     revolve(scene);
-}
-
-void require_axis_or_surface(const BodyPoint& point) {
-    if (point.x.sign() != 0 && point.z.sign() != 0) {
-        throw InputError("the point x = " + point.x.text() + ", z = " + point.z.text() +
-                             " is inside the body: the stresses of an axisymmetric contact are "
-                             "computed on the axis and on the surface",
-                         "give points with x = 0 or z = 0");
-    }
 }
 
 const char* Axisymmetric::size_from() const {

@@ -109,6 +109,16 @@ double scale_of(const AskedValue& asked, double force, double length) {
     return power < 0 ? unit / std::pow(length, -power) : unit * std::pow(length, power);
 }
 
+namespace {
+
+/// True for the quantities that are computed for curved slopes of revolution.
+bool of_curved_body(QuantityGroup group) {
+    return group == QuantityGroup::pressure || group == QuantityGroup::coefficients ||
+           group == QuantityGroup::contact;
+}
+
+} // namespace
+
 std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
     using Needs = QuantityRow::Needs;
     const std::string symbol = symbol_of(asked);
@@ -127,6 +137,9 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
     }
     if (needs == Needs::plane && scene.round) {
         return lack("the contact is axisymmetric", "");
+    }
+    if (scene.curved_body() && !of_curved_body(row_of(asked.quantity).group)) {
+        return lack("it is not computed for curved slopes of revolution", "");
     }
     if (needs == Needs::round && !scene.round) {
         return lack("the contact is plane, where the approach is undetermined", "");
@@ -178,6 +191,10 @@ std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
     }
     if (group.friction && !scene.slips()) {
         return Lack{problem + "friction", "add friction = \"0.6\" to [shear]"};
+    }
+    if (scene.curved_body() && !of_curved_body(group.group)) {
+        return Lack{std::string(group.name) + " is not computed for curved slopes of revolution",
+                    "give a power law or a piecewise linear g'"};
     }
     if (!group.closed_form) {
         return {};

@@ -277,10 +277,6 @@ void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene&
                            "give points [x, z] with z >= 0, the depth into the body");
             }
             result.in_bodies.push_back({x.value, z.value});
-            if (scene.round) {
-                io::at_place(ask.file(), z.line,
-                             [&] { require_axis_or_surface(result.in_bodies.back()); });
-            }
         }
     }
     if (ask.has("tolerance")) {

@@ -150,6 +150,10 @@ struct Scene {
     [[nodiscard]] bool only_in_balls() const {
         return history || (profile && profile->axisymmetric()) || (round && slips());
     }
+    /// True for an axisymmetric contact with curved slopes, other than a power law.
+    [[nodiscard]] bool curved_body() const {
+        return profile && profile->axisymmetric() && !profile->piecewise_linear();
+    }
     /// The profile and the load as the scene gives them, also of an axisymmetric power law.
     [[nodiscard]] const contact::Profile& given_profile() const {
         return round ? round->profile : *profile;
@@ -209,9 +213,6 @@ void revolve(Scene& scene);
 /// those of an axisymmetric scene from them again.
 void change_given(Scene& scene, const std::function<void(Scene&)>& change);
 
-/// Refuses a point of a body of an axisymmetric scene that lies neither on the axis nor on the
-/// surface.
-void require_axis_or_surface(const BodyPoint& point);
 /// Refuses a load history for a command that does not compute one.
 void require_no_history(const Scene& scene, const std::string& command);
 /// Refuses a load history and an axisymmetric scene.

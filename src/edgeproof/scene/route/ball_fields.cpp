@@ -4,6 +4,8 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/route/ball_level.hpp"
 
+#include <utility>
+
 namespace edgeproof::scene {
 
 const contact::TractionParts* BallLevel::traction_parts() {
@@ -86,13 +88,15 @@ const contact::StressState& BallLevel::stress(const AskedValue& at) {
         return last_stress_->second;
     }
     if (scene_.round) {
-        require_axis_or_surface(point);
         const contact::AxisymmetricStress field = axisymmetric_stress(point.body);
-        last_stress_.emplace(
-            point,
-            point.x.sign() == 0
-                ? field.on_axis(point.z)
-                : field.on_surface(point.x.sign() > 0 ? point.x : formula::Exact(-point.x.expr())));
+        const formula::Exact r = point.x.sign() < 0 ? formula::Exact(-point.x.expr()) : point.x;
+        contact::StressState state = r.sign() == 0         ? field.on_axis(point.z)
+                                     : point.z.sign() == 0 ? field.on_surface(r)
+                                                           : field.inside(r, point.z);
+        if (point.x.sign() < 0) {
+            state.sxz = -state.sxz;
+        }
+        last_stress_.emplace(point, std::move(state));
         return last_stress_->second;
     }
     const Box zeta(ball_of(point.x, bits_), ball_of(point.z, bits_));

@@ -75,8 +75,9 @@ public:
     }
     /// delta of an axisymmetric contact.
     [[nodiscard]] Ball approach() const {
-        return scene_.round->approach ? ball_of(*scene_.round->approach, bits_)
-                                      : of_revolution().approach();
+        return scene_.round->approach
+                   ? ball_of(*scene_.round->approach, bits_)
+                   : dynamic_cast<const contact::RoundContact&>(*contact_).approach();
     }
     /// dP/d delta of an axisymmetric contact (docs/axisymmetric.md, "Contact stiffness").
     [[nodiscard]] Ball stiffness() const { return contact_->modulus() * a() * 2; }

@@ -80,8 +80,13 @@ BoundedValue BallRoute::value(const AskedValue& asked) {
         check_slip();
     }
     count(asked);
+    // Inside a body of revolution also a power law is integrated.
+    const bool integrated = scene_.round && asked.in_body && asked.in_body->x.sign() != 0 &&
+                            asked.in_body->z.sign() != 0;
     const auto proved = [&](Ball x, std::optional<Rational> exactly) {
-        return BoundedValue{std::move(x), true, row.route_in(scene_, plan_), std::move(exactly)};
+        return BoundedValue{std::move(x), true,
+                            integrated ? "rigorous integration" : row.route_in(scene_, plan_),
+                            std::move(exactly)};
     };
     const formula::Exact* given = row.given != nullptr ? row.given(scene_) : nullptr;
     if (const auto q = given != nullptr ? rational_of(*given) : std::nullopt) {

@@ -199,6 +199,10 @@ constexpr Made of_stick(Quantity quantity, std::string_view symbol, std::string_
         .by("stick zone");
 }
 
+/// The route of P and delta of an axisymmetric contact.
+const char* way_of_integral(const Scene& s, const Plan& /*plan*/) {
+    return s.curved_body() ? "rigorous integration" : "closed-form";
+}
 const char* way_of_stress(const Scene& s, const Plan& plan) {
     const bool integrated = plan.route != contact::Route::closed_form || (s.round && !s.round->law);
     return integrated  ? "rigorous integration"
@@ -263,7 +267,7 @@ constexpr auto quantity_table = std::to_array<Def>({
         .by([](const Scene& s, const Plan& /*plan*/) {
             return is_force_given(s) || (s.round && by_load(s, {}) == std::string_view("from P"))
                        ? "given"
-                   : s.round ? "closed-form"
+                   : s.round ? way_of_integral(s, {})
                              : "contact-law";
         })
         .with(
@@ -366,7 +370,7 @@ constexpr auto quantity_table = std::to_array<Def>({
         Quantity::delta, "delta", "approach", Group::contact, units::length)
         .needing(Needs::round)
         .explained("approach of the bodies")
-        .by("closed-form"),
+        .by(way_of_integral),
     of_contact<&BallLevel::stiffness, &ExactValues::stiffness, &RealLevel::stiffness>(
         Quantity::stiffness, "stiffness", "contact-stiffness", Group::contact, units::force)
         .needing(Needs::round)

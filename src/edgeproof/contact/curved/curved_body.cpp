@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/curved/curved_body.hpp"
+
+#include "edgeproof/contact/axisymmetric/abel_integral.hpp"
+#include "edgeproof/contact/curved/slope_integral.hpp"
+#include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/isolate_zero.hpp"
+#include "edgeproof/contact/law/edge_expansion.hpp"
+#include "edgeproof/formula/evaluation/complex_taylor.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr long narrow_bits_of_radius = 48; ///< a radius with fewer bits is a range
+constexpr long parts_of_range = 8;         ///< into which a coarse enclosure is divided
+
+bool is_narrow(const Box& s) { return acb_rel_accuracy_bits(s.get()) >= narrow_bits_of_radius; }
+
+Box cosine(Box x) {
+    acb_cos(x.get(), x.get(), x.bits());
+    return x;
+}
+
+/// The piece of g' to the right of a knot.
+const formula::Expr& slope_from(const Profile& profile, std::size_t knot) {
+    return profile.pieces()[knot + 1].slope;
+}
+
+/// The integral of f over 0 < t < 1, or a coarse enclosure of it.
+Box integral_or_range(const std::function<Box(const Box& t)>& f, bool narrow, long accuracy,
+                      long bits) {
+    if (narrow) {
+        return inner_integral_of(f, {bits, accuracy, Ball(0, bits), Ball(1, bits)});
+    }
+    Box sum(bits);
+    for (long i = 0; i < parts_of_range; ++i) {
+        const Ball lo(Rational(i, parts_of_range), bits);
+        const Ball hi(Rational(i + 1, parts_of_range), bits);
+        sum = sum + f(Box(Ball::hull(lo, hi)));
+    }
+    return sum / Ball(parts_of_range, bits);
+}
+
+} // namespace
+
+bool CurvedBody::handles(const Profile& profile) {
+    return std::all_of(
+        profile.pieces().begin(), profile.pieces().end(),
+        [](const SlopePiece& piece) { return formula::has_complex_taylor(piece.slope); });
+}
+
+std::optional<formula::Exact> CurvedBody::not_analytic_at(const Profile& profile) {
+    constexpr long bits = 128;
+    const auto finite = [&](std::size_t piece, const Ball& v) {
+        const Ball apart = up_to(power_of_two(-100, bits));
+        const Box near(v + apart, apart);
+        AcbPolyValue taylor;
+        formula::complex_taylor(taylor, profile.pieces()[piece].slope, near.get(), 2, bits);
+        Box curvature(bits);
+        acb_poly_get_coeff_acb(curvature.get(), taylor, 1);
+        return curvature.is_finite();
+    };
+    for (std::size_t i = profile.origin(); i < profile.knots().size(); ++i) {
+        const Ball v = formula::ball_of(profile.knots()[i], bits);
+        if (!finite(i + 1, v) || (i > profile.origin() && !finite(i, v))) {
+            return profile.knots()[i];
+        }
+    }
+    return {};
+}
+
+CurvedBody::CurvedBody(const Profile& profile, const formula::Exact& contact_modulus,
+                       const Load& load, long bits)
+    : RoundContact(profile, formula::enclosed_constant(contact_modulus, bits), bits) {
+    for (std::size_t i = slope_.origin; i < slope_.knots.size(); ++i) {
+        const Ball& v = slope_.knots[i];
+        Ball jump(0, bits);
+        if (profile.has_corner(i)) {
+            jump = slope_series(slope_from(profile, i), v, 1, bits)[0];
+            if (i > slope_.origin) {
+                jump -= slope_series(profile.pieces()[i].slope, v, 1, bits)[0];
+            }
+        }
+        rings_.push_back({v, std::move(jump), i});
+    }
+    const Ball given = formula::enclosed_constant(load.value, bits);
+    const char* const what = "the radius of the contact";
+    if (load.kind == Load::Kind::right_edge) {
+        known_a_ = load.value;
+        a_ = given;
+        find_knots_on_edges();
+    } else if (load.kind == Load::Kind::force) {
+        a_ = isolate_zero([&](const Ball& s) { return given - force_at(s); },
+                          [&](const Ball& s) { return -(modulus_ * s * approach_rate_at(s) * 2); },
+                          near_radius(given / (modulus_ * 2), Integrand::moment), what,
+                          {.near = true});
+    } else {
+        a_ = isolate_zero([&](const Ball& s) { return given - approach_at(s); },
+                          [&](const Ball& s) { return -approach_rate_at(s); },
+                          near_radius(given, Integrand::slope), what, {.near = true});
+    }
+    b_ = a_;
+}
+
+Ball CurvedBody::near_radius(const Ball& given, Integrand of) const {
+    constexpr long few_bits = 40;
+    constexpr int most_halvings = 200;
+    Ball lo(0, bits_);
+    std::optional<Ball> hi;
+    Ball s(1, bits_);
+    for (int k = 0; k < most_halvings && !(hi && certainly_less(*hi * 63, lo * 64)); ++k) {
+        const Ball found = over_rings(radius(s), of, few_bits).real();
+        // Beyond the largest radius at which g' is defined, the integral is not finite.
+        if (certainly_less(of == Integrand::slope ? found * s : found, given)) {
+            lo = s;
+        } else {
+            hi = s;
+        }
+        s = middle(!hi ? s * 2 : certainly_positive(lo) ? (lo + *hi) / 2 : *hi / 2);
+    }
+    return s;
+}
+
+bool CurvedBody::inside(std::size_t knot) const {
+    return !on_edge_[knot] && !certainly_less(a_, abs(slope_.knots[knot]));
+}
+
+CurvedBody::Radius CurvedBody::radius(const Ball& s) const {
+    Radius at{Box(s), {}};
+    for (const Ring& ring : rings_) {
+        if (on_edge_[ring.knot] || certainly_less(s, ring.v)) {
+            break;
+        }
+        at.y.emplace_back(Field<Ball>::root(clamped(s - ring.v) * (s + ring.v)));
+    }
+    return at;
+}
+
+CurvedBody::Radius CurvedBody::radius(const Ball& A, std::optional<std::size_t> on,
+                                      const Box& w) const {
+    const Box w2 = w * w;
+    Radius at{principal_root(w2 + A * A), {}};
+    for (std::size_t i = 0; i < rings_.size(); ++i) {
+        const Ball& v = rings_[i].v;
+        if (on == i) {
+            at.y.push_back(w);
+            break;
+        }
+        if (!certainly_less(v, A)) {
+            break;
+        }
+        at.y.push_back(principal_root(w2 + (A - v) * (A + v)));
+    }
+    return at;
+}
+
+CurvedBody::Radius CurvedBody::radius_near_edge(const Box& z) const {
+    Radius at{z + a_, {}};
+    for (const Ring& ring : rings_) {
+        if (!inside(ring.knot)) {
+            break;
+        }
+        at.y.push_back(principal_root((z + (a_ - ring.v)) * (z + (a_ + ring.v))));
+    }
+    return at;
+}
+
+Box CurvedBody::value(std::size_t ring, const Box& r, Integrand of) const {
+    const SlopePiece& piece = profile_.pieces()[rings_[ring].knot + 1];
+    AcbPolyValue taylor;
+    formula::complex_taylor(taylor, piece.slope, r.get(), of == Integrand::rate ? 2 : 1, bits_);
+    Box slope(bits_);
+    acb_poly_get_coeff_acb(slope.get(), taylor, 0);
+    if (of == Integrand::slope) {
+        return slope;
+    }
+    if (of == Integrand::moment) {
+        return slope * r * r;
+    }
+    Box curvature(bits_);
+    acb_poly_get_coeff_acb(curvature.get(), taylor, 1);
+    return slope + curvature * r;
+}
+
+Box CurvedBody::rate_over_radius(const Box& r) const {
+    if (!r.contains_zero()) {
+        return value(0, r, Integrand::rate) / r;
+    }
+    // A mean of the derivative, 2 g'' + r g''', over the way from the axis.
+    const Box all = Box::hull(r, Box(Ball(0, bits_)));
+    AcbPolyValue taylor;
+    formula::complex_taylor(taylor, slope_from(profile_, rings_[0].knot), all.get(), 3, bits_);
+    Box second(bits_);
+    Box third(bits_);
+    acb_poly_get_coeff_acb(second.get(), taylor, 1);
+    acb_poly_get_coeff_acb(third.get(), taylor, 2);
+    return (second + third * all) * Ball(2, bits_);
+}
+
+// docs/axisymmetric.md, "Curved slopes": r = s cos(psi)
+Box CurvedBody::over_rings(const Radius& at, Integrand of, long accuracy) const {
+    Box sum(bits_);
+    const bool narrow = is_narrow(at.s);
+    Box outer(Ball::pi(bits_) / 2);
+    for (std::size_t i = 0; i < at.y.size(); ++i) {
+        const bool last = i + 1 == at.y.size();
+        const Box inner = last ? Box(bits_) : principal_arctangent(at.y[i + 1] / rings_[i + 1].v);
+        const Box width = outer - inner;
+        sum = sum + width * integral_or_range(
+                                [&](const Box& t) {
+                                    return value(i, at.s * cosine(inner + width * t), of);
+                                },
+                                narrow, accuracy, bits_);
+        outer = inner;
+    }
+    return sum;
+}
+
+Box CurvedBody::rate_over_radius_at(const Box& s) const {
+    const Ball quarter = Ball::pi(bits_) / 2;
+    return integral_or_range(
+               [&](const Box& t) {
+                   const Box part = cosine(t * quarter); // r/s
+                   return rate_over_radius(s * part) * part;
+               },
+               is_narrow(s), bits_, bits_) *
+           quarter;
+}
+
+Box CurvedBody::approach_rate(const Radius& at, std::optional<std::size_t> except) const {
+    Box sum = over_rings(at, Integrand::rate, bits_);
+    for (std::size_t i = 1; i < at.y.size(); ++i) {
+        if (i != except && !contains_zero(rings_[i].jump)) {
+            sum = sum + Box(rings_[i].jump * rings_[i].v) / at.y[i];
+        }
+    }
+    return sum;
+}
+
+Ball CurvedBody::approach_rate_at(const Ball& s) const {
+    return approach_rate(radius(s), {}).real();
+}
+
+Ball CurvedBody::approach_at(const Ball& s) const {
+    return s * over_rings(radius(s), Integrand::slope, bits_).real();
+}
+
+Ball CurvedBody::force_at(const Ball& s) const {
+    return modulus_ * 2 * over_rings(radius(s), Integrand::moment, bits_).real();
+}
+
+Ball CurvedBody::over_width(const Ball& r, const Ball& A, std::optional<std::size_t> on,
+                            bool from_r, const Ball& W) const {
+    const long known = std::min(W.relative_accuracy_bits(),
+                                std::min(r.relative_accuracy_bits(), A.relative_accuracy_bits()));
+    const long accuracy = useful_accuracy(known, bits_);
+    const IntegralGoal goal{bits_, accuracy, Ball(0, bits_), Ball(1, bits_)};
+    const Ball apart = (A - r) * (A + r);
+    const bool on_axis = from_r && on == 0U;
+    return W * integral_of(
+                   [&](const Box& t) {
+                       const Box w = t * W;
+                       if (on_axis && contains_zero(rings_[0].jump)) {
+                           return rate_over_radius_at(w);
+                       }
+                       const Radius at = radius(A, on, w);
+                       if (from_r) {
+                           return approach_rate(at, {}) / at.s;
+                       }
+                       const Box rate =
+                           approach_rate(at, on) * w + rings_[*on].jump * rings_[*on].v;
+                       return rate / (at.s * principal_root(w * w + apart));
+                   },
+                   goal);
+}
+
+Ball CurvedBody::pressure_at(const Ball& u, const Ball& other, const Ball& r,
+                             std::optional<std::size_t> on) const {
+    if (certainly_negative(u) || certainly_negative(other)) {
+        throw DomainError("a point lies outside the contact");
+    }
+    Ball sum(0, bits_);
+    Ball A = r;
+    bool from_r = true;
+    for (std::size_t i = on ? *on + 1 : 0;; ++i) {
+        const bool last = i == rings_.size() || !inside(rings_[i].knot);
+        if (!last && !certainly_less(A, rings_[i].v)) {
+            if (certainly_less(rings_[i].v, A)) {
+                continue; // before r
+            }
+            return unknown_ball(bits_);
+        }
+        const Ball W = last && from_r ? Field<Ball>::root(clamped(u) * clamped(other))
+                       : last         ? Field<Ball>::root(clamped(a_ - A) * (a_ + A))
+                                      : sqrt((rings_[i].v - A) * (rings_[i].v + A));
+        if (on && !contains_zero(rings_[*on].jump) && from_r) {
+            return unknown_ball(bits_); // infinite at a corner
+        }
+        sum += over_width(r, A, on, from_r, W);
+        if (last) {
+            return modulus_ / Ball::pi(bits_) * sum;
+        }
+        A = rings_[i].v;
+        on = i;
+        from_r = false;
+    }
+}
+
+Ball CurvedBody::pressure(Edge edge, const formula::Exact& u) const {
+    const Ball from = formula::enclosed_constant(u, bits_);
+    std::optional<std::size_t> on;
+    const Ball r = abs(a_ - from);
+    if (const auto a = known(edge)) {
+        const formula::Expr x = a->expr() - u.expr();
+        for (std::size_t i = 0; i < rings_.size(); ++i) {
+            const formula::Expr v = profile_.knots()[rings_[i].knot].expr();
+            if (overlaps(r, rings_[i].v) && (certainly_zero(x - v) || certainly_zero(x + v))) {
+                on = i;
+            }
+        }
+    }
+    return pressure_at(from, a_ * 2 - from, on ? rings_[*on].v : r, on);
+}
+
+Ball CurvedBody::pressure(Edge /*edge*/, const Ball& u) const {
+    return pressure_at(u, a_ * 2 - u, abs(a_ - u), {});
+}
+
+BallSeries CurvedBody::pressure_series(Edge /*edge*/, const Ball& /*u*/, std::size_t order) const {
+    return unknown_series(order, bits_);
+}
+
+// p/sqrt(u) = (E*/pi) times the integral of h'(a - u t) (1 - t)^(-1/2) (2a - u (1 + t))^(-1/2) over
+// 0 < t < 1 (docs/axisymmetric.md, "The expansion").
+Ball CurvedBody::most_rate(const Ball& rho) const {
+    constexpr long across = 6; // boxes from -rho to rho
+    const Ball half = rho / across;
+    Ball most(0, bits_);
+    for (long i = 0; i < across; ++i) {
+        for (long j = 0; 2 * j < across; ++j) { // h' is real on the real axis
+            const Box z(half * (2 * i + 1 - across) + up_to(half),
+                        half * (2 * j + 1) + up_to(half));
+            const Ball here = abs(approach_rate(radius_near_edge(z), {}));
+            if (!here.is_finite()) {
+                return unknown_ball(bits_);
+            }
+            most = max(most, upper_end(here));
+        }
+    }
+    return most;
+}
+
+Ball CurvedBody::reach(Edge /*edge*/) const {
+    Ball rho = a_;
+    for (const Ring& ring : rings_) {
+        if (inside(ring.knot)) {
+            rho = min(rho, a_ - ring.v);
+        }
+    }
+    rho = lower_end(rho) * 3 / 4;
+    for (int k = 0; k < 40 && certainly_positive(rho); ++k, rho = rho / 2) {
+        if (most_rate(rho).is_finite()) {
+            return lower_end(rho);
+        }
+    }
+    return {0, bits_};
+}
+
+Ball CurvedBody::majorant(Edge /*edge*/, const Ball& rho) const {
+    return modulus_ / Ball::pi(bits_) * most_rate(rho) * 2 / sqrt((a_ - rho) * 2);
+}
+
+// The Taylor coefficients of h' at a by Cauchy's formula over a circle of a sixteenth of the disk
+// on which h' is bounded by M. The mean over N points adds the coefficients k + N, k + 2N, ...
+// (`trefethen-weideman2014`), which are at most M/reach^(k + lN).
+std::vector<Ball> CurvedBody::expansion(Edge edge, std::size_t terms) const {
+    if (terms == 0) {
+        return {};
+    }
+    constexpr long bits_of_ratio = 4;
+    const Ball rho = reach(edge);
+    if (!certainly_positive(rho)) {
+        return std::vector<Ball>(terms, unknown_ball(bits_));
+    }
+    const Ball most = upper_end(most_rate(rho));
+    const Ball circle = rho / (1L << bits_of_ratio);
+    const auto points = bits_ / bits_of_ratio + static_cast<long>(terms) + 2;
+    std::vector<Box> sums(terms, Box(bits_));
+    for (long j = 0; 2 * j <= points; ++j) { // h' is real on the real axis
+        const Ball angle = Ball::pi(bits_) * (2 * j) / points;
+        const Box turn(cos(angle), sin(angle));
+        const Box z = turn * circle;
+        const Box h =
+            approach_rate(radius_near_edge(z), {}) * Ball(j == 0 || 2 * j == points ? 1 : 2, bits_);
+        Box power(Ball(1, bits_));
+        for (std::size_t k = 0; k < terms; ++k) {
+            sums[k] = sums[k] + h * power;
+            power = power * conj(turn);
+        }
+    }
+    std::vector<Ball> rates;
+    std::vector<Ball> radii;
+    Ball scale(1, bits_);
+    Ball bound = most * power_of_two(-bits_of_ratio * points, bits_) * 2;
+    for (std::size_t k = 0; k < terms; ++k) {
+        rates.push_back((sums[k].real() / points / scale + up_to(bound)) * modulus_);
+        radii.push_back(k == 0 ? a_ : Ball(k == 1 ? 1 : 0, bits_));
+        scale *= circle;
+        bound /= rho;
+    }
+    // The plane contact with P'(s) = E* h'(s) has the same pressure.
+    const LawSeries<Ball> law{series::Series<Ball>(std::move(rates)),
+                              series::Series<Ball>(std::move(radii))};
+    return coefficients_of(right_edge_brackets(law, a_), Ball(a_ * 2));
+}
+
+} // namespace edgeproof::contact

@@ -40,7 +40,7 @@ bool rises_outwards(const LoadHistory& history) {
 }
 
 /// Refuses stresses that are infinite, or that have no greatest value.
-void check(const Scene& scene, Quantity quantity) {
+void check(const Scene& scene, Quantity quantity, Body body) {
     const bool tilted_power_law = scene.slips() && scene.shear->bulk_tension.sign() != 0 &&
                                   scene.profile && !scene.profile->piecewise_linear();
     if ((scene.profile && !scene.profile->has_closed_form()) || tilted_power_law) {
@@ -61,11 +61,15 @@ void check(const Scene& scene, Quantity quantity) {
         refuse(scene, "under full stick the stresses are infinite at the edges",
                "give friction in [shear] (partial slip), or path = \"together\"");
     }
-    if (quantity == Quantity::sxx && !sheared) {
+    if ((quantity == Quantity::sxx || quantity == Quantity::s1) && !sheared) {
         refuse(scene,
                "without shear traction sxx on the surface is nowhere above the bulk stress, and "
                "has that value everywhere outside the contact",
-               "ask for tau_max or mises, or give Q and friction in [shear]");
+               "ask for tau_max, mises or tresca, or give Q and friction in [shear]");
+    }
+    if (quantity == Quantity::s1 && scene.poisson(body)->sign() < 0) {
+        refuse(scene, "the greatest s1 is searched for in the plane, where nu < 0 does not have it",
+               "give nu >= 0, or ask for stresses at points");
     }
 }
 
@@ -143,8 +147,12 @@ GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity
                               Body body) {
     using contact::GreatestPlace;
     const auto measure = [&](const StressField& field) {
+        using Kind = contact::StressNorm::Kind;
         contact::StressNorm norm;
-        if (quantity == Quantity::mises) {
+        if (quantity != Quantity::tau_max) {
+            norm.kind = quantity == Quantity::mises    ? Kind::mises
+                        : quantity == Quantity::tresca ? Kind::tresca
+                                                       : Kind::s1;
             norm.poisson = ball_of(*scene.poisson(body), field.bits());
         }
         return contact::StressMeasure(field, norm);
@@ -252,7 +260,7 @@ GreatestValue greatest_value(const Scene& scene, Quantity quantity, Body body) {
     if (scene.round) {
         return greatest_on_axis(scene, quantity, body);
     }
-    check(scene, quantity);
+    check(scene, quantity, body);
     const Fields fields(scene, quantity, body);
     if (!fields.plan().proved) {
         refuse(scene, "the greatest value is proved by closed forms only",

@@ -50,8 +50,9 @@ TEST_CASE("stress: requests for a greatest value that make no sense") {
         CHECK(lines(o.err).size() == 1);
         CHECK(has(o.err, message));
     };
-    refused("--greatest szz", "--greatest szz is not searched for; write mises, tau_max");
+    refused("--greatest szz", "--greatest szz is not searched for; write mises, tresca, s1");
     refused("--greatest mises", "s.toml:5: mises needs Poisson's ratio; add nu");
+    refused("--greatest s1", "s.toml:5: s1 needs Poisson's ratio; add nu");
     refused("--greatest tau_max --point 0,1", "--greatest and --point exclude each other");
     refused("--greatest sxx", "without shear traction sxx on the surface is nowhere above");
     folder.write("s.toml", pressed_cylinder + "[shear]\nQ = \"pi/4\"\npath = \"together\"\n");

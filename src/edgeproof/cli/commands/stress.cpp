@@ -26,27 +26,15 @@ void refuse_others(const SceneOptions& o, const std::string& why, bool by_x) {
     refuse_options(given, why);
 }
 
-scene::BodyPoint point_of(const std::string& text) {
-    const std::vector<std::string> parts = parts_of(text);
-    if (parts.size() != 2) {
-        throw InputError("--point " + text + " is no point", "write X,Z, such as --point 0,1/2");
-    }
-    scene::BodyPoint point{formula::Exact::parse(parts[0]), formula::Exact::parse(parts[1])};
-    if (point.z.sign() < 0) {
-        throw InputError("--point " + text + ": the depth is negative",
-                         "give z >= 0, the depth into the body");
-    }
-    return point;
-}
-
 Quantity greatest_of(const std::string& name) {
-    for (const Quantity quantity : {Quantity::mises, Quantity::tau_max, Quantity::sxx}) {
+    for (const Quantity quantity :
+         {Quantity::mises, Quantity::tresca, Quantity::s1, Quantity::tau_max, Quantity::sxx}) {
         if (name == row_of(quantity).name) {
             return quantity;
         }
     }
     throw InputError("--greatest " + name + " is not searched for",
-                     "write mises, tau_max (both for z >= 0) or sxx (on the surface)");
+                     "write mises, tresca, s1, tau_max (for z >= 0) or sxx (on the surface)");
 }
 
 int greatest(const StressOptions& o, scene::Scene scene) {
@@ -55,8 +43,8 @@ int greatest(const StressOptions& o, scene::Scene scene) {
     if (!o.points.empty()) {
         throw InputError("--greatest and --point exclude each other", "leave out one of them");
     }
-    if (quantity == Quantity::mises && !scene.poisson(body)) {
-        throw InputError("mises needs Poisson's ratio", "add nu = \"0.3\" to [load]")
+    if (row_of(quantity).needs == scene::QuantityRow::Needs::poisson && !scene.poisson(body)) {
+        throw InputError(o.greatest + " needs Poisson's ratio", "add nu = \"0.3\" to [load]")
             .at(scene.file, scene.load_line);
     }
     scene.ask.in_bodies.clear();
@@ -98,7 +86,7 @@ int stress(const StressOptions& o) {
     if (!o.points.empty()) {
         scene.ask.in_bodies.clear();
         for (const std::string& text : o.points) {
-            scene.ask.in_bodies.push_back(point_of(text));
+            scene.ask.in_bodies.push_back(point_of("--point", text));
         }
     }
     if (scene.ask.in_bodies.empty()) {
@@ -226,6 +214,20 @@ scene::Body body_of(const std::string& name) {
     return name == "A" ? scene::Body::A : scene::Body::B;
 }
 
+scene::BodyPoint point_of(const std::string& option, const std::string& text) {
+    const std::vector<std::string> parts = parts_of(text);
+    if (parts.size() != 2) {
+        throw InputError(option + " " + text + " is no point",
+                         "write X,Z, such as " + option + " 0,1/2");
+    }
+    scene::BodyPoint point{formula::Exact::parse(parts[0]), formula::Exact::parse(parts[1])};
+    if (point.z.sign() < 0) {
+        throw InputError(option + " " + text + ": the depth is negative",
+                         "give z >= 0, the depth into the body");
+    }
+    return point;
+}
+
 void add_stress(CLI::App& app, int& code) {
     auto [sub, o] = add_command<StressOptions>(
         app, code, "stress", "stresses at points of a body, each with a bound", stress);
@@ -236,8 +238,9 @@ void add_stress(CLI::App& app, int& code) {
     sub.add_option("--point", o.points,
                    "X,Z: place and depth (default: points of [ask]); repeatable");
     sub.add_option("--greatest", o.greatest,
-                   "mises, tau_max (for z >= 0) or sxx (at z = 0): one row, the greatest value and "
-                   "its place, proved; of an axisymmetric contact tau_max on the axis");
+                   "mises, tresca, s1, tau_max (for z >= 0) or sxx (at z = 0): one row, the "
+                   "greatest value and its place, proved; of an axisymmetric contact tau_max on "
+                   "the axis");
     sub.footer(
         "z is the depth into the body. [shear] bulk_A is the bulk stress of body A, and B has\n"
         "bulk_A + bulk_tension. See docs/stress.md.");

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <queue>
 #include <string>
 #include <utility>
@@ -253,6 +254,12 @@ private:
         }
         const Box middle = zeta.middle();
         const PlaneJet over = F_.jet(zeta);
+        if (over.value.is_finite() && (!upper || over.value.upper() < *upper)) {
+            upper = over.value.upper();
+            if (*upper < best_) {
+                return;
+            }
+        }
         if (!over.is_finite()) {
             raise(F_.bound(middle));
         } else {
@@ -394,14 +401,15 @@ private:
     }
     [[nodiscard]] bool are_mirrored(const GreatestPlace& one, const GreatestPlace& other) const {
         return F_.field().surface_mirrored && one.kind == other.kind && one.part == other.part &&
-               (one.kind == Kind::surface || one.kind == Kind::edge) && overlaps(one.x, -other.x);
+               (one.kind == Kind::surface || one.kind == Kind::edge) && overlaps(one.x, -other.x) &&
+               F_.mirrored_on_surface(one.x);
     }
 
     const StressMeasure& F_;
     long bits_;
     std::size_t most_boxes_;
     long scale_ = 0; ///< of the unit of cells: both edges lie within one unit of the origin
-    Real best_ = -1; ///< F is at least that at some place
+    Real best_ = -std::numeric_limits<Real>::infinity(); ///< F is at least that at some place
     std::size_t boxes_ = 0;
     std::vector<GreatestPlace> places_;
     std::priority_queue<Open> open_;

@@ -90,6 +90,13 @@ struct StressMeasure::Sums {
     Ball S;
 };
 
+/// F - F(e) <= deviator (|D|^2 - |D_e|^2) + 2 mean (S - S_e) + square (S - S_e)^2 near a place e.
+struct StressMeasure::Slopes {
+    Ball deviator;
+    Ball mean;
+    Ball square;
+};
+
 StressField StressField::reflected() const {
     StressField r = *this;
     for (LoadPart& part : r.parts) {
@@ -124,9 +131,46 @@ bool PlaneJet::concave() const {
            certainly_positive(second[0] * second[2] - square(second[1]));
 }
 
+namespace {
+
+PlaneJet square(const PlaneJet& f) {
+    const auto& [x, z] = f.first;
+    const auto& [xx, xz, zz] = f.second;
+    const Ball& v = f.value;
+    return {square(v),
+            {v * x * 2, v * z * 2},
+            {(square(x) + v * xx) * 2, (x * z + v * xz) * 2, (square(z) + v * zz) * 2}};
+}
+
+/// The root of a function, whose value is `size`.
+PlaneJet root(const PlaneJet& f, const Ball& size) {
+    const Ball twice = size * 2;
+    const Ball x = f.first[0] / twice;
+    const Ball z = f.first[1] / twice;
+    return {size,
+            {x, z},
+            {f.second[0] / twice - square(x) / size, f.second[1] / twice - x * z / size,
+             f.second[2] / twice - square(z) / size}};
+}
+
+PlaneJet sum(const Ball& by, const PlaneJet& f, const Ball& with, const PlaneJet& g) {
+    PlaneJet r{by * f.value + with * g.value, {}, {}};
+    for (std::size_t i = 0; i < r.first.size(); ++i) {
+        r.first[i] = by * f.first[i] + with * g.first[i];
+    }
+    for (std::size_t i = 0; i < r.second.size(); ++i) {
+        r.second[i] = by * f.second[i] + with * g.second[i];
+    }
+    return r;
+}
+
+} // namespace
+
 StressMeasure::StressMeasure(StressField field, const StressNorm& norm)
-    : field_(std::move(field)), deviator_(norm.poisson ? 3 : 1, field_.bits()),
-      mean_(norm.poisson ? square(1 - *norm.poisson * 2) : Ball(0, field_.bits())),
+    : field_(std::move(field)), kind_(norm.kind),
+      deviator_(kind_ == Kind::mises ? 3 : 1, field_.bits()),
+      ratio_(norm.poisson ? 1 - *norm.poisson * 2 : Ball(0, field_.bits())),
+      mean_(kind_ == Kind::mises ? square(ratio_) : Ball(0, field_.bits())),
       bulk_(field_.bulk * Ball::pi(field_.bits()) / 2) {
     for (const LoadPart& part : field_.parts) {
         weights_.emplace_back(part.pressure, -part.shear);
@@ -135,27 +179,113 @@ StressMeasure::StressMeasure(StressField field, const StressNorm& norm)
     }
 }
 
-Ball StressMeasure::stress(const Ball& F) const { return sqrt(F) / Ball::pi(field_.bits()); }
+Ball StressMeasure::stress(const Ball& F) const {
+    return (kind_ == Kind::tresca || kind_ == Kind::s1 ? F : sqrt(F)) / Ball::pi(field_.bits());
+}
+
+bool StressMeasure::shear_prevails(const Box& D, const Ball& S) const {
+    return certainly_less(ratio_ * abs(S), abs(D));
+}
+bool StressMeasure::mean_prevails(const Box& D, const Ball& S) const {
+    return certainly_less(abs(D), ratio_ * abs(S));
+}
 
 Ball StressMeasure::measure(const Box& D, const Ball& S) const {
+    switch (kind_) {
+    case Kind::tresca:
+        return abs(D) + max(abs(D), ratio_ * abs(S));
+    case Kind::s1:
+        return abs(D) + S;
+    case Kind::tau_max:
+    case Kind::mises:
+        break;
+    }
     return deviator_ * square_of_size(D) + mean_ * square(S);
+}
+
+PlaneJet StressMeasure::measure(const Box& D, const PlaneJet& square_of_D,
+                                const PlaneJet& S) const {
+    const Ball one(1, field_.bits());
+    if (kind_ == Kind::s1) {
+        return sum(one, root(square_of_D, abs(D)), one, S);
+    }
+    if (kind_ == Kind::tresca) {
+        const PlaneJet size = root(square_of_D, abs(D));
+        if (shear_prevails(D, S.value)) {
+            return sum(one, size, one, size);
+        }
+        PlaneJet r = sum(one, size, certainly_negative(S.value) ? -ratio_ : ratio_, S);
+        if (!mean_prevails(D, S.value)) {
+            r.value = measure(D, S.value);
+            for (Ball& x : r.first) {
+                arb_indeterminate(x.data());
+            }
+        }
+        return r;
+    }
+    return sum(deviator_, square_of_D, mean_, square(S));
+}
+
+StressMeasure::Slopes StressMeasure::slopes(const Sums& at) const {
+    const Ball zero(0, field_.bits());
+    if (kind_ == Kind::tau_max || kind_ == Kind::mises) {
+        return {deviator_, mean_ * at.S, mean_};
+    }
+    // |D| - |D_e| <= (|D|^2 - |D_e|^2)/(2 |D_e|)
+    const Ball of_size = 1 / (abs(at.D) * 2);
+    if (kind_ == Kind::tresca && shear_prevails(at.D, at.S)) {
+        return {of_size * 2, zero, zero};
+    }
+    const Ball half = Ball(1, field_.bits()) / 2;
+    return {of_size,
+            kind_ == Kind::s1          ? half
+            : certainly_negative(at.S) ? half * -ratio_
+                                       : half * ratio_,
+            zero};
+}
+
+bool StressMeasure::mirrored_on_surface(const Ball& x) const {
+    // |D| is the same at the mirror image; S at the edges of the contact, where p = 0, has only
+    // another sign.
+    const auto at_edge_of_contact = [&] {
+        return overlaps(x, field_.contact().a()) || overlaps(-x, field_.contact().b());
+    };
+    switch (kind_) {
+    case Kind::tau_max:
+        return true;
+    case Kind::mises:
+        return at_edge_of_contact();
+    case Kind::tresca: {
+        const Sums here = sums(Box(x));
+        const Sums there = sums(Box(-x));
+        return shear_prevails(here.D, here.S) && shear_prevails(there.D, there.S);
+    }
+    case Kind::s1:
+        break;
+    }
+    return false;
 }
 
 // A part with the force F at the distance d or more has |T| <= F/d, and |z dT/dzeta| <= F z/d^2,
 // z <= d.
 Ball StressMeasure::far(const Ball& distance) const {
     Ball deviator = abs(bulk_);
-    Ball mean = deviator;
+    Ball mean = kind_ == Kind::s1 ? bulk_ : deviator;
     for (std::size_t i = 0; i < weights_.size(); ++i) {
         const Ball size = forces_[i] / distance;
         const Ball shear = abs(field_.parts[i].shear);
         deviator += size * (abs(weights_[i]) + shear);
         mean += size * (abs(field_.parts[i].pressure) + shear);
     }
-    return Ball((deviator_ * square(deviator) + mean_ * square(mean)).upper(), field_.bits());
+    return Ball(measure(Box(deviator), mean).upper(), field_.bits());
 }
 
 Ball StressMeasure::bound(const Box& zeta) const {
+    const Sums at = sums(zeta);
+    return measure(at.D, at.S);
+}
+
+StressMeasure::Sums StressMeasure::sums(const Box& zeta) const {
     const long bits = field_.bits();
     Box D(bulk_);
     Ball S = bulk_;
@@ -170,7 +300,7 @@ Ball StressMeasure::bound(const Box& zeta) const {
         D = D + with_depth * weights_[i] - T * part.shear;
         S += T.imaginary() * part.pressure - T.real() * part.shear;
     }
-    return measure(D, S);
+    return {D, S};
 }
 
 PlaneJet StressMeasure::jet(const Box& zeta) const {
@@ -195,25 +325,32 @@ PlaneJet StressMeasure::jet(const Box& zeta) const {
         S += t[0].imaginary() * part.pressure - t[0].real() * part.shear;
     }
     const Ball two(2, bits);
-    const Box D = G[0] * z - T[0] + bulk_;
+    Box D = G[0] * z - T[0] + bulk_;
     const Box D_x = G[1] * z - T[1];
     const Box D_z = G[0] - times_i(T[1]) + times_i(G[1]) * z;
     const Box D_xx = G[2] * z - T[2];
     const Box D_xz = G[1] - times_i(T[2]) + times_i(G[2]) * z;
     const Box D_zz = times_i(G[1]) * two - D_xx;
-    const auto sum = [&](const Ball& deviator, const Ball& mean) {
-        return (deviator_ * deviator + mean_ * mean) * 2;
-    };
-    // S is the real part of an analytic function whose derivative is -i G.
-    const Ball S_x = G[0].imaginary();
-    const Ball S_z = G[0].real();
+    const Ball S_x = G[0].imaginary(); // S is the real part of an analytic function
+    const Ball S_z = G[0].real();      // whose derivative is -i G
+    if (kind_ == Kind::tresca || kind_ == Kind::s1) {
+        // Roots, and the sum of |D| and S, need narrow enclosures: from the middle of the box.
+        const Box middle = zeta.middle();
+        const Sums at = sums(middle);
+        const Ball x_off = zeta.real() - middle.real();
+        const Ball z_off = z - middle.imaginary();
+        const Box near = at.D + D_x * x_off + D_z * z_off;
+        const Ball S_near = at.S + S_x * x_off + S_z * z_off;
+        D = near.is_finite() ? near : D;
+        S = S_near.is_finite() ? S_near : S;
+    }
+    const PlaneJet square_of_D{square_of_size(D),
+                               {dot(D, D_x) * 2, dot(D, D_z) * 2},
+                               {(square_of_size(D_x) + dot(D, D_xx)) * 2,
+                                (dot(D_x, D_z) + dot(D, D_xz)) * 2,
+                                (square_of_size(D_z) + dot(D, D_zz)) * 2}};
     const Ball S_xx = G[1].imaginary();
-    const Ball S_xz = G[1].real();
-    return {measure(D, S),
-            {sum(dot(D, D_x), S * S_x), sum(dot(D, D_z), S * S_z)},
-            {sum(square_of_size(D_x) + dot(D, D_xx), square(S_x) + S * S_xx),
-             sum(dot(D_x, D_z) + dot(D, D_xz), S_x * S_z + S * S_xz),
-             sum(square_of_size(D_z) + dot(D, D_zz), square(S_z) - S * S_xx)}};
+    return measure(D, square_of_D, {S, {S_x, S_z}, {S_xx, G[1].real(), -S_xx}});
 }
 
 Ball StressMeasure::at_edge(std::size_t part, Edge edge) const {
@@ -258,11 +395,13 @@ bool StressMeasure::greatest_at_right_edge(std::size_t part, const Ball& radius)
         return false;
     }
     Sums at = at_right_edge(part);
+    const bool shear = shear_prevails(at.D, at.S);
     if (part == 0) { // T and P are real at an edge of the contact
         at.D = Box(at.D.real());
     } else if (part == 1 && field_.untilted) {
         at.D = Box(Ball(0, bits), at.D.imaginary());
     }
+    const Slopes F = slopes(at);
     // The parts that are analytic at the edge, by their derivative over the half disc.
     Box others_G(bits);
     Box others_T(bits);
@@ -292,12 +431,20 @@ bool StressMeasure::greatest_at_right_edge(std::size_t part, const Ball& radius)
         const Box b = (own_G * weights_[part] + others_G) * depth - turn * (slope * t + others_T);
         const Box a_S = unit * weights_[part] * minus_i * (-near->root);
         const Box b_S = turn * (slope * weights_[part] + others_G) * minus_i;
-        const Ball B = (deviator_ * dot(at.D, b) + mean_ * at.S * b_S.real()) * 2 +
-                       measure(a + b * rho, a_S.real() + b_S.real() * rho);
+        const Box by_rho = a + b * rho;
+        const Ball S_by_rho = a_S.real() + b_S.real() * rho;
+        if (kind_ == Kind::tresca) { // the same of both stresses is greater at all of these places
+            const Box D = at.D + by_rho * rho;
+            const Ball S = at.S + S_by_rho * rho;
+            if (shear ? !shear_prevails(D, S) : !mean_prevails(D, S)) {
+                return false;
+            }
+        }
+        const Ball B = (F.deviator * dot(at.D, b) + F.mean * b_S.real()) * 2 +
+                       F.deviator * square_of_size(by_rho) + F.square * square(S_by_rho);
         // A = 2 root (X cos phi + Y sin phi)
-        const Ball X = deviator_ * at.D.real() * (t * (1 + s * s) - p * c * s) + mean_ * at.S * t;
-        const Ball Y =
-            deviator_ * at.D.imaginary() * (t * (1 + c * c) + p * c * s) - mean_ * at.S * p;
+        const Ball X = F.deviator * at.D.real() * (t * (1 + s * s) - p * c * s) + F.mean * t;
+        const Ball Y = F.deviator * at.D.imaginary() * (t * (1 + c * c) + p * c * s) - F.mean * p;
         const bool falls = arb_is_nonpositive(X.data()) != 0 && arb_is_nonpositive(Y.data()) != 0;
         return (falls && certainly_negative(B)) ||
                certainly_negative(near->root * (X * c + Y * s) * 2 + rho * B);

@@ -47,9 +47,13 @@ struct SurfaceTension {
 /// The shear factor of the first part must not be zero.
 [[nodiscard]] SurfaceTension greatest_surface_tension(const StressField& field);
 
-/// The quantity whose greatest value is searched for.
+/// The quantity whose greatest value is searched for: the greatest shear stress in the plane, the
+/// equivalent stresses of von Mises and Tresca in plane strain, or the greatest principal stress in
+/// the plane.
 struct StressNorm {
-    /// Poisson's ratio for the stress of von Mises in plane strain; without it tau_max.
+    enum class Kind { tau_max, mises, tresca, s1 };
+    Kind kind = Kind::tau_max;
+    /// Poisson's ratio <= 1/2, for mises and tresca.
     std::optional<Ball> poisson;
 };
 
@@ -63,9 +67,13 @@ struct PlaneJet {
     [[nodiscard]] bool concave() const;
 };
 
-/// F = pi^2 tau_max^2, or pi^2 mises^2, of a field (stress^2), as a function of the place. With
-/// D = z (P' - i T') - T + pi bulk/2 and S = Im P - Re T + pi bulk/2 it is |D|^2, or
-/// 3 |D|^2 + (1 - 2 nu)^2 S^2 (docs/stress.md, "The greatest values").
+/// F of a field, as a function of the place, which grows with the quantity of a StressNorm. With
+/// D = z (P' - i T') - T + pi bulk/2 and S = Im P - Re T + pi bulk/2 it is
+///   tau_max  |D|^2 = pi^2 tau_max^2 (stress^2)
+///   mises    3 |D|^2 + (1 - 2 nu)^2 S^2 = pi^2 mises^2 (stress^2)
+///   tresca   |D| + max(|D|, (1 - 2 nu) |S|) = pi tresca (stress)
+///   s1       |D| + S = pi s1 (stress), where it is positive
+/// (docs/stress.md, "The greatest values").
 class StressMeasure {
 public:
     StressMeasure(StressField field, const StressNorm& norm);
@@ -75,7 +83,7 @@ public:
     [[nodiscard]] Ball stress(const Ball& F) const;
     /// F for every place of a box with z >= 0; not finite if the box is too wide.
     [[nodiscard]] Ball bound(const Box& zeta) const;
-    /// The same with derivatives; not finite if F is not smooth in the box.
+    /// The same with derivatives, which are not finite if F is not smooth in the box.
     [[nodiscard]] PlaneJet jet(const Box& zeta) const;
     /// An upper bound of F everywhere at the distance (length) from the contact or further.
     [[nodiscard]] Ball far(const Ball& distance) const;
@@ -87,13 +95,28 @@ public:
     /// The measure of the mirror image.
     [[nodiscard]] StressMeasure reflected() const;
 
+    /// True if F is known to be the same at the mirror image of a place (x, 0) on the surface of a
+    /// field with `surface_mirrored`.
+    [[nodiscard]] bool mirrored_on_surface(const Ball& x) const;
+
 private:
+    using Kind = StressNorm::Kind;
     struct Sums; ///< D and S
+    struct Slopes;
+    [[nodiscard]] Sums sums(const Box& zeta) const;
     [[nodiscard]] Ball measure(const Box& D, const Ball& S) const;
+    /// The same for functions |D|^2 and S.
+    [[nodiscard]] PlaneJet measure(const Box& D, const PlaneJet& square, const PlaneJet& S) const;
+    /// True if |D| is certainly greater than (1 - 2 nu) |S|, or less.
+    [[nodiscard]] bool shear_prevails(const Box& D, const Ball& S) const;
+    [[nodiscard]] bool mean_prevails(const Box& D, const Ball& S) const;
+    [[nodiscard]] Slopes slopes(const Sums& at) const;
     [[nodiscard]] Sums at_right_edge(std::size_t part) const;
 
     StressField field_;
-    Ball deviator_; ///< the factor of |D|^2
+    Kind kind_;
+    Ball deviator_; ///< the factor of |D|^2 for tau_max and mises
+    Ball ratio_;    ///< 1 - 2 nu
     Ball mean_;     ///< the factor of S^2
     Ball bulk_;     ///< pi bulk/2
     /// For each part its factor P' - i T' in G, and the force (force/length).

@@ -98,6 +98,12 @@ const std::vector<InjectedKeys>& injected_keys() {
         {"shear-modulus", false, with_modulus([](double E1, double nu1, double E2, double nu2) {
              return 1 / ((1 + nu1) / E1 + (1 + nu2) / E2);
          })},
+        {"shear-modulus", false, with_modulus([](double E1, double nu1, double E2, double nu2) {
+             const auto with_g = [](double E, double nu) {
+                 return 2 * (1 + nu) * (1 - nu * nu) / E;
+             };
+             return 1 / (with_g(E1, nu1) + with_g(E2, nu2));
+         })},
         {"sum-of-moduli", false, with_modulus([](double E1, double nu1, double E2, double nu2) {
              return first_of(E1, nu1) + first_of(E2, nu2);
          })},

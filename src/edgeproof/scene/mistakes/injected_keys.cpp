@@ -109,6 +109,9 @@ const std::vector<InjectedKeys>& injected_keys() {
          })},
         {"sum-of-moduli", false,
          with_modulus([](double E1, double, double E2, double) { return E1 + E2; })},
+        {"factor-2", false, with_modulus([](double E1, double nu1, double E2, double nu2) {
+             return 0.5 / ((1 - nu1 * nu1) / E1 + (1 - nu2 * nu2) / E2);
+         })},
         {"radius-as-diameter", false, times_key("profile.R", 2)},
         {"radius-as-diameter", false,
          with_key({"profile.R1", "profile.R2"}, [](double R) { return R / 2; })},

@@ -95,8 +95,9 @@ private:
     /// scatter about it from point to point, or no more than those of the other quantities, so that
     /// it is one to the accuracy of the answers.
     [[nodiscard]] std::optional<Likely> constant_of(const Group& group, const WrongRows& all) const;
-    /// True if all named causes leave a remainder that is not known to be noise, and that a constant
-    /// without a name does not leave: one that is nearly the effect of a mistake by chance.
+    /// True if all named causes leave a remainder that is not known to be noise, and that a
+    /// constant without a name does not leave: one that is nearly the effect of a mistake by
+    /// chance.
     [[nodiscard]] bool constant_is_better(const WrongRows& all, const Explained& named) const;
     [[nodiscard]] Explained by_constant(const Group& group);
 

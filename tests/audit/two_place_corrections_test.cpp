@@ -46,3 +46,29 @@ TEST_CASE("g printed for its slope g' is corrected") {
     // The slope of the profile itself.
     CHECK(two_place_correction("g1(x)", "C*x^2/2").starts_with("derivative: "));
 }
+
+TEST_CASE("the half-width of a sphere, for that of a cylinder, is corrected by the ratio") {
+    const std::string cylinders =
+        "[ledger]\nname = \"cylinders\"\n[[family]]\nname = \"cylinder\"\n"
+        "profile = \"power-law\"\ncount = 6\n[family.parameters]\n"
+        "m = [\"1\"]\nC = [\"3/7\", \"1e-6\"]\na = [\"3/2\", \"7e5\", "
+        "\"0.02\"]\nEs = [\"7/3\", \"2.1e11\"]\n";
+    const auto outcome = [&](const std::string& says) {
+        return small_ledger::audit_of(
+                   small_ledger::ledger_of("kind = \"value\"\nover = \"cylinder\"\nof = \"a\"\n"
+                                           "says = \"" +
+                                               says + "\"\n",
+                                           cylinders))
+            .claims.front()
+            .outcome;
+    };
+    // a = (3 P R/(4 Es))^(1/3) of a sphere (johnson1985, eq. 4.22), with C = 1/R.
+    const std::string sphere = "(3*P/(4*Es*C))^(1/3)";
+    const Outcome wrong = outcome(sphere);
+    CHECK(wrong.verdict == Verdict::refuted);
+    REQUIRE(wrong.correct.has_value());
+    CHECK(wrong.correct->starts_with(sphere));
+    CHECK(outcome(*wrong.correct).verdict == Verdict::confirmed);
+    // The cylinder: eq. 4.43.
+    CHECK(outcome("sqrt(4*P/(Pi*Es*C))").verdict == Verdict::confirmed);
+}

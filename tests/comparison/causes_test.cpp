@@ -256,6 +256,20 @@ TEST_CASE("causes: an unknown error has none, and the error of a mesh is no mist
         CHECK((quadratic.diagnosis->causes[0].what.find("1.24 times") != std::string::npos) ==
               (corner == 1));
     }
+    // Forces of nodes: p times the width of an element, here of two widths.
+    const auto at = [&](int i) { return (i < 0 ? i : 2 * i) * a / 90; };
+    std::string forces = "x,p\n";
+    for (int i = -110; i <= 55; ++i) {
+        char row[80];
+        std::snprintf(row, sizeof row, "%.17g,%.17g\n", at(i),
+                      right.p(at(i)) * (at(i + 1) - at(i - 1)) / 2);
+        forces += row;
+    }
+    const FileComparison of_forces =
+        compare_file(parse_result(forces, "r"), exact, {}, Rational(0), &suspects);
+    REQUIRE(of_forces.diagnosis);
+    REQUIRE(of_forces.diagnosis->causes.size() == 1);
+    CHECK(of_forces.diagnosis->causes[0].name == "nodal-forces");
     // m and Pa, where the scene has mm and MPa.
     std::string si = "x,p\n";
     for (int i = -80; i <= 80; ++i) {

@@ -46,6 +46,11 @@ TEST_CASE("self-test: mistakes in the pressure are named, and none wrongly") {
     CHECK(angle->at[0].named == 1);
 }
 
+// The apex of a wedge is a corner, where the noise of one node has the effect of a small shift.
+TEST_CASE("self-test: places from the middle of a wedge are named under noise") {
+    check_named(run_self_test(424243, {"a wedge under P and M"}));
+}
+
 TEST_CASE("self-test: it fails where a cause is missed, and where a wrong one is named") {
     SelfTest test;
     CHECK_FALSE(test.passes()); // no mistake was tried

@@ -98,6 +98,20 @@ void average_rows(std::vector<ComputedRow>& list) {
     }
 }
 
+/// The forces of the nodes, by a linear pressure on each element.
+void forces_of_rows(std::vector<ComputedRow>& list) {
+    const std::vector<ComputedRow> right = list;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        list[i].p = 0;
+        for (const std::size_t other : {i - 1, i + 1}) {
+            if (other < list.size()) {
+                list[i].p +=
+                    std::abs(right[other].x - right[i].x) * (2 * right[i].p + right[other].p) / 6;
+            }
+        }
+    }
+}
+
 } // namespace
 
 const std::vector<TestedContact>& tested_contacts() {
@@ -177,6 +191,10 @@ const std::vector<InjectedMistake>& injected_mistakes() {
               })},
         {"shifted-rows", false, rows(shift_rows)},
         {"element-average", false, rows(average_rows)},
+        {"nodal-forces", false,
+         [](const SceneKeys& keys) {
+             return keys.contains("profile.geometry") ? std::nullopt : rows(forces_of_rows)(keys);
+         }},
         {"one-term", false, terms(1)},
         {"two-term", false, terms(2)},
         {"three-term", false, terms(3)},

@@ -196,6 +196,12 @@ TEST_CASE("results: tables as Workbench, COMSOL and Code_Aster write them") {
     check_three(parsed_result("% Model,hertz.mph\n% x (m),solid.Tn (N/m^2)\n"
                               "-5e-4,1e6\n0,1.5e6\n5e-4,1e6\n",
                               in_mm_and_MPa()));
+    const ResultTable steps =
+        parsed_result("% x (mm)      y      solid.Tn (N/m^2) @ t=0.5   solid.Tn (N/m^2) @ t=1\n"
+                      "-0.5  0  2e5  1e6\n0  0  3e5  1.5e6\n0.5  0  2e5  1e6\n",
+                      in_mm_and_MPa());
+    check_three(steps);
+    CHECK(found(steps, "p has 2 steps: the last is compared"));
     check_three(parsed_result("#TABLE\n INST NOEUD COOR_X COOR_Y LAGS_C\n"
                               " 1.0 N1 -0.5 0 1\n 1.0 N2 0 0 1.5\n 1.0 N3 0.5 0 1\n"));
 }

@@ -181,6 +181,11 @@ TEST_CASE("a dominant cause is named with what remains; what varies is not calle
     CHECK(thousand[0].factor == 1000);
     CHECK(thousand[0].remains > 0.03);
     CHECK(thousand[0].remains <= 0.04);
+    // Two mistakes have a factor near 1/sqrt(2 pi) = 0.3989 by chance.
+    const auto chance =
+        causes_of_factor([](double u) { return 0.395 + 0.02 * std::max(0.0, u - 0.5); });
+    REQUIRE(chance.size() == 1);
+    CHECK(chance[0].equally_likely == std::vector<std::string>{"factor"});
     // The same without the factor, and a factor that varies between 1.26 and 1.3.
     CHECK(causes_of_factor([](double u) { return 1 + 0.04 * u / 0.75; }).empty());
     CHECK(causes_of_factor([](double u) { return 1.26 + 0.04 * u / 0.75; }).empty());
@@ -188,6 +193,10 @@ TEST_CASE("a dominant cause is named with what remains; what varies is not calle
     REQUIRE(constant.size() == 1);
     CHECK(constant[0].name == "factor");
     CHECK(constant[0].remains == 0);
+    // A constant near 1/sqrt(2 pi) = 0.3989, of few rows.
+    CHECK(found(keys, hertzes, "p", [](auto c, double u) {
+              return 0.4054 * hertz_pressure(a_of(c), u);
+          }) == Said{"p, right edge: 0.4054 times ours"});
     const auto decimal = causes_of_factor([](double) { return 1.0; });
     CHECK(decimal.empty());
 }

@@ -180,7 +180,8 @@ formula::Expr power_of(const formula::Expr& base, const Rational& k) {
                                  : pow(base, formula::quotient_of(k));
 }
 
-/// Returns x as rational * pi^j, or as the square root of a rational times pi^j.
+/// Returns x as rational * pi^j, as the square root of a rational times pi^j, or as the square or
+/// cube root of rational * pi^j.
 std::optional<formula::Expr> simple_constant(const Real& x, unsigned digits) {
     const Real pi_value = pi<Real>();
     for (const bool root : {false, true}) {
@@ -199,6 +200,20 @@ std::optional<formula::Expr> simple_constant(const Real& x, unsigned digits) {
             }
             const formula::Expr pi_power = power_of(formula::Expr::pi(), Rational(std::abs(j)));
             return j > 0 ? number * pi_power : number / pi_power;
+        }
+    }
+    for (const int root : {2, 3}) {
+        for (const int j : {0, 1, -1, 2, -2}) {
+            const auto q = simple_fraction(Real(pow(x, root) / pow(pi_value, j)), digits);
+            if (!q) {
+                continue;
+            }
+            const formula::Expr number = formula::quotient_of(*q);
+            const formula::Expr pi_power = power_of(formula::Expr::pi(), Rational(std::abs(j)));
+            return power_of(j == 0  ? number
+                            : j > 0 ? number * pi_power
+                                    : number / pi_power,
+                            Rational(1, root));
         }
     }
     return std::nullopt;
@@ -240,11 +255,11 @@ std::optional<formula::Expr> recognise_ratio(const std::vector<RatioSample>& sam
     std::vector<Rational> k;
     for (std::size_t i = 1; i < exponents.size(); ++i) {
         const double exponent = exponents[i].value_or(0.0);
-        const double quarters = std::round(exponent * 4);
-        if (std::abs(quarters) > 80 || std::abs(exponent * 4 - quarters) > 1e-2) {
+        const double twelfths = std::round(exponent * 12);
+        if (std::abs(twelfths) > 240 || std::abs(exponent * 12 - twelfths) > 1e-2) {
             return std::nullopt;
         }
-        k.emplace_back(static_cast<long>(quarters), 4L);
+        k.emplace_back(static_cast<long>(twelfths), 12L);
     }
     const auto monomial = [&](const RatioSample& s) {
         Real value(1);

@@ -63,8 +63,9 @@ struct RatioSample {
 };
 
 /// Returns the ratio as a closed form that agrees with every sample to `digits` digits: a sign, a
-/// rational, a power of pi, and whole, half or quarter powers of the parameters. Returns nothing if
-/// there is no such form of moderate size, or too few samples to decide.
+/// rational, a power of pi, or a square or cube root of them, and powers of the parameters whose
+/// exponents are twelfths. Returns nothing if there is no such form of moderate size, or too few
+/// samples to decide.
 [[nodiscard]] std::optional<formula::Expr> recognise_ratio(const std::vector<RatioSample>& samples,
                                                            unsigned digits);
 

@@ -42,6 +42,7 @@ public:
         }
         maps();
         means();
+        nodal_forces();
         shifts();
         terms();
         return std::move(list_);
@@ -213,8 +214,18 @@ private:
                     "x is shifted by {:.4g}: --origin {:.10g} if the data are measured from there",
                     *shift, origin + *shift),
                 exact_.a().value + *shift, exact_.b().value - *shift,
-                [&](std::size_t i) { return pressure(exact_, nodes_[i].x - *shift); });
+                [&](std::size_t i) { return moved_pressure(nodes_[i].x - *shift); });
         }
+    }
+
+    /// The exact pressure at the place x, which the data give another coordinate. NaN near a
+    /// corner, where the least shift can explain the noise of a node.
+    [[nodiscard]] double moved_pressure(double x) const {
+        const double near = 0.02 * exact_.length();
+        const bool by_corner = std::ranges::any_of(exact_.knots(), [=](const auto& knot) {
+            return knot.corner && std::abs(x - knot.x) < near;
+        });
+        return by_corner ? no_value : pressure(exact_, x);
     }
 
     /// Adds suspects in which a program confused the coordinate x, as in the data.
@@ -225,7 +236,7 @@ private:
         const auto map = [&](const char* name, const std::string& what, double right, double left,
                              const auto& place) {
             add(name, what, right - origin, left + origin,
-                [&](std::size_t i) { return pressure(exact_, place(nodes_[i].x + origin)); });
+                [&](std::size_t i) { return moved_pressure(place(nodes_[i].x + origin)); });
         };
         map("x-for-u", "x is measured from the left edge", a + b, 0,
             [=](double x) { return x - b; });
@@ -277,6 +288,22 @@ private:
                     5 * pressure(exact_, middle + reach)) /
                    18;
         });
+    }
+
+    /// Adds the forces of nodes, per unit of thickness. The first and the last node have half a
+    /// width or, in a model of one half, a whole one.
+    void nodal_forces() {
+        if (contacts_.scene().round) {
+            return;
+        }
+        const auto& all = nodes_.data.nodes;
+        add("nodal-forces", "forces of the nodes, p times the width of an element, instead of p",
+            [&](std::size_t i) {
+                const std::size_t at = nodes_.nodes[i];
+                return at == 0 || at + 1 >= all.size()
+                           ? no_value
+                           : exact_pressure(i) * (all[at + 1].x - all[at - 1].x) / 2;
+            });
     }
 
     void terms() {

@@ -31,6 +31,22 @@ bool all_units(const std::vector<Cell>& cells) {
            });
 }
 
+/// Returns the text with a tab for two blanks or more: names may contain single ones.
+std::string wide_gaps_as_tabs(const std::string& text) {
+    std::string out;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find_first_not_of(' ', at), text.size());
+        out += end - at > 1 ? "\t" : text.substr(at, std::max<std::size_t>(end - at, 1));
+        at = std::max(end, at + 1);
+    }
+    return out;
+}
+
+/// The name of a column of one step: COMSOL writes "solid.Tn (Pa) @ t=0.5" for each time.
+std::string_view without_step(std::string_view name) {
+    return trimmed(name.substr(0, name.find('@')));
+}
+
 class HeaderReader {
 public:
     HeaderReader(const ResultText& text, const ResultReading& reading)
@@ -61,6 +77,12 @@ private:
                 cells = std::move(again);
             }
         }
+        if (text_.separator == Separator::blank && cells.size() != text_.size) {
+            auto apart = split_row(wide_gaps_as_tabs(text), Separator::tab);
+            if (apart.size() == text_.size) {
+                cells = std::move(apart);
+            }
+        }
         if (text_.separator == Separator::blank && cells.size() > text_.size &&
             text_.numbers_in(cells) == 0) {
             std::vector<std::string> words;
@@ -79,6 +101,7 @@ private:
         std::optional<std::size_t> index;
         std::optional<std::size_t> twin; ///< another column of the same rank
         int rank = 100;
+        std::size_t steps = 1; ///< columns of the same name; `index` is the last
     };
     [[nodiscard]] static std::map<ColumnRole, Found> roles_in(const std::vector<Cell>& names) {
         std::map<ColumnRole, Found> roles;
@@ -90,6 +113,11 @@ private:
             Found& found = roles[named->role];
             if (named->rank < found.rank) {
                 found = {i, {}, named->rank};
+            } else if (named->rank == found.rank &&
+                       without_step(names[i].text) == without_step(names[*found.index].text) &&
+                       names[i].text.find('@') != std::string::npos) {
+                found.index = i;
+                ++found.steps;
             } else if (named->rank == found.rank) {
                 found.twin = i;
             }
@@ -206,6 +234,10 @@ private:
                                          *found->second.index + 1, *found->second.twin + 1, key),
                              fmt::format("name the right one: --columns {0}={1} or {0}={2}", key,
                                          *found->second.index + 1, *found->second.twin + 1));
+            }
+            if (found->second.steps > 1) {
+                found_.findings.push_back(
+                    fmt::format("{} has {} steps: the last is compared", key, found->second.steps));
             }
             return at_column(*found->second.index);
         }

@@ -112,7 +112,7 @@ Convention CauseSearch::convention(const Explained& explained) const {
             c.equally_likely.push_back(l.name);
         }
     }
-    if (first.rank == 2 && first.doubtful > unlikely_by_chance) {
+    if (first.rank == 2 && std::max(first.doubtful, c.remains) > unlikely_by_chance) {
         c.also.emplace_back("a constant without a name");
         c.equally_likely.emplace_back("factor");
     }

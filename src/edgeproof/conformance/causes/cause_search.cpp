@@ -287,7 +287,7 @@ bool CauseSearch::constant_is_better(const WrongRows& all, const Explained& name
     }
     const double unit = std::max(other->fit.scatter, noise_);
     return std::ranges::all_of(named.likely, [&](const Likely& l) {
-        return !l.fit.noise_like.value_or(true) &&
+        return !l.fit.noise_like.value_or(false) &&
                misfit(l.fit, unit) > misfit(other->fit, unit) + indistinguishable_misfit(l.fit);
     });
 }

@@ -16,7 +16,7 @@ namespace edgeproof::conformance {
 
 inline constexpr unsigned most_cause_digits = 40;
 /// A number without a name, and one with an unusual name, are not distinguished by answers that do
-/// not determine it better than this.
+/// not determine it better than this, or leave a greater smooth remainder.
 inline constexpr double unlikely_by_chance = 6e-4;
 inline constexpr int rank_of_constant = 3;
 
@@ -95,8 +95,9 @@ private:
     /// scatter about it from point to point, or no more than those of the other quantities, so that
     /// it is one to the accuracy of the answers.
     [[nodiscard]] std::optional<Likely> constant_of(const Group& group, const WrongRows& all) const;
-    /// True if all named causes leave a smooth remainder that a constant without a name does not
-    /// leave: one that is nearly the effect of a mistake by chance.
+    /// True if all named causes leave a remainder that is not known to be noise, and that a
+    /// constant without a name does not leave: one that is nearly the effect of a mistake by
+    /// chance.
     [[nodiscard]] bool constant_is_better(const WrongRows& all, const Explained& named) const;
     [[nodiscard]] Explained by_constant(const Group& group);
 

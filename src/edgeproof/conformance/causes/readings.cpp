@@ -136,9 +136,9 @@ std::vector<Reading> readings_of(const Questions& questions,
          "left taken for right? u runs inwards from the edge: u = a - x at the right one, u = b + "
          "x at the left one; swap the edges",
          {},
-         [](Question& q, const scene::Scene&) {
+         [](Question& q, const scene::Scene& scene) {
              q.edge = opposite(q.edge);
-             return q.at_edge();
+             return q.at_edge() && (!scene.symmetric() || scene.shear);
          }}};
     for (const auto& [name, words, n] : {std::tuple{"one-term", "the first term", 1U},
                                          std::tuple{"two-term", "the first two terms", 2U},

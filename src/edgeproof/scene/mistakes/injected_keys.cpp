@@ -98,11 +98,20 @@ const std::vector<InjectedKeys>& injected_keys() {
         {"shear-modulus", false, with_modulus([](double E1, double nu1, double E2, double nu2) {
              return 1 / ((1 + nu1) / E1 + (1 + nu2) / E2);
          })},
+        {"shear-modulus", false, with_modulus([](double E1, double nu1, double E2, double nu2) {
+             const auto with_g = [](double E, double nu) {
+                 return 2 * (1 + nu) * (1 - nu * nu) / E;
+             };
+             return 1 / (with_g(E1, nu1) + with_g(E2, nu2));
+         })},
         {"sum-of-moduli", false, with_modulus([](double E1, double nu1, double E2, double nu2) {
              return first_of(E1, nu1) + first_of(E2, nu2);
          })},
         {"sum-of-moduli", false,
          with_modulus([](double E1, double, double E2, double) { return E1 + E2; })},
+        {"factor-2", false, with_modulus([](double E1, double nu1, double E2, double nu2) {
+             return 0.5 / ((1 - nu1 * nu1) / E1 + (1 - nu2 * nu2) / E2);
+         })},
         {"radius-as-diameter", false, times_key("profile.R", 2)},
         {"radius-as-diameter", false,
          with_key({"profile.R1", "profile.R2"}, [](double R) { return R / 2; })},

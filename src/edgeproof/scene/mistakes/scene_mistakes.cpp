@@ -136,6 +136,16 @@ private:
         modulus("sum-of-moduli", "the mean of E1 and E2 instead of E*", (E1 + E2) / two);
         modulus("shear-modulus", "2G of the bodies instead of E/(1 - nu^2)",
                 of_two((one + nu1) / E1, (one + nu2) / E2));
+        const Expr both = of_two((one - nu1 * nu1) / E1, (one - nu2 * nu2) / E2);
+        modulus("factor-2", "half of E*", both / two);
+        if (!alike) { // else it is that of one body
+            modulus("factor-2", "twice E*", both * two);
+        }
+        const auto with_g = [&](const Expr& E, const Expr& nu) {
+            return two * (one + nu) * (one - nu * nu) / E;
+        };
+        modulus("shear-modulus", "G of the bodies instead of E",
+                of_two(with_g(E1, nu1), with_g(E2, nu2)));
     }
 
     /// Adds the profile with `change` applied to each parameter.

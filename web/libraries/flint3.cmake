@@ -16,7 +16,9 @@ foreach(module IN LISTS modules)
     file(GLOB more ${flint}/${module}/*.c)
     list(APPEND sources ${more})
 endforeach()
-list(FILTER sources EXCLUDE REGEX "/(test_helpers|gettimeofday)\\.c$")
+list(FILTER sources EXCLUDE REGEX
+    "/(test_helpers|gettimeofday|gr/ca|gr/qqbar|gr_generic/set_fexpr)\\.c$")
+list(APPEND sources ${CMAKE_CURRENT_SOURCE_DIR}/without_calcium.c)
 
 # The word of 64 bits is `long long`, as on Windows.
 file(COPY_FILE ${flint}/fmpz/link/fmpz_single.c ${flint}/fmpz/fmpz.c ONLY_IF_DIFFERENT)

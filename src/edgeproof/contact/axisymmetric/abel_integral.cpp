@@ -114,7 +114,7 @@ int evaluate(acb_ptr out, const acb_t t, void* parameter, slong /*order*/, slong
     if (evaluation.interrupted) {
         acb_zero(out);
     } else {
-        acb_set(out, evaluation.f(Box(t, bits)).get());
+        acb_set(out, evaluation.f(Box(t, static_cast<long>(bits))).get());
     }
     return 0;
 }

@@ -313,3 +313,61 @@ TEST_CASE("a formula is refuted at a place that the claim is about") {
     CHECK(left.verdict == "refuted");
     CHECK(left.theorems.empty());
 }
+
+// The theorem about wedges is about the right edge.
+TEST_CASE("a relation at the left edge of a power law has no theorem") {
+    const std::string wedge =
+        "profile = \"power-law\"\ncount = 1\nu = [\"1/5\"]\n[family.parameters]\n"
+        "C = [\"3/7\"]\na = [\"3/2\"]\nEs = [\"7/3\"]\nm = [\"0\"]\n";
+    const std::string near =
+        "kind = \"relation\"\nholds = \"near-edge\"\nsays = \"left_local(1, x) < p(x) and "
+        "left_local(2, x) < p(x) and left_local(3, x) < p(x)\"\nedge = \"left\"\n";
+    const auto c = only_certificate(wedge, near);
+    CHECK(c.verdict == "confirmed");
+    CHECK(c.theorems.empty());
+}
+
+TEST_CASE("one term below the pressure is stated for exponents below 5/8") {
+    const auto power = [](const std::string& exponents) {
+        return "profile = \"power-law\"\ncount = 2\nu = [\"1/1000\", "
+               "\"1/5\"]\n[family.parameters]\n"
+               "C = [\"3/7\"]\na = [\"3/2\"]\nEs = [\"7/3\"]\nm = " +
+               exponents + "\n";
+    };
+    const std::string below = "kind = \"relation\"\nsays = \"right_local(1, x) < p(x)\"\n";
+    const std::string readings = below +
+                                 "[[claim.reading]]\ntext = \"near\"\nholds = \"near-edge\"\n"
+                                 "[[claim.reading]]\ntext = \"all\"\nwhere = \"x > 0\"\n";
+    const auto c = only_certificate(power("[\"1/3\", \"5/8-1e-20\"]"), readings);
+    CHECK(c.verdict == "confirmed");
+    REQUIRE(c.theorems.size() == 2);
+    CHECK(c.whole_verdict);
+    CHECK(contains(c.text, "exists d, 0 < d /\\ forall u, 0 < u < d -> exists p0"));
+    CHECK(contains(c.text, "forall u, 0 < u < a -> exists p0"));
+    // At all places of the half, but of one exponent that the theorem does not have.
+    const auto other = only_certificate(power("[\"1/3\", \"5/8\"]"), below + "where = \"x > 0\"\n");
+    CHECK(other.verdict == "confirmed");
+    CHECK(other.theorems.empty());
+}
+
+TEST_CASE("the sum of increments of shear is stated for wedges and power laws under one force") {
+    const std::string parameters =
+        "count = 2\nu = [\"1/5\"]\n[family.parameters]\na = [\"3/2\"]\nEs = "
+        "[\"7/3\"]\nQ = [\"1/10\", \"-1/20\"]\n";
+    const std::string wedge =
+        "profile = \"tilted-wedge\"\n" + parameters + "phi = [\"1/50\"]\nalpha = [\"phi/3\"]\n";
+    const std::string increments = "Q/P*P1of(s)/(Pi*sqrt((s-x)*(x+bof(s))))";
+    const std::string right =
+        value("Q/P*p(x)", "integral(" + increments + ", s, x, a)") + "where = \"x > 0\"\n";
+    const std::string left = value("Q/P*p(x)", "integral(" + increments + ", s, binv(-x), a)") +
+                             "edge = \"left\"\nwhere = \"x < 0\"\n";
+    const auto c = only_certificate(wedge + "sig0 = [\"0\"]\n", right);
+    CHECK(contains(c.text, "is_similar_on_the_right Es (TiltedWedge.slope phi (tilt phi gam)) a"));
+    CHECK(c.whole_verdict);
+    CHECK(only_certificate(wedge + "sig0 = [\"0\"]\n", left).whole_verdict);
+    const std::string punch = "profile = \"flat-and-rounded\"\n" + parameters +
+                              "t = [\"1/10\"]\nR = [\"3\"]\nsig0 = [\"0\"]\n";
+    const auto other = only_certificate(punch, right);
+    CHECK(other.verdict == "confirmed");
+    CHECK(other.theorems.empty());
+}

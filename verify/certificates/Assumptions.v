@@ -75,6 +75,8 @@ From Edgeproof Require S51_subtractive.
 From Edgeproof Require S53_force.
 From Edgeproof Require S53_tension.
 From Edgeproof Require S53_equation.
+From Edgeproof Require S54_right.
+From Edgeproof Require S54_left.
 From Edgeproof Require S47_right.
 From Edgeproof Require S47_left.
 From Edgeproof Require S48_right.
@@ -93,6 +95,7 @@ From Edgeproof Require S03_N.
 From Edgeproof Require S04_flatness.
 From Edgeproof Require S05_diverges.
 From Edgeproof Require S05_punch.
+From Edgeproof Require S06.
 From Edgeproof Require S10.
 From Edgeproof Require S11.
 From Edgeproof Require S12.
@@ -237,6 +240,8 @@ Definition all_theorems : True :=
   let _ := S53_force.S53_force in
   let _ := S53_tension.S53_tension in
   let _ := S53_equation.S53_equation in
+  let _ := S54_right.S54_right in
+  let _ := S54_left.S54_left in
   let _ := S47_right.S47_right in
   let _ := S47_left.S47_left in
   let _ := S48_right.S48_right_1 in
@@ -257,6 +262,8 @@ Definition all_theorems : True :=
   let _ := S04_flatness.S04_flatness_refuted in
   let _ := S05_diverges.S05_diverges in
   let _ := S05_punch.S05_punch in
+  let _ := S06.S06_1 in
+  let _ := S06.S06_2 in
   let _ := S10.S10_figure in
   let _ := S10.S10_figure_similar in
   let _ := S11.S11_figure in

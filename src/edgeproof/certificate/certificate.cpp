@@ -147,6 +147,11 @@ bool is_symmetric(const std::vector<std::string>& profiles) {
     });
 }
 
+std::string lemmas_text(std::string_view file) {
+    constexpr std::string_view begin = "Open Scope R_scope.\n";
+    return std::string(file.substr(file.find(begin) + begin.size())) + "\n";
+}
+
 std::string file_head(const audit::Claim& claim, const audit::Ledger& ledger,
                       const Theory& theory) {
     return file_comment(claim, ledger) + imports_text(theory.imports);

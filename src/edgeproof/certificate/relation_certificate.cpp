@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/certificate/coq_files.hpp"
 #include "edgeproof/certificate/parts.hpp"
 #include "edgeproof/certificate/theory/statement.hpp"
 
@@ -13,56 +14,46 @@
 namespace edgeproof::certificate {
 namespace {
 
-/// The contacts of a theorem, at one edge, and the beginning of its statement and of its proof. The
-/// conclusion is about the distance u from the edge, and about unknowns with these names.
+/// The contacts of a theorem, at one edge. The conclusion is about the distance u from the edge,
+/// and about unknowns with these names. In Coq, `@` stands for the name of the edge, and `%` for
+/// its place.
 struct Subject {
     std::string_view name; ///< in `Compared`
     std::string_view parameters;
     std::string_view condition;
-    std::string_view statement; ///< up to the conclusion
-    std::string_view places;    ///< for `Compared` without places of its own
-    std::string_view proof;     ///< with {} for the lemma of a relation
+    std::string_view series;
+    std::string_view end;      ///< the places are 0 < u < end
+    std::string_view pressure; ///< at u; empty: the conclusion is about the shear traction
 };
 
-constexpr std::string_view pressure_proof = "  intros form. by_first_terms ({} form).\n";
-constexpr std::string_view shear_proof =
-    "  intros form. eexists. eexists. eexists.\n  split. {{ apply the_@_shear_series, @_shear; "
-    "lra. "
-    "}}\n  intros u Hu. traction_at_edge. rewrite ?no_tension. apply {}; lra.\n";
+constexpr std::string_view low_power_law = "power law, m < 5/8";
 
-constexpr std::array<Subject, 6> subjects{
+constexpr std::array<Subject, 7> subjects{
     {{"force", "a b Q", "0 < a + b /\\ Q <> 0",
-      "exists s0 s1 s2, is_the_@_shear_series (full_stick Q 0 a b) % s0 s1 s2 /\\\n  forall u, ",
-      "0 < u < a + b", shear_proof},
+      "exists s0 s1 s2, is_the_@_shear_series (full_stick Q 0 a b) % s0 s1 s2", "a + b", ""},
      {"tension", "a b sig0", "0 < a + b /\\ sig0 <> 0",
-      "exists s0 s1 s2, is_the_@_shear_series (full_stick 0 sig0 a b) % s0 s1 s2 /\\\n  forall u, ",
-      "0 < u < a + b", shear_proof},
+      "exists s0 s1 s2, is_the_@_shear_series (full_stick 0 sig0 a b) % s0 s1 s2", "a + b", ""},
      {"wedge", "Es C a", "0 < Es /\\ 0 < C /\\ 0 < a",
-      "exists r0 r1 r2, is_the_right_series Es (TiltedWedge.slope C 0) a r0 r1 r2 /\\\n  forall "
-      "u, ",
-      "0 < u < a -> exists p0, is_the_pressure Es (TiltedWedge.slope C 0) a (a - u) p0 /\\\n  (",
-      pressure_proof},
+      "exists r0 r1 r2, is_the_right_series Es (TiltedWedge.slope C 0) a r0 r1 r2", "a",
+      "is_the_pressure Es (TiltedWedge.slope C 0) a (a - u) p0"},
      {"parabola", "Es C a", "0 < Es /\\ 0 < C /\\ 0 < a",
-      "exists r0 r1 r2, is_the_right_series Es (Symmetric.slope (parabola C)) a r0 r1 r2 /\\\n  "
-      "forall u, ",
-      "0 < u < a -> exists p0, is_the_pressure Es (Symmetric.slope (parabola C)) a (a - u) p0 "
-      "/\\\n  (",
-      pressure_proof},
+      "exists r0 r1 r2, is_the_right_series Es (Symmetric.slope (parabola C)) a r0 r1 r2", "a",
+      "is_the_pressure Es (Symmetric.slope (parabola C)) a (a - u) p0"},
+     {low_power_law, "Es C m a", "0 < Es /\\ 0 < C /\\ 0 <= m < 5 / 8 /\\ 0 < a",
+      "exists r0 r1 r2, is_the_right_series Es (power_slope C m) a r0 r1 r2", "a",
+      "is_the_pressure Es (power_slope C m) a (a - u) p0"},
      {"tilted wedge, right", "Es phi gam a", "0 < Es /\\ 0 < phi /\\ 0 < gam /\\ 0 < a",
-      "exists r0 r1 r2, is_the_right_series Es (TiltedWedge.slope phi (tilt phi gam)) a r0 r1 r2 "
-      "/\\\n  forall u, ",
-      "0 < u < a -> exists p0, is_the_pressure Es (TiltedWedge.slope phi (tilt phi gam)) a (a - u) "
-      "p0 /\\\n  (",
-      pressure_proof},
+      "exists r0 r1 r2, is_the_right_series Es (TiltedWedge.slope phi (tilt phi gam)) a r0 r1 r2",
+      "a", "is_the_pressure Es (TiltedWedge.slope phi (tilt phi gam)) a (a - u) p0"},
      {"tilted wedge, left", "Es phi gam a", "0 < Es /\\ 0 < phi /\\ 0 < gam /\\ 0 < a",
       "exists r0 r1 r2, is_the_left_series Es (TiltedWedge.slope phi (tilt phi gam)) (gam * a) r0 "
-      "r1 r2 /\\\n  forall u, ",
-      "0 < u < gam * a -> exists p0, is_the_pressure Es (mirrored (TiltedWedge.slope phi (tilt phi "
-      "gam))) (gam * a) (gam * a - u) p0 /\\\n  (",
-      pressure_proof}}};
+      "r1 r2",
+      "gam * a",
+      "is_the_pressure Es (mirrored (TiltedWedge.slope phi (tilt phi gam))) (gam * a) (gam * a - "
+      "u) p0"}}};
 
-/// A relation for which the Coq files have a lemma. In formulas of ledgers, and in Coq, `@` stands
-/// for the name of the edge, and `#` in Coq for the shear traction at the place.
+/// A relation for which the Coq files have a lemma. In formulas of ledgers `@` stands for the name
+/// of the edge, and in Coq `#` for the shear traction at the place.
 struct Compared {
     std::string_view subject;
     std::string_view says;
@@ -86,7 +77,7 @@ constexpr std::string_view nearer = "abs(1 - @_local(2, x)/p(x)) < abs(1 - @_loc
 constexpr std::string_view is_nearer =
     "Rabs (1 - (r0 * sqrt u + r1 * (u * sqrt u)) / p0) < Rabs (1 - r0 * sqrt u / p0)";
 
-constexpr std::array<Compared, 9> compared{
+constexpr std::array<Compared, 10> compared{
     {{"force", "abs(@.s0)/sqrt(u) < abs(q(x))", "", "", "Rabs s0 / sqrt u < Rabs #", "force_alone"},
      {"tension", "abs(@.s0)/sqrt(u) > abs(q(x))", "u < L/2", "0 < u < (a + b) / 2",
       "Rabs # < Rabs s0 / sqrt u", "tension_alone"},
@@ -96,6 +87,8 @@ constexpr std::array<Compared, 9> compared{
      {"wedge", nearer, "x > 0", "", is_nearer, "wedge_symmetric Es C a"},
      {"parabola", above, "x > 0", "", is_above, "parabola_right Es C a"},
      {"parabola", nearer, "x > 0", "", is_nearer, "parabola_right Es C a"},
+     {low_power_law, "@_local(1, x) < p(x)", "x > 0", "", "r0 * sqrt u < p0",
+      "power_one_term_below Es C m a"},
      {"tilted wedge, right", below, "x > 0", "", is_below, "wedge_right Es phi gam a"},
      {"tilted wedge, left", below, "x < 0", "", is_below, "wedge_left Es phi gam a"}}};
 
@@ -122,24 +115,42 @@ std::string_view subject_of(const audit::Claim& claim, const audit::Ledger& ledg
     const auto profile = [&](std::string_view name) {
         return all([&](const audit::SceneSpec& scene) { return scene.profile == name; });
     };
+    const bool right = claim.edge() == contact::Edge::right;
+    if (zero("sig0")) {
+        return "force";
+    }
+    if (zero("Q")) {
+        return "tension";
+    }
+    if (profile("tilted-wedge")) {
+        return right ? "tilted wedge, right" : "tilted wedge, left";
+    }
+    if (!profile("power-law") || !right) {
+        return "";
+    }
     const formula::Exact one = formula::Exact::parse("1");
-    return zero("sig0")                        ? "force"
-           : zero("Q")                         ? "tension"
-           : profile("power-law") && zero("m") ? "wedge"
-           : profile("power-law") &&
-                   all([&](const audit::SceneSpec& s) { return s.parameter("m") == one; })
-               ? "parabola"
-           : profile("tilted-wedge")
-               ? claim.edge() == contact::Edge::right ? "tilted wedge, right" : "tilted wedge, left"
+    const formula::Exact five_eighths = formula::Exact::parse("5/8");
+    const auto exponents = [&](const auto& holds) {
+        return all([&](const audit::SceneSpec& s) { return holds(s.parameter("m")); });
+    };
+    return zero("m")                                                      ? "wedge"
+           : exponents([&](const formula::Exact& m) { return m == one; }) ? "parabola"
+           : exponents([&](const formula::Exact& m) {
+                 return m.sign() >= 0 && formula::Exact(five_eighths.expr() - m.expr()).sign() > 0;
+             })
+               ? low_power_law
                : "";
 }
 
+/// Returns the relation of the claim; `near_edge`: it holds near the edge alone, so that the claim
+/// has no places of its own.
 const Compared& compared_in(const audit::Claim& claim, std::string_view subject,
-                            std::string_view edge) {
+                            std::string_view edge, bool near_edge) {
     for (const Compared& c : compared) {
         if (c.subject == subject &&
             is_condition(claim, "says", replaced(std::string(c.says), '@', edge)) &&
-            (c.where.empty() ? !claim.has("where") : is_condition(claim, "where", c.where))) {
+            (near_edge || c.where.empty() ? !claim.has("where")
+                                          : is_condition(claim, "where", c.where))) {
             return c;
         }
     }
@@ -162,13 +173,18 @@ void certify_relation(const audit::ClaimResult& result, const audit::Ledger& led
                                       [&](const Subject& s) { return s.name == name_of_subject; });
     if (subject == subjects.end()) {
         throw NotStated(
-            "of relations, those of wedges, parabolas and full stick under one load are "
-            "stated");
+            "of relations, those of wedges, parabolas, power laws with m < 5/8 and full stick "
+            "under one load are stated");
     }
     Theory theory;
     theory.imports = {"Contact",     "Coefficients", "Edges",  "ClosedForm", "Symmetric",
                       "TiltedWedge", "Shear",        "Unique", "Tactics",    "Sides"};
-    certificate.text = file_head(claim, ledger, theory);
+    const bool of_power_law = name_of_subject == low_power_law;
+    if (of_power_law) {
+        theory.imports.insert(theory.imports.end(), {"Gamma", "PowerLaw"});
+    }
+    certificate.text = file_head(claim, ledger, theory) +
+                       (of_power_law ? lemmas_text(coq_files::PowerSides_v) : "");
     std::vector<audit::Claim> readings = claim.readings;
     if (readings.empty()) {
         readings.push_back(claim);
@@ -179,26 +195,43 @@ void certify_relation(const audit::ClaimResult& result, const audit::Ledger& led
     const auto at_edge = [&](std::string_view text) {
         return replaced(replaced(std::string(text), '@', edge), '%', right ? "a" : "b");
     };
-    const bool of_pressure = subject->proof == pressure_proof;
+    const bool of_pressure = !subject->pressure.empty();
     const std::string name = coq_name(claim.id);
     std::vector<std::string> names;
     for (const audit::Claim& reading : readings) {
-        if (reading.text_or("holds", "everywhere") != "everywhere") {
-            throw NotStated("only relations that hold everywhere are stated");
+        const std::string holds = reading.text_or("holds", "everywhere");
+        const bool near_edge = holds == "near-edge";
+        if (holds != "everywhere" && !(near_edge && of_power_law)) {
+            throw NotStated(
+                "only relations that hold everywhere, and one near the edge, are stated");
         }
-        const Compared& c = compared_in(reading, name_of_subject, edge);
+        const Compared& c = compared_in(reading, name_of_subject, edge, near_edge);
+        const std::string places = near_edge ? "exists d, 0 < d /\\ forall u, 0 < u < d"
+                                   : c.places.empty()
+                                       ? fmt::format("forall u, 0 < u < {}", subject->end)
+                                       : fmt::format("forall u, {}", c.places);
         const std::string conclusion =
-            of_pressure ? std::string(c.conclusion) + ")"
-                        : " -> " + replaced(std::string(c.conclusion), '#', traction);
+            of_pressure ? fmt::format("exists p0, {} /\\\n  ({})", subject->pressure, c.conclusion)
+                        : replaced(std::string(c.conclusion), '#', traction);
+        const std::string proof =
+            of_pressure
+                ? fmt::format("  intros form. {} ({} form).\n",
+                              near_edge ? "near_edge_by" : "by_first_terms", c.lemma)
+                : fmt::format("  intros form. eexists. eexists. eexists.\n  split. {{ apply "
+                              "the_@_shear_series, @_shear; lra. }}\n  intros u Hu. "
+                              "traction_at_edge. rewrite ?no_tension. apply {}; lra.\n",
+                              c.lemma);
         names.push_back(readings.size() == 1 ? name : fmt::format("{}_{}", name, names.size() + 1));
-        certificate.text += theorem_text(
-            fmt::format("{} ({} : R)", names.back(), subject->parameters),
-            fmt::format("{} ->\n  {}{}{}", subject->condition, at_edge(subject->statement),
-                        c.places.empty() ? subject->places : c.places, conclusion),
-            fmt::format(fmt::runtime(at_edge(subject->proof)), c.lemma));
+        certificate.text +=
+            theorem_text(fmt::format("{} ({} : R)", names.back(), subject->parameters),
+                         fmt::format("{} ->\n  {} /\\\n  {} -> {}", subject->condition,
+                                     at_edge(subject->series), places, conclusion),
+                         at_edge(proof));
         certificate.theorems.push_back(
             {names.back(), fmt::format("for all contacts of this form, {}{}", reading.text("says"),
-                                       c.where.empty() ? "" : fmt::format(" where {}", c.where))});
+                                       near_edge         ? " near the edge"
+                                       : c.where.empty() ? ""
+                                                         : fmt::format(" where {}", c.where))});
     }
     certificate.whole_verdict = true;
 }

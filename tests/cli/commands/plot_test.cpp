@@ -58,12 +58,35 @@ TEST_CASE("plot: shear, corners, both edges") {
     CHECK(has(file_text(folder.path() / "w.svg"), "left edge"));
 }
 
+TEST_CASE("plot: a stress along a line") {
+    const Folder folder;
+    folder.write("s.toml", drawn_hertz + "[shear]\nQ = \"0.1\"\n");
+    // Under full stick sxx is infinite at the edges x = -1 and x = 1.
+    for (const char* line :
+         {"--from 0,0 --to 0,2", "--from -2,0 --to 2,0", "--from -1,0 --to 1,1"}) {
+        CAPTURE(line);
+        const Outcome o =
+            run(folder, "plot s.toml --field sxx --body B --out l.svg " + std::string(line));
+        CAPTURE(o.err);
+        CHECK(o.code == 0);
+        const std::string svg = file_text(folder.path() / "l.svg");
+        CHECK(has(svg, "sxx in body B"));
+        CHECK(has(svg, "[MPa]"));
+    }
+    CHECK(run(folder, "plot s.toml --field sxx --from 0,1/4 --to 1,1/4").code == 0); // letters
+}
+
 TEST_CASE("plot: an error in one line for scenes that it does not draw") {
     const Folder folder;
     folder.write("s.toml", drawn_hertz);
-    for (const char* arguments : {"plot s.toml --out p.gif", "plot s.toml --out p",
-                                  "extent s.toml --tolerance 1% --figure p.txt",
-                                  "plot s.toml --tolerance 0", "plot nowhere.toml --out p.svg"}) {
+    for (const char* arguments :
+         {"plot s.toml --out p.gif", "plot s.toml --out p",
+          "extent s.toml --tolerance 1% --figure p.txt", "plot s.toml --tolerance 0",
+          "plot nowhere.toml --out p.svg", "plot s.toml --field sxx --from 0,1",
+          "plot s.toml --from 0,1 --to 0,2", "plot s.toml --field sxx --from 0,1 --to 0,1",
+          "plot s.toml --field sxx --from 0,-1 --to 0,1",
+          "plot s.toml --field mises --from 0,1 --to 0,2",
+          "plot s.toml --field p --from 0,1 --to 0,2"}) {
         CAPTURE(arguments);
         const Outcome o = run(folder, arguments);
         CHECK(o.code == 2);

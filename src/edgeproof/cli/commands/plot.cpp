@@ -9,14 +9,24 @@ namespace {
 struct PlotOptions : SceneOptions {
     std::string field; ///< the stress of which contours are drawn
     std::string body = "A";
+    std::string from; ///< "X,Z": the ends of a line, along which the stress is drawn
+    std::string to;
 };
 
-report::ScenePicture contours(const PlotOptions& o, const scene::Scene& scene) {
+/// The picture of a stress: contours, or a curve along a line.
+report::ScenePicture stress_of(const PlotOptions& o, const scene::Scene& scene) {
     const scene::Body body = body_of(o.body);
     for (const scene::QuantityRow& row : scene::quantity_rows()) {
         if (row.group == scene::QuantityGroup::stress && row.name == o.field) {
-            return io::at_place(scene.file, scene.load_line,
-                                [&] { return report::stress_picture(scene, row.quantity, body); });
+            return io::at_place(scene.file, scene.load_line, [&] {
+                if (o.from.empty()) {
+                    return report::stress_picture(scene, row.quantity, body);
+                }
+                scene::BodyPoint from = point_of("--from", o.from);
+                scene::BodyPoint to = point_of("--to", o.to);
+                from.body = to.body = body;
+                return report::stress_along(scene, row.quantity, from, to);
+            });
         }
     }
     throw InputError("--field " + o.field + ": there is no such stress",
@@ -31,10 +41,14 @@ int plot(PlotOptions& o) {
         io::check_output(file);
     }
     scene::Scene scene = asked_scene(o);
-    if (!o.field.empty() && file.empty()) {
+    if (o.from.empty() != o.to.empty() || (!o.from.empty() && o.field.empty())) {
+        throw InputError("a line has two ends, and a stress along it",
+                         "write --field mises --from X,Z --to X,Z");
+    }
+    if (!o.field.empty() && o.from.empty() && file.empty()) {
         throw InputError("contours are drawn into a file", "add --out stress.svg");
     }
-    const report::ScenePicture picture = o.field.empty() ? picture_of(scene) : contours(o, scene);
+    const report::ScenePicture picture = o.field.empty() ? picture_of(scene) : stress_of(o, scene);
     const std::string text = file.empty() ? report::picture_text(picture, terminal_width())
                                           : report::picture_file(picture, title_of(scene), file);
     show_as_file(o);
@@ -56,6 +70,9 @@ void add_plot(CLI::App& app, int& code) {
     sub.add_option("--field", o.field,
                    "in place of the pressure the contours of a stress below the contact: sxx, szz, "
                    "sxz, tau_max or mises");
+    sub.add_option("--from", o.from,
+                   "X,Z: with --to, --field is drawn along the line between these points");
+    sub.add_option("--to", o.to, "X,Z: the other end of the line");
     sub.add_option("--body", o.body, "the body of --field: Q acts on A")
         ->capture_default_str()
         ->type_name("A|B");

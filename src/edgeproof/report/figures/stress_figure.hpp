@@ -11,4 +11,10 @@ namespace edgeproof::report {
 [[nodiscard]] ScenePicture stress_picture(const scene::Scene& scene, scene::Quantity quantity,
                                           scene::Body body);
 
+/// A stress of the quantities of the group `stress` along the line between two points of a body,
+/// from values in balls. Throws InputError if both are one point, if the quantity needs a Poisson's
+/// ratio that the scene does not have, and as scene::SceneValues does.
+[[nodiscard]] ScenePicture stress_along(const scene::Scene& scene, scene::Quantity quantity,
+                                        const scene::BodyPoint& from, const scene::BodyPoint& to);
+
 } // namespace edgeproof::report

@@ -123,12 +123,10 @@ void compare_with_points(const std::function<bool(const std::string&)>& wanted) 
             CAPTURE(load.stick);
             CAPTURE(load.bulk);
             const StressField field = sheared(c, load.friction, load.stick, load.bulk);
-            for (const bool mises : {false, true}) {
-                StressNorm norm;
-                if (mises) {
-                    norm.poisson = greatest_ball("0.3");
-                }
-                const StressMeasure F(field, norm);
+            using Kind = StressNorm::Kind;
+            for (const Kind kind : {Kind::tau_max, Kind::mises, Kind::tresca, Kind::s1}) {
+                const Ball nu = greatest_ball("0.3");
+                const StressMeasure F(field, {.kind = kind, .poisson = nu});
                 ++tried;
                 std::optional<GreatestStress> found;
                 try {
@@ -142,7 +140,17 @@ void compare_with_points(const std::function<bool(const std::string&)>& wanted) 
                 CHECK(most.relative_accuracy_bits() > 40);
                 const auto stress = [&](const Box& zeta) {
                     const StressState s = state_at(field, zeta);
-                    return mises ? s.mises(*norm.poisson) : s.tau_max();
+                    switch (kind) {
+                    case Kind::tau_max:
+                        break;
+                    case Kind::mises:
+                        return s.mises(nu);
+                    case Kind::tresca:
+                        return s.tresca(nu);
+                    case Kind::s1:
+                        return (s.sxx + s.szz) / 2 + s.tau_max();
+                    }
+                    return s.tau_max();
                 };
                 if (place.kind == GreatestPlace::Kind::inside) {
                     CHECK(overlaps(stress(Box(place.x, place.z)), most));

@@ -316,10 +316,10 @@ constexpr unsigned slip_digits = 16; ///< for PartialSlip, which needs a quadrat
 } // namespace
 
 struct ExactShear::Solved {
-    Solved(const scene::Scene& asked, const contact::Profile& profile,
+    Solved(const scene::Scene& asked, const contact::Profile& shape,
            const contact::Extent<Real>& extent, const Real& normal)
-        : spec(*asked.shear), profile(profile), axisymmetric(asked.round.has_value()),
-          whole(extent), P(normal), load{spec.Q.to<Real>(), spec.bulk_tension.to<Real>()} {
+        : spec(*asked.shear), profile(shape), axisymmetric(asked.round.has_value()), whole(extent),
+          P(normal), load{spec.Q.to<Real>(), spec.bulk_tension.to<Real>()} {
         if (!spec.friction) {
             return;
         }

@@ -12,14 +12,6 @@ set(modules acb acb_calc acb_dft acb_dirichlet acb_elliptic acb_hypgeom acb_mat 
     generic_files gr gr_generic gr_mat gr_poly gr_special gr_vec hypgeom long_extras mag mpfr_mat
     mpfr_vec mpn_extras n_poly nmod nmod_mat nmod_poly nmod_poly_factor nmod_poly_mat nmod_vec
     partitions perm qsieve thread_pool thread_support ulong_extras)
-foreach(module IN LISTS modules)
-    file(GLOB more ${flint}/${module}/*.c)
-    list(APPEND sources ${more})
-endforeach()
-list(FILTER sources EXCLUDE REGEX
-    "/(test_helpers|gettimeofday|gr/ca|gr/qqbar|gr_generic/set_fexpr)\\.c$")
-list(APPEND sources ${CMAKE_CURRENT_SOURCE_DIR}/without_calcium.c)
-
 # The word of 64 bits is `long long`, as on Windows.
 file(COPY_FILE ${flint}/fmpz/link/fmpz_single.c ${flint}/fmpz/fmpz.c ONLY_IF_DIFFERENT)
 file(COPY_FILE ${flint}/gmpcompat-longlong.h.in ${flint}/gmpcompat.h ONLY_IF_DIFFERENT)
@@ -36,5 +28,13 @@ endforeach()
 foreach(file fmpz/fits_si.c fmpz/get.c)
     replace_in(${flint}/${file} "defined(__mips64)" "defined(__mips64) || defined(__wasm__)")
 endforeach()
+
+foreach(module IN LISTS modules)
+    file(GLOB more ${flint}/${module}/*.c)
+    list(APPEND sources ${more})
+endforeach()
+list(FILTER sources EXCLUDE REGEX
+    "/(test_helpers|gettimeofday|gr/ca|gr/qqbar|gr_generic/set_fexpr)\\.c$")
+list(APPEND sources ${CMAKE_CURRENT_SOURCE_DIR}/without_calcium.c)
 add_compile_definitions(BUILDING_FLINT)
 set(folders ${flint})

@@ -29,7 +29,7 @@ const runCommand = async (factory, module, words, files, wanted = []) => {
         instance.FS.writeFile(name, text);
     }
     try {
-        const returned = instance.callMain(words);
+        const returned = instance.callMain([...words]); // newer versions of Emscripten change the list
         status ??= returned;
     } catch (error) {
         if (status === undefined) { // a trap: out of memory, or too deep a recursion

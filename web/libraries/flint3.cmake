@@ -38,3 +38,4 @@ list(FILTER sources EXCLUDE REGEX
 list(APPEND sources ${CMAKE_CURRENT_SOURCE_DIR}/without_calcium.c)
 add_compile_definitions(BUILDING_FLINT)
 set(folders ${flint})
+set(optimization -Os) # its rings of every kind make the page larger

@@ -147,11 +147,6 @@ bool is_symmetric(const std::vector<std::string>& profiles) {
     });
 }
 
-std::string lemmas_text(std::string_view file) {
-    constexpr std::string_view begin = "Open Scope R_scope.\n";
-    return std::string(file.substr(file.find(begin) + begin.size())) + "\n";
-}
-
 std::string file_head(const audit::Claim& claim, const audit::Ledger& ledger,
                       const Theory& theory) {
     return file_comment(claim, ledger) + imports_text(theory.imports);
@@ -388,7 +383,9 @@ const std::vector<TheoryFile>& theory_files() {
         {"ShearTerms", coq_files::ShearTerms_v, "Shear.vo Coefficients.vo"},
         {"TiltedRounded", coq_files::TiltedRounded_v, ""},
         {"Inversion", coq_files::Inversion_v, "Stick.vo"},
-        {"Flatness", coq_files::Flatness_v, "PowerLaw.vo"}};
+        {"Flatness", coq_files::Flatness_v, "PowerLaw.vo"},
+        {"PowerSides", coq_files::PowerSides_v, "Sides.vo PowerLaw.vo"},
+        {"Similar", coq_files::Similar_v, "Stick.vo PowerLaw.vo"}};
     return all;
 }
 

@@ -38,10 +38,8 @@ extern const std::string_view ShearTerms_v;    ///< any number of terms of the s
 extern const std::string_view TiltedRounded_v; ///< the slope of a tilted punch
 extern const std::string_view Flatness_v;      ///< power laws of a growing exponent
 extern const std::string_view Inversion_v;     ///< pressures by the singular integral equation
-
-// The lemmas of single claims, which the files of these claims contain.
-extern const std::string_view PowerSides_v; ///< one term lies below the pressure, m < 5/8
-extern const std::string_view Similar_v;    ///< shear in proportion to the load
+extern const std::string_view PowerSides_v;    ///< one term lies below the pressure, m < 5/8
+extern const std::string_view Similar_v;       ///< shear in proportion to the load
 
 } // namespace coq_files
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/certificate/coq_files.hpp"
 #include "edgeproof/certificate/listed_statements.hpp"
 #include "edgeproof/certificate/parts.hpp"
 #include "edgeproof/certificate/theory/statement.hpp"
@@ -131,19 +130,13 @@ bool certify_listed(const audit::ClaimResult& result, const audit::Ledger& ledge
         return false;
     }
     Theory theory;
-    theory.imports = {"Contact",       "Coefficients", "Edges",    "Symmetric",
-                      "TiltedWedge",   "Unique",       "Shear",    "Sides",
-                      "Limits",        "Stick",        "Orders",   "ShearTerms",
-                      "TiltedRounded", "Inversion",    "PowerLaw", "Flatness"};
-
-    if (entry->similar) {
-        theory.imports = {"Contact", "Coefficients", "Edges", "ClosedForm", "TiltedWedge", "Shear",
-                          "Unique",  "Tactics",      "Stick", "Gamma",      "PowerLaw"};
-    }
+    theory.imports = {"Contact",  "Coefficients", "Edges",         "Symmetric", "TiltedWedge",
+                      "Unique",   "Shear",        "Sides",         "Limits",    "Stick",
+                      "Orders",   "ShearTerms",   "TiltedRounded", "Inversion", "PowerLaw",
+                      "Flatness", "Similar"};
     const std::string name = coq_name(claim.id);
     certificate.text =
         file_head(claim, ledger, theory) +
-        (entry->similar ? lemmas_text(coq_files::Similar_v) : "") +
         theorem_text(fmt::format("{} {}", name, entry->parameters), std::string(entry->statement),
                      fmt::format("  {}.\n", entry->proof));
     certificate.theorems = {{name, std::string(entry->states)}};

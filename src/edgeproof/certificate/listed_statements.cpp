@@ -330,10 +330,7 @@ constexpr std::array<Listed, 25> listed{
       "intros form. exact (similar_tractions_right Es phi gam C m a Q form x)",
       "for all tilted wedges and power laws, at every place x > 0, the increments of the traction "
       "sum to Q/P p(x); each is the traction of full stick of the increment Q/P dP of the force "
-      "over the contact as it is then",
-      "",
-      true,
-      true},
+      "over the contact as it is then"},
      {"value",
       {.of = "integral(Q/P*P1of(s)/(Pi*sqrt((s-x)*(x+bof(s)))), s, binv(-x), a)",
        .says = "Q/P*p(x)",
@@ -344,10 +341,9 @@ constexpr std::array<Listed, 25> listed{
   (0 < y < gam * a -> is_similar_on_the_left Es (TiltedWedge.slope phi (tilt phi gam)) a Q y) /\
   (0 < y < a -> is_similar_on_the_left Es (power_slope C m) a Q y))",
       "intros form. exact (similar_tractions_left Es phi gam C m a Q form y)",
-      "the same at every place x < 0",
-      "",
-      true,
-      true}}};
+      "for all tilted wedges and power laws, at every place x < 0, the increments of the traction "
+      "sum to Q/P p(x); each is the traction of full stick of the increment Q/P dP of the force "
+      "over the contact as it is then"}}};
 
 } // namespace
 

@@ -35,7 +35,6 @@ struct Listed {
     std::string_view states;
     std::string_view leaves_out = "";
     bool whole = true;
-    bool similar = false; ///< the lemmas of Similar.v prove it
 };
 
 /// Returns all of them. If several are about a claim, the first is stated.

@@ -64,8 +64,6 @@ inline constexpr std::string_view smoothness = "the load and the left edge are t
 [[nodiscard]] std::string file_comment(const audit::Claim& claim, const audit::Ledger& ledger);
 /// Returns the commands that import Coq's libraries and `files`.
 [[nodiscard]] std::string imports_text(const std::vector<std::string>& files);
-/// Returns the lemmas of a file that is not imported, without its own imports.
-[[nodiscard]] std::string lemmas_text(std::string_view file);
 /// Returns the comment, then the imports.
 [[nodiscard]] std::string file_head(const audit::Claim& claim, const audit::Ledger& ledger,
                                     const Theory& theory);

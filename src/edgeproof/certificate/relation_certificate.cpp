@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/certificate/coq_files.hpp"
 #include "edgeproof/certificate/parts.hpp"
 #include "edgeproof/certificate/theory/statement.hpp"
 
@@ -179,12 +178,10 @@ void certify_relation(const audit::ClaimResult& result, const audit::Ledger& led
     Theory theory;
     theory.imports = {"Contact",     "Coefficients", "Edges",  "ClosedForm", "Symmetric",
                       "TiltedWedge", "Shear",        "Unique", "Tactics",    "Sides"};
-    const bool of_power_law = name_of_subject == low_power_law;
-    if (of_power_law) {
-        theory.imports.insert(theory.imports.end(), {"Gamma", "PowerLaw"});
+    if (name_of_subject == low_power_law) {
+        theory.imports.insert(theory.imports.end(), {"Gamma", "PowerLaw", "PowerSides"});
     }
-    certificate.text = file_head(claim, ledger, theory) +
-                       (of_power_law ? lemmas_text(coq_files::PowerSides_v) : "");
+    certificate.text = file_head(claim, ledger, theory);
     std::vector<audit::Claim> readings = claim.readings;
     if (readings.empty()) {
         readings.push_back(claim);
@@ -201,7 +198,7 @@ void certify_relation(const audit::ClaimResult& result, const audit::Ledger& led
     for (const audit::Claim& reading : readings) {
         const std::string holds = reading.text_or("holds", "everywhere");
         const bool near_edge = holds == "near-edge";
-        if (holds != "everywhere" && !(near_edge && of_power_law)) {
+        if (holds != "everywhere" && !(near_edge && name_of_subject == low_power_law)) {
             throw NotStated(
                 "only relations that hold everywhere, and one near the edge, are stated");
         }

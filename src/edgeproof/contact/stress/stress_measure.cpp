@@ -9,11 +9,6 @@ namespace {
 
 /// Re(conj(x) y).
 Ball dot(const Box& x, const Box& y) { return x.real() * y.real() + x.imaginary() * y.imaginary(); }
-Ball square(const Ball& x) {
-    Ball r(0, x.bits());
-    arb_sqr(r.data(), x.data(), x.bits());
-    return r;
-}
 Ball square_of_size(const Box& x) { return square(x.real()) + square(x.imaginary()); }
 
 /// The distance of a box from the contact; 0 if they meet.
@@ -96,75 +91,6 @@ struct StressMeasure::Slopes {
     Ball mean;
     Ball square;
 };
-
-StressField StressField::reflected() const {
-    StressField r = *this;
-    for (LoadPart& part : r.parts) {
-        part.contact = part.contact.mirrored();
-        part.shear = -part.shear;
-    }
-    return r;
-}
-
-SurfaceTension greatest_surface_tension(const StressField& field) {
-    // The traction on this body points to the leading edge.
-    const Edge edge = certainly_positive(field.parts.front().shear) ? Edge::left : Edge::right;
-    const StressField turned = edge == Edge::left ? field.reflected() : field;
-    const Ball a = turned.contact().a();
-    Ball shear(0, field.bits()); // Re T; p = 0 at the edge
-    for (std::size_t i = 0; i < turned.parts.size(); ++i) {
-        const LoadPart& part = turned.parts[i];
-        shear += part.shear * (i == 0 ? cauchy_integral_at_edge(part.contact, Edge::right)
-                                      : cauchy_integral(part.contact, Box(a)).value.real());
-    }
-    return {edge, field.bulk - shear * 2 / Ball::pi(field.bits())};
-}
-
-bool PlaneJet::is_finite() const {
-    const auto finite = [](const Ball& x) { return x.is_finite(); };
-    return value.is_finite() && std::ranges::all_of(first, finite) &&
-           std::ranges::all_of(second, finite);
-}
-
-bool PlaneJet::concave() const {
-    return certainly_negative(second[0]) &&
-           certainly_positive(second[0] * second[2] - square(second[1]));
-}
-
-namespace {
-
-PlaneJet square(const PlaneJet& f) {
-    const auto& [x, z] = f.first;
-    const auto& [xx, xz, zz] = f.second;
-    const Ball& v = f.value;
-    return {square(v),
-            {v * x * 2, v * z * 2},
-            {(square(x) + v * xx) * 2, (x * z + v * xz) * 2, (square(z) + v * zz) * 2}};
-}
-
-/// The root of a function, whose value is `size`.
-PlaneJet root(const PlaneJet& f, const Ball& size) {
-    const Ball twice = size * 2;
-    const Ball x = f.first[0] / twice;
-    const Ball z = f.first[1] / twice;
-    return {size,
-            {x, z},
-            {f.second[0] / twice - square(x) / size, f.second[1] / twice - x * z / size,
-             f.second[2] / twice - square(z) / size}};
-}
-
-PlaneJet sum(const Ball& by, const PlaneJet& f, const Ball& with, const PlaneJet& g) {
-    PlaneJet r{by * f.value + with * g.value, {}, {}};
-    for (std::size_t i = 0; i < r.first.size(); ++i) {
-        r.first[i] = by * f.first[i] + with * g.first[i];
-    }
-    for (std::size_t i = 0; i < r.second.size(); ++i) {
-        r.second[i] = by * f.second[i] + with * g.second[i];
-    }
-    return r;
-}
-
-} // namespace
 
 StressMeasure::StressMeasure(StressField field, const StressNorm& norm)
     : field_(std::move(field)), kind_(norm.kind),

@@ -10,7 +10,7 @@
 #include "edgeproof/contact/slip/dissipation.hpp"
 #include "edgeproof/contact/stress/axisymmetric_stress.hpp"
 #include "edgeproof/contact/stress/plane_stress.hpp"
-#include "edgeproof/contact/stress/stress_measure.hpp"
+#include "edgeproof/contact/stress/stress_field.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/scene/route/plan.hpp"

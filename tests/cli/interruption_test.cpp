@@ -307,7 +307,7 @@ TEST_CASE("two signals close to each other: one line, whichever thread comes fir
     const LongRun run{"pressure", "pressure in --digits 1000",
                       tilted("edges = [\"right\"]\nu = { from = \"1e-12\", to = \"0.9\", "
                              "per_decade = 2000 }\n")};
-    for (int us = 0; us < 600; us += 3) {
+    for (int us = 0; us < 600; us += 6) {
         CAPTURE(us);
         Running running(run);
         running.wait_for_begin();

@@ -29,6 +29,9 @@ TEST_CASE("a scene by its quantities: the equivalent scene file is printed, and 
     const std::string all[] = {
         "pressure --hertz --R 100 --P 120 " + titanium + " --u 1e-3,a/2 --terms 1,2 --digits 20",
         "pressure --cylinder-on-flat --R 1 --a 1 --contact-modulus 1 --x 0",
+        "pressure --sphere --R1 2 --R2 3 --P 1 --contact-modulus 1 --u 0.1",
+        "pressure --wedge --phi 0.1 --a 1 --contact-modulus 1 --u 0.1",
+        "pressure --cone --phi 0.1 --delta 1/100 --contact-modulus 1 --u 0.01",
         "pressure --power-law --m 3/2 --C 1 --width 2 --contact-modulus 1 --u 0.1 --edge both",
         "extent --flat-and-rounded --flat-width 1 --R 1 --a 1 --contact-modulus 1 --tolerance 1% "
         "--terms 1 --digits 10",
@@ -54,6 +57,28 @@ TEST_CASE("a scene by its quantities: the equivalent scene file is printed, and 
         CHECK(again.err.empty());
         CHECK(table_of(again.out) == table_of(o.out));
         CHECK(lines(table_of(o.out)).size() > 1);
+    }
+}
+
+// a^3 = 3 P R/(4 E*) for a sphere (`johnson1985`, equation (4.22)), a^2 = 2 P/(pi E* phi) for a
+// cone
+// (`sneddon1965`); P = E* phi a is the integral of a wedge's pressure, (E* phi/pi) arcosh(a/|x|).
+TEST_CASE("the size of a sphere, a cone and a wedge by hand") {
+    const double pi = std::acos(-1.0);
+    const std::pair<const char*, double> all[] = {
+        {"--sphere --R 10", std::cbrt(3.0 * 7 * 10 / (4 * 3))},
+        {"--sphere --R1 20 --R2 20", std::cbrt(3.0 * 7 * 10 / (4 * 3))},
+        {"--cone --phi 0.1", std::sqrt(2 * 7 / (pi * 3 * 0.1))},
+        {"--wedge --phi 0.1", 7 / (3 * 0.1)},
+    };
+    for (const auto& [profile, a] : all) {
+        CAPTURE(profile);
+        const Folder folder;
+        const Outcome o = run(folder, std::string("pressure ") + profile +
+                                          " --P 7 --contact-modulus 3 --u 0.1 --format json");
+        REQUIRE(o.code == 0);
+        const auto json = nlohmann::json::parse(o.out);
+        CHECK(std::abs(std::stod(json["a"]["value"].get<std::string>()) / a - 1) < 1e-14);
     }
 }
 
@@ -256,7 +281,8 @@ TEST_CASE("advice for a scene by its quantities names options, not keys of a fil
         {"pressure --hertz --R 1 --contact-modulus 1 --u 0.1",
          "; give one of --a ... and --P ...\n"},
         {"pressure --hertz --R 1 --a 1 --u 0.1",
-         "; add --contact-modulus ... (E*), or --E1, --nu1, --E2 and --nu2\n"},
+         "; add --contact-modulus ... (E*), or --E and --nu of two equal bodies, or --E1, --nu1, "
+         "--E2 and --nu2\n"},
         {"pressure --quantity shear --u 0.1" + contact, "; add --Q or --bulk-tension\n"},
     };
     for (const auto& [command, end] : all) {

@@ -28,7 +28,8 @@ SCENE_VALUES = {
     "--Q": ["0", "0.1", "-0.3"], "--bulk-tension": ["0", "0.1", "-1e-3"], "--friction": ["0.3", "0.85"],
     "--path": ["normal-first", "together"],
 }
-KINDS = {"--power-law": ["--m", "--C"], "--hertz": ["--R"], "--cylinder-on-flat": ["--R"],
+KINDS = {"--power-law": ["--m", "--C"], "--hertz": ["--R"], "--cylinder-on-flat": ["--R"], "--sphere": ["--R"],
+         "--wedge": ["--phi"], "--cone": ["--phi"],
          "--flat-and-rounded": ["--t", "--R"], "--tilted-wedge": ["--phi", "--alpha"],
          "--tilted-flat-and-rounded": ["--alpha", "--t", "--R"]}
 ASKED = {"--u": ["0.1", "1e-3,a/2", "1e-30", "a", "1e-12,1e-6,0.3"], "--x": ["0,a/2", "0.3", "-a/3"],

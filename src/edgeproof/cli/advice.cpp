@@ -73,7 +73,10 @@ std::string advice_for_options(const std::string& advice) {
         before = text;
         text = replaced(text, listed, alone);
     }
-    return text;
+    // Two equal bodies have options of their own, which a scene's file has not.
+    return std::regex_replace(text, std::regex(", or --E1, --nu1, --E2 and --nu2$"),
+                              ", or --E and --nu of two equal bodies, or --E1, --nu1, --E2 and "
+                              "--nu2");
 }
 
 } // namespace

@@ -112,8 +112,8 @@ decltype(auto) with_progress(std::string what, std::function<void(std::size_t, s
 [[nodiscard]] bool stdout_takes_colour();
 
 /// Returns the error in a command line that CLI11 refused because of an unknown subcommand or
-/// option: "unknown option '--digit'; did you mean --digits? write one of ...". Empty if all are
-/// known.
+/// option: "unknown option '--digit'; did you mean --digits? write one of ...". Where the list is
+/// long, the command that prints it is named instead. Empty if all are known.
 [[nodiscard]] std::string unknown_on_command_line(const CLI::App& app, int argc,
                                                   const char* const* argv);
 

@@ -8,10 +8,19 @@
 namespace edgeproof::cli {
 namespace {
 
+/// A list of more names than these is not printed: the help has it.
+constexpr std::size_t most_listed = 24;
+
 std::string unknown_name(const std::string& what, std::string_view name,
-                         const std::vector<std::string>& known) {
+                         const std::vector<std::string>& known, const std::string& help) {
     const std::vector<std::string_view> candidates(known.begin(), known.end());
-    return "unknown " + what + " '" + shortened(name, 60) + "'; " + one_of(name, candidates);
+    const std::string problem = "unknown " + what + " '" + shortened(name, 60) + "'; ";
+    if (known.size() <= most_listed) {
+        return problem + one_of(name, candidates);
+    }
+    const std::string near(near_name(name, candidates));
+    return problem + (near.empty() ? "" : "did you mean " + near + "? ") + "'" + help +
+           "' lists all";
 }
 
 std::vector<std::string> options_of(const CLI::App& app) {
@@ -28,6 +37,7 @@ std::vector<std::string> options_of(const CLI::App& app) {
 
 std::string unknown_on_command_line(const CLI::App& app, int argc, const char* const* argv) {
     const CLI::App* current = &app;
+    std::string help = "edgeproof";
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
         if (word == "--") {
@@ -37,7 +47,7 @@ std::string unknown_on_command_line(const CLI::App& app, int argc, const char* c
             const std::string name(word.substr(0, word.find('=')));
             const CLI::Option* option = current->get_option_no_throw(name);
             if (option == nullptr) {
-                return unknown_name("option", name, options_of(*current));
+                return unknown_name("option", name, options_of(*current), help + " --help-all");
             }
             const bool value_follows =
                 option->get_expected_min() > 0 && option->get_type_size() > 0 && name == word;
@@ -52,8 +62,9 @@ std::string unknown_on_command_line(const CLI::App& app, int argc, const char* c
         }
         if (chosen != nullptr) {
             current = chosen;
+            help += " " + chosen->get_name();
         } else if (!names.empty()) {
-            return unknown_name("subcommand", word, names);
+            return unknown_name("subcommand", word, names, help + " --help");
         }
     }
     return {};

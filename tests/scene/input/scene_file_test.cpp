@@ -104,7 +104,7 @@ TEST_CASE("malformed scenes are refused with their line") {
         {profile_text + load_text + "[ask]\nroute = \"scenic\"\n", 9, "'scenic'"},
         {profile_text + load_text + "[ask]\nfoo = 1\n", 9, "unknown key 'foo'"},
         {profile_text + load_text + "[ak]\nterms = 1\n", 8, "unknown key 'ak'"},
-        {"[profile]\nkind = \"sphere\"\n" + load_text, 2, "'sphere'"},
+        {"[profile]\nkind = \"ball\"\n" + load_text, 2, "'ball'"},
         {"[profile]\nkind = \"power-law\"\nm = \"-1\"\nC = \"1\"\n" + load_text, 3, "m = -1"},
         {"[profile]\nkind = \"power-law\"\nm = \"1\"\n" + load_text, 1, "there is no C"},
         {"[profile]\nkind = \"tilted-wedge\"\nphi = \"0.1\"\nalpha = \"0.2\"\n" + load_text, 4,

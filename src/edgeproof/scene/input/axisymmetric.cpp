@@ -6,10 +6,17 @@
 namespace edgeproof::scene {
 
 bool is_axisymmetric(const io::TomlSection& profile) {
+    const std::string kind = profile.text("kind");
+    const bool of_revolution = kind == "sphere" || kind == "cone";
     if (!profile.has("geometry")) {
-        return false;
+        return of_revolution;
     }
     const std::string geometry = profile.text("geometry");
+    if (of_revolution && geometry == "plane") {
+        profile.reject("geometry", "a " + kind + " is axisymmetric",
+                       kind == "sphere" ? "write kind = \"hertz\" for cylinders"
+                                        : "write kind = \"wedge\" for a plane contact");
+    }
     if (geometry != "plane" && geometry != "axisymmetric") {
         profile.reject("geometry", "unknown geometry '" + geometry + "'",
                        "write plane or axisymmetric");
@@ -21,7 +28,7 @@ void require_axisymmetric(const io::TomlSection& profile, const Scene& scene) {
     if (!scene.profile || !scene.profile->symmetric()) {
         profile.reject("geometry",
                        "only power laws and symmetric slopes are computed as axisymmetric contacts",
-                       "write kind = \"power-law\" (sphere: m = 1, C = 1/R; cone: m = 0), "
+                       "write kind = \"sphere\", cone, power-law, "
                        "flat-and-rounded, or piecewise with symmetric = true");
     }
     if (scene.profile->kind() == contact::Profile::Kind::power_law ||

@@ -16,10 +16,10 @@
 namespace edgeproof::scene {
 namespace {
 
-/// Two cylinders, or one on a flat: g' = x/R with 1/R = 1/R1 + 1/R2 (`johnson1985`, section 4.2). A
-/// negative radius is that of a hollow; the sum of the curvatures must be positive.
-contact::Profile read_cylinders(const io::TomlSection& section, bool two,
-                                std::optional<Radii>& radii) {
+/// Two cylinders or spheres, or one on a flat: g' = x/R with 1/R = 1/R1 + 1/R2 (`johnson1985`,
+/// section 4.2). A negative radius is that of a hollow; the sum of the curvatures must be positive.
+contact::Profile read_round_bodies(const io::TomlSection& section, bool two,
+                                   std::optional<Radii>& radii) {
     section.allow(two ? std::vector<std::string_view>{"kind", "geometry", "R", "R1", "R2"}
                       : std::vector<std::string_view>{"kind", "geometry", "R"});
     const auto curvature = [&](std::string_view key) {
@@ -118,6 +118,15 @@ contact::Profile read_piecewise(const io::TomlSection& section) {
 
 using Get = std::function<formula::Exact(std::string_view key)>;
 
+/// A wedge, or a cone: g' = phi.
+contact::Profile wedge(const Get& get) {
+    const formula::Exact phi = get("phi");
+    if (phi.sign() <= 0) {
+        throw InputError("the slope phi = " + phi.text() + " is not positive", "give phi > 0");
+    }
+    return contact::Profile::power_law(phi, formula::Exact(whole(0)));
+}
+
 /// A kind of profile that is made of a few numbers.
 struct ProfileKind {
     std::string_view name;
@@ -134,6 +143,8 @@ const std::vector<ProfileKind>& profile_kinds() {
              check_exponent(get("m"));
              return contact::Profile::power_law(get("C"), get("m"));
          }},
+        {"wedge", {"phi"}, wedge},
+        {"cone", {"phi"}, wedge},
         {"flat-and-rounded",
          {"t", "R"},
          [](const Get& get) { return contact::Profile::flat_and_rounded(get("t"), get("R")); }},
@@ -176,8 +187,8 @@ void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scen
     const auto row = std::ranges::find(profile_kinds(), kind, &ProfileKind::name);
     const bool numbers = row != profile_kinds().end();
     check_tilt(section, kind, numbers && row->punch != nullptr, tilt_unknown);
-    if (kind == "hertz" || kind == "cylinder-on-flat") {
-        scene.profile = read_cylinders(section, kind == "hertz", scene.radii);
+    if (kind == "hertz" || kind == "cylinder-on-flat" || kind == "sphere") {
+        scene.profile = read_round_bodies(section, kind != "cylinder-on-flat", scene.radii);
         return;
     }
     if (kind == "piecewise") {
@@ -186,8 +197,8 @@ void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scen
     }
     if (!numbers) {
         static constexpr auto names = std::to_array<std::string_view>(
-            {"power-law", "hertz", "cylinder-on-flat", "flat-and-rounded", "tilted-wedge",
-             "tilted-flat-and-rounded", "piecewise"});
+            {"power-law", "hertz", "cylinder-on-flat", "sphere", "wedge", "cone",
+             "flat-and-rounded", "tilted-wedge", "tilted-flat-and-rounded", "piecewise"});
         section.reject("kind", "unknown kind of profile '" + kind + "'", one_of(kind, names));
     }
     std::vector<std::string_view> parameters = row->parameters;

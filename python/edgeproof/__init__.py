@@ -7,8 +7,8 @@
     print(p.text, p.bound, p.proved, p.route)
 
 Scenes      read_scene(file), Scene(profile=..., a=... or P=..., contact_modulus=..., ...)
-Profiles    hertz, wedge, power_law, flat_and_rounded, tilted_wedge, tilted_flat_and_rounded,
-            piecewise
+Profiles    hertz, wedge, sphere, cone, power_law, flat_and_rounded, tilted_wedge,
+            tilted_flat_and_rounded, piecewise; profile.revolved() is a body of revolution
 Values      Value: .text, .bound, .proved, .route, float(v), v.fraction(), v.decimal(), v.mpmath();
             + - * / and comparisons keep the bounds
 Formulas    verify(ledger): compares printed claims with the mechanics
@@ -38,10 +38,12 @@ from .optimum import Design, design
 from .profiles import (
     Number,
     Profile,
+    cone,
     flat_and_rounded,
     hertz,
     piecewise,
     power_law,
+    sphere,
     tilted_flat_and_rounded,
     tilted_wedge,
     wedge,
@@ -67,7 +69,7 @@ __all__ = [
     "Comparison", "Contact", "Convention", "Design", "Displacement", "DomainError", "Error",
     "Extent", "Held", "InputError", "Limit", "MeshErrors", "MeshResult", "Number", "Point",
     "Profile", "Relation", "Relations", "Result", "Rows", "Scene", "Slip", "SlipTerms", "StickZone",
-    "Stress", "UndecidedError", "Value", "__version__", "check", "compare", "design", "flat_and_rounded", "hertz", "piecewise",
-    "power_law", "questions", "read_scene", "relations", "tilted_flat_and_rounded", "tilted_wedge",
-    "verify", "wedge",
+    "Stress", "UndecidedError", "Value", "__version__", "check", "compare", "cone", "design",
+    "flat_and_rounded", "hertz", "piecewise", "power_law", "questions", "read_scene", "relations",
+    "sphere", "tilted_flat_and_rounded", "tilted_wedge", "verify", "wedge",
 ]

@@ -65,6 +65,7 @@ class NativeScene:
         profile: Sequence[tuple[str, bool | str | list[str]]],
         load: Sequence[tuple[str, bool | str | list[str]]],
         shear: Sequence[tuple[str, bool | str | list[str]]],
+        steps: Sequence[Sequence[tuple[str, bool | str | list[str]]]],
     ) -> NativeScene: ...
     @property
     def text(self) -> str: ...

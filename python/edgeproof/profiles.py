@@ -9,11 +9,9 @@ from fractions import Fraction
 from typing import Any, Protocol, SupportsIndex, Union
 
 from ._numbers import exact_text
-from .errors import InputError
 
-__all__ = ["Number", "Profile", "hertz", "wedge", "power_law", "flat_and_rounded", "tilted_wedge",
-           "tilted_flat_and_rounded", "piecewise"]
-
+__all__ = ["Number", "Profile", "hertz", "wedge", "sphere", "cone", "power_law", "flat_and_rounded",
+           "tilted_wedge", "tilted_flat_and_rounded", "piecewise"]
 
 
 class _Ratio(Protocol):
@@ -62,31 +60,35 @@ class Profile:
     def __reduce__(self) -> tuple[Any, ...]:
         return Profile, (self.kind, self.parameters)
 
+    def revolved(self) -> Profile:
+        """The body of revolution with this profile: g'(r), r the radius (docs/axisymmetric.md).
+
+        For symmetric profiles. The load is then P, the total force, or a, or delta.
+        """
+        return Profile(self.kind, {"geometry": "axisymmetric", **self.parameters})
+
     def _entries(self) -> list[tuple[str, Any]]:
         return [("kind", self.kind), *self.parameters.items()]
 
 
 def hertz(R: Number) -> Profile:
     """A parabola: g' = x/R (two cylinders; R is the relative radius of curvature, a length)."""
-    text = exact_text(R, "R")
-    try:
-        inverse = _inverse(text)
-    except ZeroDivisionError:
-        raise InputError("R = 0 is not positive", "give a radius > 0") from None
-    return Profile("power-law", {"m": "1", "C": inverse})
-
-
-def _inverse(text: str) -> str:
-    try:
-        q = 1 / Fraction(text)
-        return str(q)
-    except ValueError:  # an expression: pi, sqrt(2)
-        return f"1/({text})"
+    return Profile("hertz", {"R": exact_text(R, "R")})
 
 
 def wedge(phi: Number) -> Profile:
-    """An upright wedge: g' = phi sgn(x). phi: the angle of its faces to the surface, in radians."""
-    return Profile("power-law", {"m": "0", "C": exact_text(phi, "phi")})
+    """An upright wedge: g' = phi sgn(x). phi: the slope of its faces."""
+    return Profile("wedge", {"phi": exact_text(phi, "phi")})
+
+
+def sphere(R: Number) -> Profile:
+    """Two spheres, or one on a flat: g' = r/R (R is the relative radius of curvature, a length)."""
+    return Profile("sphere", {"R": exact_text(R, "R")})
+
+
+def cone(phi: Number) -> Profile:
+    """A cone: g' = phi, the slope of its face."""
+    return Profile("cone", {"phi": exact_text(phi, "phi")})
 
 
 def power_law(m: Number, C: Number) -> Profile:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import dataclasses
 import os
 import tomllib
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, overload
 
 from . import _apart, _edgeproof
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 __all__ = ["Scene", "read_scene"]
 
 _MOST_DIGITS = 100_000
-_LOAD = ("a", "P", "M", "contact_modulus", "E1", "nu1", "E2", "nu2", "nu")
+_LOAD = ("a", "P", "M", "delta", "contact_modulus", "E1", "nu1", "E2", "nu2", "nu")
 
 
 def _is_many(u: Any) -> bool:
@@ -126,6 +126,11 @@ class Scene:
     bulk_A           the bulk stress of body A; B has bulk_A + bulk_tension
     friction         the coefficient of friction: zones at the edges slip; None: full stick
     path             "normal-first" (P, then Q at constant P) or "together" (P and Q in proportion)
+    delta            the approach of a body of revolution, in place of a or P
+    steps            a load history in place of P, Q and bulk_tension: for each step the loads at its
+                     end that change, such as [{"P": 600}, {"Q": 200}, {"Q": -200}], and "cycles" in
+                     the first step of those that are repeated. Values are those after the last step;
+                     steps[:2] gives those after the second (docs/histories.md)
 
     Numbers are exact (see edgeproof.profiles.Number). Any consistent system of units may be used:
     pressures are in the unit of the contact modulus, and forces per unit length in that unit times
@@ -150,7 +155,8 @@ class Scene:
                  nu: Number | None = None, Q: Number | None = None,
                  bulk_tension: Number | None = None, bulk_A: Number | None = None,
                  friction: Number | None = None, path: str | None = None,
-                 title: str = "") -> None:
+                 delta: Number | None = None,
+                 steps: Iterable[Mapping[str, Number]] = (), title: str = "") -> None:
         if not isinstance(profile, Profile):
             raise TypeError(f"profile is {type(profile).__name__}, not a Profile: give "
                             "edgeproof.hertz(R=...), edgeproof.power_law(m=..., C=...), ...")
@@ -159,7 +165,7 @@ class Scene:
                 raise InputError("E is given without nu, or with other moduli",
                                  "give E and nu for two equal bodies, or E1, nu1, E2 and nu2")
             E1, nu1, E2, nu2, nu = E, nu, E, nu, None
-        given = dict(zip(_LOAD, (a, P, M, contact_modulus, E1, nu1, E2, nu2, nu)))
+        given = dict(zip(_LOAD, (a, P, M, delta, contact_modulus, E1, nu1, E2, nu2, nu)))
         load = [(k, exact_text(v, k)) for k, v in given.items() if v is not None]
         shear = [(k, exact_text(v, k))
                  for k, v in (("Q", Q), ("bulk_tension", bulk_tension), ("bulk_A", bulk_A),
@@ -167,7 +173,8 @@ class Scene:
                  if v is not None]
         if path is not None:
             shear.append(("path", str(path)))
-        self._set(_edgeproof.NativeScene.from_entries(title, profile._entries(), load, shear))
+        history = [[(k, exact_text(v, k)) for k, v in step.items()] for step in steps]
+        self._set(_edgeproof.NativeScene.from_entries(title, profile._entries(), load, shear, history))
 
     def _set(self, native: _edgeproof.NativeScene) -> None:
         self._native = native

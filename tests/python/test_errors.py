@@ -63,7 +63,7 @@ def test_malformed_questions(hertz):
                 lambda: hertz.pressure("0.1", digits=10**6), lambda: hertz.coefficients(0),
                 lambda: hertz.coefficients(401), lambda: hertz.extent(tolerance="0%"),
                 lambda: hertz.extent(part=(1, 0)), lambda: hertz.extent(process_zone=-1),
-                lambda: edgeproof.hertz(R=0)):
+                lambda: edgeproof.Scene(edgeproof.hertz(R=0), a=1, contact_modulus=1)):
         with pytest.raises(edgeproof.InputError) as raised:
             ask()
         assert raised.value.advice and "\n" not in str(raised.value)

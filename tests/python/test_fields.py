@@ -340,8 +340,8 @@ def test_data_frames(slipping):
 
 
 def test_repr_shows_the_scene(hertz, slipping, source):
-    assert repr(hertz) == "<edgeproof.Scene power-law m=1 C=1; a=1 contact_modulus=1>"
-    assert repr(slipping) == ("<edgeproof.Scene power-law m=1 C=1; a=1 contact_modulus=1; "
+    assert repr(hertz) == "<edgeproof.Scene hertz R=1; a=1 contact_modulus=1>"
+    assert repr(slipping) == ("<edgeproof.Scene hertz R=1; a=1 contact_modulus=1; "
                               "Q=1/10 friction=1/2>")
     own = edgeproof.Scene(edgeproof.piecewise(["1/2"], ["x", "2*x"], symmetric=True), a=1,
                           contact_modulus=1, title="own")

@@ -169,9 +169,42 @@ def test_made_and_read_scenes_agree(source):
     assert pickle.loads(pickle.dumps(edgeproof.hertz("pi"))) == edgeproof.hertz("pi")
 
 
+def test_bodies_of_revolution():
+    # Hertz: a^3 = 3 P R/(4 E*), p_0 = 3 P/(2 pi a^2). Sneddon's cone: a^2 = 2 P/(pi E* phi).
+    ball = edgeproof.Scene(edgeproof.sphere(R=10), P=7, contact_modulus=3)
+    with mpmath.workdps(40):
+        a = mpmath.cbrt(mpmath.mpf(3 * 7 * 10) / (4 * 3))
+        assert abs(ball.a.mpmath() / a - 1) < 1e-38
+        assert abs(ball.peak().mpmath() / (21 / (2 * mpmath.pi * a**2)) - 1) < 1e-38
+        cone = edgeproof.Scene(edgeproof.cone("1/10"), P=7, contact_modulus=3)
+        assert abs(cone.a.mpmath() / mpmath.sqrt(2 * 7 / (mpmath.pi * 3 / 10)) - 1) < 1e-38
+    revolved = edgeproof.Scene(edgeproof.hertz(10).revolved(), P=7, contact_modulus=3)
+    assert revolved.a.text == ball.a.text
+    by_approach = edgeproof.Scene(edgeproof.sphere(10), delta="1/10", contact_modulus=3)
+    assert by_approach.a.text == "1" + "." + 49 * "0"  # a^2 = R delta
+    with pytest.raises(edgeproof.InputError, match="plane contact"):
+        edgeproof.Scene(edgeproof.hertz(10), delta="1/10", contact_modulus=3)
+
+
+def test_load_histories(source):
+    read = edgeproof.read_scene(source / "examples" / "scenes" / "history.toml")
+    steps = [{"P": 600}, {"Q": 200}, {"Q": "-100"}, {"P": 500}]
+    pad = dict(profile=edgeproof.flat_and_rounded(2, 100), E="115e3", nu="0.32", friction="0.6")
+    made = edgeproof.Scene(steps=steps, **pad)
+    for x in ("-a/2", 0):
+        assert made.shear(x=x, digits=12).text == read.shear(x=x).text
+    reversed_once = edgeproof.Scene(steps=iter(steps[:2]), **pad)
+    once = edgeproof.Scene(P=600, Q=200, **pad)
+    assert reversed_once.shear(x="a/3").text == once.shear(x="a/3").text
+    cycles = edgeproof.Scene(steps=[{"P": 600}, {"Q": 100, "cycles": 3}, {"Q": -100}], **pad)
+    assert edgeproof.Scene.from_text(cycles.text) == cycles
+    with pytest.raises(edgeproof.InputError, match="weight"):
+        edgeproof.Scene(steps=[{"weight": 3}], **pad)
+
+
 def test_profiles_do_not_change():
     profile = edgeproof.hertz(R=2)
-    assert profile.kind == "power-law" and profile.parameters == {"m": "1", "C": "1/2"}
+    assert profile.kind == "hertz" and profile.parameters == {"R": "2"}
     with pytest.raises(AttributeError):
         profile.kind = "wedge"
 

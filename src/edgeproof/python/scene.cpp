@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <span>
@@ -41,9 +42,9 @@ scene::SceneEntries::Section entries_of(const Keys& keys) {
 }
 
 NativeScene from_entries(const std::string& title, const Keys& profile, const Keys& load,
-                         const Keys& shear) {
-    const scene::SceneEntries entries{title, entries_of(profile), entries_of(load),
-                                      entries_of(shear)};
+                         const Keys& shear, const std::vector<Keys>& steps) {
+    scene::SceneEntries entries{title, entries_of(profile), entries_of(load), entries_of(shear)};
+    std::ranges::transform(steps, std::back_inserter(entries.steps), entries_of);
     return without_gil([&] {
         scene::Scene scene = make_scene(entries);
         return NativeScene(scene_text(entries), std::move(scene));
@@ -227,7 +228,7 @@ void bind_scene(py::module_& module) {
              }),
              py::arg("text"), py::arg("file"))
         .def_static("from_entries", &from_entries, py::arg("title"), py::arg("profile"),
-                    py::arg("load"), py::arg("shear"))
+                    py::arg("load"), py::arg("shear"), py::arg("steps"))
         .def_property_readonly("text", &NativeScene::text)
         .def_property_readonly("file", [](const NativeScene& s) { return s.scene().file; })
         .def_property_readonly("title", [](const NativeScene& s) { return s.scene().title; })

@@ -4,7 +4,6 @@
 #include "edgeproof/scene/input/scene_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,12 +46,16 @@ std::string toml_entry(const io::TomlEntry& entry) {
     return std::holds_alternative<std::string>(entry.value) ? list : "[" + list + "]";
 }
 
-std::array<std::pair<const char*, const SceneEntries::Section*>, 4>
-sections_of(const SceneEntries& entries) {
-    return {{{"profile", &entries.profile},
-             {"load", &entries.load},
-             {"shear", &entries.shear},
-             {"ask", &entries.ask}}};
+/// Returns the tables that are not empty, with their headers.
+std::vector<io::TomlTable> tables_of(const SceneEntries& entries) {
+    std::vector<io::TomlTable> tables{
+        {"profile", 0, entries.profile}, {"load", 0, entries.load}, {"shear", 0, entries.shear}};
+    for (const SceneEntries::Section& step : entries.steps) {
+        tables.push_back({"[[step]]", 0, step});
+    }
+    tables.push_back({"ask", 0, entries.ask});
+    std::erase_if(tables, [](const io::TomlTable& table) { return table.entries.empty(); });
+    return tables;
 }
 
 } // namespace
@@ -62,12 +65,10 @@ std::string scene_text(const SceneEntries& entries) {
     if (!entries.title.empty()) {
         text += "title = " + toml_string(entries.title) + "\n";
     }
-    for (const auto& [name, section] : sections_of(entries)) {
-        if (section->empty()) {
-            continue;
-        }
-        text += std::string(text.empty() ? "" : "\n") + "[" + name + "]\n";
-        for (const io::TomlEntry& entry : *section) {
+    for (const io::TomlTable& table : tables_of(entries)) {
+        const bool listed = table.name.starts_with("[[");
+        text += (text.empty() ? "" : "\n") + (listed ? table.name : "[" + table.name + "]") + "\n";
+        for (const io::TomlEntry& entry : table.entries) {
             text += entry.key + " = " + toml_entry(entry) + "\n";
         }
     }
@@ -76,15 +77,12 @@ std::string scene_text(const SceneEntries& entries) {
 
 Scene make_scene(const SceneEntries& entries) {
     check_characters("title", entries.title);
-    std::vector<io::TomlTable> tables;
-    for (const auto& [name, section] : sections_of(entries)) {
-        for (const io::TomlEntry& entry : *section) {
+    const std::vector<io::TomlTable> tables = tables_of(entries);
+    for (const io::TomlTable& table : tables) {
+        for (const io::TomlEntry& entry : table.entries) {
             for (const std::string& text : texts_of(entry)) {
                 check_characters(entry.key, text);
             }
-        }
-        if (!section->empty()) {
-            tables.push_back({name, 0, *section});
         }
     }
     try {

@@ -196,6 +196,7 @@ struct SceneEntries {
     Section load;
     Section shear = {};
     Section ask = {};
+    std::vector<Section> steps = {}; ///< of a load history
 };
 
 /// Returns the scene, checked as if it was read from a file. Throws InputError, without file and

@@ -31,6 +31,8 @@ PlaneJet square(const PlaneJet& f) {
             {(square(x) + v * xx) * 2, (x * z + v * xz) * 2, (square(z) + v * zz) * 2}};
 }
 
+// The derivatives of a square root by the chain rule, as Krawczyk's operator needs them
+// (docs/stress.md, "The greatest values").
 PlaneJet root(const PlaneJet& f, const Ball& size) {
     const Ball twice = size * 2;
     const Ball x = f.first[0] / twice;

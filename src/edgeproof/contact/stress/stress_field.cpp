@@ -17,7 +17,9 @@ SurfaceTension greatest_surface_tension(const StressField& field) {
     const Edge edge = certainly_positive(field.parts.front().shear) ? Edge::left : Edge::right;
     const StressField turned = edge == Edge::left ? field.reflected() : field;
     const Ball a = turned.contact().a();
-    Ball shear(0, field.bits()); // Re T; p = 0 at the edge
+    // sxx = -p - (2/pi) Re T + bulk at z = 0 (docs/stress.md, "The Cauchy integrals"); p = 0 at the
+    // edge.
+    Ball shear(0, field.bits());
     for (std::size_t i = 0; i < turned.parts.size(); ++i) {
         const LoadPart& part = turned.parts[i];
         shear += part.shear * (i == 0 ? cauchy_integral_at_edge(part.contact, Edge::right)

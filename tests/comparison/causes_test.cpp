@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/comparison.hpp"
+#include "edgeproof/comparison/injected_mistake.hpp"
+#include "edgeproof/comparison/spring_bed.hpp"
 
 #include "tests/support/namespaces.hpp"
 
@@ -318,4 +320,91 @@ TEST_CASE("causes: a mirrored tilted punch, rows shifted by one, terms instead o
               return exact.c(right ? Edge::right : Edge::left, 0).value *
                      std::sqrt(right ? 1 - x : x + b);
           })) == "one-term");
+}
+
+// A wedge of slope phi under P: p = (E* phi/pi) arccosh(a/|x|), with P = E* phi a
+// (johnson1985, equations 5.37 and 5.38).
+TEST_CASE(
+    "causes: forces of nodes of a wedge, from p at the nodes, from linear p, and integrated") {
+    const Scene scene =
+        parse_scene("[profile]\nkind = \"power-law\"\nm = \"0\"\nC = \"0.1\"\n[load]\n"
+                    "P = \"100\"\ncontact_modulus = \"1000\"\n",
+                    "s.toml");
+    const ExactContact exact(scene);
+    SuspectContacts suspects(scene);
+    const double slope = 100 / std::numbers::pi;
+    const auto p = [&](double x) {
+        return std::abs(x) < 1 ? slope * std::acosh(1 / std::abs(x)) : 0;
+    };
+    for (const int elements : {24, 30, 60, 240}) {
+        const double h = 2.5 / elements;
+        // The nodes lie on both sides of the apex, by a half or a third of an element.
+        for (const double offset : {0.5, 1.0 / 3}) {
+            const auto at = [&](double i) { return -1.25 + (i + offset) * h; };
+            const auto nodes = [&](const auto& force) {
+                std::string rows = "x,p\n";
+                for (int i = 0; i <= elements; ++i) {
+                    char row[80];
+                    std::snprintf(row, sizeof row, "%.17g,%.17g\n", at(i), force(i));
+                    rows += row;
+                }
+                const FileComparison file =
+                    compare_file(parse_result(rows, "r"), exact, {}, Rational(0), &suspects);
+                REQUIRE(file.diagnosis);
+                REQUIRE(file.diagnosis->causes.size() == 1);
+                return file.diagnosis->causes[0].name;
+            };
+            CAPTURE(elements);
+            CAPTURE(offset);
+            CHECK(nodes([&](int i) { return h * p(at(i)); }) == "nodal-forces");
+            CHECK(nodes([&](int i) {
+                      return h * (p(at(i - 1)) + 4 * p(at(i)) + p(at(i + 1))) / 6;
+                  }) == "nodal-forces");
+            CHECK(nodes([&](int i) { // by 4000 places; the apex lies between two of them
+                      double sum = 0;
+                      for (int k = 0; k < 4000; ++k) {
+                          const double t = -1 + (k + 0.5) / 2000;
+                          sum += (1 - std::abs(t)) * p(at(i + t)) * h / 2000;
+                      }
+                      return sum;
+                  }) == "nodal-forces");
+            CHECK(nodes([&](int i) { return h * p(at(i)) * (i % 2 == 0 ? 2 : 4) / 3; }) ==
+                  "nodal-forces");
+        }
+    }
+}
+
+// The diagnosis and the simulated program share the gap alone (spring_bed.hpp).
+TEST_CASE("causes: two programs with springs in the contact agree") {
+    for (const char* const text :
+         {"profile.kind=hertz profile.R1=20 profile.R2=50 load.P=300 load.contact_modulus=1e5",
+          "profile.kind=tilted-flat-and-rounded profile.alpha=0.01 profile.t=2 profile.R=75 "
+          "load.P=1500 load.contact_modulus=1e5",
+          "profile.geometry=axisymmetric profile.kind=hertz profile.R=20 load.P=300 "
+          "load.contact_modulus=1e5"}) {
+        CAPTURE(text);
+        const Scene scene = scene_of(scene::keys_of(text));
+        const ExactContact exact(scene);
+        const SoftContact soft(scene, exact);
+        for (const double softness : {0.02, 0.1}) {
+            CAPTURE(softness);
+            const SpringBed bed(scene, exact, softness);
+            const auto solution = soft.solve(softness);
+            REQUIRE(solution);
+            CHECK(solution->a > exact.a().value * 1.02);
+            double effect = 0;
+            double difference = 0;
+            for (int i = -95; i <= 95; ++i) {
+                const double x = exact.a().value * i / 100;
+                const double change = soft.change(*solution, x);
+                if (x > -exact.b().value && std::isfinite(change)) {
+                    effect = std::max(effect, std::abs(change));
+                    difference = std::max(difference,
+                                          std::abs(exact.pressure(x) + change - bed.pressure(x)));
+                }
+            }
+            CHECK(effect > 0.8 * softness * exact.scale().value);
+            CHECK(difference < 0.06 * effect);
+        }
+    }
 }

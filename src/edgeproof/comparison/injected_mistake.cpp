@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/injected_mistake.hpp"
 
+#include "edgeproof/comparison/spring_bed.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -54,6 +57,19 @@ Make terms(std::size_t n) {
 }
 Make rows(const std::function<void(std::vector<ComputedRow>&)>& change) {
     return with({}, [change](Program& program) { program.rows = change; });
+}
+/// Springs between the bodies (causes/soft_contact.hpp) instead of rigid contact.
+Make springs(double softness) {
+    return with({}, [softness](Program& program) {
+        program.p = [softness, keys = program.keys,
+                     bed = std::make_shared<std::optional<SpringBed>>()](
+                        const ExactContact& contact, double x) {
+            if (!*bed) {
+                bed->emplace(scene_of(keys), contact, softness);
+            }
+            return (*bed)->pressure(x);
+        };
+    });
 }
 Make digits(int n) {
     return with({}, [n](Program& program) { program.digits = n; });
@@ -195,6 +211,8 @@ const std::vector<InjectedMistake>& injected_mistakes() {
          [](const SceneKeys& keys) {
              return keys.contains("profile.geometry") ? std::nullopt : rows(forces_of_rows)(keys);
          }},
+        {"soft-penalty", false, springs(0.02)},
+        {"soft-penalty", false, springs(0.1)},
         {"one-term", false, terms(1)},
         {"two-term", false, terms(2)},
         {"three-term", false, terms(3)},

@@ -12,7 +12,7 @@
 namespace edgeproof::comparison {
 
 /// Relative, normally distributed noise of the pressures of the data.
-inline constexpr std::array noise_levels{0.0, 1e-6, 1e-4, 1e-2};
+inline constexpr std::array noise_levels{0.0, 1e-6, 1e-3, 1e-2, 5e-2};
 
 using SelfTestCount = scene::MistakeCount;
 using SelfTestRow = scene::MistakeRow;

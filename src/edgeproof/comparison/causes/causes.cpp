@@ -165,6 +165,14 @@ void rank(std::vector<Cause>& causes) {
     const double best = causes.front().scatter;
     std::erase_if(
         causes, [best](const Cause& cause) { return cause.scatter > as_little * best + roundoff; });
+    for (std::size_t i = 0; i < causes.size(); ++i) { // variants of one mistake
+        const auto rest = causes.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+        causes.erase(std::remove_if(rest, causes.end(),
+                                    [&one = causes[i]](const Cause& other) {
+                                        return other.name == one.name && other.what == one.what;
+                                    }),
+                     causes.end());
+    }
     for (Cause& cause : causes) {
         for (const Cause& other : causes) {
             const bool new_name =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/comparison/causes/soft_contact.hpp"
 #include "edgeproof/comparison/input/result_table.hpp"
 #include "edgeproof/comparison/measures/alignment.hpp"
 #include "edgeproof/comparison/measures/data_edges.hpp"
@@ -29,9 +30,18 @@ public:
     [[nodiscard]] const ExactContact* with(const std::string& mistake,
                                            const std::function<void(scene::Scene&)>& change);
 
+    /// The scene's contact with springs of several stiffnesses.
+    struct SoftContacts {
+        SoftContact contact;
+        static constexpr double ratio = 2;                            ///< of neighbours
+        std::vector<std::pair<double, SoftContact::Solution>> solved; ///< by softness
+    };
+    [[nodiscard]] const SoftContacts& soft(const ExactContact& exact);
+
 private:
     scene::Scene scene_;
     std::map<std::string, std::optional<ExactContact>> solved_;
+    std::optional<SoftContacts> soft_;
 };
 
 /// The values that a program with one mistake would write at the nodes used.

@@ -43,6 +43,7 @@ public:
         maps();
         means();
         nodal_forces();
+        soft_penalty();
         shifts();
         terms();
         return std::move(list_);
@@ -290,20 +291,103 @@ private:
         });
     }
 
-    /// Adds the forces of nodes, per unit of thickness. The first and the last node have half a
-    /// width or, in a model of one half, a whole one.
+    /// Adds the forces of nodes, per unit of thickness: p at the node times half the width of its
+    /// elements, the integral of the shape function times a linear p, and times p itself (by
+    /// Simpson's rule, so not in the elements at an edge or a corner, where nodes are not used).
+    /// These differ near a corner. Of quadratic elements, corner nodes have a third of the width of
+    /// an element, the others two thirds.
     void nodal_forces() {
         if (contacts_.scene().round) {
             return;
         }
         const auto& all = nodes_.data.nodes;
-        add("nodal-forces", "forces of the nodes, p times the width of an element, instead of p",
-            [&](std::size_t i) {
-                const std::size_t at = nodes_.nodes[i];
-                return at == 0 || at + 1 >= all.size()
-                           ? no_value
-                           : exact_pressure(i) * (all[at + 1].x - all[at - 1].x) / 2;
+        const auto of = [&](const std::string& elements, const auto& force) {
+            add("nodal-forces",
+                "forces of the nodes, p times the width of an element, instead of p" + elements,
+                [&](std::size_t i) {
+                    const std::size_t at = nodes_.nodes[i];
+                    if (at == 0 || at + 1 >= all.size()) {
+                        return no_value;
+                    }
+                    return force(i, -1, all[at].x - all[at - 1].x) +
+                           force(i, 1, all[at + 1].x - all[at].x);
+                });
+        };
+        of("", [&](std::size_t i, int, double width) { return exact_pressure(i) * width / 2; });
+        of("", [&](std::size_t i, int side, double width) {
+            return (2 * exact_pressure(i) + exact_pressure(i, side)) * width / 6;
+        });
+        of("", [&](std::size_t i, int side, double width) {
+            const double middle = pressure(exact_, nodes_[i].x + side * width / 2);
+            return (exact_pressure(i) + 2 * middle) * width / 6;
+        });
+        for (const std::size_t corner : {0U, 1U}) {
+            of(": quadratic elements", [&](std::size_t i, int, double width) {
+                const bool at_corner = nodes_.nodes[i] % 2 == corner;
+                return exact_pressure(i) * width * (at_corner ? 1 : 2) / 3;
             });
+        }
+    }
+
+    /// Adds the contact with springs of the stiffness that fits best, if it fits better than rigid
+    /// ones.
+    void soft_penalty() {
+        const SuspectContacts::SoftContacts& soft = contacts_.soft(exact_);
+        const auto value = [&](const SoftContact::Solution& solution, std::size_t i) {
+            return nodes_[i].exact.p.value_or(no_value) +
+                   soft.contact.change(solution, nodes_[i].x);
+        };
+        const auto left = [&](const auto& value_at) {
+            double sum = 0;
+            for (std::size_t i = 0; i < nodes_.size(); ++i) {
+                const double off = nodes_[i].p - value_at(i);
+                sum += std::isfinite(off) ? off * off : 0;
+            }
+            return sum;
+        };
+        const auto left_by = [&](const SoftContact::Solution& solution) {
+            return left([&](std::size_t i) { return value(solution, i); });
+        };
+        double best = left([&](std::size_t i) { return value(soft.contact.rigid(), i); }) / 2;
+        double softness = 0;
+        for (const auto& [at, solution] : soft.solved) {
+            const double here = left_by(solution);
+            if (here < best) {
+                best = here;
+                softness = at;
+            }
+        }
+        if (softness == 0) {
+            return;
+        }
+        constexpr double golden = 0.381966011250105;
+        double lower = std::log(softness / soft.ratio);
+        double upper = std::log(softness * soft.ratio);
+        const auto left_at = [&](double logarithm) {
+            const auto solution = soft.contact.solve(std::exp(logarithm));
+            return solution ? left_by(*solution) : std::numeric_limits<double>::infinity();
+        };
+        for (int i = 0; i < 10; ++i) {
+            const double one = lower + golden * (upper - lower);
+            const double other = upper - golden * (upper - lower);
+            const bool by_one = left_at(one) < left_at(other);
+            (by_one ? upper : lower) = by_one ? other : one;
+        }
+        softness = std::exp((lower + upper) / 2);
+        if (const auto solution = soft.contact.solve(softness)) {
+            add("soft-penalty",
+                fmt::format(
+                    "a soft penalty: p is {:.2g}{} times the penetration, {:.2g} E*/(a + b); "
+                    "the contact needs a larger stiffness",
+                    soft.contact.stiffness_unit() / softness, stiffness_label(), 1 / softness),
+                solution->a, solution->b, [&](std::size_t i) { return value(*solution, i); });
+        }
+    }
+    [[nodiscard]] std::string stiffness_label() const {
+        const auto& units = contacts_.scene().units;
+        return units && units->pressure && units->length
+                   ? fmt::format(" {}/{}", units->pressure->name, units->length->name)
+                   : std::string();
     }
 
     void terms() {
@@ -357,6 +441,20 @@ const ExactContact* SuspectContacts::with(const std::string& mistake,
         }
     }
     return found->second ? &*found->second : nullptr;
+}
+
+const SuspectContacts::SoftContacts& SuspectContacts::soft(const ExactContact& exact) {
+    constexpr double least = 0.001;
+    constexpr double most = 0.6;
+    if (!soft_) {
+        soft_.emplace(SoftContacts{SoftContact(scene_, exact), {}});
+        for (double softness = least; softness < most; softness *= SoftContacts::ratio) {
+            if (auto solution = soft_->contact.solve(softness)) {
+                soft_->solved.emplace_back(softness, std::move(*solution));
+            }
+        }
+    }
+    return *soft_;
 }
 
 std::vector<Suspect> pressure_suspects(const UsedNodes& nodes, SuspectContacts& contacts,

@@ -250,6 +250,8 @@ std::string ExactContact::pressure_route() const {
                               : "by the batch rule";
 }
 
+const contact::Profile& ExactContact::profile() const { return solved_->profile; }
+
 double ExactContact::area() const {
     return axisymmetric_ ? std::acos(-1) * a_.value * a_.value : length();
 }

@@ -74,6 +74,9 @@ public:
         return c_.at(index_of(edge)).at(k);
     }
     [[nodiscard]] double length() const { return a_.value + b_.value; }
+    /// The profile, with its tilt if P and M determine that. Of an axisymmetric power law, the
+    /// profile of the plane contact with the same pressure.
+    [[nodiscard]] const contact::Profile& profile() const;
     [[nodiscard]] bool symmetric() const { return symmetric_; }
     [[nodiscard]] bool axisymmetric() const { return axisymmetric_; }
     /// a + b; of an axisymmetric contact pi a^2.

@@ -32,6 +32,32 @@ std::size_t nodes_for(unsigned digits, double rho) {
 constexpr double rho_of_slope = 3.36;
 constexpr double rho_of_width = 4.61;
 
+constexpr double rho_of_part = 31.9; // through 16 i, the foci are -1 and 1
+constexpr int parts_of_octave = 8;
+
+/// The polynomial, in powers of t, that interpolates f at n Chebyshev points of -1 < t < 1.
+template <class F> std::vector<Real> interpolate(std::size_t n, const F& f) {
+    std::vector<Real> t;
+    std::vector<Real> c; // Newton's divided differences (DLMF 3.3(iv))
+    for (std::size_t j = 0; j < n; ++j) {
+        t.push_back(cos(Real(pi<Real>() * (2 * j + 1) / (2 * n))));
+        c.push_back(f(t.back()));
+    }
+    for (std::size_t order = 1; order < n; ++order) {
+        for (std::size_t j = n; j-- > order;) {
+            c[j] = (c[j] - c[j - 1]) / (t[j] - t[j - order]);
+        }
+    }
+    std::vector<Real> powers(n, Real(0));
+    for (std::size_t j = n; j-- > 0;) {
+        for (std::size_t k = n - 1; k > 0; --k) {
+            powers[k] = powers[k - 1] - powers[k] * t[j];
+        }
+        powers[0] = c[j] - powers[0] * t[j];
+    }
+    return powers;
+}
+
 /// The integral of f over from < x < from + width.
 template <class F>
 Real integral_by(const quadrature::GaussLegendreRule& rule, const Real& from, const Real& width,
@@ -55,6 +81,10 @@ Real sine_power(const Real& m) {
                      }).value;
 }
 
+bool is_curved(const scene::Scene& scene) {
+    return !scene.round->law && !scene.round->profile.piecewise_linear();
+}
+
 /// A number of a scene at the working precision of the thread.
 Real number(const formula::Exact& x) { return x.to<Real>(); }
 
@@ -63,12 +93,11 @@ Real number(const formula::Exact& x) { return x.to<Real>(); }
 AbelQuadrature::AbelQuadrature(const scene::Scene& scene, Real a, unsigned digits)
     : slope_(scene.round->profile), a_(std::move(a)), modulus_(number(scene.contact_modulus)),
       first_piece_(slope_.origin() + 1),
-      inner_(quadrature::gauss_legendre_rule(nodes_for(digits, rho_of_slope) *
-                                                 (scene.round->profile.piecewise_linear() ? 1 : 2),
-                                             bits_now())),
-      outer_(quadrature::gauss_legendre_rule(nodes_for(digits, rho_of_width) *
-                                                 (scene.round->profile.piecewise_linear() ? 1 : 2),
-                                             bits_now())) {
+      inner_(quadrature::gauss_legendre_rule(
+          nodes_for(digits, rho_of_slope) * (is_curved(scene) ? 2 : 1), bits_now())),
+      outer_(quadrature::gauss_legendre_rule(
+          nodes_for(digits, rho_of_width) * (is_curved(scene) ? 2 : 1), bits_now())),
+      table_nodes_(2 * nodes_for(digits, rho_of_part) * (is_curved(scene) ? 2 : 1)) {
     if (scene.round->law) {
         const auto& parameters = scene.round->profile.parameters();
         power_ = number(parameters.at("m"));
@@ -97,18 +126,14 @@ Real AbelQuadrature::over_slope(const std::vector<Real>& beyond, const Real& s, 
     return sum;
 }
 
-/// h'(s), s^2 = A^2 + w2, by the formulas for radii beyond A.
-Real AbelQuadrature::h_rate(const Real& A, const Real& w2) const {
+Real AbelQuadrature::h_rate_by_integrals(const Real& A, const Real& w2, std::size_t except) const {
     const Real s = sqrt(Real(A * A + w2));
-    if (power_) {
-        return (*power_ + 1) * kappa_ * pow(s, *power_);
-    }
     std::vector<Real> beyond;
     Real sum = 0;
     for (std::size_t i = 0; i < knots_.size() && knots_[i] <= A; ++i) {
         const Real apart = (A - knots_[i]) * (A + knots_[i]) + w2; // s^2 - v^2
         beyond.push_back(apart / (s + knots_[i]));
-        if (jump_at_[i] != 0) {
+        if (jump_at_[i] != 0 && i < except) {
             sum += jump_at_[i] / sqrt(apart);
         }
     }
@@ -120,9 +145,42 @@ Real AbelQuadrature::h_rate(const Real& A, const Real& w2) const {
            });
 }
 
-/// The integral of h'(s)/sqrt(s^2 - r^2) over A < s < sqrt(A^2 + width2), r <= A.
-Real AbelQuadrature::over_width(const Real& A, const Real& width2, const Real& r) const {
-    const Real from_r = A == r ? Real(0) : Real((A - r) * (A + r));
+Real AbelQuadrature::h_rate(const Real& A, const Real& w2) const {
+    if (power_) {
+        return (*power_ + 1) * kappa_ * pow(sqrt(Real(A * A + w2)), *power_);
+    }
+    if (tables_.empty()) {
+        return h_rate_by_integrals(A, w2, knots_.size());
+    }
+    std::size_t i = 0;
+    while (i + 1 < tables_.size() && knots_[i + 1] <= A) {
+        ++i;
+    }
+    const RateTable& table = tables_[i];
+    const Real y = sqrt(Real((A - knots_[i]) * (A + knots_[i]) + w2));
+    Real part = y / table.end; // in the octave, from 1/2 to 1
+    int octave = 0;
+    while (octave < table.octaves && part < Real(0.5)) {
+        part *= 2;
+        ++octave;
+    }
+    part = (octave < table.octaves ? Real(2 * part - 1) : part) * parts_of_octave;
+    const int which =
+        std::clamp(static_cast<int>(part.convert_to<double>()), 0, parts_of_octave - 1);
+    const Real t = 2 * (part - which) - 1;
+    Real sum = 0;
+    const auto& powers = table.parts[static_cast<std::size_t>(octave * parts_of_octave + which)];
+    for (auto c = powers.rbegin(); c != powers.rend(); ++c) {
+        sum *= t;
+        sum += *c;
+    }
+    return jump_at_[i] != 0 ? Real(sum + jump_at_[i] / y) : sum;
+}
+
+/// The distance of the singularities of h' and of the kernel, in w = sqrt(s^2 - A^2), at most the
+/// width of the range.
+Real AbelQuadrature::nearest_singularity(const Real& A, const Real& from_r2,
+                                         const Real& width2) const {
     Real nearest = width2;
     const auto meet = [&](const Real& apart) {
         if (apart > 0 && apart < nearest) {
@@ -130,11 +188,44 @@ Real AbelQuadrature::over_width(const Real& A, const Real& width2, const Real& r
         }
     };
     meet(A * A);
-    meet(from_r);
+    meet(from_r2);
     for (std::size_t i = 0; i < knots_.size() && knots_[i] < A; ++i) {
         meet((A - knots_[i]) * (A + knots_[i]));
     }
-    nearest = sqrt(nearest);
+    return sqrt(nearest);
+}
+
+void AbelQuadrature::tabulate() {
+    std::vector<RateTable> rate_tables;
+    for (std::size_t i = 0; !power_ && i < knots_.size() && knots_[i] < a_; ++i) {
+        const Real& v = knots_[i];
+        const Real& to = i + 1 < knots_.size() && knots_[i + 1] < a_ ? knots_[i + 1] : a_;
+        const Real end2 = (to - v) * (to + v);
+        const Real nearest = nearest_singularity(v, Real(0), end2);
+        RateTable table{sqrt(end2), 0, {}};
+        Real width = table.end;
+        const auto add = [&](const Real& from, const Real& range) {
+            for (int k = 0; k < parts_of_octave; ++k) {
+                const Real half = range / (2 * parts_of_octave);
+                table.parts.push_back(interpolate(table_nodes_, [&](const Real& t) {
+                    const Real y = from + half * (2 * k + 1 + t);
+                    return h_rate_by_integrals(v, Real(y * y), i);
+                }));
+            }
+        };
+        for (; width > nearest; width /= 2, ++table.octaves) {
+            add(Real(width / 2), Real(width / 2));
+        }
+        add(Real(0), width);
+        rate_tables.push_back(std::move(table));
+    }
+    tables_ = std::move(rate_tables);
+}
+
+/// The integral of h'(s)/sqrt(s^2 - r^2) over A < s < sqrt(A^2 + width2), r <= A.
+Real AbelQuadrature::over_width(const Real& A, const Real& width2, const Real& r) const {
+    const Real from_r = A == r ? Real(0) : Real((A - r) * (A + r));
+    const Real nearest = nearest_singularity(A, from_r, width2);
     const auto integrand = [&](const Real& w) {
         const Real w2 = w * w;
         const Real rate = h_rate(A, w2);

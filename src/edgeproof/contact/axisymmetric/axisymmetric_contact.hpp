@@ -20,6 +20,21 @@ public:
     /// The approach delta of the bodies (length).
     [[nodiscard]] virtual Ball approach() const = 0;
     [[nodiscard]] Ball moment() const override { return {0, bits_}; }
+    /// dP/da (force/length).
+    [[nodiscard]] virtual Ball force_rate() const = 0;
+    /// Returns the coefficients of dP/da (force/length) at the radius a - d in powers of d.
+    [[nodiscard]] virtual std::vector<Ball> force_rates(std::size_t terms) const = 0;
+    /// The radius (length) of the contact of the same profile under the total force P.
+    [[nodiscard]] virtual Ball radius_for(const Ball& P) const = 0;
+    /// The contact of the same profile with the radius `a` (length).
+    [[nodiscard]] virtual std::unique_ptr<RoundContact> resized(const Ball& a) const = 0;
+    /// The radius (length) at which g' begins to rise.
+    [[nodiscard]] virtual Ball minimum_end() const = 0;
+    /// The gap (length) between the bodies at the distance `beyond` >= 0 (length) outside the edge.
+    [[nodiscard]] virtual Ball gap_beyond(const Ball& beyond) const = 0;
+    /// Returns the integral of (1 - tau/2) P - L over the approach (force x length), where the
+    /// force L grows from (1 - tau) P, at the radius `from` (length), to P.
+    [[nodiscard]] virtual Ball loop_integral(const Ball& from, const Ball& tau) const = 0;
 };
 
 /// An axisymmetric contact whose slope g'(r) is piecewise linear, in ball arithmetic
@@ -39,8 +54,7 @@ public:
 
     /// The total force P (force).
     [[nodiscard]] Ball force() const override { return force_at(a_); }
-    /// dP/da (force/length).
-    [[nodiscard]] Ball force_rate() const;
+    [[nodiscard]] Ball force_rate() const override;
     [[nodiscard]] Ball approach() const override;
     [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const override;
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
@@ -63,23 +77,20 @@ public:
     /// (abel_integral.hpp).
     [[nodiscard]] Ball over_approach(const std::function<Box(const Box& s)>& f) const;
 
-    /// The gap (length) between the bodies at the distance `beyond` >= 0 (length) outside the edge.
-    [[nodiscard]] Ball gap_beyond(const Ball& beyond) const;
-    /// The contact of the same profile with the radius `a` (length).
+    [[nodiscard]] Ball gap_beyond(const Ball& beyond) const override;
+    /// As resized().
     [[nodiscard]] AxisymmetricContact with_radius(const Ball& a) const;
-    /// The radius (length) of the contact of the same profile under the total force P.
-    [[nodiscard]] Ball radius_for(const Ball& P) const;
-    /// Returns the coefficients of dP/da (force/length) at the radius a - d in powers of d.
-    [[nodiscard]] std::vector<Ball> force_rates(std::size_t terms) const;
-    /// Returns the integral of (1 - tau/2) P - L over the approach (force x length), where the
-    /// force L grows from (1 - tau) P, at the radius `from` (length), to P.
-    [[nodiscard]] Ball loop_integral(const Ball& from, const Ball& tau) const;
+    [[nodiscard]] std::unique_ptr<RoundContact> resized(const Ball& a) const override {
+        return std::make_unique<AxisymmetricContact>(with_radius(a));
+    }
+    [[nodiscard]] Ball radius_for(const Ball& P) const override;
+    [[nodiscard]] std::vector<Ball> force_rates(std::size_t terms) const override;
+    [[nodiscard]] Ball loop_integral(const Ball& from, const Ball& tau) const override;
     /// True if g' jumps on the axis, where the pressure is then infinite.
     [[nodiscard]] bool has_apex() const {
         return bends_.front().at_origin && !contains_zero(bends_.front().jump);
     }
-    /// The radius (length) at which g' begins to rise.
-    [[nodiscard]] Ball minimum_end() const;
+    [[nodiscard]] Ball minimum_end() const override;
 
 private:
     /// g' rises by `jump` at the radius v, and its rate by `rate` (1/length).
@@ -108,7 +119,7 @@ private:
 
 /// The zones of an axisymmetric contact under smaller forces, which bound its stick zone in partial
 /// slip (docs/axisymmetric.md, "Partial slip"). The solver keeps a copy of `contact`.
-[[nodiscard]] std::unique_ptr<ZoneSolver> axisymmetric_zones(const AxisymmetricContact& contact);
+[[nodiscard]] std::unique_ptr<ZoneSolver> axisymmetric_zones(const RoundContact& contact);
 /// The same for an axisymmetric power law: `plane` is the plane contact that has the same pressure,
 /// `force` the total force.
 [[nodiscard]] std::unique_ptr<ZoneSolver> axisymmetric_zones(const BallContact& plane,

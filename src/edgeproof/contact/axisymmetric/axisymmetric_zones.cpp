@@ -11,31 +11,33 @@ namespace {
 
 class AxisymmetricZones : public ZoneSolver {
 public:
-    explicit AxisymmetricZones(const AxisymmetricContact& contact) : contact_(contact) {}
-    [[nodiscard]] long bits() const override { return contact_.bits(); }
-    [[nodiscard]] const Ball& modulus() const override { return contact_.modulus(); }
+    explicit AxisymmetricZones(const RoundContact& contact)
+        : contact_(contact.resized(contact.a())) {}
+    [[nodiscard]] long bits() const override { return contact_->bits(); }
+    [[nodiscard]] const Ball& modulus() const override { return contact_->modulus(); }
     [[nodiscard]] ZoneValues values(const BallZone& zone) const override {
-        const AxisymmetricContact c = contact_.with_radius(zone.a);
-        return {c.force(), Ball(0, bits()), c.force_rate(), c.force_rate()};
+        const auto c = contact_->resized(zone.a);
+        const Ball rate = c->force_rate();
+        return {c->force(), Ball(0, bits()), rate, rate};
     }
     [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const override {
-        return contact_.with_radius(zone.a).pressure(edge, u);
+        return contact_->resized(zone.a)->pressure(edge, u);
     }
     [[nodiscard]] BallZone zone(const Ball& force, const Ball& /*tilt*/,
                                 const BallZone& /*near*/) const override {
-        const Ball a = contact_.radius_for(force);
+        const Ball a = contact_->radius_for(force);
         return {a, a};
     }
     [[nodiscard]] std::vector<Ball> force_rates(const Ball& a, std::size_t terms) const override {
-        return contact_.with_radius(a).force_rates(terms);
+        return contact_->resized(a)->force_rates(terms);
     }
     [[nodiscard]] BallZone core() const override {
-        return {contact_.minimum_end(), contact_.minimum_end()};
+        return {contact_->minimum_end(), contact_->minimum_end()};
     }
-    [[nodiscard]] std::size_t cost() const override { return contact_.cost(); }
+    [[nodiscard]] std::size_t cost() const override { return contact_->cost(); }
 
 private:
-    AxisymmetricContact contact_;
+    std::unique_ptr<RoundContact> contact_;
 };
 
 /// P is proportional to a^(m + 2) (docs/axisymmetric.md, "Power laws").
@@ -80,7 +82,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<ZoneSolver> axisymmetric_zones(const AxisymmetricContact& contact) {
+std::unique_ptr<ZoneSolver> axisymmetric_zones(const RoundContact& contact) {
     return std::make_unique<AxisymmetricZones>(contact);
 }
 

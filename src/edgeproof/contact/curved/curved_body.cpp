@@ -11,6 +11,7 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace edgeproof::contact {
@@ -18,6 +19,7 @@ namespace {
 
 constexpr long narrow_bits_of_radius = 48; ///< a radius with fewer bits is a range
 constexpr long parts_of_range = 8;         ///< into which a coarse enclosure is divided
+constexpr const char* radius_sought = "the radius of the contact";
 
 bool is_narrow(const Box& s) { return acb_rel_accuracy_bits(s.get()) >= narrow_bits_of_radius; }
 
@@ -89,22 +91,41 @@ CurvedBody::CurvedBody(const Profile& profile, const formula::Exact& contact_mod
         rings_.push_back({v, std::move(jump), i});
     }
     const Ball given = formula::enclosed_constant(load.value, bits);
-    const char* const what = "the radius of the contact";
     if (load.kind == Load::Kind::right_edge) {
         known_a_ = load.value;
         a_ = given;
         find_knots_on_edges();
     } else if (load.kind == Load::Kind::force) {
-        a_ = isolate_zero([&](const Ball& s) { return given - force_at(s); },
-                          [&](const Ball& s) { return -(modulus_ * s * approach_rate_at(s) * 2); },
-                          near_radius(given / (modulus_ * 2), Integrand::moment), what,
-                          {.near = true});
+        a_ = radius_for(given);
     } else {
         a_ = isolate_zero([&](const Ball& s) { return given - approach_at(s); },
                           [&](const Ball& s) { return -approach_rate_at(s); },
-                          near_radius(given, Integrand::slope), what, {.near = true});
+                          near_radius(given, Integrand::slope), radius_sought, {.near = true});
     }
     b_ = a_;
+}
+
+Ball CurvedBody::radius_for(const Ball& P) const {
+    return isolate_zero([&](const Ball& s) { return P - force_at(s); },
+                        [&](const Ball& s) { return -(modulus_ * s * approach_rate_at(s) * 2); },
+                        near_radius(P / (modulus_ * 2), Integrand::moment), radius_sought,
+                        {.near = true});
+}
+
+std::unique_ptr<RoundContact> CurvedBody::resized(const Ball& a) const {
+    auto body = std::make_unique<CurvedBody>(*this);
+    body->move_edges(a, a);
+    return body;
+}
+
+Ball CurvedBody::minimum_end() const {
+    for (const Ring& ring : rings_) {
+        const SlopePiece& piece = profile_.pieces()[ring.knot + 1];
+        if (!piece.linear || !certainly_zero(piece.linear->rate) || !contains_zero(ring.jump)) {
+            return ring.v;
+        }
+    }
+    return {0, bits_};
 }
 
 Ball CurvedBody::near_radius(const Ball& given, Integrand of) const {
@@ -279,6 +300,111 @@ Ball CurvedBody::over_width(const Ball& r, const Ball& A, std::optional<std::siz
                    goal);
 }
 
+// With w = sqrt(s^2 - A^2) = D cos(psi) between two knots, D^2 = to^2 - A^2, both roots are
+// analytic.
+Ball CurvedBody::over_approach(const Ball& from, std::optional<std::size_t> on, const Ball& beyond,
+                               const std::function<Box(const Radius& at, const Box& depth)>& f,
+                               const Ball& scale) const {
+    const Ball to = from + beyond;
+    const Ball quarter = Ball::pi(bits_) / 2;
+    const IntegralGoal goal{bits_, useful_accuracy(beyond.relative_accuracy_bits(), bits_), scale,
+                            Ball(1, bits_)};
+    Ball sum(0, bits_);
+    Ball A = from;
+    Ball left = beyond; // to - A
+    for (std::size_t i = on ? *on + 1 : 0;; ++i) {
+        const bool last = i == rings_.size() || !certainly_less(rings_[i].v, to);
+        if (!last && !certainly_less(A, rings_[i].v)) {
+            if (certainly_less(rings_[i].v, A)) {
+                continue;
+            }
+            return unknown_ball(bits_);
+        }
+        const Ball D = Field<Ball>::root(left * (to + A));
+        const Ball first = last ? Ball(0, bits_)
+                                : atan2(sqrt((to - rings_[i].v) * (to + rings_[i].v)),
+                                        sqrt((rings_[i].v - A) * (rings_[i].v + A)));
+        const Ball width = quarter - first;
+        sum += width * integral_of(
+                           [&](const Box& t) {
+                               const Box psi = t * width + first;
+                               const Box w = cosine(psi) * D;
+                               const Box depth = cosine(Box(quarter) - psi) * D;
+                               const Radius at = radius(A, on, w);
+                               Box rate = approach_rate(at, on) * w;
+                               if (on) {
+                                   rate = rate + Box(rings_[*on].jump * rings_[*on].v);
+                               }
+                               return f(at, depth) * rate * depth / at.s;
+                           },
+                           goal);
+        if (last) {
+            return sum;
+        }
+        A = rings_[i].v;
+        left = to - A;
+        on = i;
+    }
+}
+
+// docs/axisymmetric.md, "The gap"
+Ball CurvedBody::gap_beyond(const Ball& beyond) const {
+    const Ball r = a_ + beyond;
+    std::optional<std::size_t> on;
+    Ball rest(0, bits_); // of rings that r may lie on
+    for (std::size_t i = 1; i < rings_.size(); ++i) {
+        const Ball& v = rings_[i].v;
+        if (on_edge_[rings_[i].knot]) {
+            on = i;
+        } else if (overlaps(v, r)) {
+            // At most the greatest arccos times the part of the ring in h(r).
+            const Box near(Ball::hull(v, r));
+            const Ball bend = abs(value(i, near, Integrand::slope).real() -
+                                  value(i - 1, near, Integrand::slope).real());
+            const Ball A = atan2(Field<Ball>::root(clamped(r - v) * (r + v)), v);
+            rest += up_to(upper_end(r * A * A * bend));
+        }
+    }
+    const auto arc = [&](const Radius& /*at*/, const Box& depth) {
+        Box x = depth / r;
+        if (!certainly_less(abs(x), Ball(1, bits_))) {
+            return unknown_box(bits_); // near a cut
+        }
+        acb_asin(x.get(), x.get(), bits_);
+        return x;
+    };
+    return (over_approach(a_, on, beyond, arc, Ball(0, bits_)) + rest) * 2 / Ball::pi(bits_);
+}
+
+// docs/axisymmetric.md, "The energy of a cycle"
+Ball CurvedBody::loop_integral(const Ball& from, const Ball& tau) const {
+    const Ball P = force();
+    const Ball mean = P * (1 - tau / 2);
+    const auto loop = [&](const Radius& at, const Box& /*depth*/) {
+        return Box(mean) - over_rings(at, Integrand::moment, bits_) * (modulus_ * 2);
+    };
+    return over_approach(from, {}, a_ - from, loop, P * tau * (approach() - approach_at(from)));
+}
+
+// p near the axis, for g'(0) = 0: pi/E* times p is the integral of h'(s)/s over 0 < w < W. For the
+// first w the integrand is enclosed over all s.
+Ball CurvedBody::over_axis(const Ball& r, const Ball& W) const {
+    const Ball most = upper_end(abs(r));
+    const Ball first =
+        middle(sqrt(most * W)) + most * 2 + middle(W) * power_of_two(-bits_ / 2, bits_);
+    const Ball begin =
+        first * rate_over_radius_at(Box(Ball::hull(Ball(0, bits_), first + most))).real();
+    const Ball width = W - first;
+    const IntegralGoal goal{bits_, useful_accuracy(W.relative_accuracy_bits(), bits_),
+                            Ball(0, bits_), Ball(1, bits_)};
+    return begin + width * integral_of(
+                               [&](const Box& t) {
+                                   const Box w = t * width + first;
+                                   return rate_over_radius_at(principal_root(w * w + r * r));
+                               },
+                               goal);
+}
+
 Ball CurvedBody::pressure_at(const Ball& u, const Ball& other, const Ball& r,
                              std::optional<std::size_t> on) const {
     if (certainly_negative(u) || certainly_negative(other)) {
@@ -290,7 +416,7 @@ Ball CurvedBody::pressure_at(const Ball& u, const Ball& other, const Ball& r,
     for (std::size_t i = on ? *on + 1 : 0;; ++i) {
         const bool last = i == rings_.size() || !inside(rings_[i].knot);
         if (!last && !certainly_less(A, rings_[i].v)) {
-            if (certainly_less(rings_[i].v, A)) {
+            if (certainly_less(rings_[i].v, A) || (i == 0 && contains_zero(rings_[0].jump))) {
                 continue; // before r
             }
             return unknown_ball(bits_);
@@ -301,7 +427,8 @@ Ball CurvedBody::pressure_at(const Ball& u, const Ball& other, const Ball& r,
         if (on && !contains_zero(rings_[*on].jump) && from_r) {
             return unknown_ball(bits_); // infinite at a corner
         }
-        sum += over_width(r, A, on, from_r, W);
+        sum +=
+            from_r && !on && contains_zero(r) ? over_axis(r, W) : over_width(r, A, on, from_r, W);
         if (last) {
             return modulus_ / Ball::pi(bits_) * sum;
         }
@@ -378,12 +505,9 @@ Ball CurvedBody::majorant(Edge /*edge*/, const Ball& rho) const {
 // The Taylor coefficients of h' at a by Cauchy's formula over a circle of a sixteenth of the disk
 // on which h' is bounded by M. The mean over N points adds the coefficients k + N, k + 2N, ...
 // (`trefethen-weideman2014`), which are at most M/reach^(k + lN).
-std::vector<Ball> CurvedBody::expansion(Edge edge, std::size_t terms) const {
-    if (terms == 0) {
-        return {};
-    }
+std::vector<Ball> CurvedBody::approach_rates(std::size_t terms) const {
     constexpr long bits_of_ratio = 4;
-    const Ball rho = reach(edge);
+    const Ball rho = reach(Edge::right);
     if (!certainly_positive(rho)) {
         return std::vector<Ball>(terms, unknown_ball(bits_));
     }
@@ -404,14 +528,35 @@ std::vector<Ball> CurvedBody::expansion(Edge edge, std::size_t terms) const {
         }
     }
     std::vector<Ball> rates;
-    std::vector<Ball> radii;
     Ball scale(1, bits_);
     Ball bound = most * power_of_two(-bits_of_ratio * points, bits_) * 2;
     for (std::size_t k = 0; k < terms; ++k) {
-        rates.push_back((sums[k].real() / points / scale + up_to(bound)) * modulus_);
-        radii.push_back(k == 0 ? a_ : Ball(k == 1 ? 1 : 0, bits_));
+        rates.push_back(sums[k].real() / points / scale + up_to(bound));
         scale *= circle;
         bound /= rho;
+    }
+    return rates;
+}
+
+std::vector<Ball> CurvedBody::force_rates(std::size_t terms) const {
+    const std::vector<Ball> h = approach_rates(terms);
+    std::vector<Ball> rates;
+    for (std::size_t k = 0; k < terms; ++k) {
+        const Ball rate = (k == 0 ? h[k] * a_ : h[k] * a_ + h[k - 1]) * modulus_ * 2;
+        rates.push_back(k % 2 == 0 ? rate : -rate);
+    }
+    return rates;
+}
+
+std::vector<Ball> CurvedBody::expansion(Edge /*edge*/, std::size_t terms) const {
+    if (terms == 0) {
+        return {};
+    }
+    std::vector<Ball> rates = approach_rates(terms);
+    std::vector<Ball> radii;
+    for (std::size_t k = 0; k < terms; ++k) {
+        rates[k] *= modulus_;
+        radii.push_back(k == 0 ? a_ : Ball(k == 1 ? 1 : 0, bits_));
     }
     // The plane contact with P'(s) = E* h'(s) has the same pressure.
     const LawSeries<Ball> law{series::Series<Ball>(std::move(rates)),

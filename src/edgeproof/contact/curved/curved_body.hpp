@@ -4,6 +4,8 @@
 #include "edgeproof/precision/ball/complex_box.hpp"
 
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -43,6 +45,15 @@ public:
     [[nodiscard]] Ball reach(Edge edge) const override;
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
+    [[nodiscard]] Ball force_rate() const override {
+        return modulus_ * a_ * approach_rate_at(a_) * 2;
+    }
+    [[nodiscard]] std::vector<Ball> force_rates(std::size_t terms) const override;
+    [[nodiscard]] Ball radius_for(const Ball& P) const override;
+    [[nodiscard]] std::unique_ptr<RoundContact> resized(const Ball& a) const override;
+    [[nodiscard]] Ball minimum_end() const override;
+    [[nodiscard]] Ball gap_beyond(const Ball& beyond) const override;
+    [[nodiscard]] Ball loop_integral(const Ball& from, const Ball& tau) const override;
     [[nodiscard]] std::size_t cost() const override { return 100; }
 
 private:
@@ -83,8 +94,19 @@ private:
     /// The integral of h'(s)/sqrt(s^2 - r^2) over A < s < sqrt(A^2 + W^2), A >= r.
     [[nodiscard]] Ball over_width(const Ball& r, const Ball& A, std::optional<std::size_t> on,
                                   bool from_r, const Ball& W) const;
+    /// The same from s = r up to sqrt(r^2 + W^2), before the second ring, for a ball of r that
+    /// contains the axis.
+    [[nodiscard]] Ball over_axis(const Ball& r, const Ball& W) const;
     [[nodiscard]] Ball pressure_at(const Ball& u, const Ball& other, const Ball& r,
                                    std::optional<std::size_t> on) const;
+    /// The integral of h'(s) f(s, sqrt(to^2 - s^2)) over from < s < to = from + beyond; `on` is the
+    /// ring at `from`. A ring in the ball of `to` is left out.
+    [[nodiscard]] Ball
+    over_approach(const Ball& from, std::optional<std::size_t> on, const Ball& beyond,
+                  const std::function<Box(const Radius& at, const Box& depth)>& f,
+                  const Ball& scale) const;
+    /// The Taylor coefficients of h'(s) about s = a.
+    [[nodiscard]] std::vector<Ball> approach_rates(std::size_t terms) const;
     /// A bound of |h'(s)| for |s - a| <= rho; not finite if none is found.
     [[nodiscard]] Ball most_rate(const Ball& rho) const;
     [[nodiscard]] bool inside(std::size_t knot) const override;

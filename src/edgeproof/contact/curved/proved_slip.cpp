@@ -180,7 +180,7 @@ std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact, const Prof
                                         const formula::Exact& contact_modulus, bool tilted) {
     const BallContact* closed = contact.closed_form();
     if (profile.axisymmetric()) {
-        return axisymmetric_zones(dynamic_cast<const AxisymmetricContact&>(contact));
+        return axisymmetric_zones(dynamic_cast<const RoundContact&>(contact));
     }
     if (closed == nullptr) {
         return integrated_zones(dynamic_cast<const IntegratedContact&>(contact));

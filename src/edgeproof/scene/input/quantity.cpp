@@ -113,8 +113,8 @@ namespace {
 
 /// True for the quantities that are computed for curved slopes of revolution.
 bool of_curved_body(QuantityGroup group) {
-    return group == QuantityGroup::pressure || group == QuantityGroup::coefficients ||
-           group == QuantityGroup::contact;
+    return group != QuantityGroup::extent && group != QuantityGroup::peak &&
+           group != QuantityGroup::stress;
 }
 
 } // namespace
@@ -195,6 +195,12 @@ std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
     if (scene.curved_body() && !of_curved_body(group.group)) {
         return Lack{std::string(group.name) + " is not computed for curved slopes of revolution",
                     "give a power law or a piecewise linear g'"};
+    }
+    if (scene.curved_body() && group.group == QuantityGroup::slip && scene.ask.tolerance) {
+        return Lack{
+            "how far n terms of the slip zone are good is not computed for curved slopes of "
+            "revolution",
+            "leave tolerance out"};
     }
     if (!group.closed_form) {
         return {};

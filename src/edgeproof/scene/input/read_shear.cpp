@@ -67,11 +67,6 @@ void check_materials(const io::TomlSection& shear, const contact::ShearSpec& spe
                    instead);
 }
 
-[[noreturn]] void refuse_curved_body(const io::TomlSection& section, std::size_t line,
-                                     const char* instead) {
-    section.reject(line, "shear is not computed for curved slopes of revolution", instead);
-}
-
 } // namespace
 
 void read_shear(const io::TomlSection& shear, Scene& scene) {
@@ -105,9 +100,6 @@ void read_shear(const io::TomlSection& shear, Scene& scene) {
         shear.reject("bulk_tension", "P and Q grow together under a bulk tension",
                      "give bulk_tension = \"0\": only then is q = (Q/P) p");
     }
-    if (scene.curved_body()) {
-        refuse_curved_body(shear, shear.line(), "leave [shear] out");
-    }
     if (scene.round &&
         (!shear.has("friction") || spec.bulk_tension.sign() != 0 || spec.bulk_A.sign() != 0)) {
         refuse_round_shear(shear, shear.line(),
@@ -121,9 +113,6 @@ void read_shear(const io::TomlSection& shear, Scene& scene) {
 }
 
 void read_shear_of_steps(const io::TomlSection& top, Scene& scene) {
-    if (scene.curved_body()) {
-        refuse_curved_body(top, scene.steps.front().line, "give the load in [load]");
-    }
     for (const LoadStep& step : scene.steps) {
         if (scene.round && step.bulk_tension.sign() != 0) {
             refuse_round_shear(top, step.line, "leave bulk_tension out of the step");

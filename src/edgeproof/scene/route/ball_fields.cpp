@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/curved/slope_monotonicity.hpp"
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/stress/surface_gap.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -130,6 +131,12 @@ Ball BallLevel::gap(const AskedValue& at) {
     }
     const contact::BallContact* const form = contact_->closed_form();
     if (scene_.round) {
+        if (scene_.curved_body() && monotonicity_of_slope(*scene_.profile, abs(x), abs(x)).kind !=
+                                        contact::SlopeMonotonicity::Kind::rises) {
+            throw InputError("g' is not proved not to decrease up to the place, so that the gap is "
+                             "not computed",
+                             "give a place nearer to the contact");
+        }
         const Ball beyond = contact::clamped(certainly_negative(right) ? left : right);
         return form != nullptr ? axisymmetric_gap(*form, beyond)
                                : of_revolution().gap_beyond(beyond);
@@ -237,7 +244,7 @@ Ball BallLevel::round_slip(const Ball& r) {
            (form != nullptr
                 ? axisymmetric_gap(form->between(part.zone.a, part.zone.b),
                                    contact::clamped(beyond))
-                : of_revolution().with_radius(part.zone.a).gap_beyond(contact::clamped(beyond)));
+                : of_revolution().resized(part.zone.a)->gap_beyond(contact::clamped(beyond)));
 }
 
 std::optional<Ball> BallLevel::power_of_growth() const {

@@ -75,9 +75,8 @@ public:
     }
     /// delta of an axisymmetric contact.
     [[nodiscard]] Ball approach() const {
-        return scene_.round->approach
-                   ? ball_of(*scene_.round->approach, bits_)
-                   : dynamic_cast<const contact::RoundContact&>(*contact_).approach();
+        return scene_.round->approach ? ball_of(*scene_.round->approach, bits_)
+                                      : of_revolution().approach();
     }
     /// dP/d delta of an axisymmetric contact (docs/axisymmetric.md, "Contact stiffness").
     [[nodiscard]] Ball stiffness() const { return contact_->modulus() * a() * 2; }
@@ -324,8 +323,8 @@ private:
                 most, L};
     }
     /// The contact of an axisymmetric scene whose profile is no power law.
-    [[nodiscard]] const contact::AxisymmetricContact& of_revolution() const {
-        return dynamic_cast<const contact::AxisymmetricContact&>(*contact_);
+    [[nodiscard]] const contact::RoundContact& of_revolution() const {
+        return dynamic_cast<const contact::RoundContact&>(*contact_);
     }
     void make_slip(const std::optional<contact::BallZone>& stick) {
         const contact::ShearSpec& shear = *scene_.shear;

@@ -69,6 +69,16 @@ scene::AskedValue read_asked(const io::TomlSection& section, const scene::Scene&
     if (row.at_point()) {
         asked.u = section.exact("u");
     }
+    if (row.of_bodies()) {
+        if (scene.shear) {
+            section.reject("shear", "stresses are hard cases of normal contacts only",
+                           "leave shear out");
+        }
+        asked.in_body = {section.exact("x"), section.exact("z"), scene::Body::A};
+        if (asked.in_body->z.sign() <= 0) {
+            section.reject("z", "the depth is not positive", "give z > 0: on the surface szz = -p");
+        }
+    }
     if (row.tolerance) {
         asked.tolerance = scene::parse_tolerance(section.text("tolerance"));
     }
@@ -100,8 +110,8 @@ std::vector<HardCase> parse_hard_cases(std::string_view text, const std::string&
     }
     for (const std::string& name : all.keys()) {
         const io::TomlSection section = all.section(name);
-        section.allow({"class", "reason", "undecided", "quantity", "edge", "u", "n", "tolerance",
-                       "profile", "load", "shear"});
+        section.allow({"class", "reason", "undecided", "quantity", "edge", "u", "x", "z", "n",
+                       "tolerance", "profile", "load", "shear"});
         HardCase c;
         c.line = section.line();
         c.family = section.text("class");

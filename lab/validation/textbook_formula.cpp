@@ -5,6 +5,7 @@
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "lab/validation/plain_tanh_sinh.hpp"
+#include "lab/validation/stress_formula.hpp"
 #include "lab/validation/value_routes.hpp"
 
 #include <boost/math/special_functions/gamma.hpp>
@@ -345,6 +346,10 @@ template <Arithmetic T> T TextbookFormula<T>::value(const scene::AskedValue& ask
     }
     case scene::Quantity::extent:
         return first_exit(asked);
+    case scene::Quantity::sxx:
+    case scene::Quantity::szz:
+    case scene::Quantity::sxz:
+        return textbook_stress<T>(scene_, asked);
     default:
         break;
     }

@@ -6,6 +6,7 @@
 #include "edgeproof/scene/run_scene.hpp"
 #include "lab/validation/abel_quadrature.hpp"
 #include "lab/validation/axisymmetric_formula.hpp"
+#include "lab/validation/stress_formula.hpp"
 #include "lab/validation/textbook_formula.hpp"
 
 #include <algorithm>
@@ -367,6 +368,9 @@ constexpr TwoRoutes two_routes[] = {
     {Quantity::tilt_difference, difference_along<contact::Route::barber_mossakovskii>,
      difference_along<contact::Route::singular_integral>},
     {Quantity::extent, by_library_scan, independent_extent},
+    {Quantity::sxx, by_pressure_integrals, by_slope_integrals},
+    {Quantity::szz, by_pressure_integrals, by_slope_integrals},
+    {Quantity::sxz, by_pressure_integrals, by_slope_integrals},
 };
 constexpr TwoRoutes axisymmetric_routes[] = {
     {Quantity::p, by_nested_integrals, by_elliptic_integrals},

@@ -34,6 +34,8 @@ struct SecondRoute {
 ///                     the library's route; the printed formula with more digits than it loses
 ///   tilt difference   as the pressure
 ///   extent            the library's scan; an independent scan with the printed pressure
+///   stresses of normal contacts
+///                     integrals of the printed pressure; integrals of g' (stress_formula.hpp)
 ///   axisymmetric contacts: pressure
 ///                     nested integrals of g'; elliptic integrals
 ///   axisymmetric contacts: load, approach

@@ -26,6 +26,8 @@ TEST_CASE("misprints at two places are corrected: names exchanged, lost exponent
     CHECK(two_place_correction("P", "Pi/4*Es*a*C^2") == "names exchanged: Pi/4*Es*C*a^2");
     CHECK(two_place_correction("p(x)", "Es*C/2*sqrt(a - x)") ==
           "exponents: Es*C/2*sqrt(a^2 - x^2)");
+    CHECK(two_place_correction("p(x)", "2*P/(Pi*a)*sqrt(1 - x/a)") ==
+          "exponent: 2*P/(Pi*a)*sqrt(1 - (x/a)^2)");
     // Half of the modulus at both places of p = sqrt(P Es C/Pi) sqrt(1 - Pi Es C x^2/(4 P)).
     CHECK(two_place_correction("p(x)", "sqrt(P*Es/2*C/Pi)*sqrt(1 - Pi*Es/2*C*x^2/(4*P))")
               .starts_with("factor missing throughout: "));

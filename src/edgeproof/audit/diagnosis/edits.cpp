@@ -363,6 +363,10 @@ private:
             put(pow(node_, whole(2)), "exponent", 1);
             put(pow(node_, fraction(3, 2)), "exponent", 1);
         }
+        const bool ratio = node_.kind() == Kind::div || node_.kind() == Kind::mul;
+        if (ratio && (parent_kind() == Kind::add || parent_kind() == Kind::sub)) {
+            put(pow(node_, whole(2)), "exponent", 1); // t/a for t^2/a^2
+        }
         if (path_.empty() || (is_term() && parent_kind() != Kind::call)) {
             put(formula::Expr::call("abs", {node_}), "absolute value", 3);
         }

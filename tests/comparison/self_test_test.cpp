@@ -51,6 +51,15 @@ TEST_CASE("self-test: places from the middle of a wedge are named under noise") 
     check_named(run_self_test(424243, {"a wedge under P and M"}));
 }
 
+// docs/compare.md prints the last line of this table.
+TEST_CASE("self-test: mistakes in all contacts are named, and none wrongly" *
+          doctest::test_suite("slow")) {
+    const SelfTest test = run_self_test(1);
+    MESSAGE(test.text());
+    CHECK(test.total().wrong == 0);
+    CHECK(test.passes());
+}
+
 TEST_CASE("self-test: it fails where a cause is missed, and where a wrong one is named") {
     SelfTest test;
     CHECK_FALSE(test.passes()); // no mistake was tried

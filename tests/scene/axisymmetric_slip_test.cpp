@@ -3,6 +3,7 @@
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 #include "edgeproof/scene/scene.hpp"
 #include "tests/support/namespaces.hpp"
+#include "tests/support/paths.hpp"
 
 #include <doctest/doctest.h>
 
@@ -48,6 +49,16 @@ std::string pushed_refusal(const std::string& rest) {
 }
 
 } // namespace
+
+// The header of the example cattaneo.inp of CONTACT states 7/8 of the force of sliding and a stick
+// zone of half the radius.
+TEST_CASE("the stick zone of a ball in an example of CONTACT") {
+    const scene::Scene ball =
+        scene::read_scene(test::source_dir() / "examples" / "scenes" / "cattaneo.toml");
+    CHECK(overlaps(value_of_pushed(ball, scene::Quantity::stick_a), Ball(1, stuck_bits) / 2));
+    CHECK(overlaps(value_of_pushed(ball, scene::Quantity::P) * Ball(Rational(7, 20), stuck_bits),
+                   formula::ball_of(ball.shear->Q, stuck_bits)));
+}
 
 // dP/d delta is the ratio of the differences of P and delta between two radii, up to the distance
 // of these.

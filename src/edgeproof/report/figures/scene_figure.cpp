@@ -71,6 +71,10 @@ private:
         std::vector<std::optional<Real>> exits; ///< by number of terms, in the order of the request
     };
     [[nodiscard]] static scene::Digits digits() { return {picture_digits, Rounding::nearest}; }
+    /// False for curved slopes of revolution.
+    [[nodiscard]] static bool has_extents(const scene::Scene& scene) {
+        return !lack_of(scene, scene::AskedValue{scene::Quantity::extent});
+    }
     [[nodiscard]] static std::vector<scene::AskedValue> asked(const scene::Scene& scene) {
         using scene::Quantity;
         const auto one = formula::Exact::parse("1");
@@ -82,10 +86,12 @@ private:
         for (const contact::Edge edge : scene.ask.edges) {
             for (const std::size_t n : scene.ask.terms) {
                 list.push_back({.quantity = Quantity::c, .k = n - 1, .edge = edge});
-                list.push_back({.quantity = Quantity::extent,
-                                .k = n,
-                                .edge = edge,
-                                .tolerance = scene.ask.tolerance});
+                if (has_extents(scene)) {
+                    list.push_back({.quantity = Quantity::extent,
+                                    .k = n,
+                                    .edge = edge,
+                                    .tolerance = scene.ask.tolerance});
+                }
             }
         }
         return list;
@@ -114,6 +120,10 @@ private:
     void find_exits(OfEdge& of, std::vector<std::string>& exits) {
         for (const std::size_t n : scene_.ask.terms) {
             check_interruption();
+            if (!has_extents(scene_)) {
+                of.exits.emplace_back();
+                continue;
+            }
             const scene::Row& e = values_.searched({.quantity = scene::Quantity::extent,
                                                     .k = n,
                                                     .edge = of.edge,

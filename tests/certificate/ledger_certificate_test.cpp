@@ -144,6 +144,39 @@ TEST_CASE("the theorem of an extent is about the contact on which the verdict re
     CHECK(contains(far.text, ") / a < (1 / 25) - (3 / 200))"));
 }
 
+// The share of the left side is 21.26 %, and 22.20 % with the places beyond the apex.
+TEST_CASE("a refuted extent is stated under all readings") {
+    const std::string other =
+        "[[family]]\nname = \"other\"\nprofile = \"tilted-wedge\"\ncount = "
+        "1\n[family.parameters]\ngam = [\"0.03\"]\nphi = [\"pi/16\"]\nalpha = "
+        "[\"2*phi/pi*asin((1-gam)/(1+gam))\"]\na = [\"1\"]\nEs = [\"1\"]\n";
+    const std::string wedge = "profile = \"tilted-wedge\"\ncount = 1\n[family.parameters]\nphi = "
+                              "[\"pi/16\"]\nalpha = [\"pi/20\"]\na = [\"1\"]\nEs = [\"1\"]\n";
+    const auto claim = [](const std::string& quoted) {
+        return "kind = \"extent\"\nquoted = \"" + quoted +
+               "\"\nterms = 2\ntolerance = \"1/100\"\nedge = \"left\"\nbase = \"b\"\nreach = "
+               "\"first-exit\"\nupto = \"(1-sin(pi*alpha/(2*phi)))/2\"\n"
+               "[[claim.reading]]\ntext = \"first exit\"\n"
+               "[[claim.reading]]\ntext = \"of the contact\"\nbase = \"a+b\"\n"
+               "[[claim.reading]]\ntext = \"all places\"\nreach = \"measure\"\nupto = \"1\"\n";
+    };
+    const std::string rounded =
+        "[[claim.reading]]\ntext = \"rounded\"\nover = \"other\"\nupto = \"gam/(1+gam)\"\n";
+    const auto c = only_certificate(wedge + other, claim("23 %") + rounded);
+    CHECK(c.verdict == "refuted");
+    REQUIRE(c.theorems.size() == 3);
+    CHECK(c.whole_verdict);
+    CHECK(contains(c.text, ") / (a + gam * a) < (23 / 100) - (1 / 200))."));
+    CHECK(contains(c.text, ") / (gam * a) < (23 / 100) - (1 / 200)."));
+    CHECK(contains(c.text, "Definition gam : R := (3 / 100)."));
+    CHECK(c.theorems.at(2).name == "Reading_4.own_extent_4");
+    // The share of the whole contact is half a per cent: of the side, it is far above.
+    const auto small = only_certificate(wedge + other, claim("2 %") + rounded);
+    CHECK(small.verdict == "refuted");
+    CHECK(small.theorems.size() == 1);
+    CHECK_FALSE(small.whole_verdict);
+}
+
 TEST_CASE("the theorem of a quoted figure contains the figure") {
     const std::string wedge =
         "profile = \"power-law\"\ncount = 2\nu = [\"1/200\"]\n"
@@ -348,6 +381,72 @@ TEST_CASE("one term below the pressure is stated for exponents below 5/8") {
     const auto other = only_certificate(power("[\"1/3\", \"5/8\"]"), below + "where = \"x > 0\"\n");
     CHECK(other.verdict == "confirmed");
     CHECK(other.theorems.empty());
+}
+
+TEST_CASE("one term above the pressure near the edge is stated for exponents above 5/8") {
+    const auto power = [](const std::string& exponents) {
+        return "profile = \"power-law\"\ncount = 2\nu = [\"1/1000\", "
+               "\"1/5\"]\n[family.parameters]\n"
+               "C = [\"3/7\"]\na = [\"3/2\"]\nEs = [\"7/3\"]\nm = " +
+               exponents + "\n";
+    };
+    const std::string near = "[[claim.reading]]\ntext = \"near\"\nholds = \"near-edge\"\n";
+    const std::string all = "[[claim.reading]]\ntext = \"all\"\nwhere = \"x > 0\"\n";
+    const std::string above = "kind = \"relation\"\nsays = \"right_local(1, x) > p(x)\"\n";
+    const auto c = only_certificate(power("[\"13/20\", \"2\"]"), above + near + all);
+    CHECK(c.verdict == "imprecise");
+    REQUIRE(c.theorems.size() == 2);
+    CHECK(c.whole_verdict);
+    CHECK(contains(c.text, "5 / 8 < m /\\ 0 < a ->"));
+    CHECK(contains(c.text, "r0 * sqrt (9 / 10) < p0."));
+    // The exponent of the second theorem is missing.
+    const auto other = only_certificate(power("[\"7/10\", \"2\"]"), above + near + all);
+    CHECK(other.verdict == "imprecise");
+    CHECK(other.theorems.empty());
+    // There is no theorem about a relation that holds in the whole half.
+    const auto holds = only_certificate(power("[\"3/2\", \"2\"]"), above + near + all);
+    CHECK(holds.verdict == "confirmed");
+    CHECK(holds.theorems.empty());
+}
+
+TEST_CASE("an error that falls with the distance is stated at two places of a power law") {
+    const std::string power =
+        "profile = \"power-law\"\ncount = 2\n[family.parameters]\nm = [\"3/4\", \"1\"]\n"
+        "C = [\"3/7\"]\na = [\"1\", \"3/2\"]\nEs = [\"7/3\"]\n";
+    const auto claim = [](const std::string& of, const std::string& sense) {
+        return "kind = \"monotone\"\nof = \"" + of + "\"\nalong = \"s\"\nsense = \"" + sense +
+               "\"\nvary = { s = [\"a/10\", \"a*9/10\", \"a*99/100\"] }\n";
+    };
+    const std::string error = "abs(1 - right_local(1, a-s)/p(a-s))";
+    const auto c = only_certificate(power, claim(error, "increasing"));
+    CHECK(c.verdict == "refuted");
+    CHECK(contains(c.text, "is_the_pressure 1 (power_slope 1 (3 / 4)) 1 (1 - (9 / 10)) p0"));
+    CHECK(contains(c.text, "is_the_pressure 1 (power_slope 1 (3 / 4)) 1 (1 - (99 / 100)) q0"));
+    CHECK(c.whole_verdict);
+    const auto other_sense = only_certificate(power, claim(error, "decreasing"));
+    CHECK(other_sense.verdict == "refuted");
+    CHECK(other_sense.theorems.empty());
+    const auto twice = only_certificate(power, claim("2*" + error, "increasing"));
+    CHECK(twice.verdict == "refuted");
+    CHECK(twice.theorems.empty());
+}
+
+TEST_CASE("a figure for the ratio of the edges is stated for one tilt, at every size") {
+    const auto wedge = [](const std::string& tilts) {
+        return "profile = \"tilted-wedge\"\ncount = 2\n[family.parameters]\nphi = [\"pi/16\"]\n"
+               "alpha = " +
+               tilts + "\na = [\"1\", \"2\"]\nEs = [\"7/3\"]\n";
+    };
+    const auto figure = [](const std::string& of) {
+        return "kind = \"figure\"\nof = \"" + of + "\"\nquoted = \"0.03\"\n";
+    };
+    const auto c = only_certificate(wedge("[\"pi/20\"]"), figure("b/a"));
+    CHECK(c.verdict == "confirmed");
+    CHECK(contains(c.text, "is_the_left_edge (slope (PI / 16) (PI / 20)) a b"));
+    CHECK(contains(c.text, "Rabs (b / a - (3 / 100)) < (1 / 200)."));
+    CHECK(c.whole_verdict);
+    CHECK(only_certificate(wedge("[\"pi/20\", \"pi/21\"]"), figure("b/a")).theorems.empty());
+    CHECK(only_certificate(wedge("[\"pi/20\"]"), figure("b/a + 1/1000")).theorems.empty());
 }
 
 TEST_CASE("the sum of increments of shear is stated for wedges and power laws under one force") {

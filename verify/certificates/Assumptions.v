@@ -92,10 +92,12 @@ From Edgeproof Require EQ31.
 From Edgeproof Require S01.
 From Edgeproof Require S03_M.
 From Edgeproof Require S03_N.
+From Edgeproof Require S04_distance.
 From Edgeproof Require S04_flatness.
 From Edgeproof Require S05_diverges.
 From Edgeproof Require S05_punch.
 From Edgeproof Require S06.
+From Edgeproof Require S07.
 From Edgeproof Require S10.
 From Edgeproof Require S11.
 From Edgeproof Require S12.
@@ -124,6 +126,7 @@ From Edgeproof Require S30.
 From Edgeproof Require S31_range.
 From Edgeproof Require S31_one.
 From Edgeproof Require S31_zero.
+From Edgeproof Require S32.
 From Edgeproof Require S33.
 From Edgeproof Require S34.
 From Edgeproof Require S35.
@@ -259,11 +262,14 @@ Definition all_theorems : True :=
   let _ := S01.S01 in
   let _ := S03_M.S03_M_refuted in
   let _ := S03_N.S03_N_refuted in
+  let _ := S04_distance.S04_distance_refuted in
   let _ := S04_flatness.S04_flatness_refuted in
   let _ := S05_diverges.S05_diverges in
   let _ := S05_punch.S05_punch in
   let _ := S06.S06_1 in
   let _ := S06.S06_2 in
+  let _ := S07.S07_1 in
+  let _ := S07.S07_2 in
   let _ := S10.S10_figure in
   let _ := S10.S10_figure_similar in
   let _ := S11.S11_figure in
@@ -305,9 +311,12 @@ Definition all_theorems : True :=
   let _ := S31_range.S31_range in
   let _ := S31_one.S31_one in
   let _ := S31_zero.S31_zero in
+  let _ := S32.S32_figure in
   let _ := S33.S33_extent in
   let _ := S34.S34_extent in
   let _ := S35.S35_extent in
+  let _ := S35.S35_extent_3 in
+  let _ := S35.Reading_4.S35_extent_4 in
   let _ := S36.S36_extent in
   let _ := S37_right.S37_right in
   let _ := S37_left.S37_left in

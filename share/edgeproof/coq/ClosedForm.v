@@ -154,6 +154,37 @@ Qed.
 Lemma scaled_within q K S t : 0 < q -> Rabs (K - S) <= t * K -> Rabs (q * K - q * S) <= t * (q * K).
 Proof. intros Hq H. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq q) by lra. nra. Qed.
 
+Lemma atanh_rises y z : 0 <= y <= z -> z < 1 -> atanh y <= atanh z.
+Proof.
+  intros H Hz. unfold atanh. apply Rmult_le_compat_l; [lra |]. apply ln_le; [apply Rdiv_lt_0_compat; lra |].
+  unfold Rdiv. apply Rmult_le_compat; [lra | apply Rlt_le, Rinv_0_lt_compat; lra | lra |].
+  apply Rinv_le_contravar; lra.
+Qed.
+(* The pressure falls with the distance x from the apex. *)
+Lemma proportional_falls K g c x z : 0 < K -> 0 < g -> 0 < x <= z -> z < c ->
+  0 <= proportional_pressure K g c z <= proportional_pressure K g c x.
+Proof.
+  intros HK Hg Hx Hz. assert (Hpi := PI_RGT_0). assert (Hq : 0 < sqrt g) by (apply sqrt_lt_R0, Hg).
+  assert (Positive : 0 < 2 * K / (PI * sqrt g)) by (apply Rdiv_lt_0_compat; [lra | apply Rmult_lt_0_compat; lra]).
+  assert (Hw : forall s, 0 < s -> 0 < sqrt (s + g * c)) by (intros s Hs; apply sqrt_lt_R0; nra).
+  set (y := fun s => sqrt g * sqrt (c - s) / sqrt (s + g * c)).
+  assert (Hy : forall s, 0 < s < c -> 0 <= y s).
+  { intros s Hs. apply Rmult_le_pos; [apply Rmult_le_pos; apply sqrt_pos | apply Rlt_le, Rinv_0_lt_compat, Hw; lra]. }
+  assert (Falls : y z <= y x).
+  { unfold y, Rdiv. apply Rmult_le_compat.
+    - apply Rmult_le_pos; apply sqrt_pos.
+    - apply Rlt_le, Rinv_0_lt_compat, Hw; lra.
+    - apply Rmult_le_compat_l; [lra |]. apply sqrt_le_1_alt; lra.
+    - apply Rinv_le_contravar; [apply Hw; lra | apply sqrt_le_1_alt; lra]. }
+  assert (Less : y x < 1).
+  { unfold y. apply (Rmult_lt_reg_r (sqrt (x + g * c))); [apply Hw; lra |]. unfold Rdiv.
+    rewrite Rmult_assoc, Rinv_l, Rmult_1_r, Rmult_1_l by (apply Rgt_not_eq, Hw; lra).
+    rewrite <- sqrt_mult by lra. apply sqrt_lt_1_alt. nra. }
+  unfold proportional_pressure. fold (y z) (y x). assert (P := Hy z ltac:(lra)). split.
+  - apply Rmult_le_pos; [lra |]. rewrite <- atanh_0. apply atanh_rises; lra.
+  - apply Rmult_le_compat_l; [lra |]. apply atanh_rises; lra.
+Qed.
+
 (* proportional_pressure at the distance u from the edge, over the root of u. *)
 Definition proportional_scaled (K g c u : R) : R :=
   2 * K / (PI * sqrt g) * (sqrt g / sqrt ((1 + g) * c - u) * atanh_ratio (sqrt u * (sqrt g / sqrt ((1 + g) * c - u)))).

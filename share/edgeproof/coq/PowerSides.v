@@ -137,4 +137,4 @@ Qed.
 Ltac near_edge_by theorem :=
   let r0 := fresh "r0" in let r1 := fresh "r1" in let r2 := fresh "r2" in let Hr := fresh "Hr" in let H := fresh "H" in
   destruct theorem as (r0 & r1 & r2 & Hr & H); exists r0, r1, r2; split; [exact Hr |];
-  match type of H with forall u, 0 < u < ?c -> _ => exists c; split; [lra | exact H] end.
+  first [exact H | match type of H with forall u, 0 < u < ?c -> _ => exists c; split; [lra | exact H] end].

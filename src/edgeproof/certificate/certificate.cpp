@@ -385,6 +385,7 @@ const std::vector<TheoryFile>& theory_files() {
         {"Inversion", coq_files::Inversion_v, "Stick.vo"},
         {"Flatness", coq_files::Flatness_v, "PowerLaw.vo"},
         {"PowerSides", coq_files::PowerSides_v, "Sides.vo PowerLaw.vo"},
+        {"PowerError", coq_files::PowerError_v, "Orders.vo PowerLaw.vo"},
         {"Similar", coq_files::Similar_v, "Stick.vo PowerLaw.vo"}};
     return all;
 }

@@ -39,6 +39,7 @@ extern const std::string_view TiltedRounded_v; ///< the slope of a tilted punch
 extern const std::string_view Flatness_v;      ///< power laws of a growing exponent
 extern const std::string_view Inversion_v;     ///< pressures by the singular integral equation
 extern const std::string_view PowerSides_v;    ///< one term lies below the pressure, m < 5/8
+extern const std::string_view PowerError_v;    ///< one term divided by the pressure, m > 5/8
 extern const std::string_view Similar_v;       ///< shear in proportion to the load
 
 } // namespace coq_files

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/parts/quoted_figure.hpp"
+#include "edgeproof/certificate/extent_parts.hpp"
 #include "edgeproof/certificate/parts.hpp"
 #include "edgeproof/certificate/stated_contact.hpp"
 #include "edgeproof/formula/exact/identity.hpp"
@@ -34,14 +35,6 @@ bool are_similar(const audit::SceneSpec& one, const audit::SceneSpec& other) {
     return one.profile == "flat-and-rounded" &&
            formula::proved_zero(one.parameter("t").expr() * other.parameter("a").expr() -
                                 other.parameter("t").expr() * one.parameter("a").expr());
-}
-
-const audit::EvidenceItem& item(const audit::Evidence& evidence, std::string_view key) {
-    const audit::EvidenceItem* const found = evidence.find(key);
-    if (found == nullptr) {
-        throw NotStated("the audit computed no value");
-    }
-    return *found;
 }
 
 /// Returns the scene on which the verdict rests: that of the reported figure, or one with the same
@@ -128,6 +121,82 @@ AgainstQuoted against_quoted(const audit::Claim& claim, audit::Verdict verdict, 
     }
 }
 
+/// The statement of the first exit near `share`; both ends are `step` away from it. The end of the
+/// extent, in shares of the edge's distance, is compared with the figure by `more`.
+ExtentStatement around(const audit::Claim& claim, const StatedEdge& edge, double share,
+                       double step) {
+    return {static_cast<std::size_t>(claim.integer("terms")),
+            formula::Exact::parse(claim.text("tolerance")),
+            coq_decimal((share - step) * edge.distance, 9, true),
+            coq_decimal((share + step) * edge.distance, 9, false), ""};
+}
+
+std::string share_of(const CoqDecimal& u, std::string_view base) {
+    return fmt::format("({}) / {}", u.text, base);
+}
+
+/// Adds to the theorem of the first reading of a refuted claim, about `scene`, that under no other
+/// reading the share rounds to the figure. Returns what belongs to the comparison of the first
+/// theorem. Throws NotStated for readings that are not stated.
+std::string certify_other_readings(const audit::ClaimResult& result, const audit::Ledger& ledger,
+                                   const audit::SceneSpec& scene, const StatedContact& contact,
+                                   const ExtentStatement& extent, Certificate& after) {
+    const audit::Claim& first = result.claim.readings.front();
+    const StatedEdge& edge = contact.at(first.edge());
+    std::string shares;
+    for (std::size_t i = 1; i < result.readings.size(); ++i) {
+        const audit::Claim& claim = result.claim.readings[i];
+        const audit::Outcome& outcome = result.readings[i].second;
+        const bool fails = outcome.verdict == audit::Verdict::refuted ||
+                           outcome.verdict == audit::Verdict::imprecise;
+        if (!fails || !outcome.computed || claim.edge() != first.edge() ||
+            claim.integer("terms") != first.integer("terms") ||
+            claim.text("tolerance") != first.text("tolerance") ||
+            claim.text("quoted") != first.text("quoted")) {
+            throw NotStated("a reading is about another extent");
+        }
+        const std::string name = fmt::format("{}_extent_{}", coq_name(result.claim.id), i + 1);
+        const std::string reach = claim.text("reach");
+        const bool same_base = claim.text("base") == first.text("base");
+        const JudgedScene judged = judged_scene(claim, outcome, ledger);
+        if (full_text(judged.scene) == full_text(scene)) {
+            if (reach == "first-exit" && claim.text("base") == "a+b" && edge.wedge) {
+                shares += " /\\\n   " + not_rounded_to(claim, judged.share,
+                                                       share_of(extent.within, "(a + gam * a)"),
+                                                       share_of(extent.beyond, "(a + gam * a)"));
+                continue;
+            }
+            if (reach == "measure" && same_base) {
+                const double gam = contact.left.distance / contact.right.distance;
+                certify_measure(name, {claim, judged.share, edge, gam, extent}, after);
+                continue;
+            }
+        } else if (reach == "first-exit" && same_base && judged.scene.parameters.contains("gam")) {
+            const formula::Exact gam = judged.scene.parameter("gam");
+            const StatedContact own =
+                stated_contact(judged.scene.make_profile(), judged.scene.parameter("a"),
+                               judged.scene.parameter("Es"), &gam);
+            const StatedEdge& own_edge = own.at(claim.edge());
+            ExtentStatement statement =
+                around(claim, own_edge, judged.share, std::min(4e-5, judged.share * 0.01));
+            statement.more =
+                "(" +
+                not_rounded_to(claim, judged.share, share_of(statement.within, own_edge.edge),
+                               share_of(statement.beyond, own_edge.edge)) +
+                ")";
+            const std::string module = fmt::format("Reading_{}", i + 1);
+            after.text += fmt::format("Module {0}.\n{1}{2}End {0}.\n\n", module, own.definitions(),
+                                      extent_theorem(name, own_edge, statement));
+            after.theorems.push_back(
+                {module + "." + name,
+                 "the first exit does not round to the figure either: " + claim.reading});
+            continue;
+        }
+        throw NotStated("the reading is not stated");
+    }
+    return shares;
+}
+
 /// States the same for all contacts that are similar to the one of the theorem `name`.
 std::string similar_theorem(const std::string& name, const StatedEdge& edge,
                             const ExtentStatement& extent) {
@@ -154,8 +223,8 @@ std::string similar_theorem(const std::string& name, const StatedEdge& edge,
 // compared with the quoted figure. A second theorem extends this to all contacts of the same form.
 void certify_extent(const audit::ClaimResult& result, const audit::Ledger& ledger,
                     Certificate& certificate) {
-    // Of a claim with several readings, the first is stated.
-    const bool whole = result.claim.readings.empty();
+    // Of a claim with several readings, the first is stated, and all if the claim is refuted.
+    bool whole = result.claim.readings.empty();
     const audit::Claim& claim = whole ? result.claim : result.claim.readings.front();
     const audit::Outcome& outcome = whole ? result.outcome : result.readings.at(0).second;
     if (claim.text_or("reach", "") != "first-exit" || !outcome.computed) {
@@ -180,17 +249,24 @@ void certify_extent(const audit::ClaimResult& result, const audit::Ledger& ledge
     if (step < 1e-7) {
         throw NotStated("the value is too near to a number half-way between two figures");
     }
-    const ExtentStatement extent{static_cast<std::size_t>(claim.integer("terms")),
-                                 formula::Exact::parse(claim.text("tolerance")),
-                                 coq_decimal((judged.share - step) * edge.distance, 9, true),
-                                 coq_decimal((judged.share + step) * edge.distance, 9, false), ""};
+    const ExtentStatement extent = around(claim, edge, judged.share, step);
     ExtentStatement shares = extent;
-    const auto share_of = [&](const CoqDecimal& u) {
-        return fmt::format("({}) / {}", u.text, edge.edge);
-    };
-    const AgainstQuoted against = against_quoted(claim, verdict, judged.share,
-                                                 share_of(extent.within), share_of(extent.beyond));
-    shares.more = "(" + against.text + ")";
+    const AgainstQuoted against =
+        against_quoted(claim, verdict, judged.share, share_of(extent.within, edge.edge),
+                       share_of(extent.beyond, edge.edge));
+    const bool one_is_enough = verdict == audit::Verdict::refuted;
+    Certificate others;
+    std::string in_other_shares;
+    if (!whole && one_is_enough) {
+        try {
+            in_other_shares =
+                certify_other_readings(result, ledger, scene, contact, extent, others);
+            whole = true;
+        } catch (const NotStated&) {
+            others = {};
+        }
+    }
+    shares.more = "(" + against.text + in_other_shares + ")";
     const std::string name = coq_name(result.claim.id) + "_extent";
     certificate.text =
         contact.head(file_comment(result.claim, ledger)) + extent_theorem(name, edge, shares);
@@ -199,8 +275,14 @@ void certify_extent(const audit::ClaimResult& result, const audit::Ledger& ledge
          fmt::format("at one contact {} terms stay within {} up to a distance of {:.6g} {}, and "
                      "not at {:.6g} {}, {}",
                      extent.terms, claim.text("tolerance"), judged.share - step, base,
-                     judged.share + step, base, against.words)}};
-    const bool one_is_enough = verdict == audit::Verdict::refuted;
+                     judged.share + step, base,
+                     against.words +
+                         (in_other_shares.empty()
+                              ? ""
+                              : "; nor does it round to it as a share of the whole contact"))}};
+    certificate.text += others.text;
+    certificate.theorems.insert(certificate.theorems.end(), others.theorems.begin(),
+                                others.theorems.end());
     const bool every_scale =
         judged.similar && claim.edge() == contact::Edge::right && !edge.rises.empty();
     if (every_scale) {

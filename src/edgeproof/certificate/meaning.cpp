@@ -62,6 +62,14 @@ void require_usual_names(const audit::Claim& claim, const std::vector<audit::Sce
 
 } // namespace
 
+const audit::EvidenceItem& item(const audit::Evidence& evidence, std::string_view key) {
+    const audit::EvidenceItem* const found = evidence.find(key);
+    if (found == nullptr) {
+        throw NotStated("the audit computed no value");
+    }
+    return *found;
+}
+
 void require_usual_meaning(const audit::Claim& claim, const audit::Ledger& ledger) {
     if (!claim.has("over")) {
         return;

@@ -38,6 +38,9 @@ void certify_relation(const audit::ClaimResult& result, const audit::Ledger& led
 [[nodiscard]] bool certify_listed(const audit::ClaimResult& result, const audit::Ledger& ledger,
                                   Certificate& certificate);
 
+/// Returns an item of what the audit found; throws NotStated if there is none.
+[[nodiscard]] const audit::EvidenceItem& item(const audit::Evidence& evidence,
+                                              std::string_view key);
 /// Throws NotStated if the contacts of the claim have friction or are bodies of revolution, if a
 /// name of the contact or one of its parameters has another meaning in the claim, or if a reading
 /// is about another family or edge.

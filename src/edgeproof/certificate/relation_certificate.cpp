@@ -26,8 +26,9 @@ struct Subject {
 };
 
 constexpr std::string_view low_power_law = "power law, m < 5/8";
+constexpr std::string_view high_power_law = "power law, m > 5/8";
 
-constexpr std::array<Subject, 7> subjects{
+constexpr std::array<Subject, 8> subjects{
     {{"force", "a b Q", "0 < a + b /\\ Q <> 0",
       "exists s0 s1 s2, is_the_@_shear_series (full_stick Q 0 a b) % s0 s1 s2", "a + b", ""},
      {"tension", "a b sig0", "0 < a + b /\\ sig0 <> 0",
@@ -39,6 +40,9 @@ constexpr std::array<Subject, 7> subjects{
       "exists r0 r1 r2, is_the_right_series Es (Symmetric.slope (parabola C)) a r0 r1 r2", "a",
       "is_the_pressure Es (Symmetric.slope (parabola C)) a (a - u) p0"},
      {low_power_law, "Es C m a", "0 < Es /\\ 0 < C /\\ 0 <= m < 5 / 8 /\\ 0 < a",
+      "exists r0 r1 r2, is_the_right_series Es (power_slope C m) a r0 r1 r2", "a",
+      "is_the_pressure Es (power_slope C m) a (a - u) p0"},
+     {high_power_law, "Es C m a", "0 < Es /\\ 0 < C /\\ 5 / 8 < m /\\ 0 < a",
       "exists r0 r1 r2, is_the_right_series Es (power_slope C m) a r0 r1 r2", "a",
       "is_the_pressure Es (power_slope C m) a (a - u) p0"},
      {"tilted wedge, right", "Es phi gam a", "0 < Es /\\ 0 < phi /\\ 0 < gam /\\ 0 < a",
@@ -76,7 +80,7 @@ constexpr std::string_view nearer = "abs(1 - @_local(2, x)/p(x)) < abs(1 - @_loc
 constexpr std::string_view is_nearer =
     "Rabs (1 - (r0 * sqrt u + r1 * (u * sqrt u)) / p0) < Rabs (1 - r0 * sqrt u / p0)";
 
-constexpr std::array<Compared, 10> compared{
+constexpr std::array<Compared, 11> compared{
     {{"force", "abs(@.s0)/sqrt(u) < abs(q(x))", "", "", "Rabs s0 / sqrt u < Rabs #", "force_alone"},
      {"tension", "abs(@.s0)/sqrt(u) > abs(q(x))", "u < L/2", "0 < u < (a + b) / 2",
       "Rabs # < Rabs s0 / sqrt u", "tension_alone"},
@@ -88,8 +92,24 @@ constexpr std::array<Compared, 10> compared{
      {"parabola", nearer, "x > 0", "", is_nearer, "parabola_right Es C a"},
      {low_power_law, "@_local(1, x) < p(x)", "x > 0", "", "r0 * sqrt u < p0",
       "power_one_term_below Es C m a"},
+     {high_power_law, "@_local(1, x) > p(x)", "x > 0", "", "p0 < r0 * sqrt u",
+      "power_above_near_edge Es C m a"},
      {"tilted wedge, right", below, "x > 0", "", is_below, "wedge_right Es phi gam a"},
      {"tilted wedge, left", below, "x < 0", "", is_below, "wedge_left Es phi gam a"}}};
+
+/// That one term lies below the pressure at a place of a power law with m > 5/8, so that it is not
+/// above the pressure everywhere.
+constexpr std::string_view below_at_one_place = R"(Theorem {0} : exists p0 r0 r1 r2,
+  is_the_pressure 1 (power_slope 1 (13 / 20)) 1 (1 - 9 / 10) p0 /\
+  is_the_right_series 1 (power_slope 1 (13 / 20)) 1 r0 r1 r2 /\
+  r0 * sqrt (9 / 10) < p0.
+Proof.
+  destruct (power_ratio (13 / 20) (9 / 10) ltac:(lra) ltac:(lra)) as (p0 & r0 & r1 & r2 & Hp & Hr & H0 & E).
+  exists p0, r0, r1, r2. split; [exact Hp |]. split; [exact Hr |].
+  apply (below_by_ratio _ _ H0). rewrite E. square_root_integrals. interval with (i_prec 60).
+Qed.
+
+)";
 
 std::string replaced(std::string text, char sign, std::string_view by) {
     for (std::size_t at = text.find(sign); at != std::string::npos;
@@ -138,6 +158,14 @@ std::string_view subject_of(const audit::Claim& claim, const audit::Ledger& ledg
                  return m.sign() >= 0 && formula::Exact(five_eighths.expr() - m.expr()).sign() > 0;
              })
                ? low_power_law
+           : exponents([&](const formula::Exact& m) {
+                 return formula::Exact(m.expr() - five_eighths.expr()).sign() > 0;
+             }) && std::any_of(scenes.begin(), scenes.end(),
+                               [](const audit::SceneSpec& s) {
+                                   const formula::Exact& m = s.parameter("m");
+                                   return m.is_rational() && m.rational() == Rational(13, 20);
+                               })
+               ? high_power_law
                : "";
 }
 
@@ -159,27 +187,34 @@ const Compared& compared_in(const audit::Claim& claim, std::string_view subject,
 } // namespace
 
 // States a relation that holds, under every reading, for all contacts of a form and at all places.
+// Of one term and the pressure of power laws with m > 5/8, it states that a reading holds near the
+// edge, and that another one does not hold everywhere.
 void certify_relation(const audit::ClaimResult& result, const audit::Ledger& ledger,
                       Certificate& certificate) {
     const audit::Claim& claim = result.claim;
-    if (result.outcome.verdict != audit::Verdict::confirmed) {
-        throw NotStated("only relations that are confirmed are stated");
-    }
     const std::string_view name_of_subject = subject_of(claim, ledger);
+    const bool high = name_of_subject == high_power_law;
+    if (result.outcome.verdict != (high ? audit::Verdict::imprecise : audit::Verdict::confirmed)) {
+        throw NotStated("only relations that are confirmed, and one that is imprecise, are stated");
+    }
     const bool right = claim.edge() == contact::Edge::right;
     const std::string edge = right ? "right" : "left";
     const auto subject = std::find_if(subjects.begin(), subjects.end(),
                                       [&](const Subject& s) { return s.name == name_of_subject; });
     if (subject == subjects.end()) {
         throw NotStated(
-            "of relations, those of wedges, parabolas, power laws with m < 5/8 and full stick "
-            "under one load are stated");
+            "of relations, those of wedges, parabolas, power laws with m < 5/8 or m > 5/8 and full "
+            "stick under one load are stated");
     }
     Theory theory;
     theory.imports = {"Contact",     "Coefficients", "Edges",  "ClosedForm", "Symmetric",
                       "TiltedWedge", "Shear",        "Unique", "Tactics",    "Sides"};
     if (name_of_subject == low_power_law) {
         theory.imports.insert(theory.imports.end(), {"Gamma", "PowerLaw", "PowerSides"});
+    }
+    if (high) {
+        theory.imports.insert(theory.imports.end(),
+                              {"Gamma", "PowerLaw", "PowerSides", "PowerError"});
     }
     certificate.text = file_head(claim, ledger, theory);
     std::vector<audit::Claim> readings = claim.readings;
@@ -195,12 +230,17 @@ void certify_relation(const audit::ClaimResult& result, const audit::Ledger& led
     const bool of_pressure = !subject->pressure.empty();
     const std::string name = coq_name(claim.id);
     std::vector<std::string> names;
-    for (const audit::Claim& reading : readings) {
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        const audit::Claim& reading = readings[i];
         const std::string holds = reading.text_or("holds", "everywhere");
         const bool near_edge = holds == "near-edge";
-        if (holds != "everywhere" && !(near_edge && name_of_subject == low_power_law)) {
+        const audit::Verdict verdict =
+            high ? result.readings.at(i).second.verdict : audit::Verdict::confirmed;
+        if ((holds != "everywhere" && !(near_edge && (high || name_of_subject == low_power_law))) ||
+            (high &&
+             verdict != (near_edge ? audit::Verdict::confirmed : audit::Verdict::refuted))) {
             throw NotStated(
-                "only relations that hold everywhere, and one near the edge, are stated");
+                "only relations that hold everywhere, and two near the edge, are stated");
         }
         const Compared& c = compared_in(reading, name_of_subject, edge, near_edge);
         const std::string places = near_edge ? "exists d, 0 < d /\\ forall u, 0 < u < d"
@@ -219,6 +259,12 @@ void certify_relation(const audit::ClaimResult& result, const audit::Ledger& led
                               "traction_at_edge. rewrite ?no_tension. apply {}; lra.\n",
                               c.lemma);
         names.push_back(readings.size() == 1 ? name : fmt::format("{}_{}", name, names.size() + 1));
+        if (verdict == audit::Verdict::refuted) {
+            certificate.text += fmt::format(fmt::runtime(below_at_one_place), names.back());
+            certificate.theorems.push_back(
+                {names.back(), "for m = 13/20, one term is smaller than the pressure at x = a/10"});
+            continue;
+        }
         certificate.text +=
             theorem_text(fmt::format("{} ({} : R)", names.back(), subject->parameters),
                          fmt::format("{} ->\n  {} /\\\n  {} -> {}", subject->condition,

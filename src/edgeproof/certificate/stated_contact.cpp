@@ -121,16 +121,31 @@ StatedContact symmetric_contact(const contact::Profile& profile, const Exact& a)
     return c;
 }
 
-StatedContact tilted_wedge(const contact::Profile& profile, const Exact& a) {
+StatedContact tilted_wedge(const contact::Profile& profile, const Exact& a, const Exact* given) {
     StatedContact c;
     c.imports = {"Contact",     "Coefficients", "Edges",   "ClosedForm",
                  "TiltedWedge", "Unique",       "Scaling", "Tactics"};
     const Exact& phi = profile.parameters().at("phi");
     const Exact& alpha = profile.parameters().at("alpha");
     c.constants = {{"phi", in_coq(phi)}, {"alpha", in_coq(alpha)}, {"gam", "ratio_of phi alpha"}};
-    c.lemma = "(* The tilt has the left edge at gam a. *)\n"
-              "Lemma tilted : 0 < gam /\\ tilt phi gam = alpha.\n"
-              "Proof. apply tilt_of_ratio. sides constants. Qed.\n\n";
+    std::string range;
+    std::string is_tilted = "apply tilt_of_ratio. sides constants.";
+    if (given != nullptr) {
+        if (!given->is_rational()) {
+            throw NotStated("of wedges with a given b/a, those with a rational one are stated");
+        }
+        const Rational g = given->rational();
+        c.constants.back().value = in_coq(*given);
+        range = "rewrite <- (proj2 tilted); ";
+        is_tilted = fmt::format(
+            "split; [sides constants |]. assert (Hpi := PI_RGT_0). unfold tilt. constants.\n"
+            "  replace ((1 - {0}) / (1 + {0})) with {1} by field. field. lra.",
+            coq_number(g), coq_number(Rational((1 - g) / (1 + g))));
+    }
+    c.lemma = fmt::format("(* The tilt has the left edge at gam a. *)\n"
+                          "Lemma tilted : 0 < gam /\\ tilt phi gam = alpha.\n"
+                          "Proof. {} Qed.\n\n",
+                          is_tilted);
     const double sine = std::sin(std::numbers::pi / 2 * alpha.to<double>() / phi.to<double>());
     const double gam = (1 - sine) / (1 + sine);
     const std::string tilt = "rewrite <- (proj2 tilted); ";
@@ -145,8 +160,9 @@ StatedContact tilted_wedge(const contact::Profile& profile, const Exact& a) {
     c.right.steepness = gam / ((1 + gam) * c.right.distance);
     c.left.steepness = (1 / gam) / ((1 + 1 / gam) * c.left.distance);
     c.right.rises_at = c.left.rises_at = "0";
-    c.right.rises = "apply wedge_rises; sides constants";
-    c.left.rises = "apply mirrored_wedge_rises; sides constants";
+    const std::string in_range = given == nullptr ? "" : ", tilt_range";
+    c.right.rises = fmt::format("{}apply wedge_rises{}; sides constants", range, in_range);
+    c.left.rises = fmt::format("{}apply mirrored_wedge_rises{}; sides constants", range, in_range);
     c.right.inside = c.left.inside = "sides constants";
     c.right.series = {{"r0", "r1", "r2"},
                       "is_the_right_series Es (slope phi alpha) a r0 r1 r2",
@@ -251,15 +267,17 @@ StatedEdge::Proofs StatedEdge::at(double u, const std::string& what) const {
                         beyond)};
 }
 
+std::string StatedContact::definitions() const { return certificate::constants(constants) + lemma; }
+
 std::string StatedContact::head(const std::string& comment) const {
-    return comment + imports_text(imports) + certificate::constants(constants) + lemma;
+    return comment + imports_text(imports) + definitions();
 }
 
 StatedContact stated_contact(const contact::Profile& profile, const Exact& a,
-                             const Exact& contact_modulus) {
+                             const Exact& contact_modulus, const Exact* gam) {
     StatedContact c = [&] {
         if (profile.kind() == contact::Profile::Kind::tilted_wedge) {
-            return tilted_wedge(profile, a);
+            return tilted_wedge(profile, a, gam);
         }
         if (profile.symmetric() && profile.piecewise_linear()) {
             return symmetric_contact(profile, a);
@@ -272,13 +290,17 @@ StatedContact stated_contact(const contact::Profile& profile, const Exact& a,
     return c;
 }
 
-std::string extent_theorem(const std::string& name, const StatedEdge& edge,
-                           const ExtentStatement& extent) {
+std::string sum_of_terms(std::size_t terms) {
     static const char* const sums[] = {"r0 * sqrt u", "r0 * sqrt u + r1 * (u * sqrt u)",
                                        "r0 * sqrt u + r1 * (u * sqrt u) + r2 * (u ^ 2 * sqrt u)"};
-    if (extent.terms < 1 || extent.terms > 3) {
+    if (terms < 1 || terms > 3) {
         throw NotStated("extents are stated for up to three terms");
     }
+    return sums[terms - 1];
+}
+
+std::string extent_theorem(const std::string& name, const StatedEdge& edge,
+                           const ExtentStatement& extent) {
     const auto tolerance = extent.tolerance.to<double>();
     // Up to `near`, the arguments of the logarithms are so small that two terms of their series
     // suffice.
@@ -290,7 +312,7 @@ std::string extent_theorem(const std::string& name, const StatedEdge& edge,
         2, false);
     const auto [pressure, root] = edge.at(extent.beyond.value, "the extent");
     const std::string e = in_coq(extent.tolerance);
-    const std::string sum = sums[extent.terms - 1];
+    const std::string sum = sum_of_terms(extent.terms);
     const std::string p = edge.pressure_at("u", "p0");
     return fmt::format(
         "Theorem {0} : exists r0 r1 r2,\n  {1} /\\\n"

@@ -65,13 +65,17 @@ struct StatedContact {
     [[nodiscard]] const StatedEdge& at(contact::Edge edge) const {
         return edge == contact::Edge::right ? right : left;
     }
+    /// Returns the definitions and the lemma.
+    [[nodiscard]] std::string definitions() const;
     /// Returns `comment`, then imports, definitions and lemma: the beginning of a file.
     [[nodiscard]] std::string head(const std::string& comment) const;
 };
 
-/// Throws NotStated for other profiles.
+/// Throws NotStated for other profiles. `gam`: b/a of a tilted wedge, if its tilt is given by it;
+/// otherwise a null pointer.
 [[nodiscard]] StatedContact stated_contact(const contact::Profile& profile, const formula::Exact& a,
-                                           const formula::Exact& contact_modulus);
+                                           const formula::Exact& contact_modulus,
+                                           const formula::Exact* gam = nullptr);
 
 /// The statement that n terms stay within `tolerance` of the pressure for all u up to `within`, and
 /// do not at `beyond`. `more` is a further conclusion about these numbers, or empty. extent_theorem
@@ -83,6 +87,8 @@ struct ExtentStatement {
     CoqDecimal beyond;
     std::string more;
 };
+/// Returns the sum of the first terms at u; throws NotStated for more than three.
+[[nodiscard]] std::string sum_of_terms(std::size_t terms);
 [[nodiscard]] std::string extent_theorem(const std::string& name, const StatedEdge& edge,
                                          const ExtentStatement& extent);
 

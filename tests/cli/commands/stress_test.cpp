@@ -59,6 +59,37 @@ TEST_CASE("stress: requests for a greatest value that make no sense") {
     refused("--greatest tau_max", "boxes do not decide at which one place the stress is greatest");
 }
 
+// On the surface of a cylinder p = sqrt(2 u) - ...: szz = -p, and sxx is the same (johnson1985, eq.
+// 4.45).
+TEST_CASE("expand and extent along a ray: rows, and requests that make no sense") {
+    const Folder folder;
+    folder.write("s.toml", pressed_cylinder);
+    const Outcome o = run(folder, "expand s.toml --angle 0 --terms 2 --edge left --digits 12");
+    CHECK(o.code == 0);
+    const std::string data = data_lines(o.out);
+    CHECK(has(data, "edge,power,sxx,sxx_bound,szz,szz_bound,sxz,sxz_bound,route\n"
+                    "left,0/2,0,0,0,0,0,0,series\nleft,1/2,-1.41421356237,"));
+    const Outcome reach =
+        run(folder, "extent s.toml --angle 0 --terms 2 --edge right --tolerance 1% --digits 12");
+    CHECK(reach.code == 0);
+    // 1 - sqrt(2 u)/sqrt(u (2 - u)) = -1% at u = 2 (1 - 1.01^-2)
+    CHECK(has(data_lines(reach.out), "right,szz,2,0.0394079011862,"));
+    CHECK(has(data_lines(reach.out), "right,sxz,2,,,,yes,series\n"));
+    const auto refused = [&](const std::string& command, const std::string& message) {
+        CAPTURE(command);
+        const Outcome bad = run(folder, command);
+        CHECK(bad.code == 2);
+        CHECK(bad.out.empty());
+        CHECK(lines(bad.err).size() == 1);
+        CHECK(has(bad.err, message));
+    };
+    refused("expand s.toml --angle 181", "--angle 181 does not lie in the body; write degrees");
+    refused("expand s.toml --angle x", "--angle x: unknown name 'x'");
+    refused("expand s.toml --body B", "--body B has no effect: without --angle no stress");
+    refused("expand s.toml --angle 1 --quantity shear", "--quantity shear has no effect");
+    refused("extent s.toml --angle 1", "no tolerance is given; add --tolerance 1%");
+}
+
 TEST_CASE("options without effect are refused by stress, displacement and slip after steps") {
     const Folder folder;
     folder.write("s.toml", pressed_cylinder);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/commands/stress_along_ray.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 
 #include <utility>
@@ -11,7 +12,10 @@ std::string power_text(std::size_t k, int half_powers) {
     return std::to_string(2 * static_cast<long>(k) + half_powers) + "/2";
 }
 
-int expand(const SceneOptions& o) {
+int expand(const RayOptions& o) {
+    if (along_ray(o)) {
+        return expand_stresses(o);
+    }
     check_figure_option(o);
     scene::Scene scene = asked_scene(o);
     ask_at_edges(scene, o);
@@ -77,10 +81,11 @@ int expand(const SceneOptions& o) {
 } // namespace
 
 void add_expand(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<SceneOptions>(
+    auto [sub, o] = add_command<RayOptions>(
         app, code, "expand", "coefficients of the expansion at the edges, with bounds", expand);
     add_scene_options(sub, o);
     add_figure_option(sub, o);
+    add_ray_options(sub, o);
     sub.footer("Of several numbers of --terms the greatest; 3 where none is given. Both edges "
                "unless --edge or the scene says which.");
 }

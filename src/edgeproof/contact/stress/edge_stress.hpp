@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/contact/stress/stress_field.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+/// The stresses near an edge of a contact as series in the distance from it (docs/stress.md, "Near
+/// an edge").
+namespace edgeproof::contact {
+
+enum class StressComponent { sxx, szz, sxz };
+
+/// With zeta = e + s^2 at the edge e the Cauchy integrals of p and q are sums of A_j s^j and B_j
+/// s^j: odd j from the expansions of p and q, even j from the slope g' and from the tractions that
+/// are analytic at the edge. Each stress is then the sum of K_j r^(j/2) at the distance r from the
+/// edge, along a ray into the body.
+class EdgeStress {
+public:
+    /// The first `terms` powers. Throws BudgetError if these bits do not separate the edge from the
+    /// places where the series end.
+    /// @param stick the load on this body under full stick, which `field` does not contain
+    EdgeStress(const StressField& field, const std::optional<ShearLoad<Ball>>& stick, Edge edge,
+               std::size_t terms);
+
+    /// j of the first power: -1 under full stick, else 0.
+    [[nodiscard]] int first() const { return first_; }
+    /// The series converges for r < radius (length).
+    [[nodiscard]] const Ball& radius() const { return radius_; }
+    /// K_first, K_first+1, ... (stress/length^(j/2)), each enclosed; exactly zero where that is
+    /// known.
+    /// @param angle in degrees, between the ray and the surface of the contact: 0 along the
+    /// contact, 90 downwards, 180 along the free surface
+    [[nodiscard]] std::vector<Ball> along(StressComponent component,
+                                          const formula::Exact& angle) const;
+    /// A bound (stress) of the sum of |K_j| r^(j/2) from the entry n on, for y = sqrt(r/radius) <
+    /// 1, divided by y^(first + `divisor`).
+    [[nodiscard]] Ball rest(std::size_t n, std::size_t divisor, const Ball& y) const;
+
+private:
+    void add_contact(const BallContact& contact, const Ball& pressure, const Ball& shear);
+    void add_zone(const BallContact& zone, const Ball& at, const Ball& shear);
+    void add_stick(const ShearLoad<Ball>& load, const Ball& length);
+    /// The entry of the power j of s.
+    [[nodiscard]] std::size_t entry(int j) const { return static_cast<std::size_t>(j - first_); }
+
+    long bits_;
+    int first_;
+    Edge edge_;
+    Ball bulk_;
+    Ball radius_;
+    std::vector<Ball> pressure_; ///< A_j (stress/length^(j/2))
+    std::vector<Ball> shear_;    ///< B_j
+    Ball most_;                  ///< |A_j| and |B_j| are together at most most/radius^(j/2)
+};
+
+/// The least r (length) at which the first n terms of a stress along a ray are off by the tolerance
+/// of its value, proved; nothing if there is none up to `searched`.
+struct RayExtent {
+    std::optional<Ball> exit;
+    Ball searched;
+    bool vanishes = false; ///< the first n terms are zero: there is nothing to compare
+};
+/// `series` must have enough terms: the search ends where those left out are greater than
+/// 2^-accuracy. Throws BudgetError where the bits do not decide, or if the error touches the
+/// tolerance.
+[[nodiscard]] RayExtent ray_extent(const EdgeStress& series, StressComponent component,
+                                   const formula::Exact& angle, std::size_t n,
+                                   const formula::Exact& tolerance, long accuracy);
+
+} // namespace edgeproof::contact

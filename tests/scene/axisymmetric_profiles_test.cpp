@@ -347,3 +347,18 @@ TEST_CASE("a body of revolution at its greatest pressure") {
             .value;
     CHECK(overlaps(on_axis, greatest));
 }
+
+TEST_CASE("a pressure at a corner of a body of revolution is infinite") {
+    for (const char* place : {"u = [\"1\"]", "u = [\"1/2\"]", "x = [\"-1/2\"]"}) {
+        CAPTURE(place);
+        std::string message;
+        try {
+            (void)run_scene(revolved("kind = \"piecewise\"\nsymmetric = true\nknots = [\"1/2\"]\n"
+                                     "slopes = [\"1/8\", \"1/4\"]",
+                                     "a = \"1\"", std::string("[ask]\n") + place + "\n"));
+        } catch (const InputError& error) {
+            message = error.what();
+        }
+        CHECK(message.find("infinite at a corner") != std::string::npos);
+    }
+}

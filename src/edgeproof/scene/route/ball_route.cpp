@@ -112,6 +112,9 @@ BoundedValue BallRoute::value(const AskedValue& asked) {
             "no number of bits encloses the value, which may be infinite there: at an "
             "edge under full stick, or at a corner");
     }
+    if (!found && scene_.only_in_balls() && (asked.u || asked.place)) {
+        refuse_known_corner(asked.edge, asked.distance());
+    }
     if (!found) {
         return others().value(asked);
     }
@@ -203,6 +206,18 @@ void BallRoute::refuse_corner_at(const Distance& u) const {
         if (scene_.profile->has_corner(i) &&
             contact::certainly_zero(knots[i].expr() - u.x()->expr())) {
             throw DomainError("the point is on a corner, where the pressure is infinite");
+        }
+    }
+}
+
+void BallRoute::refuse_known_corner(contact::Edge edge, const Distance& u) {
+    const auto from = length_ ? at_level(length_->bits())->contact().known(edge) : std::nullopt;
+    for (std::size_t i = 0; from && u.number() && i < scene_.profile->knots().size(); ++i) {
+        const formula::Expr inside = from->expr() - u.number()->expr();
+        const formula::Expr& v = scene_.profile->knots()[i].expr();
+        if (scene_.profile->has_corner(i) &&
+            contact::certainly_zero(edge == contact::Edge::right ? inside - v : inside + v)) {
+            throw DomainError("the pressure is infinite at a corner of the profile");
         }
     }
 }

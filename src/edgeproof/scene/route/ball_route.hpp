@@ -70,6 +70,8 @@ private:
     void refuse_outside_by_edges(contact::Edge edge, const Distance& u);
     /// If x is a number, exact algebra decides.
     void refuse_corner_at(const Distance& u) const;
+    /// The same for a distance from an edge that is known exactly.
+    void refuse_known_corner(contact::Edge edge, const Distance& u);
     /// The coordinate x of the point u, which is inside the contact, if it is known to be a
     /// rational number.
     [[nodiscard]] std::optional<Rational> known_x(contact::Edge edge, const Distance& u) const;

@@ -88,6 +88,33 @@ TEST_CASE("the gap in formulas") {
     CHECK(verdict_over("line", "C/2*(2*a*sqrt(3)*a-a^2*acosh(2))", "gap(2*a)") == "confirmed");
 }
 
+// Cattaneo and Mindlin: johnson1985, section 7.2; of a cone P is proportional to a^2.
+TEST_CASE("partial slip of a sphere and a cone as families of a ledger") {
+    std::string slipping = bodies;
+    const auto push = [&](const std::string& before, const std::string& Q) {
+        slipping.insert(slipping.find(before),
+                        "friction = [\"1/2\", \"1/7\"]\nQ = [\"" + Q + "\"]\n");
+    };
+    push("Es = [\"7/3\", \"2.1e11\"]", "Es*a^3/(9*R)");
+    push("Es = [\"7/3\"]\n[[family]]\nname = \"line\"", "Es*C*a^2/9");
+    const auto verdict = [&](const std::string& family, const std::string& says,
+                             const std::string& of, const std::string& where = "") {
+        const AuditResult result =
+            audit_of(ledger_of("kind = \"value\"\nover = \"" + family + "\"\nof = \"" + of +
+                                   "\"\nsays = \"" + says + "\"" + where,
+                               slipping));
+        return std::string(name_of(result.claims.front().outcome.verdict));
+    };
+    CHECK(verdict("sphere", "a*(1-Q/(friction*P))^(1/3)", "stick_a") == "confirmed");
+    CHECK(verdict("cone", "a-a*(1-Q/(friction*P))^(1/2)", "right.d") == "confirmed");
+    CHECK(verdict("sphere", "3*friction*P/(2*Pi*a^3)*(sqrt(a^2-x^2)-sqrt(stick_a^2-x^2))", "q(x)",
+                  "\nwhere = \"x < stick_a\"") == "confirmed");
+    CHECK(verdict("sphere", "a*(1-Q/(friction*P))^(1/2)", "stick_a") == "refuted"); // a cylinder
+    CHECK(refusal_over("kind = \"value\"\nover = \"sphere\"\nof = \"slip(x)\"\nsays = \"x\"",
+                       slipping)
+              .find("'slip' is not available") != std::string::npos);
+}
+
 TEST_CASE("what axisymmetric families do not have is refused") {
     CHECK(refusal_over("kind = \"value\"\nover = \"sphere\"\nof = \"P1\"\nsays = \"P\"")
               .find("'P1' is not available in the axisymmetric family sphere") !=
@@ -101,9 +128,9 @@ TEST_CASE("what axisymmetric families do not have is refused") {
     CHECK(refusal_over("kind = \"value\"\nover = \"cone\"\nof = \"P\"\nsays = \"P\"", punch)
               .find("power laws only") != std::string::npos);
     std::string sheared = bodies;
-    sheared.insert(sheared.find("Es = "), "friction = [\"1/2\"]\n");
+    sheared.insert(sheared.find("Es = "), "sig0 = [\"1/2\"]\n");
     CHECK(refusal_over("kind = \"value\"\nover = \"cone\"\nof = \"P\"\nsays = \"P\"", sheared)
-              .find("friction has no effect on it") != std::string::npos);
+              .find("sig0 has no effect on it") != std::string::npos);
     // delta is a name of axisymmetric families only.
     CHECK(refusal_over("kind = \"value\"\nover = \"line\"\nof = \"P\"\nsays = \"delta\"")
               .find("unknown name 'delta'") != std::string::npos);

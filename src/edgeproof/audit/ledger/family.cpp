@@ -194,7 +194,12 @@ contact::ProvedSlip SceneSpec::partial_slip(long bits) const {
             contact::Load::right_edge(parameter("a")),
             {formula::ball_of(parameter("Q"), bits), formula::ball_of(parameter("sig0"), bits)},
             formula::ball_of(parameter("friction"), bits),
-            bits};
+            bits,
+            force_of_slip(bits)};
+}
+
+std::optional<Ball> SceneSpec::force_of_slip(long bits) const {
+    return axisymmetric ? std::optional(formula::ball_of(total_force(), bits)) : std::nullopt;
 }
 
 std::string SceneSpec::text() const {

@@ -3,10 +3,12 @@
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
+#include "edgeproof/precision/ball/ball.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,6 +50,8 @@ struct SceneSpec {
     [[nodiscard]] bool slips() const { return parameters.contains("friction"); }
     /// Returns the enclosed partial slip. Throws as ProvedSlip does.
     [[nodiscard]] contact::ProvedSlip partial_slip(long bits) const;
+    /// The total force of an axisymmetric scene, for ProvedSlip.
+    [[nodiscard]] std::optional<Ball> force_of_slip(long bits) const;
     /// Returns the parameters in the order of their names: "a = 3/7, m = 5/8".
     [[nodiscard]] std::string text() const;
 };

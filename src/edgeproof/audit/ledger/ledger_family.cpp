@@ -159,7 +159,8 @@ private:
     void read_shear() const {
         for (const char* shear : {"friction", "Q", "sig0"}) {
             const bool punch = is_flat_punch(family_.profile);
-            if ((family_.axisymmetric || punch) && family_.has(shear)) {
+            const bool slips = family_.has("friction") && std::string_view(shear) != "sig0";
+            if ((punch || (family_.axisymmetric && !slips)) && family_.has(shear)) {
                 throw InputError("the family " + family_.name +
                                      (punch ? " is a flat punch: " : " is axisymmetric: ") + shear +
                                      " has no effect on it",

@@ -99,7 +99,7 @@ void refuse_names(Vocabulary& v, const Friction& friction, const std::string& fa
 /// Of a body of revolution, P is the total force, delta the approach, and p(x) the pressure;
 /// refuses the other quantities of the plane contact with the same pressure, and the kinds of claim
 /// that use them.
-void refuse_plane_names(Vocabulary& v, const Claim& claim, const std::string& family) {
+void refuse_plane_names(Vocabulary& v, const Claim& claim, const std::string& family, bool slips) {
     const std::set<std::string_view> kinds{"definition", "value", "relation", "figure"};
     if (!kinds.contains(claim.kind)) {
         claim.reject("over",
@@ -109,11 +109,13 @@ void refuse_plane_names(Vocabulary& v, const Claim& claim, const std::string& fa
     }
     const std::set<std::string_view> known{"a", "Es", "P", "u", "x", "L", "p", "gap"};
     const auto refuse = [&](const std::string& name) {
-        if (!known.contains(name) && !name.starts_with("right_c") && !name.starts_with("left_c")) {
+        if (!known.contains(name) && !(slips && name == "q") && !name.starts_with("right_c") &&
+            !name.starts_with("left_c")) {
             v.refused[name] = {"'" + dotted(name) +
                                    "' is not available in the axisymmetric family " + family,
                                "use a, Es, P (the total force), delta (the approach), u, x, p(x), "
-                               "gap(x) or right.c0, right.c1, ..."};
+                               "gap(x) or right.c0, right.c1, ...; with friction also q(x), "
+                               "right.d and stick_a"};
         }
     };
     std::ranges::for_each(scene_symbols(), refuse);
@@ -240,7 +242,7 @@ Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim) {
         refuse_names(v, friction_of(ledger, *it), over);
         if (it->axisymmetric) {
             add_name(v.symbols, "delta");
-            refuse_plane_names(v, claim, over);
+            refuse_plane_names(v, claim, over, friction_of(ledger, *it).all);
         }
         if (is_flat_punch(it->profile)) {
             use_flat_punch(v, claim, over, parameters);

@@ -16,7 +16,8 @@ BodyFields::BodyFields(const SceneSpec& scene, const std::optional<contact::Shea
         contact_ = contact::proved_contact(profile, modulus, edge, bits);
         return;
     }
-    slip_ = std::make_unique<contact::ProvedSlip>(profile, modulus, edge, *load, *friction, bits);
+    slip_ = std::make_unique<contact::ProvedSlip>(profile, modulus, edge, *load, *friction, bits,
+                                                  scene.force_of_slip(bits));
     if (slip_->admissible()) {
         const Ball& tension = load->bulk_tension;
         parts_.emplace(slip_->slip(), slip_->contact(), profile, modulus,

@@ -11,11 +11,14 @@ namespace edgeproof::contact {
 
 ProvedSlip::ProvedSlip(const Profile& profile, const formula::Exact& contact_modulus,
                        const Load& load, const ShearLoad<Ball>& shear, const Ball& friction,
-                       long bits)
+                       long bits, const std::optional<Ball>& total_force)
     : contact_(proved_contact(profile, contact_modulus, load, bits)),
-      zones_(zone_solver(*contact_, profile, contact_modulus,
-                         !shear.bulk_tension.is_exact() || !contains_zero(shear.bulk_tension))) {
-    slip_.emplace(*contact_, *zones_, contact_->force(), shear, friction);
+      zones_(total_force ? axisymmetric_zones(*contact_->closed_form(), *total_force)
+                         : zone_solver(*contact_, profile, contact_modulus,
+                                       !shear.bulk_tension.is_exact() ||
+                                           !contains_zero(shear.bulk_tension))) {
+    slip_.emplace(*contact_, *zones_, total_force ? *total_force : contact_->force(), shear,
+                  friction);
 }
 
 std::unique_ptr<ProvedContact> proved_contact(const Profile& profile,

@@ -22,8 +22,11 @@ public:
     /// @param shear Q (force/length), not zero, and the bulk tension (stress)
     /// @param friction coefficient of friction
     /// @param bits working precision
+    /// @param total_force the total force P of an axisymmetric power law; `profile` is then that of
+    /// the plane contact with the same pressure, and Q a total force, too
     ProvedSlip(const Profile& profile, const formula::Exact& contact_modulus, const Load& load,
-               const ShearLoad<Ball>& shear, const Ball& friction, long bits);
+               const ShearLoad<Ball>& shear, const Ball& friction, long bits,
+               const std::optional<Ball>& total_force = {});
 
     [[nodiscard]] const BallSlip& slip() const { return *slip_; }
     [[nodiscard]] const ProvedContact& contact() const { return *contact_; }

@@ -288,7 +288,7 @@ TEST_CASE("every command that examples/README.md names runs") {
         CHECK(o.err.empty());
         ++commands;
     }
-    CHECK(commands == 16);
+    CHECK(commands == 17);
 }
 
 // csv.DictReader and numpy.genfromtxt(names=True) take the first line for the header.

@@ -37,6 +37,7 @@ std::atomic<int> last_status{bad_input};
 /// The main thread, which notices an interruption, and the thread that waits for a second signal
 /// may both reach the program's end: the first one gives the reason.
 std::atomic<bool> reason_said{false};
+std::atomic<bool> reason_written{false};
 
 extern "C" void end_now(int) { ::_exit(last_status); }
 
@@ -55,6 +56,9 @@ void write_error(const char* text) { (void)!::write(STDERR_FILENO, text, std::st
     pthread_sigmask(SIG_UNBLOCK, &alarm, nullptr);
     const std::string kept = io::clean_up();
     if (reason_said.exchange(true)) {
+        while (!reason_written) { // at the latest the alarm ends the process
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
         ::_exit(status);
     }
     if (::isatty(STDERR_FILENO) == 1) {
@@ -176,6 +180,7 @@ void say_at_the_end(const std::string& line) {
     }
     wipe_progress();
     std::fprintf(stderr, "%s\n", line.c_str());
+    reason_written = true;
 }
 
 void open_standard_streams() {

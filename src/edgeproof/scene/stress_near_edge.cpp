@@ -138,7 +138,7 @@ std::vector<RayReach> ray_reaches(const Scene& scene, Body body, const formula::
                 found.push_back({edge, quantity, n, {}, {}, false});
             }
         }
-        const auto settled = [&](const RayReach& reach) {
+        const auto is_decided = [&](const RayReach& reach) {
             return reach.vanishes || (reach.exit && decided(reach.exit->value, scene.ask.digits));
         };
         for (const std::size_t terms : tried_terms) {
@@ -146,7 +146,7 @@ std::vector<RayReach> ray_reaches(const Scene& scene, Body body, const formula::
                 bool enough = true;
                 for (std::size_t i = 0; i < found.size(); ++i) {
                     RayReach& reach = found[i];
-                    if (!settled(reach)) {
+                    if (!is_decided(reach)) {
                         const contact::RayExtent extent =
                             ray_extent(near, components[i / scene.ask.terms.size()], angle, reach.n,
                                        *scene.ask.tolerance, series.accuracy());
@@ -154,12 +154,12 @@ std::vector<RayReach> ray_reaches(const Scene& scene, Body body, const formula::
                             extent.exit ? std::optional(proved(*extent.exit)) : std::nullopt;
                         reach.searched = proved(extent.searched);
                         reach.vanishes = extent.vanishes;
-                        enough = enough && (!reach.exit || settled(reach));
+                        enough = enough && (!reach.exit || is_decided(reach));
                     }
                 }
                 return enough;
             });
-            if (std::ranges::all_of(found, settled)) {
+            if (std::ranges::all_of(found, is_decided)) {
                 break;
             }
         }

@@ -21,7 +21,10 @@ class EdgeStress {
 public:
     /// The first `terms` powers. Throws BudgetError if these bits do not separate the edge from the
     /// places where the series end.
+    /// @param field the loads on the body
     /// @param stick the load on this body under full stick, which `field` does not contain
+    /// @param edge of the contact
+    /// @param terms the number of powers
     EdgeStress(const StressField& field, const std::optional<ShearLoad<Ball>>& stick, Edge edge,
                std::size_t terms);
 
@@ -31,6 +34,7 @@ public:
     [[nodiscard]] const Ball& radius() const { return radius_; }
     /// K_first, K_first+1, ... (stress/length^(j/2)), each enclosed; exactly zero where that is
     /// known.
+    /// @param component of the stress
     /// @param angle in degrees, between the ray and the surface of the contact: 0 along the
     /// contact, 90 downwards, 180 along the free surface
     [[nodiscard]] std::vector<Ball> along(StressComponent component,

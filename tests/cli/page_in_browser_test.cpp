@@ -62,7 +62,7 @@ addEventListener("load", () => {
   }
   const walk = document.createTreeWalker(document.querySelector("main"), NodeFilter.SHOW_TEXT);
   for (let node = walk.nextNode(); node; node = walk.nextNode()) {
-    if (node.parentElement.closest("code, script, style")) continue;
+    if (node.parentElement.closest("code, pre, script, style")) continue;
     if (/[$\\]|\bEQ\d\d\b.* prints/.test(node.data)) found.push("raw TeX: " + node.data.trim().slice(0, 60));
   }
   parent.postMessage("width " + innerWidth + "\n" + [...new Set(found)].join("\n") + "\nend", "*");

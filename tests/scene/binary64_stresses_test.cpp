@@ -106,10 +106,10 @@ TEST_CASE("binary64 with bounds: sums, products, roots, logarithms and angles") 
 TEST_CASE("maps of stresses: the bounds hold, near edges, knots and far away as well") {
     std::mt19937_64 dice(20261126);
     std::uniform_real_distribution<double> unit(-1, 1);
-    for (const auto& [profile, shear] : mapped_contacts) {
-        CAPTURE(profile);
-        CAPTURE(shear);
-        const Scene s = mapped_scene(profile, shear);
+    for (const auto& contact : mapped_contacts) {
+        CAPTURE(contact.first);
+        CAPTURE(contact.second);
+        const Scene s = mapped_scene(contact.first, contact.second);
         StressMap map;
         for (int i = 0; i < 30; ++i) {
             const double middle = i % 3 == 0 ? 1.0 : i % 3 == 1 ? 0.4 : 0.0;

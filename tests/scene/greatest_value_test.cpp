@@ -211,13 +211,13 @@ TEST_CASE("the greatest stress of Tresca agrees with a second route") {
 // is that of s1 unless a bulk stress is below zero.
 TEST_CASE("the greatest principal stress is the greatest sxx of the surface" *
           doctest::test_suite("slow")) {
-    for (const auto& [profile, shear] :
+    for (const auto& contact :
          {std::pair{cylinder, "Q = \"0.3\"\nfriction = \"0.6\""},
           std::pair{rounded, "Q = \"0.1\"\nfriction = \"0.9\"\nbulk_A = \"0.1\""},
           std::pair{tilted_punch, "Q = \"-0.1\"\nfriction = \"0.6\"\nbulk_tension = \"0.03\""},
           std::pair{greatest_power_law("5/2"), "Q = \"0.1\"\npath = \"together\""}}) {
-        CAPTURE(profile);
-        const std::string text = greatest_scene_text(profile, "3/2", shear);
+        CAPTURE(contact.first);
+        const std::string text = greatest_scene_text(contact.first, "3/2", contact.second);
         const GreatestValue s1 = greatest_of(text, Quantity::s1);
         const GreatestValue sxx = greatest_of(text, Quantity::sxx);
         CHECK(overlaps(s1.value.value, sxx.value.value));

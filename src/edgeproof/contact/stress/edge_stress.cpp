@@ -259,7 +259,8 @@ RayExtent ray_extent(const EdgeStress& series, StressComponent component,
         scale *= root;
     }
     const auto zero = [](const Ball& x) { return arb_is_zero(x.data()) != 0; };
-    const auto lead = static_cast<std::size_t>(std::find_if_not(k.begin(), k.end(), zero) - k.begin());
+    const auto lead =
+        static_cast<std::size_t>(std::find_if_not(k.begin(), k.end(), zero) - k.begin());
     // The end: a power of 2^(1/N), as a number of few bits
     const double at_end = std::exp2(-static_cast<double>(accuracy) / static_cast<double>(k.size()));
     const Rational end = exact_value(Ball(Real(at_end), 32).midpoint());

@@ -30,18 +30,13 @@ public:
     [[nodiscard]] const ExactContact* with(const std::string& mistake,
                                            const std::function<void(scene::Scene&)>& change);
 
-    /// The scene's contact with springs of several stiffnesses.
-    struct SoftContacts {
-        SoftContact contact;
-        static constexpr double ratio = 2;                            ///< of neighbours
-        std::vector<std::pair<double, SoftContact::Solution>> solved; ///< by softness
-    };
-    [[nodiscard]] const SoftContacts& soft(const ExactContact& exact);
+    /// The scene's contact with springs.
+    [[nodiscard]] const SoftContact& soft(const ExactContact& exact);
 
 private:
     scene::Scene scene_;
     std::map<std::string, std::optional<ExactContact>> solved_;
-    std::optional<SoftContacts> soft_;
+    std::optional<SoftContact> soft_;
 };
 
 /// The values that a program with one mistake would write at the nodes used.

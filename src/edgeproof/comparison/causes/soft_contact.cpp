@@ -20,6 +20,10 @@ constexpr int elements_outside = 43; ///< on each side
 constexpr int steps_of_gap = 8;      ///< within an element
 constexpr int most_rounds = 100;
 constexpr double near_elements = 2.5;
+constexpr double least_softness = 0.001;
+constexpr double most_softness = 0.6;
+constexpr double softness_ratio = 2; ///< of neighbours
+constexpr int golden_steps = 10;
 
 /// Gaussian elimination with pivoting. The rows of `m` end with the right-hand side.
 std::vector<double> solved(std::vector<std::vector<double>> m) {
@@ -99,6 +103,41 @@ SoftContact::SoftContact(const scene::Scene& scene, const ExactContact& exact)
     }
     find_influences();
     rigid_ = solve(0).value_or(Solution{});
+    for (double softness = least_softness; softness < most_softness; softness *= softness_ratio) {
+        if (auto solution = solve(softness)) {
+            soft_.push_back(std::move(*solution));
+        }
+    }
+}
+
+// The best of the solutions, and then golden section between its neighbours.
+std::optional<SoftContact::Solution>
+SoftContact::fitted(const std::function<double(const Solution&)>& left) const {
+    constexpr double golden = 0.381966011250105;
+    double best = left(rigid_) / 2;
+    double softness = 0;
+    for (const Solution& solution : soft_) {
+        if (const double here = left(solution); here < best) {
+            best = here;
+            softness = solution.softness;
+        }
+    }
+    if (softness == 0) {
+        return {};
+    }
+    double lower = std::log(softness / softness_ratio);
+    double upper = std::log(softness * softness_ratio);
+    const auto left_at = [&](double logarithm) {
+        const auto solution = solve(std::exp(logarithm));
+        return solution ? left(*solution) : std::numeric_limits<double>::infinity();
+    };
+    for (int i = 0; i < golden_steps; ++i) {
+        const double one = lower + golden * (upper - lower);
+        const double other = upper - golden * (upper - lower);
+        const bool by_one = left_at(one) < left_at(other);
+        (by_one ? upper : lower) = by_one ? other : one;
+    }
+    return solve(std::exp((lower + upper) / 2));
 }
 
 void SoftContact::find_influences() {
@@ -151,7 +190,7 @@ std::optional<SoftContact::Solution> SoftContact::solve(double softness) const {
             matrix[m + 1][unknowns] = *moment_;
         }
         const std::vector<double> found = solved(std::move(matrix));
-        Solution solution{0, 0, std::vector<double>(n)};
+        Solution solution{softness, 0, 0, std::vector<double>(n)};
         for (std::size_t i = 0; i < m; ++i) {
             solution.p[active[i]] = found[i];
         }

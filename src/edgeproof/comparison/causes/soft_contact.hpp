@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/comparison/measures/exact_contact.hpp"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,14 +28,18 @@ public:
     SoftContact(const scene::Scene& scene, const ExactContact& exact);
 
     struct Solution {
-        double a = 0; ///< p > 0 for -b < x < a
+        double softness = 0; ///< E*/(k (a + b)) with the exact a and b; 0 for rigid springs
+        double a = 0;        ///< p > 0 for -b < x < a
         double b = 0;
         std::vector<double> p; ///< of the elements
     };
-    /// `softness`: E*/(k (a + b)) with the exact a and b; 0 for rigid springs. Returns nothing if
-    /// the contact extends beyond the elements, by a third of a + b on each side.
+    /// Returns nothing if the contact extends beyond the elements, by a third of a + b on each
+    /// side.
     [[nodiscard]] std::optional<Solution> solve(double softness) const;
-    [[nodiscard]] const Solution& rigid() const { return rigid_; }
+    /// Returns the solution for which `left`, a sum of squares, is least; nothing if none halves
+    /// that of rigid springs.
+    [[nodiscard]] std::optional<Solution>
+    fitted(const std::function<double(const Solution&)>& left) const;
     /// The change of p at x by the springs, between elements by interpolation: the error of the
     /// elements themselves nearly cancels in it. NaN near an exact edge or a corner, where it does
     /// not.
@@ -56,6 +61,7 @@ private:
     std::vector<double> gap_;            ///< g there, up to a constant
     std::vector<std::vector<double>> u_; ///< at an element, under a unit pressure on another
     Solution rigid_;
+    std::vector<Solution> soft_; ///< by softness, from springs that are nearly rigid
 };
 
 } // namespace edgeproof::comparison

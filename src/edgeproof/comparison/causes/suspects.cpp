@@ -332,55 +332,26 @@ private:
     /// Adds the contact with springs of the stiffness that fits best, if it fits better than rigid
     /// ones.
     void soft_penalty() {
-        const SuspectContacts::SoftContacts& soft = contacts_.soft(exact_);
+        const SoftContact& soft = contacts_.soft(exact_);
         const auto value = [&](const SoftContact::Solution& solution, std::size_t i) {
-            return nodes_[i].exact.p.value_or(no_value) +
-                   soft.contact.change(solution, nodes_[i].x);
+            return nodes_[i].exact.p.value_or(no_value) + soft.change(solution, nodes_[i].x);
         };
-        const auto left = [&](const auto& value_at) {
+        const auto fitted = soft.fitted([&](const SoftContact::Solution& solution) {
             double sum = 0;
             for (std::size_t i = 0; i < nodes_.size(); ++i) {
-                const double off = nodes_[i].p - value_at(i);
+                const double off = nodes_[i].p - value(solution, i);
                 sum += std::isfinite(off) ? off * off : 0;
             }
             return sum;
-        };
-        const auto left_by = [&](const SoftContact::Solution& solution) {
-            return left([&](std::size_t i) { return value(solution, i); });
-        };
-        double best = left([&](std::size_t i) { return value(soft.contact.rigid(), i); }) / 2;
-        double softness = 0;
-        for (const auto& [at, solution] : soft.solved) {
-            const double here = left_by(solution);
-            if (here < best) {
-                best = here;
-                softness = at;
-            }
-        }
-        if (softness == 0) {
-            return;
-        }
-        constexpr double golden = 0.381966011250105;
-        double lower = std::log(softness / soft.ratio);
-        double upper = std::log(softness * soft.ratio);
-        const auto left_at = [&](double logarithm) {
-            const auto solution = soft.contact.solve(std::exp(logarithm));
-            return solution ? left_by(*solution) : std::numeric_limits<double>::infinity();
-        };
-        for (int i = 0; i < 10; ++i) {
-            const double one = lower + golden * (upper - lower);
-            const double other = upper - golden * (upper - lower);
-            const bool by_one = left_at(one) < left_at(other);
-            (by_one ? upper : lower) = by_one ? other : one;
-        }
-        softness = std::exp((lower + upper) / 2);
-        if (const auto solution = soft.contact.solve(softness)) {
+        });
+        if (fitted) {
+            const double stiffness = 1 / fitted->softness;
             add("soft-penalty",
                 fmt::format(
                     "a soft penalty: p is {:.2g}{} times the penetration, {:.2g} E*/(a + b); "
                     "the contact needs a larger stiffness",
-                    soft.contact.stiffness_unit() / softness, stiffness_label(), 1 / softness),
-                solution->a, solution->b, [&](std::size_t i) { return value(*solution, i); });
+                    soft.stiffness_unit() * stiffness, stiffness_label(), stiffness),
+                fitted->a, fitted->b, [&](std::size_t i) { return value(*fitted, i); });
         }
     }
     [[nodiscard]] std::string stiffness_label() const {
@@ -443,16 +414,9 @@ const ExactContact* SuspectContacts::with(const std::string& mistake,
     return found->second ? &*found->second : nullptr;
 }
 
-const SuspectContacts::SoftContacts& SuspectContacts::soft(const ExactContact& exact) {
-    constexpr double least = 0.001;
-    constexpr double most = 0.6;
+const SoftContact& SuspectContacts::soft(const ExactContact& exact) {
     if (!soft_) {
-        soft_.emplace(SoftContacts{SoftContact(scene_, exact), {}});
-        for (double softness = least; softness < most; softness *= SoftContacts::ratio) {
-            if (auto solution = soft_->contact.solve(softness)) {
-                soft_->solved.emplace_back(softness, std::move(*solution));
-            }
-        }
+        soft_.emplace(scene_, exact);
     }
     return *soft_;
 }

@@ -6,7 +6,6 @@
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/isolate_zero.hpp"
-#include "edgeproof/contact/law/edge_expansion.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -22,11 +21,6 @@ constexpr long parts_of_range = 8;         ///< into which a coarse enclosure is
 constexpr const char* radius_sought = "the radius of the contact";
 
 bool is_narrow(const Box& s) { return acb_rel_accuracy_bits(s.get()) >= narrow_bits_of_radius; }
-
-Box cosine(Box x) {
-    acb_cos(x.get(), x.get(), x.bits());
-    return x;
-}
 
 /// The piece of g' to the right of a knot.
 const formula::Expr& slope_from(const Profile& profile, std::size_t knot) {
@@ -232,11 +226,10 @@ Box CurvedBody::over_rings(const Radius& at, Integrand of, long accuracy) const 
         const bool last = i + 1 == at.y.size();
         const Box inner = last ? Box(bits_) : principal_arctangent(at.y[i + 1] / rings_[i + 1].v);
         const Box width = outer - inner;
-        sum = sum + width * integral_or_range(
-                                [&](const Box& t) {
-                                    return value(i, at.s * cosine(inner + width * t), of);
-                                },
-                                narrow, accuracy, bits_);
+        sum = sum +
+              width * integral_or_range(
+                          [&](const Box& t) { return value(i, at.s * cos(inner + width * t), of); },
+                          narrow, accuracy, bits_);
         outer = inner;
     }
     return sum;
@@ -246,7 +239,7 @@ Box CurvedBody::rate_over_radius_at(const Box& s) const {
     const Ball quarter = Ball::pi(bits_) / 2;
     return integral_or_range(
                [&](const Box& t) {
-                   const Box part = cosine(t * quarter); // r/s
+                   const Box part = cos(t * quarter); // r/s
                    return rate_over_radius(s * part) * part;
                },
                is_narrow(s), bits_, bits_) *
@@ -298,92 +291,6 @@ Ball CurvedBody::over_width(const Ball& r, const Ball& A, std::optional<std::siz
                        return rate / (at.s * principal_root(w * w + apart));
                    },
                    goal);
-}
-
-// With w = sqrt(s^2 - A^2) = D cos(psi) between two knots, D^2 = to^2 - A^2, both roots are
-// analytic.
-Ball CurvedBody::over_approach(const Ball& from, std::optional<std::size_t> on, const Ball& beyond,
-                               const std::function<Box(const Radius& at, const Box& depth)>& f,
-                               const Ball& scale) const {
-    const Ball to = from + beyond;
-    const Ball quarter = Ball::pi(bits_) / 2;
-    const IntegralGoal goal{bits_, useful_accuracy(beyond.relative_accuracy_bits(), bits_), scale,
-                            Ball(1, bits_)};
-    Ball sum(0, bits_);
-    Ball A = from;
-    Ball left = beyond; // to - A
-    for (std::size_t i = on ? *on + 1 : 0;; ++i) {
-        const bool last = i == rings_.size() || !certainly_less(rings_[i].v, to);
-        if (!last && !certainly_less(A, rings_[i].v)) {
-            if (certainly_less(rings_[i].v, A)) {
-                continue;
-            }
-            return unknown_ball(bits_);
-        }
-        const Ball D = Field<Ball>::root(left * (to + A));
-        const Ball first = last ? Ball(0, bits_)
-                                : atan2(sqrt((to - rings_[i].v) * (to + rings_[i].v)),
-                                        sqrt((rings_[i].v - A) * (rings_[i].v + A)));
-        const Ball width = quarter - first;
-        sum += width * integral_of(
-                           [&](const Box& t) {
-                               const Box psi = t * width + first;
-                               const Box w = cosine(psi) * D;
-                               const Box depth = cosine(Box(quarter) - psi) * D;
-                               const Radius at = radius(A, on, w);
-                               Box rate = approach_rate(at, on) * w;
-                               if (on) {
-                                   rate = rate + Box(rings_[*on].jump * rings_[*on].v);
-                               }
-                               return f(at, depth) * rate * depth / at.s;
-                           },
-                           goal);
-        if (last) {
-            return sum;
-        }
-        A = rings_[i].v;
-        left = to - A;
-        on = i;
-    }
-}
-
-// docs/axisymmetric.md, "The gap"
-Ball CurvedBody::gap_beyond(const Ball& beyond) const {
-    const Ball r = a_ + beyond;
-    std::optional<std::size_t> on;
-    Ball rest(0, bits_); // of rings that r may lie on
-    for (std::size_t i = 1; i < rings_.size(); ++i) {
-        const Ball& v = rings_[i].v;
-        if (on_edge_[rings_[i].knot]) {
-            on = i;
-        } else if (overlaps(v, r)) {
-            // At most the greatest arccos times the part of the ring in h(r).
-            const Box near(Ball::hull(v, r));
-            const Ball bend = abs(value(i, near, Integrand::slope).real() -
-                                  value(i - 1, near, Integrand::slope).real());
-            const Ball A = atan2(Field<Ball>::root(clamped(r - v) * (r + v)), v);
-            rest += up_to(upper_end(r * A * A * bend));
-        }
-    }
-    const auto arc = [&](const Radius& /*at*/, const Box& depth) {
-        Box x = depth / r;
-        if (!certainly_less(abs(x), Ball(1, bits_))) {
-            return unknown_box(bits_); // near a cut
-        }
-        acb_asin(x.get(), x.get(), bits_);
-        return x;
-    };
-    return (over_approach(a_, on, beyond, arc, Ball(0, bits_)) + rest) * 2 / Ball::pi(bits_);
-}
-
-// docs/axisymmetric.md, "The energy of a cycle"
-Ball CurvedBody::loop_integral(const Ball& from, const Ball& tau) const {
-    const Ball P = force();
-    const Ball mean = P * (1 - tau / 2);
-    const auto loop = [&](const Radius& at, const Box& /*depth*/) {
-        return Box(mean) - over_rings(at, Integrand::moment, bits_) * (modulus_ * 2);
-    };
-    return over_approach(from, {}, a_ - from, loop, P * tau * (approach() - approach_at(from)));
 }
 
 // p near the axis, for g'(0) = 0: pi/E* times p is the integral of h'(s)/s over 0 < w < W. For the
@@ -460,108 +367,6 @@ Ball CurvedBody::pressure(Edge /*edge*/, const Ball& u) const {
 
 BallSeries CurvedBody::pressure_series(Edge /*edge*/, const Ball& /*u*/, std::size_t order) const {
     return unknown_series(order, bits_);
-}
-
-// p/sqrt(u) = (E*/pi) times the integral of h'(a - u t) (1 - t)^(-1/2) (2a - u (1 + t))^(-1/2) over
-// 0 < t < 1 (docs/axisymmetric.md, "The expansion").
-Ball CurvedBody::most_rate(const Ball& rho) const {
-    constexpr long across = 6; // boxes from -rho to rho
-    const Ball half = rho / across;
-    Ball most(0, bits_);
-    for (long i = 0; i < across; ++i) {
-        for (long j = 0; 2 * j < across; ++j) { // h' is real on the real axis
-            const Box z(half * (2 * i + 1 - across) + up_to(half),
-                        half * (2 * j + 1) + up_to(half));
-            const Ball here = abs(approach_rate(radius_near_edge(z), {}));
-            if (!here.is_finite()) {
-                return unknown_ball(bits_);
-            }
-            most = max(most, upper_end(here));
-        }
-    }
-    return most;
-}
-
-Ball CurvedBody::reach(Edge /*edge*/) const {
-    Ball rho = a_;
-    for (const Ring& ring : rings_) {
-        if (inside(ring.knot)) {
-            rho = min(rho, a_ - ring.v);
-        }
-    }
-    rho = lower_end(rho) * 3 / 4;
-    for (int k = 0; k < 40 && certainly_positive(rho); ++k, rho = rho / 2) {
-        if (most_rate(rho).is_finite()) {
-            return lower_end(rho);
-        }
-    }
-    return {0, bits_};
-}
-
-Ball CurvedBody::majorant(Edge /*edge*/, const Ball& rho) const {
-    return modulus_ / Ball::pi(bits_) * most_rate(rho) * 2 / sqrt((a_ - rho) * 2);
-}
-
-// The Taylor coefficients of h' at a by Cauchy's formula over a circle of a sixteenth of the disk
-// on which h' is bounded by M. The mean over N points adds the coefficients k + N, k + 2N, ...
-// (`trefethen-weideman2014`), which are at most M/reach^(k + lN).
-std::vector<Ball> CurvedBody::approach_rates(std::size_t terms) const {
-    constexpr long bits_of_ratio = 4;
-    const Ball rho = reach(Edge::right);
-    if (!certainly_positive(rho)) {
-        return std::vector<Ball>(terms, unknown_ball(bits_));
-    }
-    const Ball most = upper_end(most_rate(rho));
-    const Ball circle = rho / (1L << bits_of_ratio);
-    const auto points = bits_ / bits_of_ratio + static_cast<long>(terms) + 2;
-    std::vector<Box> sums(terms, Box(bits_));
-    for (long j = 0; 2 * j <= points; ++j) { // h' is real on the real axis
-        const Ball angle = Ball::pi(bits_) * (2 * j) / points;
-        const Box turn(cos(angle), sin(angle));
-        const Box z = turn * circle;
-        const Box h =
-            approach_rate(radius_near_edge(z), {}) * Ball(j == 0 || 2 * j == points ? 1 : 2, bits_);
-        Box power(Ball(1, bits_));
-        for (std::size_t k = 0; k < terms; ++k) {
-            sums[k] = sums[k] + h * power;
-            power = power * conj(turn);
-        }
-    }
-    std::vector<Ball> rates;
-    Ball scale(1, bits_);
-    Ball bound = most * power_of_two(-bits_of_ratio * points, bits_) * 2;
-    for (std::size_t k = 0; k < terms; ++k) {
-        rates.push_back(sums[k].real() / points / scale + up_to(bound));
-        scale *= circle;
-        bound /= rho;
-    }
-    return rates;
-}
-
-std::vector<Ball> CurvedBody::force_rates(std::size_t terms) const {
-    const std::vector<Ball> h = approach_rates(terms);
-    std::vector<Ball> rates;
-    for (std::size_t k = 0; k < terms; ++k) {
-        const Ball rate = (k == 0 ? h[k] * a_ : h[k] * a_ + h[k - 1]) * modulus_ * 2;
-        rates.push_back(k % 2 == 0 ? rate : -rate);
-    }
-    return rates;
-}
-
-std::vector<Ball> CurvedBody::expansion(Edge /*edge*/, std::size_t terms) const {
-    if (terms == 0) {
-        return {};
-    }
-    std::vector<Ball> rates = approach_rates(terms);
-    std::vector<Ball> radii;
-    for (std::size_t k = 0; k < terms; ++k) {
-        rates[k] *= modulus_;
-        radii.push_back(k == 0 ? a_ : Ball(k == 1 ? 1 : 0, bits_));
-    }
-    // The plane contact with P'(s) = E* h'(s) has the same pressure.
-    const LawSeries<Ball> law{series::Series<Ball>(std::move(rates)),
-                              series::Series<Ball>(std::move(radii))};
-    return coefficients_of(right_edge_brackets(law, a_), Ball(a_ * 2));
 }
 
 } // namespace edgeproof::contact

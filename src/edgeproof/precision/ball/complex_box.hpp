@@ -103,6 +103,10 @@ public:
         acb_sqrt(x.z_, x.z_, x.bits_);
         return x;
     }
+    friend Box cos(Box x) {
+        acb_cos(x.z_, x.z_, x.bits_);
+        return x;
+    }
     /// The principal logarithm of 1 + x (DLMF 4.2.2).
     friend Box log1p(Box x) {
         acb_log1p(x.z_, x.z_, x.bits_);

@@ -74,6 +74,23 @@ void check_curved_body(const scene::Scene& scene, const std::vector<std::string>
 
 } // namespace
 
+TEST_CASE("the pressure at the middle of a flat with curved flanks under a given force") {
+    const scene::Scene scene = curved_body("\"1/2\"", "\"0\", \"sinh(x - 1/2)\"", "P = \"1\"",
+                                           "[ask]\nx = [\"0\", \"1e-3\"]\n");
+    const Ball radius = value_of_curved(scene, {scene::Quantity::a}, digits_of_curved + 90);
+    const PrecisionScope scope(digits_of_curved + 90);
+    const Real a = at_working_precision(radius.midpoint());
+    const AbelQuadrature second(scene, a, digits_of_curved + 10);
+    const scene::SceneResult result = run_scene(scene);
+    for (const std::size_t i : {0U, 1U}) {
+        const scene::BoundedValue p = result.points().at(i).at(scene::Quantity::p);
+        const Real x = i == 0 ? Real(0) : Real("1e-3");
+        CHECK(p.proved);
+        CHECK(digits_right(second.pressure(Real(a - x)), p.value) + 1 >= digits_of_curved);
+        CHECK(digits_proved(p.value) + 1 >= digits_of_curved);
+    }
+}
+
 // The pressure is linear in g' at a given radius, so that the polynomial is a sum of power laws.
 TEST_CASE("a body of revolution of a polynomial slope is the sum of power laws") {
     const scene::Scene sum = curved_body("", "\"x/2 + x^3\"", "a = \"6/5\"");

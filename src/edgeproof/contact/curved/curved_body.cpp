@@ -112,14 +112,15 @@ std::unique_ptr<RoundContact> CurvedBody::resized(const Ball& a) const {
     return body;
 }
 
+bool CurvedBody::begins_flat(const Ring& ring) const {
+    const SlopePiece& piece = profile_.pieces()[ring.knot + 1];
+    return piece.linear && certainly_zero(piece.linear->rate) && !profile_.has_corner(ring.knot);
+}
+
 Ball CurvedBody::minimum_end() const {
-    for (const Ring& ring : rings_) {
-        const SlopePiece& piece = profile_.pieces()[ring.knot + 1];
-        if (!piece.linear || !certainly_zero(piece.linear->rate) || !contains_zero(ring.jump)) {
-            return ring.v;
-        }
-    }
-    return {0, bits_};
+    const auto rises = std::find_if(rings_.begin(), rings_.end(),
+                                    [&](const Ring& ring) { return !begins_flat(ring); });
+    return rises == rings_.end() ? Ball(0, bits_) : rises->v;
 }
 
 Ball CurvedBody::near_radius(const Ball& given, Integrand of) const {
@@ -270,11 +271,11 @@ Ball CurvedBody::force_at(const Ball& s) const {
 
 Ball CurvedBody::over_width(const Ball& r, const Ball& A, std::optional<std::size_t> on,
                             bool from_r, const Ball& W) const {
-    const long known = std::min(W.relative_accuracy_bits(),
-                                std::min(r.relative_accuracy_bits(), A.relative_accuracy_bits()));
+    const Ball apart = (A - r) * (A + r);
+    const long known = std::min({W.relative_accuracy_bits(), A.relative_accuracy_bits(),
+                                 (from_r ? r : apart).relative_accuracy_bits()});
     const long accuracy = useful_accuracy(known, bits_);
     const IntegralGoal goal{bits_, accuracy, Ball(0, bits_), Ball(1, bits_)};
-    const Ball apart = (A - r) * (A + r);
     const bool on_axis = from_r && on == 0U;
     return W * integral_of(
                    [&](const Box& t) {
@@ -334,8 +335,13 @@ Ball CurvedBody::pressure_at(const Ball& u, const Ball& other, const Ball& r,
         if (on && !contains_zero(rings_[*on].jump) && from_r) {
             return unknown_ball(bits_); // infinite at a corner
         }
-        sum +=
-            from_r && !on && contains_zero(r) ? over_axis(r, W) : over_width(r, A, on, from_r, W);
+        const bool flat =
+            std::all_of(rings_.begin(), rings_.begin() + static_cast<std::ptrdiff_t>(i),
+                        [&](const Ring& ring) { return begins_flat(ring); });
+        if (!flat) { // h' is 0 up to the end of a flat
+            sum += from_r && !on && contains_zero(r) ? over_axis(r, W)
+                                                     : over_width(r, A, on, from_r, W);
+        }
         if (last) {
             return modulus_ / Ball::pi(bits_) * sum;
         }

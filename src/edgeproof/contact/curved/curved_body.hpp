@@ -91,6 +91,8 @@ private:
     [[nodiscard]] Ball approach_rate_at(const Ball& s) const;
     [[nodiscard]] Ball approach_at(const Ball& s) const;
     [[nodiscard]] Ball force_at(const Ball& s) const;
+    /// True if g' does not change at a ring nor in the piece after it.
+    [[nodiscard]] bool begins_flat(const Ring& ring) const;
     /// The integral of h'(s)/sqrt(s^2 - r^2) over A < s < sqrt(A^2 + W^2), A >= r.
     [[nodiscard]] Ball over_width(const Ball& r, const Ball& A, std::optional<std::size_t> on,
                                   bool from_r, const Ball& W) const;

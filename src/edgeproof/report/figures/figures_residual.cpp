@@ -128,8 +128,8 @@ Plot residual_fit_plot(const NamedScene& scene, contact::Edge edge) {
         {.orders = orders, .points = 12, .digits = figure_digits + 5, .start = 2});
     Plot plot;
     plot.id = "residual-" + scene.id + "-" + scene::edge_name(edge);
-    plot.title = scene.name + ", " + edge_words(edge);
-    plot.x = {"distance u from the edge (same unit as a)", true};
+    plot.title = scene.name;
+    plot.x = {"u from the " + edge_words(edge) + ", in the unit of a", true};
     plot.y = {"|p − first n terms|/E*", true};
     plot.columns = {"u"};
     for (const Real& u : fits.front().u) {

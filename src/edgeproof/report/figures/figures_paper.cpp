@@ -246,8 +246,8 @@ std::vector<NamedScene> paper_scenes(const std::string& name) {
             {"flat-04", "flat-and-rounded, t/a = 0.4", flat_and_rounded("0.4"), "1", right},
             {"flat-08", "flat-and-rounded, t/a = 0.8", flat_and_rounded("0.8"), "1", right},
             {"tilted-wedge", "tilted wedge, φ = π/16, α = π/20", wedge(), "1", both},
-            {"tilted-flat", "tilted punch, α = π/16, t = 1, R = 2, a = 3/2",
-             tilted_flat(), tilted_flat_half_width, both}};
+            {"tilted-flat", "tilted punch, α = π/16, t = 1, R = 2, a = 3/2", tilted_flat(),
+             tilted_flat_half_width, both}};
 }
 
 } // namespace edgeproof::report

@@ -19,7 +19,8 @@ namespace {
 
 using scene::Quantity;
 
-/// The integrand of a stress, without -2/pi, for the pressure p at the distance d = x - s.
+/// The integrand of a stress, without -2/pi, for the pressure p at the distance d = x - s:
+/// johnson1985, eqs. (2.23) without traction.
 template <Arithmetic T> T stress_kernel(Quantity quantity, const T& p, const T& d, const T& z) {
     const T r2 = d * d + z * z;
     const T scaled = p * z / (r2 * r2);
@@ -57,6 +58,7 @@ T textbook_stress(const scene::Scene& scene, const scene::AskedValue& asked) {
     const auto& parameters = scene.profile->parameters();
     if (scene.profile->kind() == contact::Profile::Kind::power_law &&
         parameters.at("m").template to<T>() == T(1)) {
+        // The stresses below a Hertzian contact: johnson1985, eqs. (4.49) and (4.50).
         const T sum = a * a - x * x + z * z;
         const T root = sqrt(T(sum * sum + T(4) * x * x * z * z));
         const T m = sqrt(T((root + sum) / T(2)));

@@ -345,7 +345,7 @@ TEST_CASE("points between the ends of a range are decimals, the exact fractions 
         nlohmann::json::parse(run(folder, "pressure s.toml --digits 10 --format json").out);
     CHECK(json["rows"][1]["u"] == "0.4166674167");
     CHECK(has(run(folder, "pressure s.toml --digits 10 --format tex").out, "$0.4166674167$"));
-    // By x: a - x = 1 - 1/3, and the middle of 1/3 and 1/2 is 5/12.
+    // The places by x: a - x = 1 - 1/3, and the middle of 1/3 and 1/2 is 5/12.
     folder.write("x.toml",
                  profile + load + "[ask]\nx = { from = \"1/3\", to = \"1/2\", points = 3 }\n");
     const auto by_x = rows(run(folder, "pressure x.toml --digits 5").out);

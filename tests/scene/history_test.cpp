@@ -382,8 +382,8 @@ TEST_CASE("at constant P the first cycle is the steady state") {
                 "[[step]]\nP = \"1\"\n[[step]]\nQ = \"0.4\"\ncycles = " +
                 cycles + "\n[[step]]\nQ = \"-0.2\"\n[[step]]\nQ = \"0.1\"\n",
             "steps.toml");
-        // By hand: from 0.4 (slip outside L = 1/5) down by 0.6 (outside 2/5), then up by 0.3
-        // (outside 7/10).
+        // The layers, found by hand: from 0.4 (slip outside L = 1/5) down by 0.6 (outside 2/5),
+        // then up by 0.3 (outside 7/10).
         REQUIRE(s.history->layers.size() == 4);
         const double forces[] = {0.2, 0.4, 0.7, 1};
         const double ratios[] = {0, 0.5, -0.5, 0.5};

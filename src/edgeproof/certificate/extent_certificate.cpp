@@ -223,7 +223,7 @@ std::string similar_theorem(const std::string& name, const StatedEdge& edge,
 // compared with the quoted figure. A second theorem extends this to all contacts of the same form.
 void certify_extent(const audit::ClaimResult& result, const audit::Ledger& ledger,
                     Certificate& certificate) {
-    // Of a claim with several readings, the first is stated, and all if the claim is refuted.
+    // The first of several readings is stated, and all of them if the claim is refuted.
     bool whole = result.claim.readings.empty();
     const audit::Claim& claim = whole ? result.claim : result.claim.readings.front();
     const audit::Outcome& outcome = whole ? result.outcome : result.readings.at(0).second;

@@ -12,9 +12,9 @@
 namespace edgeproof::certificate {
 namespace {
 
-/// That the terms are beyond the tolerance at all places of a tilted wedge, seen from its left
-/// edge, except up to {1}, between {2} and {3}, and at the apex, where there is no pressure. Near
-/// the apex, between {4} and {5}, and beyond {6}, the pressure is compared with that at these
+/// States that the terms are beyond the tolerance at all places of a tilted wedge, seen from its
+/// left edge, except up to {1}, between {2} and {3}, and at the apex, where there is no pressure.
+/// Near the apex, between {4} and {5}, and beyond {6}, the pressure is compared with that at these
 /// places. {7} and {8} are bounds of the left edge, {9} of the width. Of the last line, the proof
 /// is by intervals.
 constexpr std::string_view outside = R"(

@@ -10,11 +10,11 @@ namespace edgeproof::certificate {
 /// In place of a unit: the values grow without bound, and the places are to the right of x = 0.
 inline constexpr std::string_view growing = "growing";
 
-/// What a claim says, in the syntax of ledgers: "gp" is the slope of a tilted punch. Two formulas
-/// are equal if they are the same tree, with the definitions of the ledger put in.
+/// The content of a claim, in the syntax of ledgers: "gp" is the slope of a tilted punch. Two
+/// formulas are equal if they are the same tree, with the definitions of the ledger put in.
 struct Said {
     std::string_view of = ""; ///< of a series: the edge
-    /// Of a limit: the limit; of a monotone claim: the sense; ">" and "<" as in signs_of_terms().
+    /// The limit, or the sense of a monotone claim; ">" and "<" as in signs_of_terms().
     std::string_view says = "";
     std::string_view along = ""; ///< a parameter of the family
     std::string_view unit = "";  ///< this parameter, divided by `unit`, ends at `end`

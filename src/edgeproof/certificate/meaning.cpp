@@ -92,7 +92,7 @@ void require_usual_meaning(const audit::Claim& claim, const audit::Ledger& ledge
     require_usual_names(claim, scenes);
     for (const audit::Claim& reading : claim.readings) {
         require_usual_names(reading, scenes);
-        // Of an extent, the first reading alone is stated.
+        // The theorem of an extent states the first reading alone.
         if (claim.kind != "extent" &&
             (reading.text_or("over", "") != claim.text("over") || reading.edge() != claim.edge())) {
             throw NotStated("readings about different contacts or edges are not stated");

@@ -97,8 +97,8 @@ constexpr std::array<Compared, 11> compared{
      {"tilted wedge, right", below, "x > 0", "", is_below, "wedge_right Es phi gam a"},
      {"tilted wedge, left", below, "x < 0", "", is_below, "wedge_left Es phi gam a"}}};
 
-/// That one term lies below the pressure at a place of a power law with m > 5/8, so that it is not
-/// above the pressure everywhere.
+/// States that one term lies below the pressure at a place of a power law with m > 5/8, so that it
+/// is not above the pressure everywhere.
 constexpr std::string_view below_at_one_place = R"(Theorem {0} : exists p0 r0 r1 r2,
   is_the_pressure 1 (power_slope 1 (13 / 20)) 1 (1 - 9 / 10) p0 /\
   is_the_right_series 1 (power_slope 1 (13 / 20)) 1 r0 r1 r2 /\

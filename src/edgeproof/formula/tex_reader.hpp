@@ -33,7 +33,7 @@ struct ScriptedName {
     bool star = false;
 };
 
-/// What the last factor is, if it has no visible end.
+/// The kind of the last factor, if it has no visible end.
 enum class OpenEnd { none, function, integral };
 
 class TexReader : TexTokens {

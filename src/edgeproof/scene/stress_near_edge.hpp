@@ -26,7 +26,8 @@ struct RayTerm {
 [[nodiscard]] std::vector<RayTerm> ray_terms(const Scene& scene, Body body,
                                              const formula::Exact& angle, std::size_t terms);
 
-/// How far from an edge the sum of the first n terms is within the tolerance of the scene.
+/// The distance from an edge up to which the sum of the first n terms is within the tolerance of
+/// the scene.
 struct RayReach {
     contact::Edge edge;
     Quantity quantity;

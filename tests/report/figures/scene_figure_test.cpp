@@ -126,7 +126,7 @@ TEST_CASE("plot: a stress along a line") {
     CHECK(off(surface.plots.front(), [](double x) {
               return std::fabs(x) < 1 ? -0.5 * std::sqrt(1 - x * x) : 0.0;
           }) < 0.5 / 300);
-    // From (0, 0) at 45 degrees; the distance along the line is sqrt(2) z.
+    // The line begins at (0, 0) at 45 degrees; the distance along the line is sqrt(2) z.
     const ScenePicture slant = line(scene::Quantity::tau_max, "0", "0", "1", "1");
     CHECK(slant.plots.front().x.label == "distance from (0, 0)");
     CHECK(slant.plots.front().rows.size() > 60);

@@ -10,9 +10,9 @@
 
 namespace edgeproof::audit {
 
-/// What a printed formula is compared with at the samples of a claim. Differences are compared with
-/// `scale`; if there is none, with the exact value; if that is zero, with the sum of the sizes of
-/// the terms.
+/// The values that a printed formula is compared with at the samples of a claim. Differences are
+/// compared with `scale`; if there is none, with the exact value; if that is zero, with the sum of
+/// the sizes of the terms.
 struct SampledComparison {
     const EvaluatedSamples& samples_at;
     const Agreement& agreement; ///< in Real; only determines the order of the samples

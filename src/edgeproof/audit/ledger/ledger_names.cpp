@@ -96,7 +96,7 @@ void refuse_names(Vocabulary& v, const Friction& friction, const std::string& fa
     }
 }
 
-/// Of a body of revolution, P is the total force, delta the approach, and p(x) the pressure;
+/// For a body of revolution, P is the total force, delta the approach, and p(x) the pressure. This
 /// refuses the other quantities of the plane contact with the same pressure, and the kinds of claim
 /// that use them.
 void refuse_plane_names(Vocabulary& v, const Claim& claim, const std::string& family, bool slips) {

@@ -49,7 +49,7 @@ struct EvaluatedSceneState {
     /// p by the distance from the right edge and from the left edge; integrals of p share nodes.
     std::array<std::map<Real, Real>, 2> pressures;
 
-    /// By bits; null if this number of bits does not give an enclosure.
+    /// The fields by number of bits; null if this number of bits does not give an enclosure.
     std::map<long, std::unique_ptr<BodyFields>> enclosed_fields;
 
     /// Returns the level of the working precision. Far from their ends, integrands need few digits;

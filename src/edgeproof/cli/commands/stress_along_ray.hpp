@@ -21,7 +21,8 @@ void add_ray_options(CLI::App& sub, RayOptions& options);
 
 /// The coefficients of the stresses: a row for each power of the distance.
 int expand_stresses(const RayOptions& options);
-/// How far from the edge n terms are good: a row for each stress and number of terms.
+/// The distance from the edge up to which n terms are good: a row for each stress and number of
+/// terms.
 int extent_of_stresses(const RayOptions& options);
 
 } // namespace edgeproof::cli

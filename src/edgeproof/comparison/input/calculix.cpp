@@ -66,7 +66,7 @@ private:
     std::size_t number_ = 0;
 };
 
-/// What a file contains for each node; the last step replaces those before.
+/// The values of a file at each node; the last step replaces those before.
 struct Contents {
     NodeTable places;
     NodeTable contact; ///< COPEN, CSLIP1, CPRESS, CSHEAR1

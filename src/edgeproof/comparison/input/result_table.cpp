@@ -179,7 +179,7 @@ private:
         table_.rows.push_back(std::move(row));
     }
 
-    /// Of several load steps at the same places, keeps the rows of the last.
+    /// Keeps the rows of the last load step if several steps have the same places.
     void keep_last_step() {
         auto& rows = table_.rows;
         std::set<Rational> places;

@@ -134,7 +134,7 @@ struct ExactContact::Solved {
 
     contact::Profile profile;
     std::optional<contact::BatchPressure> batch;
-    /// Of an axisymmetric contact whose profile is no power law, instead of the batch rule.
+    /// Replaces the batch rule for an axisymmetric contact whose profile is not a power law.
     std::optional<contact::AxisymmetricContact> by_abel;
     /// The closed form, if there is one.
     std::optional<contact::DoubleWordPressure> words;

@@ -37,8 +37,8 @@ struct Target {
     [[nodiscard]] bool forgives() const { return conditioned || !stated(); }
 };
 
-/// How near the place of a question is to places where differences of lengths cancel, over a + b;
-/// 0: it has no such place.
+/// The distances of the place of a question from places where differences of lengths cancel, over a
+/// + b; 0: it has no such place.
 struct Nearness {
     double edge = 0;         ///< of a point: u
     double other_edge = 0;   ///< of a point: a + b - u

@@ -22,7 +22,7 @@ constexpr std::size_t bytes_of_a_run = 1'000'000;
 constexpr std::size_t bytes_an_answer = 128'000;
 constexpr std::size_t most_bytes = 200'000'000;
 constexpr std::size_t rows_of_a_run = 1000;
-// Of the standard error of a program that answers nothing.
+// Limits, in characters, of the standard error that is kept and shown if a program answers nothing.
 constexpr std::size_t most_kept = 4000;
 constexpr std::size_t most_shown = 500;
 const std::string program_name = "the program";

@@ -26,8 +26,8 @@ struct Convention {
     std::string name = {};
     double factor = 1;                            ///< of the answers, where the relation has one
     std::vector<std::string> equally_likely = {}; ///< the names of the relations in `also`
-    /// What remains if it does not scatter as noise does: another cause; nine of ten rows do not
-    /// exceed this relative error.
+    /// The relative error that nine of ten rows do not exceed after the correction. Not 0 only if
+    /// the error does not scatter as noise does, so that there is another cause.
     double remains = 0;
     bool of_digits = false;              ///< digits are lost; `relation` says how many
     std::vector<std::size_t> which = {}; ///< the questions explained, if they are not a whole group

@@ -14,7 +14,8 @@ namespace {
 /// A row follows a cause that nine of ten follow to `held` if it does so to three times that.
 constexpr double of_held = 3;
 constexpr double deviations_of_median = 4;
-/// How clearly a cause must change an answer, and by what factor it must reduce the error.
+/// The least change of an answer by a cause, and the least factor by which the cause must reduce
+/// the error.
 constexpr double deviations_of_change = 3;
 constexpr double least_gain = 4;
 constexpr std::size_t rows_for_scatter = 6;

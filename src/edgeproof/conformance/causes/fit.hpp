@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-/// How well a possible cause explains wrong answers. The accuracy of the answers is not known; it
-/// is estimated by the scatter of what remains after the cause.
+/// Measures of how well a possible cause explains wrong answers. The accuracy of the answers is not
+/// known; it is estimated by the scatter of what remains after the cause.
 namespace edgeproof::conformance {
 
 /// Wrong answers of one quantity, at both edges or at one.
@@ -27,7 +27,7 @@ struct WrongRows {
 [[nodiscard]] WrongRows wrong_rows(const Answers& answers, const Agreements& agreements,
                                    std::vector<std::size_t> questions);
 
-/// What remains of the relative errors of a group if a cause is corrected.
+/// The relative errors of a group that remain if a cause is corrected.
 struct Fit {
     std::vector<double> off;    ///< answer over the value of the cause, minus 1, of each row
     std::vector<double> before; ///< |answer over ours, minus 1|
@@ -37,8 +37,8 @@ struct Fit {
     double worst = 0;           ///< the largest |off| of these
     double held = 0;            ///< the |off| that nine of ten rows do not exceed
     double scatter = 0;         ///< the standard deviation, from the median of the absolute values
-    /// What remains scatters from point to point, as errors of rounding and noise do. Nothing:
-    /// there are too few neighbours to decide.
+    /// True if the remaining error scatters from point to point, as errors of rounding and noise
+    /// do. Empty if there are too few neighbours to decide.
     std::optional<bool> noise_like;
 };
 

@@ -18,7 +18,7 @@ struct RingBend {
     const Ball& rate;
 };
 
-/// How an integral over 0 < t < 1 is computed.
+/// The precision and the accuracy of an integral over 0 < t < 1.
 struct IntegralGoal {
     long bits;     ///< working precision
     long accuracy; ///< wanted, in bits

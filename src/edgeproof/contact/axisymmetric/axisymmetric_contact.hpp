@@ -78,7 +78,7 @@ public:
     [[nodiscard]] Ball over_approach(const std::function<Box(const Box& s)>& f) const;
 
     [[nodiscard]] Ball gap_beyond(const Ball& beyond) const override;
-    /// As resized().
+    /// Returns the contact of the same body with another radius of contact (length).
     [[nodiscard]] AxisymmetricContact with_radius(const Ball& a) const;
     [[nodiscard]] std::unique_ptr<RoundContact> resized(const Ball& a) const override {
         return std::make_unique<AxisymmetricContact>(with_radius(a));

@@ -40,8 +40,8 @@ public:
 
     [[nodiscard]] Ball force() const override { return force_of(a_, b_); }
     [[nodiscard]] Ball moment() const override;
-    /// Not finite on a knot, unless exact numbers prove that the point is the knot and that g' does
-    /// not jump there.
+    /// The result is not finite on a knot, unless exact numbers prove that the point is the knot
+    /// and that g' does not jump there.
     [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const override;
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;

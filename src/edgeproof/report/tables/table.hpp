@@ -21,7 +21,8 @@ struct Column {
         count,  ///< an integer in JSON
         markup  ///< HTML, for `html_table` only
     };
-    /// What a cell is next to the value on its left: the limit of its error, or its route.
+    /// The role of a cell: a value, or the limit of the error or the route of the value on its
+    /// left.
     enum class Role { value, bound, route };
     enum class Shown { everywhere, not_on_terminal, on_terminal_only };
     std::string name;

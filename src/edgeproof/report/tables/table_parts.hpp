@@ -4,7 +4,7 @@
 
 #include <functional>
 
-/// What the formats of a table share.
+/// Functions that the formats of a table share.
 namespace edgeproof::report {
 
 /// Returns title, facts, notes and remarks, each on a line that begins with `mark`.

@@ -135,7 +135,7 @@ public:
 
 private:
     using Layers = std::vector<std::pair<Expr, Expr>>; ///< force, ratio
-    /// Of each entry: its force, and the layers at its end, unless the edges slipped.
+    /// The force of each entry, and the layers at its end, unless the edges slipped.
     using Entries = std::vector<std::pair<Expr, std::optional<Layers>>>;
 
     [[nodiscard]] static LoadHistory::Phase phase(const Expr& inner_from, const Expr& inner_to,

@@ -88,7 +88,7 @@ struct Radii {
     formula::Exact R2;
 };
 
-/// What an axisymmetric contact has in addition to the plane contact with the same pressure
+/// The data of an axisymmetric contact that the plane contact with the same pressure does not have
 /// (docs/axisymmetric.md). The force and the approach are those of a power law, or as given; those
 /// of other profiles are computed with the contact.
 struct Axisymmetric {

@@ -199,7 +199,8 @@ TEST_CASE("a place exactly on an edge of the stick zone has an enclosure") {
         {"on-the-edge-of-stick", "k(a^2 - x^2) - k(c^2 - x^2)"},
         {"wedge-on-the-edge-of-stick",
          "friction*Es*C/Pi*(acosh(a/abs(x)) - acosh(max(a*(1 - tau)/abs(x), 1)))"}};
-    for (const auto& [family, says] : cases) {
+    for (const auto& [name, says] : cases) {
+        const char* family = name; // clang 14: lambdas capture no structured bindings
         CAPTURE(family);
         const Ledger ledger = slip_ledger("over = \"" + std::string(family) +
                                           "\"\nof = \"q(x)\"\nsays = \"" + says + '"');

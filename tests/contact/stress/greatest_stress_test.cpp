@@ -112,7 +112,9 @@ void compare_with_points(const std::function<bool(const std::string&)>& wanted) 
     };
     std::size_t decided = 0;
     std::size_t tried = 0;
-    for (const auto& [name, c] : smooth_contacts()) {
+    for (const SmoothContact& one : smooth_contacts()) {
+        const std::string& name = one.name; // clang 14: lambdas capture no structured bindings
+        const BallContact& c = one.contact;
         if (!wanted(name)) {
             continue;
         }
@@ -176,7 +178,9 @@ void compare_with_points(const std::function<bool(const std::string&)>& wanted) 
 // quadrature of the pressure.
 TEST_CASE("derivatives of the Cauchy integral agree with quadrature") {
     const PrecisionScope precision(50);
-    for (const auto& [name, c] : smooth_contacts()) {
+    for (const SmoothContact& one : smooth_contacts()) {
+        const std::string& name = one.name; // clang 14: lambdas capture no structured bindings
+        const BallContact& c = one.contact;
         if (name == "power-law m=100" || name == "flat-and-rounded t=1e-6") {
             continue; // the quadrature needs more points there
         }
@@ -233,7 +237,9 @@ TEST_CASE("bounds over boxes contain the values at their points, and become narr
     SplitMix64 random(20261125);
     std::size_t narrow = 0;
     std::size_t wide = 0;
-    for (const auto& [name, c] : smooth_contacts()) {
+    for (const SmoothContact& one : smooth_contacts()) {
+        const std::string& name = one.name; // clang 14: lambdas capture no structured bindings
+        const BallContact& c = one.contact;
         if (name == "power-law m=100" || name == "power-law m=10") {
             continue; // boxes near the origin must be smaller
         }

@@ -2,6 +2,7 @@
 #include "edgeproof/audit/checks/parts/residual_fit.hpp"
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/report/figures/figures_paper.hpp"
+#include "edgeproof/scene/input/quantity.hpp"
 
 #include <fmt/format.h>
 

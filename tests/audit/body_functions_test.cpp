@@ -149,7 +149,9 @@ TEST_CASE("stresses in formulas agree with a second route") {
         {"punch", {"-0.162671508236441513", "-0.306525570442848292", "-0.038441227287582042"}},
         {"curved", {"-0.062550784052640043", "-0.134865688558457392", "-0.034476845739596830"}},
         {"stuck", {"-0.314197390181654992", "-0.567746394278713643", "-0.078025712828152505"}}};
-    for (const auto& [family, values] : bodies) {
+    for (const auto& each : bodies) {
+        const auto& family = each.family;
+        const auto& values = each.values;
         for (std::size_t i = 0; i < values.size(); ++i) {
             CAPTURE(family);
             CAPTURE(i);

@@ -75,7 +75,9 @@ std::set<std::string> all_keys() {
 } // namespace
 
 TEST_CASE("every parameter that a family does not use is refused at its line") {
-    for (const auto& [profile, own] : own_keys) {
+    for (const auto& each : own_keys) {
+        const auto& profile = each.first;
+        const auto& own = each.second;
         CAPTURE(profile);
         CHECK(refusal_of(one_family(profile, keys_of(profile))) == "");
         for (const std::string& key : all_keys()) {

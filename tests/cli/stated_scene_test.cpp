@@ -71,7 +71,9 @@ TEST_CASE("the size of a sphere, a cone and a wedge by hand") {
         {"--cone --phi 0.1", std::sqrt(2 * 7 / (pi * 3 * 0.1))},
         {"--wedge --phi 0.1", 7 / (3 * 0.1)},
     };
-    for (const auto& [profile, a] : all) {
+    for (const auto& each : all) {
+        const auto& profile = each.first;
+        const auto& a = each.second;
         CAPTURE(profile);
         const Folder folder;
         const Outcome o = run(folder, std::string("pressure ") + profile +
@@ -242,7 +244,9 @@ TEST_CASE("--E and --nu are those of two equal bodies, --q-ratio is Q/(f P)") {
         {"slip --hertz --R 1 --P 1 --contact-modulus 1 --q-ratio 0.6 --Q 1 --friction 1",
          "edgeproof: --q-ratio and --Q are both given; "},
     };
-    for (const auto& [command, begin] : wrong) {
+    for (const auto& each : wrong) {
+        const auto& command = each.first;
+        const auto& begin = each.second;
         CAPTURE(command);
         const Outcome o = run(folder, command);
         CHECK(o.code == 2);
@@ -285,7 +289,9 @@ TEST_CASE("advice for a scene by its quantities names options, not keys of a fil
          "--E2 and --nu2\n"},
         {"pressure --quantity shear --u 0.1" + contact, "; add --Q or --bulk-tension\n"},
     };
-    for (const auto& [command, end] : all) {
+    for (const auto& each : all) {
+        const auto& command = each.first;
+        const auto& end = each.second;
         CAPTURE(command);
         const Outcome o = run(folder, command);
         CHECK(o.code == 2);

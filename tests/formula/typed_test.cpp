@@ -71,7 +71,9 @@ TEST_CASE("products without a sign are read as people read them") {
         {"a - b", "a - b"},
         {"2*P", "2*P"},
     };
-    for (const auto& [typed, plain] : cases) {
+    for (const auto& each : cases) {
+        const auto& typed = each.first;
+        const auto& plain = each.second;
         CAPTURE(typed);
         CHECK(products(typed) == plain);
     }
@@ -135,7 +137,9 @@ TEST_CASE("a subset of LaTeX is read") {
         {R"({(a+b)}^2)", "(a+b)^2"},
         {R"(\frac{d^2}{4})", "d^2/4"},
     };
-    for (const auto& [typed, plain] : cases) {
+    for (const auto& each : cases) {
+        const auto& typed = each.first;
+        const auto& plain = each.second;
         CAPTURE(typed);
         CHECK(tex(typed) == plain);
         CHECK_NOTHROW((void)parse(tex(typed), typed_symbols));

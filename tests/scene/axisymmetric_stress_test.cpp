@@ -193,7 +193,9 @@ void compare_with_huber(const std::vector<std::pair<std::string, std::string>>& 
     const Real a = Real(5) / 4;
     const Real nu = Real(3) / 10;
     const Real p0 = 2 * a * (Real(7) / 3) / edgeproof::pi<Real>();
-    for (const auto& [r_text, z_text] : points) {
+    for (const auto& each : points) {
+        const auto& r_text = each.first;
+        const auto& z_text = each.second;
         CAPTURE(r_text);
         CAPTURE(z_text);
         const Real x = Exact::parse(r_text).to<Real>();

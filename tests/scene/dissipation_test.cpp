@@ -195,7 +195,9 @@ TEST_CASE("the energy of a step is traction times slip") {
         {{{1, -0.25}, {2, 0.125}, {1, 0.25}},
          {"0.0267585009558054369", "0.03293353963791458", "0.02212010626627606"}},
     };
-    for (const auto& [path, values] : steps) {
+    for (const auto& each : steps) {
+        const auto& path = each.first;
+        const auto& values = each.second;
         for (std::size_t i = 0; i < values.size(); ++i) {
             CAPTURE(path.size());
             CAPTURE(path.back().first);

@@ -225,9 +225,11 @@ TEST_CASE("the steps of bodies of revolution are total forces") {
         CAPTURE(std::string(profile));
         const std::string round = std::string("geometry = \"axisymmetric\"\n") + profile;
         const std::string ask = "[ask]\nu = [\"1/100\", \"a/2\", \"a\"]\ndigits = 25\n";
-        for (const auto& [count, loads] :
+        for (const auto& each :
              {std::pair{std::size_t{1}, "P = \"1/2\"\n"}, std::pair{std::size_t{2}, "P = 1\n"},
               std::pair{std::size_t{3}, "P = 1\n"}}) {
+            const auto& count = each.first;
+            const auto& loads = each.second;
             CAPTURE(count);
             scene::Scene steps = scene::parse_scene(
                 history_text(round, {{0.5, 0}, {1, 0}, {1, 0.25}}, ask), "steps");
@@ -308,7 +310,11 @@ TEST_CASE("the slip displacement of a history is the movement since the place ca
         {reversed, 0.9, {{0.9, 0.1}}, {{2.0 / 3, 0.1}, {2, -0.5}}},
         {reloaded, 1.1, {{1, 0.1}, {1.1, 0.2}}, {{2.0 / 3, 0.1}, {1.2, -0.5}, {1.8, 1.0 / 3}}},
     };
-    for (const auto& [path, force, then, now] : cases) {
+    for (const auto& each : cases) {
+        const auto& path = each.path;
+        const auto& force = each.force;
+        const auto& then = each.then;
+        const auto& now = each.now;
         const double x = std::stod(std::to_string(half_width(force)));
         Layers exact = then;
         exact.back().first = std::acos(-1.0) * x * x / 8;

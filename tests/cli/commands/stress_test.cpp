@@ -96,16 +96,17 @@ TEST_CASE("options without effect are refused by stress, displacement and slip a
     folder.write("steps.toml", "[profile]\nkind = \"hertz\"\nR = \"1\"\n[load]\ncontact_modulus = "
                                "\"1\"\n[shear]\nfriction = \"1/2\"\n[[step]]\nP = \"1\"\n"
                                "[[step]]\nP = \"2\"\nQ = \"0.3\"\n");
-    for (const auto& [command, option] :
-         {std::pair{"stress s.toml --point 0,1", "--terms 3"},
-          std::pair{"stress s.toml --point 0,1", "--edge left"},
-          std::pair{"stress s.toml --point 0,1", "--x 0"},
-          std::pair{"stress s.toml --point 0,1", "--u 1/3"},
-          std::pair{"stress s.toml --greatest tau_max", "--process-zone 1/3"},
-          std::pair{"displacement s.toml --x 3", "--terms 3"},
-          std::pair{"displacement s.toml --x 3", "--edge left"},
-          std::pair{"slip steps.toml", "--terms 3"},
-          std::pair{"slip steps.toml", "--tolerance 1%"}}) {
+    for (const auto& each : {std::pair{"stress s.toml --point 0,1", "--terms 3"},
+                             std::pair{"stress s.toml --point 0,1", "--edge left"},
+                             std::pair{"stress s.toml --point 0,1", "--x 0"},
+                             std::pair{"stress s.toml --point 0,1", "--u 1/3"},
+                             std::pair{"stress s.toml --greatest tau_max", "--process-zone 1/3"},
+                             std::pair{"displacement s.toml --x 3", "--terms 3"},
+                             std::pair{"displacement s.toml --x 3", "--edge left"},
+                             std::pair{"slip steps.toml", "--terms 3"},
+                             std::pair{"slip steps.toml", "--tolerance 1%"}}) {
+        const auto& command = each.first;
+        const auto& option = each.second;
         CAPTURE(command);
         CAPTURE(option);
         const Outcome o = run(folder, std::string(command) + " " + option);

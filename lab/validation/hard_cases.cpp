@@ -70,9 +70,13 @@ scene::AskedValue read_asked(const io::TomlSection& section, const scene::Scene&
         asked.u = section.exact("u");
     }
     if (row.of_bodies()) {
-        if (scene.shear) {
-            section.reject("shear", "stresses are hard cases of normal contacts only",
-                           "leave shear out");
+        if (scene.slips() && scene.shear->bulk_tension.sign() != 0) {
+            section.reject("shear", "partial slip with a bulk tension has no second routes",
+                           "leave bulk_tension out");
+        }
+        if (scene.slips() && scene.load.kind != contact::Load::Kind::force) {
+            section.reject("load", "stresses in partial slip are hard cases of a given force",
+                           "give P instead of a");
         }
         asked.in_body = {section.exact("x"), section.exact("z"), scene::Body::A};
         if (asked.in_body->z.sign() <= 0) {

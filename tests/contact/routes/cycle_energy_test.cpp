@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/routes/partial_slip.hpp"
 
-#include "edgeproof/contact/slip/dissipation.hpp"
+#include "edgeproof/contact/stress/dissipation.hpp"
 #include "tests/contact/slip_scenes.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -36,7 +36,7 @@ bool within(const Real& x, const Real& y, const char* relative) {
 
 } // namespace
 
-// tests/contact/slip/cycle_energy_test.cpp gives the source of the value of the tilted punch.
+// tests/contact/stress/cycle_energy_test.cpp gives the source of the value of the tilted punch.
 TEST_CASE("the energy of a cycle by quadrature: a tilted punch, and closed forms") {
     const PrecisionScope scope(40);
     for (const scenes::SizeCase& c : size_cases()) {

@@ -71,7 +71,9 @@ TEST_CASE("hard-cases.toml: at least 200 cases, at least 10 in each class of the
                              "Q and sigma_0 cancel 40 digits",
                              "the error touches the tolerance",
                              "z = 1e-30 at an edge or a knot",
-                             "a point at the distance 1e30"}) {
+                             "a point at the distance 1e30",
+                             "shear: z = 1e-30 at an edge or a knot",
+                             "shear: a point at the distance 1e30"}) {
         CAPTURE(name);
         CHECK(classes[name] >= 10);
     }
@@ -160,6 +162,19 @@ TEST_CASE("hard cases: malformed input is reported with its line") {
                      "load = { a = \"1\", contact_modulus = \"1\" }\n") ==
           "cases.toml:4: unknown quantity 'measure'; write pressure, coefficient, residual, shear, "
           "shear-coefficient, load, left-edge, tilt-difference, extent, sxx, szz or sxz");
+    const auto stress_case = [](const std::string& load, const std::string& shear) {
+        return "[cases.x]\nclass = \"c\"\nreason = \"r\"\nquantity = \"sxx\"\nx = \"0\"\nz = "
+               "\"1\"\n"
+               "profile = { kind = \"power-law\", m = \"1\", C = \"1\" }\nload = { " +
+               load +
+               " = \"1\", contact_modulus = \"1\" }\nshear = { Q = \"1/9\", friction = \"1/2\"" +
+               shear + " }\n";
+    };
+    CHECK(message_of(stress_case("P", "")) == "");
+    CHECK(message_of(stress_case("a", "")).find("give P instead of a") != std::string::npos);
+    CHECK(
+        message_of(stress_case("P", ", bulk_tension = \"1/99\"")).find("leave bulk_tension out") !=
+        std::string::npos);
     CHECK(message_of("[cases.x]\nclass = \"c\"\nreason = \"r\"\nquantity = \"load\"\n"
                      "profile = { kind = \"power-law\", m = \"-1\", C = \"1\" }\n"
                      "load = { a = \"1\", contact_modulus = \"1\" }\n")

@@ -36,6 +36,8 @@ public:
     [[nodiscard]] std::optional<formula::Exact> known(Edge edge) const {
         return edge == Edge::right || profile_.symmetric() ? known_a_ : known_b_;
     }
+    /// True for a profile whose contacts all have b = a.
+    [[nodiscard]] bool symmetric() const { return profile_.symmetric(); }
     /// True if an edge that is not known exactly may lie on a knot at this number of bits.
     [[nodiscard]] bool edge_may_be_on_knot() const;
     /// The distances of the corners from the edge. There p is infinite.

@@ -79,6 +79,8 @@ BallZone ZoneSolver::search(const Ball& force, const Ball& tilt, const BallZone&
     const Ball half_the_bits = power_of_two(-(bits() / 2), bits());
     std::optional<Ball> before;
     std::optional<BallZone> last; // where the values were finite
+    Ball last_da(0, bits());
+    Ball last_db(0, bits());
     int growing = 0;
     for (int k = 0; k < most_zone_steps; ++k) {
         const Ball D = at.length();
@@ -104,6 +106,16 @@ BallZone ZoneSolver::search(const Ball& force, const Ball& tilt, const BallZone&
             continue;
         }
         last = at;
+        // Across a corner, where the rates are infinite, the steps may go back and forth for ever.
+        const auto damped = [](Ball& step, Ball& previous) {
+            if (certainly_negative(step * previous) &&
+                certainly_less(abs(previous), abs(step) * 2)) {
+                step = middle(step / 2);
+            }
+            previous = step;
+        };
+        damped(da, last_da);
+        damped(db, last_db);
         // A step removes less than the whole zone.
         const Ball limit = D * Ball(Rational(7, 16), bits());
         const Ball most = max(abs(da), abs(db));

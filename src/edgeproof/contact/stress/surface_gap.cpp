@@ -2,7 +2,9 @@
 #include "edgeproof/contact/stress/surface_gap.hpp"
 
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/stress/cauchy_integral.hpp"
+#include "edgeproof/contact/stress/linear_gap.hpp"
 
 #include <cstddef>
 
@@ -18,8 +20,13 @@ Ball gap_of_profile(const BallContact& contact, const Ball& beyond) {
     Ball sum = zero;
     for (std::size_t i = slope.knots.size(); i-- > 0;) {
         const Ball outside = slope.knots[i] - contact.a();
-        if (contact.knot_marks()[i].end != Edge::right && !certainly_positive(outside)) {
-            break;
+        if (contact.knot_marks()[i].end != Edge::right) {
+            if (certainly_negative(outside)) {
+                break;
+            }
+            // It counts as inside; if it is beyond, the error is at most that of its distance.
+            sum += up_to(abs(outside) * (abs(slope.jump(i)) + abs(slope.rate_drop(i)) * beyond));
+            continue;
         }
         const Ball distance = max(zero, beyond - max(zero, outside));
         sum += slope.jump(i) * distance - slope.rate_drop(i) * distance * distance / 2;
@@ -28,35 +35,19 @@ Ball gap_of_profile(const BallContact& contact, const Ball& beyond) {
     return sum + rate * beyond * beyond / 2;
 }
 
-// docs/stress.md, "The gap": h' = g' - (2/(pi E*)) P_1, integrated from the
-// edge, with g'(a) = (1/pi) integral of (pi - h) dg' by the consistency condition.
+// docs/stress.md, "The gap"
 Ball linear_gap(const BallContact& contact, const Ball& beyond) {
-    const LinearSlope<Ball>& slope = contact.slope();
     const Extent<Ball> e{contact.a(), contact.b()};
     const Ball half = e.length() / 2;
-    const Ball pi = Ball::pi(beyond.bits());
     const Ball W = sqrt(beyond * (e.length() + beyond));
-    const Ball log_omega = log1p((beyond + W) / half); // -ln omega = arcosh((x - c)/(D/2))
     const Ball omega = half / (half + beyond + W);
-    const Ball at_edge = over_linear_measure<LeftBalanceKernel>(slope, e, contact.knot_marks());
-    Ball lost = contact.arc() * half * half / 2 * (log_omega + (omega * omega - 1) / 2);
-    for (std::size_t i = 0; i < slope.knots.size(); ++i) {
-        if (!contact.bends_inside(i)) {
-            continue;
-        }
-        const Mark<Ball>& v = contact.knot_marks()[i];
-        const Ball far = v.right + beyond; // x - v
-        // k(x, v) = 2 arg(1 - omega e^(-ih))
-        const Ball k = atan2(omega * v.w / half, 1 - omega * v.y / half) * 2;
-        const Ball k_edge = pi - v.h;
-        if (slope.has_corner(i)) {
-            lost += slope.jump(i) * (far * k - v.right * k_edge + v.w * log_omega);
-        }
-        lost += slope.rate_drop(i) *
-                ((v.right * v.right * k_edge - far * far * k - v.w * (W - v.y * log_omega)) / 2 +
-                 v.w * beyond);
-    }
-    return gap_of_profile(contact, beyond) + (at_edge * beyond - lost) / pi;
+    const Ball at_edge =
+        over_linear_measure<LeftBalanceKernel>(contact.slope(), e, contact.knot_marks());
+    const BeyondEdge<Ball> x{beyond, W, omega, log1p((beyond + W) / half)};
+    return gap_of_profile(contact, beyond) +
+           gap_of_contact(contact, at_edge, x, [&](const Mark<Ball>& v) {
+               return atan2(omega * v.w / half, 1 - omega * v.y / half) * 2;
+           });
 }
 
 // docs/stress.md, "The gap": h = C x^(m+1)/(m+1) - (2/(pi E* (m+1))) (a P'(a) arcosh(x/a)

@@ -170,10 +170,6 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
         (needs == Needs::friction_alone || needs == Needs::history)) {
         return lack("is not computed for load histories of axisymmetric contacts", "");
     }
-    if (scene.history && (needs == Needs::friction_alone || needs == Needs::history) &&
-        !scene.symmetric() && scene.profile->kind() != contact::Profile::Kind::tilted_wedge) {
-        return lack("is not computed for load histories of profiles that are not symmetric", "");
-    }
     if (needs == Needs::friction_alone && scene.round && !scene.poisson(Body::A)) {
         return lack("there is no Poisson's ratio", "add nu to [load]");
     }

@@ -7,8 +7,8 @@
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/law/shear.hpp"
-#include "edgeproof/contact/slip/dissipation.hpp"
 #include "edgeproof/contact/stress/axisymmetric_stress.hpp"
+#include "edgeproof/contact/stress/dissipation.hpp"
 #include "edgeproof/contact/stress/plane_stress.hpp"
 #include "edgeproof/contact/stress/stress_field.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
@@ -30,9 +30,7 @@ namespace edgeproof::scene {
     if (scene.round) {
         return true;
     }
-    return scene.profile &&
-           (scene.profile->kind() == contact::Profile::Kind::tilted_wedge ||
-            (scene.symmetric() && contact::BallContact::has_closed_form(*scene.profile)));
+    return scene.profile && contact::BallContact::has_closed_form(*scene.profile);
 }
 
 /// A scene's contact at one number of bits; the route in balls uses levels of more and more bits.

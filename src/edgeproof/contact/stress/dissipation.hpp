@@ -28,10 +28,8 @@ struct SlipPhase {
 /// Returns the energy per unit length (force) of phases,
 ///   2 f/(pi E*) times the sum of change times the mean over the phase of
 ///   the integral of (P - L) d ln D over L_s < L < P,
-/// where D(L) is the length of the contact under the force L. Proved, for symmetric
-/// profiles with piecewise linear slopes: by a Taylor polynomial on each panel of a, with the
-/// remainder from the coefficient over the panel, and next to knots by the size of the integrand.
-/// Throws BudgetError where that takes too many panels, or where the bits do not distinguish the
+/// where D(L) is the length of the contact under the force L. Proved, for profiles with piecewise
+/// linear slopes (gap_integral.hpp). Throws BudgetError where the bits do not distinguish the
 /// forces.
 /// @param contact a contact of the family
 /// @param friction f

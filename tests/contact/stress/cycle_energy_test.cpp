@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/slip/dissipation.hpp"
+#include "edgeproof/contact/stress/dissipation.hpp"
 
 #include "tests/contact/slip_scenes.hpp"
 #include "tests/support/namespaces.hpp"
@@ -35,6 +35,7 @@ TEST_CASE("the energy of a cycle is slip times traction over the slip zones") {
     const std::pair<const char*, const char*> cases[] = {
         {"Hertz", "0.00150632623324495620139399268"},
         {"flat and rounded", "0.00058844869970052064993547324"},
+        {"tilted flat and rounded", "0.0775464093049073581084124865"},
     };
     for (const auto& [which, value] : cases) {
         const char* const name = which; // clang's CAPTURE takes no structured binding
@@ -47,7 +48,7 @@ TEST_CASE("the energy of a cycle is slip times traction over the slip zones") {
 }
 
 TEST_CASE("panels enclose the closed form where contacts are similar") {
-    const std::pair<const char*, long> cases[] = {{"Hertz", 2}, {"wedge", 1}};
+    const std::pair<const char*, long> cases[] = {{"Hertz", 2}, {"wedge", 1}, {"tilted wedge", 1}};
     for (const auto& [which, power] : cases) {
         const char* const name = which;
         for (const char* tau : {"1e-9", "3/10", "999/1000"}) {

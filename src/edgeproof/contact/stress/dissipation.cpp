@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/slip/dissipation.hpp"
+#include "edgeproof/contact/stress/dissipation.hpp"
 
-#include "edgeproof/contact/enclosure/ball_values.hpp"
-#include "edgeproof/precision/ball/ball_series.hpp"
+#include "edgeproof/contact/stress/gap_integral.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/interruption.hpp"
 
 #include <array>
 #include <cstddef>
-#include <optional>
-#include <utility>
 
 namespace edgeproof::contact {
 namespace {
-
-constexpr std::size_t most_energy_panels = 20'000;
 
 using Cut = SlipPhase::Cut;
 
@@ -82,107 +76,20 @@ Ball energy_of(const Ball& modulus, const Ball& friction, const std::vector<Slip
     return sum * friction * 2 / (Ball::pi(modulus.bits()) * modulus);
 }
 
-/// The integral of a weight d ln D between two cuts, over panels of the right edge.
-class GrowthIntegral {
-public:
-    GrowthIntegral(const BallContact& contact, Quadratic weight, const Cut& from, const Cut& to)
-        : contact_(contact), weight_(std::move(weight)), bits_(contact.bits()), from_(from),
-          to_(to), terms_(2 * (static_cast<std::size_t>(bits_) / 8) + 1) {
-        const Ball most =
-            max(max(abs(weight_(from.force)), abs(weight_(to.force))), abs(weight_.c[0]));
-        enough_ = middle(most * stretch(from, to) * power_of_two(bits_ / 8 - bits_, bits_));
-    }
-
-    [[nodiscard]] Ball total() const {
-        const Cut lo = at(upper_end(from_.zone.a));
-        const Cut hi = at(lower_end(to_.zone.a));
-        if (!certainly_less(lo.zone.a, hi.zone.a)) {
-            throw BudgetError("too few bits to distinguish the zones of a step");
-        }
-        Ball sum = between_ends(from_, lo) + between_ends(hi, to_);
-        std::vector<std::pair<Cut, Cut>> panels{{lo, hi}};
-        for (std::size_t count = 0; !panels.empty(); ++count) {
-            check_interruption();
-            if (count > most_energy_panels) {
-                throw BudgetError("the energy of a step takes too many panels");
-            }
-            const auto [from, to] = std::move(panels.back());
-            panels.pop_back();
-            const Ball centre = middle((from.zone.a + to.zone.a) / 2);
-            const bool divisible =
-                certainly_less(from.zone.a, centre) && certainly_less(centre, to.zone.a);
-            const Ball crude = between_ends(from, to);
-            if (!divisible || certainly_less(Ball(crude.radius(), bits_), enough_)) {
-                sum += crude;
-            } else if (const auto fine = by_taylor(from, centre, to)) {
-                sum += *fine;
-            } else {
-                const Cut between = at(centre);
-                panels.emplace_back(between, to);
-                panels.emplace_back(from, between);
-            }
-        }
-        return sum;
-    }
-
-private:
-    [[nodiscard]] Cut at(const Ball& a) const {
-        return {contact_.between(a, a).zone_force(), {a, a}};
-    }
-    /// Returns ln(D_to/D_from).
-    [[nodiscard]] static Ball stretch(const Cut& from, const Cut& to) {
-        return log1p((to.zone.a - from.zone.a) / from.zone.a);
-    }
-    /// Bounds the integral over a panel; L increases with the edge.
-    [[nodiscard]] Ball between_ends(const Cut& from, const Cut& to) const {
-        return weight_(Ball::hull(from.force, to.force)) * clamped(stretch(from, to));
-    }
-    /// The integral over a panel; nothing if the remainder is not small enough.
-    [[nodiscard]] std::optional<Ball> by_taylor(const Cut& from, const Ball& centre,
-                                                const Cut& to) const {
-        const Ball lo = from.zone.a - centre;
-        const Ball hi = to.zone.a - centre;
-        // The integrals of z^k. The last power is even, so that the remainder is a value of the
-        // last coefficient times its integral (Taylor's theorem and the mean value theorem).
-        Ball lo_power = lo;
-        Ball hi_power = hi;
-        std::vector<Ball> moments;
-        for (std::size_t k = 0; k < terms_; ++k) {
-            moments.push_back((hi_power - lo_power) / static_cast<long>(k + 1));
-            lo_power *= lo;
-            hi_power *= hi;
-        }
-        const Ball remainder =
-            integrand(Ball::hull(from.zone.a, to.zone.a))[terms_ - 1] * moments.back();
-        if (!remainder.is_finite() || !certainly_less(abs(remainder), enough_)) {
-            return {};
-        }
-        const BallSeries f = integrand(centre);
-        Ball sum = remainder;
-        for (std::size_t k = 0; k + 1 < terms_; ++k) {
-            sum += f[k] * moments[k];
-        }
-        return sum.is_finite() ? std::optional(sum) : std::nullopt;
-    }
-    /// Returns the Taylor series of the weight times D'(a)/D(a) = 1/a.
-    [[nodiscard]] BallSeries integrand(const Ball& a) const {
-        const BallContact c = contact_.between(a, a);
-        const BallSeries rate = c.total_rate_series(terms_);
-        BallSeries L(c.zone_force(), terms_);
-        for (std::size_t k = 1; k < terms_; ++k) {
-            L.set(k, rate[k - 1] / static_cast<long>(k));
-        }
-        return weight_(L) / BallSeries::variable(a, terms_);
-    }
-
-    const BallContact& contact_;
-    Quadratic weight_;
-    long bits_;
-    const Cut& from_;
-    const Cut& to_;
-    std::size_t terms_; ///< odd
-    Ball enough_;
-};
+/// The integral of a weight d ln D between two cuts. W is the sum of a constant, a multiple of
+/// L - L_1 and one of (L_2 - L)(L - L_1), whose integrals are ln(D_2/D_1) and integrals of the gap
+/// (docs/partial-slip.md, "The energy of a cycle").
+Ball growth_integral(const BallContact& contact, const Quadratic& weight, const Cut& from,
+                     const Cut& to) {
+    const BallContact inner = contact.between(from.zone.a, from.zone.b);
+    const BallContact outer = contact.between(to.zone.a, to.zone.b);
+    const Ball at_from = weight(from.force);
+    const Ball rise = (weight(to.force) - at_from) / (to.force - from.force);
+    const Ball half = contact.modulus() / 2;
+    return at_from * log1p((outer.length() - inner.length()) / inner.length()) +
+           gap_integral(inner, outer, -(weight.c[2] * Ball::pi(contact.bits()) * half),
+                        rise * half);
+}
 
 } // namespace
 
@@ -190,7 +97,7 @@ Ball dissipated_energy(const BallContact& contact, const Ball& friction,
                        const std::vector<SlipPhase>& phases) {
     return energy_of(contact.modulus(), friction, phases,
                      [&](const Quadratic& weight, const Cut& from, const Cut& to) {
-                         return GrowthIntegral(contact, weight, from, to).total();
+                         return growth_integral(contact, weight, from, to);
                      });
 }
 

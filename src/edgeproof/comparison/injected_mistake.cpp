@@ -114,6 +114,23 @@ void average_rows(std::vector<ComputedRow>& list) {
     }
 }
 
+/// Values at the corners and in the middles of the sides of quadratic elements.
+Make alternating(double corner, double middle) {
+    return rows([=](std::vector<ComputedRow>& list) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            list[i].p *= i % 2 == 0 ? corner : middle;
+        }
+    });
+}
+/// An error of 5 % that is a wave, and no known mistake.
+Make wave(double elements_long) {
+    return rows([=](std::vector<ComputedRow>& list) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            list[i].p *= 1 + 0.05 * std::sin(2 * pi * static_cast<double>(i) / elements_long);
+        }
+    });
+}
+
 /// The forces of the nodes, by a linear pressure on each element.
 void forces_of_rows(std::vector<ComputedRow>& list) {
     const std::vector<ComputedRow> right = list;
@@ -172,6 +189,10 @@ const std::vector<InjectedMistake>& injected_mistakes() {
     static const std::vector<InjectedMistake> list = with_those_of_keys({
         {"", false, with({}, [](Program&) {})},
         {"", true, with({}, [](Program&) {})},
+        {"", false, wave(2.3)},
+        {"", false, wave(3)},
+        {"", false, wave(4)},
+        {"", false, wave(17)},
         {"factor-2", false, factor(2)},
         {"factor-pi", false, factor(1 / pi)},
         {"factor-sqrt-pi", false, factor(std::sqrt(pi))},
@@ -211,6 +232,14 @@ const std::vector<InjectedMistake>& injected_mistakes() {
          [](const SceneKeys& keys) {
              return keys.contains("profile.geometry") ? std::nullopt : rows(forces_of_rows)(keys);
          }},
+        {"mid-side-nodes", false, alternating(1, 1.24)},
+        {"mid-side-nodes", false, alternating(0.85, 1.15)},
+        {"si-units", false,
+         with({},
+              [](Program& program) {
+                  program.written_x = [](double x) { return 1e-3 * x; };
+                  program.p = [](const ExactContact& c, double x) { return 1e6 * c.pressure(x); };
+              })},
         {"soft-penalty", false, springs(0.02)},
         {"soft-penalty", false, springs(0.1)},
         {"one-term", false, terms(1)},

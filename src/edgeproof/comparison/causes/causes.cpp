@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/causes/causes.hpp"
+#include "edgeproof/comparison/causes/fit.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -14,119 +14,10 @@ namespace {
 constexpr double right_as_a_mesh = 0.003; ///< of the largest pressure: data that need no cause
 constexpr double share_of_error = 0.05;   ///< the least allowance, of the error to be explained
 constexpr double most_of_a_mesh = 0.03;   ///< the largest allowance for a mesh's own error
-constexpr double scatter_allowance = 1.6;
-constexpr double usual_errors = 3; ///< standard errors of the scale of a cause
-constexpr double most_errors = 5;  ///< of one that is not excluded
-constexpr double share_left = 0.3;
+constexpr double most_scatters = 2;       ///< that the error of a mistake not excluded may be
 constexpr double as_little = 1.2;
-constexpr std::size_t fewest_nodes_counted = 8;
 constexpr std::size_t most_nodes = 1000;
-constexpr double edge_share = 0.02; ///< relative to the suspect's contact
 constexpr double roundoff = 1e-12;
-
-struct Fit {
-    double left = 0;        ///< rms of data minus suspect, relative to its largest value
-    double noise = 0;       ///< rms scatter of that difference from node to node
-    double scale = 1;       ///< the factor of the suspect's values that fits the data best
-    double scale_error = 0; ///< its standard error from the local scatter
-    std::size_t nodes = 0;
-    bool largest_counted = false; ///< the largest of all errors is at a node that counts
-
-    [[nodiscard]] bool is_scatter(double allowance, double standard_errors = usual_errors) const {
-        return left <= scatter_allowance * noise + allowance &&
-               std::abs(scale - 1) <= standard_errors * scale_error + allowance;
-    }
-};
-
-/// The remaining error at a node, and the suspect's value there, relative to the largest value.
-struct LeftOver {
-    double off = 0;
-    double value = 0;
-};
-
-/// The scatter of the remaining error, and the resulting standard error of the scale. White noise
-/// has second differences of sqrt(6) times its size. Only consecutive nodes are used. Noise may be
-/// constant or proportional to the pressure: the larger error of the two is taken.
-void find_scatter(const std::vector<std::optional<LeftOver>>& left, Fit& fit) {
-    double sum = 0;
-    double weighted = 0;
-    double squares = 0;
-    std::size_t n = 0;
-    for (std::size_t i = 1; i + 1 < left.size(); ++i) {
-        if (left[i - 1] && left[i] && left[i + 1]) {
-            const double second = left[i - 1]->off - 2 * left[i]->off + left[i + 1]->off;
-            const double square = left[i]->value * left[i]->value;
-            sum += second * second / 6;
-            weighted += square * second * second / 6;
-            squares += square;
-            ++n;
-        }
-    }
-    if (n > 0 && squares > 0) {
-        fit.noise = std::sqrt(sum / static_cast<double>(n));
-        fit.scale_error = std::max(fit.noise / std::sqrt(squares), std::sqrt(weighted) / squares);
-    }
-}
-
-struct Observed {
-    UsedNodes nodes;
-    std::vector<double> values;
-    double element = 0;          ///< the widest at an edge
-    std::vector<double> corners; ///< where p is infinite
-};
-
-std::optional<Fit> fit_of(const Observed& data, const Suspect& suspect) {
-    const double zone = std::max(2 * data.element, edge_share * (suspect.a + suspect.b));
-    const auto counts = [&](std::size_t i) {
-        const double x = data.nodes[i].x;
-        return std::isfinite(suspect.values[i]) &&
-               std::min(std::abs(x - suspect.a), std::abs(x + suspect.b)) >= zone &&
-               std::ranges::none_of(data.corners,
-                                    [=](double at) { return std::abs(x - at) < zone; });
-    };
-    Fit fit;
-    double largest = 0;
-    double products = 0;
-    double squares = 0;
-    for (std::size_t i = 0; i < data.nodes.size(); ++i) {
-        if (counts(i)) {
-            largest = std::max(largest, std::abs(suspect.values[i]));
-            products += data.values[i] * suspect.values[i];
-            squares += suspect.values[i] * suspect.values[i];
-        }
-    }
-    if (!(squares > 0)) {
-        return {};
-    }
-    // The sign of the data is free: a mistake may make the pressure mainly tensile.
-    const double sign = products < 0 ? -1 : 1;
-    std::vector<std::optional<LeftOver>> left; // of nodes inside the suspect's contact
-    double square = 0;
-    std::size_t all = 0;
-    std::array<double, 2> worst{}; // of nodes near an edge, and of those that count
-    for (std::size_t i = 0; i < data.nodes.size(); ++i) {
-        const double x = data.nodes[i].x;
-        const bool within = counts(i) && x < suspect.a && x > -suspect.b;
-        const double off = counts(i) ? (sign * data.values[i] - suspect.values[i]) / largest : 0;
-        if (std::isfinite(suspect.values[i])) {
-            double& most = worst[counts(i) ? 1 : 0];
-            most = std::max(most, std::abs(sign * data.values[i] - suspect.values[i]));
-        }
-        left.push_back(within ? std::optional(LeftOver{off, suspect.values[i] / largest})
-                              : std::nullopt);
-        all += counts(i) ? 1 : 0;
-        fit.nodes += within ? 1 : 0;
-        square += off * off;
-    }
-    if (fit.nodes < fewest_nodes_counted) {
-        return {};
-    }
-    fit.left = std::sqrt(square / static_cast<double>(all));
-    find_scatter(left, fit);
-    fit.scale = sign * products / squares;
-    fit.largest_counted = worst[1] >= worst[0];
-    return fit;
-}
 
 Observed observed_in(const AlignedResult& data, const DataContact& contact,
                      const ExactContact& exact) {
@@ -143,30 +34,24 @@ Observed observed_in(const AlignedResult& data, const DataContact& contact,
     return observed;
 }
 
-double median_ratio(const Observed& data, const std::vector<double>& right) {
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i < right.size(); ++i) {
-        if (std::isfinite(right[i]) && right[i] != 0) {
-            ratios.push_back(data.values[i] / right[i]);
+/// A mistake that may have led to the data.
+struct Candidate {
+    const Suspect* suspect = nullptr;
+    Fit fit;
+};
+
+/// Returns the most likely first, without those that leave clearly more than the best one and that
+/// the data exclude.
+std::vector<Cause> ranked(std::vector<Candidate> candidates, const Observed& data, double factor) {
+    std::ranges::stable_sort(candidates, {}, [](const Candidate& one) { return one.fit.left; });
+    std::vector<Cause> causes;
+    for (const Candidate& one : candidates) {
+        const Candidate& best = candidates.front();
+        if (one.fit.left <= as_little * best.fit.left + roundoff ||
+            !is_excluded(data, *one.suspect, *best.suspect)) {
+            causes.push_back({one.suspect->name, one.suspect->what, factor, one.fit.left, {}});
         }
     }
-    if (ratios.empty()) {
-        return 1;
-    }
-    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-    std::ranges::nth_element(ratios, middle);
-    return *middle;
-}
-
-/// Sorts the most likely first; a mistake that leaves clearly more than the best is not a cause.
-void rank(std::vector<Cause>& causes) {
-    std::ranges::stable_sort(causes, {}, &Cause::scatter);
-    if (causes.empty()) {
-        return;
-    }
-    const double best = causes.front().scatter;
-    std::erase_if(
-        causes, [best](const Cause& cause) { return cause.scatter > as_little * best + roundoff; });
     for (std::size_t i = 0; i < causes.size(); ++i) { // variants of one mistake
         const auto rest = causes.begin() + static_cast<std::ptrdiff_t>(i) + 1;
         causes.erase(std::remove_if(rest, causes.end(),
@@ -185,75 +70,7 @@ void rank(std::vector<Cause>& causes) {
             }
         }
     }
-}
-
-bool explains(const Fit& fit, double allowance, double unexplained,
-              double standard_errors = usual_errors) {
-    return fit.is_scatter(allowance, standard_errors) && fit.left < share_left * unexplained;
-}
-
-/// Every second node, from the first or the second one.
-std::pair<Observed, Suspect> every_second(const Observed& data, const Suspect& right,
-                                          std::size_t first) {
-    Observed part{{data.nodes.data, {}}, {}, data.element, data.corners};
-    Suspect values{right.name, right.what, right.a, right.b, {}};
-    for (std::size_t i = first; i < data.nodes.size(); i += 2) {
-        part.nodes.nodes.push_back(data.nodes.nodes[i]);
-        part.values.push_back(data.values[i]);
-        values.values.push_back(right.values[i]);
-    }
-    return {std::move(part), std::move(values)};
-}
-
-/// Means over three neighbours, with weights 1/4, 1/2 and 1/4.
-std::pair<Observed, Suspect> means_of_three(const Observed& data, const Suspect& right) {
-    Observed part{{data.nodes.data, {}}, {}, 2 * data.element, data.corners};
-    Suspect values{right.name, right.what, right.a, right.b, {}};
-    const auto mean = [](const std::vector<double>& v, std::size_t i) {
-        return (v[i - 1] + 2 * v[i] + v[i + 1]) / 4;
-    };
-    for (std::size_t i = 1; i + 1 < data.nodes.size(); ++i) {
-        part.nodes.nodes.push_back(data.nodes.nodes[i]);
-        part.values.push_back(mean(data.values, i));
-        values.values.push_back(mean(right.values, i));
-    }
-    return {std::move(part), std::move(values)};
-}
-
-/// Recognises data that alternate from node to node, as those at the corners and in the middles of
-/// the sides of quadratic elements do: every second node is right, or the means over neighbours
-/// are. Noise does not become three times smaller by either.
-std::optional<Cause> alternation(const Observed& data, const Suspect& right, double allowance,
-                                 double unexplained) {
-    if (data.nodes.size() != data.nodes.data.nodes.size()) {
-        return {}; // only some nodes are used
-    }
-    for (const std::size_t first : {0U, 1U}) {
-        const auto [part, values] = every_second(data, right, first);
-        const auto fit = fit_of(part, values);
-        if (fit && explains(*fit, allowance, unexplained)) {
-            const auto [others, other_values] = every_second(data, right, 1 - first);
-            return Cause{
-                "mid-side-nodes",
-                fmt::format("every second node is right, and the others are {:.3g} times that: "
-                            "corners and middles of the sides of quadratic elements",
-                            median_ratio(others, other_values.values)),
-                1,
-                fit->left,
-                {}};
-        }
-    }
-    const auto [part, values] = means_of_three(data, right);
-    const auto fit = fit_of(part, values);
-    if (fit && explains(*fit, allowance, unexplained)) {
-        return Cause{"mid-side-nodes",
-                     "p alternates about the right one from node to node: corners and middles of "
-                     "the sides of quadratic elements; give means over neighbours",
-                     1,
-                     fit->left,
-                     {}};
-    }
-    return {};
+    return causes;
 }
 
 Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
@@ -273,20 +90,22 @@ Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
         std::max(std::min(mesh_error, most_of_a_mesh),
                  std::min(right_as_a_mesh, share_of_error * diagnosis.unexplained));
     const double factor = median_ratio(data, right.values);
-    // One mistake within three standard errors is named together with those within five: of some
-    // hundred sets of data, the scale of the right one is off by more than three in some.
+    // If one mistake explains the data, those are named with it that the data do not exclude: of
+    // some hundred sets of data, the scale of the right one is off by more than three standard
+    // errors in some.
     bool explained = false;
+    std::vector<Candidate> candidates;
     for (const Suspect& suspect : suspects) {
         const auto fit = fit_of(data, suspect);
-        if (fit && explains(*fit, allowance, diagnosis.unexplained, most_errors)) {
-            diagnosis.causes.push_back({suspect.name, suspect.what, factor, fit->left, {}});
+        if (fit && fit->left < diagnosis.unexplained &&
+            fit->is_scatter(allowance, most_errors, most_scatters)) {
+            candidates.push_back({&suspect, *fit});
             explained = explained || explains(*fit, allowance, diagnosis.unexplained);
         }
     }
-    if (!explained) {
-        diagnosis.causes.clear();
+    if (explained) {
+        diagnosis.causes = ranked(std::move(candidates), data, factor);
     }
-    rank(diagnosis.causes);
     if (diagnosis.causes.empty() && as_it_is) {
         if (auto cause = alternation(data, right, allowance, diagnosis.unexplained)) {
             diagnosis.causes.push_back(std::move(*cause));

@@ -73,6 +73,21 @@ TEST_CASE("results: separators, decimal commas, exponents, line ends") {
              "\"x\",\"p\"\n\"-0,5\",\"1\"\n\"0\",\"1,5\"\n\"0,5\",\"1\"\n",
              "\xEF\xBB\xBFx,p\n-0.5,1\n0,1.5\n0.5,1\n",
              "x,p,\n-0x1p-1,1,\n0,0x1.8p0,\n0x1p-1,1,\n",
+             // gfortran with four times the precision; Mathematica; the minus sign and a no-break
+             // blank of Unicode.
+             "x p\n-5.0Q-1 1.0q+0\n0.0Q0 1.5Q0\n5.Q-1 1\n",
+             "x\tp\n-5.*^-1\t1\n0.\t1.5*^0\n5.*^-1\t1\n",
+             "x,p\n\xE2\x88\x92"
+             "0.5,1\n0,1.5\n0.5,1\n",
+             "x\xC2\xA0p\n-0.5\xC2\xA0"
+             "1\n0\xC2\xA0"
+             "1.5\n0.5\xC2\xA0"
+             "1\n",
+             // Code_Aster with decimal commas.
+             "#TABLE_SDASTER\n COOR_X       LAGS_C\n R            R\n -5,00000E-01  1,00000E+00\n"
+             "  0,00000E+00  1,50000E+00\n  5,00000E-01  1,00000E+00\n",
+             "\xEF\xBB\xBF"
+             "COOR_X;LAGS_C;\r\n-5,0D-01;1,0D+00;\r\n0,0D+00;1,5D+00;\r\n5,0D-01;1,0D+00;\r\n",
          }) {
         CAPTURE(text);
         check_three(parsed_result(text));
@@ -123,6 +138,8 @@ TEST_CASE("results: names, other columns, banners, comments, order") {
 TEST_CASE("results: units that a file states are converted, exactly") {
     for (const std::string text : {
              "x [m],p [kPa]\n-0.0005,1000\n0,1500\n0.0005,1000\n",
+             "x\tp\n[m]\t[kPa]\n-0.0005\t1000\n0\t1500\n0.0005\t1000\n",
+             "# x p\n# (m) (kPa)\n-0.0005 1000\n0 1500\n0.0005 1000\n",
              "x_um;p_Pa\n-500;1e6\n0;1,5e6\n500;1e6\n",
              "x,p\nm,GPa\n-0.0005,0.001\n0,0.0015\n0.0005,0.001\n",
              "# units: m, Pa\nx p\n-5e-4 1e6\n0 15e5\n5e-4 1e6\n",
@@ -155,6 +172,31 @@ TEST_CASE("results: scale") {
         CAPTURE(bad);
         CHECK_THROWS_AS((void)parse_columns(bad), InputError);
     }
+}
+
+TEST_CASE("results: a mark that may stand between thousands is refused, and decimals are not") {
+    for (const std::string text : {
+             "x\tp\n-0.5\t975\n0\t1,031\n0.5\t975\n",
+             "x\tp\n-0.5\t0\n0\t1,031\n0.5\t0\n",
+             "x;p\n-0,5;975\n0;1.031\n0,5;975\n",
+             "x,p\n-1,975\n0,\"1,031\"\n1,975\n",
+         }) {
+        CAPTURE(text);
+        CHECK(contains_text(refusal(text), "r.csv:3: '1"));
+        CHECK(contains_text(refusal(text), "' may be 1031, or a decimal"));
+    }
+    CHECK(parsed_result("x\tp\n-0,5\t0\n0\t1,125\n0,5\t0\n").rows[1].p == Rational(9, 8));
+    CHECK(parsed_result("x p\n-1 1.5\n0 2.125\n1 2\n").rows[1].p == Rational(17, 8));
+    CHECK(parsed_result("x;p\n-1;0,000\n0;1,125\n1;0,000\n").rows[1].p == Rational(9, 8));
+    CHECK(contains_text(refusal("x;p\n-1;975,5\n0;1.031,5\n1;975,5\n"), "marks between thousands"));
+}
+
+TEST_CASE("results: rows without a number before the first complete row are refused") {
+    CHECK(contains_text(refusal("x,p\n-1,NaN\n0,1\n1,0\n"), "r.csv:2: the row holds 'NaN'"));
+    CHECK(contains_text(refusal("x,p\n\xE2\x80\x93"
+                                "1,1\n0,1\n1,0\n"),
+                        "r.csv:2: "));
+    CHECK(contains_text(refusal("x,p\n-1,-\n0,1\n1,0\n"), "r.csv:2: '-' of p is no number"));
 }
 
 TEST_CASE("results that cannot be read: one line, with the place") {

@@ -58,17 +58,22 @@ public:
     }
 
 private:
+    [[nodiscard]] static std::string without_comment_mark(const ResultLine& line) {
+        return line.comment ? line.text.substr(std::min(line.text.find_first_not_of("#%!/*\" \t"),
+                                                        line.text.size()))
+                            : line.text;
+    }
     /// Returns the names in a line before the rows, separated as the rows are or in another way.
     [[nodiscard]] std::vector<Cell> names_in(const ResultLine& line) const {
-        std::string text = line.text;
-        if (line.comment) {
-            text.erase(0, text.find_first_not_of("#%!/*\" \t"));
-        }
+        std::string text = without_comment_mark(line);
         for (std::size_t at = 0; (at = text.find_first_of("[(", at)) != std::string::npos; ++at) {
             while (at > 0 && (text[at - 1] == ' ' || text[at - 1] == '\t')) {
                 text.erase(--at, 1); // "x [mm]" is one name
             }
         }
+        return cells_in(text);
+    }
+    [[nodiscard]] std::vector<Cell> cells_in(const std::string& text) const {
         std::vector<Cell> cells = split_row(text, text_.separator);
         for (const Separator other :
              {Separator::comma, Separator::semicolon, Separator::tab, Separator::blank}) {
@@ -137,6 +142,7 @@ private:
                 roles.contains(ColumnRole::place) && roles.contains(ColumnRole::pressure);
             if (names.size() == text_.size && (both || names_chosen(names))) {
                 header_line_ = text_.lines[i].number;
+                found_.line = header_line_;
                 header_ = std::move(names);
                 return;
             }
@@ -297,7 +303,7 @@ private:
     /// Finds units after names, in a row of their own, or in a comment "units: mm, MPa".
     void find_units() {
         for (std::size_t i = 0; i < text_.first_row; ++i) {
-            const auto cells = names_in(text_.lines[i]);
+            const auto cells = cells_in(without_comment_mark(text_.lines[i]));
             if (cells.size() == text_.size && all_units(cells)) {
                 for (UsedColumn* c : {&found_.x, &found_.p}) {
                     c->name.unit = c->name.unit ? c->name.unit : unit_cell(cells[c->index]);

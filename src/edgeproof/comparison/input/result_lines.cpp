@@ -11,6 +11,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace edgeproof::comparison {
 namespace {
@@ -167,8 +168,19 @@ private:
     ResultText& text_;
 };
 
-/// Adds the exponent letter to "1.5-104": Fortran omits it if the exponent has three digits.
+/// Writes the exponent with the letter E: in "1.5-104" Fortran omits it, because the exponent has
+/// three digits; gfortran writes a Q for four times the precision, and Mathematica "1.5*^-4".
 std::optional<std::string> with_exponent_letter(const std::string& text) {
+    for (const std::string_view mark : {"Q", "q", "*^"}) {
+        const std::size_t at = text.find(mark);
+        if (at != std::string::npos && at > 0 && text.find_first_of("eEdD") == std::string::npos) {
+            std::string out = text;
+            out.replace(at, mark.size(), "E");
+            return conformance::written_number(out).kind == conformance::WrittenNumber::Kind::number
+                       ? std::optional(out)
+                       : std::nullopt;
+        }
+    }
     const std::size_t sign = text.find_last_of("+-");
     if (sign == std::string::npos || sign == 0 || text.size() - sign != 4 ||
         text.find_first_not_of("+-.0123456789") != std::string::npos) {
@@ -258,6 +270,20 @@ std::optional<std::string> utf8_from_utf16(std::string_view text) {
     return out;
 }
 
+/// Writes the minus sign and the blanks beyond ASCII, which spreadsheets and web pages contain, as
+/// '-' and ' '.
+std::string with_ascii_marks(std::string_view line) {
+    std::string out(line);
+    for (const auto& [mark, plain] : {std::pair{"\xE2\x88\x92", "-"}, std::pair{"\xC2\xA0", " "},
+                                      std::pair{"\xE2\x80\xAF", " "}}) {
+        const std::string_view bytes = mark;
+        for (std::size_t at = 0; (at = out.find(bytes, at)) != std::string::npos; ++at) {
+            out.replace(at, bytes.size(), plain);
+        }
+    }
+    return out;
+}
+
 } // namespace
 
 ResultText result_text(std::string_view text, const std::string& file) {
@@ -281,9 +307,10 @@ ResultText result_text(std::string_view text, const std::string& file) {
             check_interruption();
         }
         const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
-        const std::string_view line = text.substr(at, end - at);
+        std::string line = with_ascii_marks(text.substr(at, end - at));
         if (!trimmed(line, white).empty()) {
-            result.lines.push_back({number, std::string(line), is_comment(line)});
+            const bool comment = is_comment(line);
+            result.lines.push_back({number, std::move(line), comment});
         }
         at = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
     }
@@ -340,6 +367,44 @@ std::optional<std::string> number_of(const Cell& cell, Separator separator) {
     }
     return separator != Separator::comma || cell.quoted ? conformance::with_decimal_point(cell.text)
                                                         : std::nullopt;
+}
+
+void DecimalMarks::see(std::string_view text, std::size_t line) {
+    const std::size_t at = text.find_first_of(".,");
+    if (at == std::string_view::npos) {
+        const auto digits =
+            std::ranges::count_if(text, [](char c) { return c >= '0' && c <= '9'; });
+        plain_ = plain_ || (digits <= 3 && text.find_first_of("123456789") != text.npos);
+        return;
+    }
+    std::string_view whole = text.substr(0, at);
+    whole.remove_prefix(whole.starts_with('-') || whole.starts_with('+') ? 1 : 0);
+    const bool group = !whole.empty() && whole.size() <= 3 && whole.front() != '0' &&
+                       text.size() - at == 4 &&
+                       text.find_first_not_of("0123456789", at + 1) == std::string_view::npos;
+    Mark& mark = text[at] == ',' ? comma_ : point_;
+    mark.decimal = mark.decimal || !group;
+    if (group && mark.group.empty()) {
+        mark.group = text;
+        mark.line = line;
+    }
+}
+
+std::optional<DecimalMarks::Ambiguous>
+DecimalMarks::ambiguous(const std::vector<DecimalMarks>& columns) {
+    const bool commas =
+        std::ranges::any_of(columns, [](const DecimalMarks& c) { return c.comma_.decimal; });
+    const bool points =
+        std::ranges::any_of(columns, [](const DecimalMarks& c) { return c.point_.decimal; });
+    for (const DecimalMarks& c : columns) {
+        if (!c.comma_.group.empty() && !commas && (c.plain_ || points)) {
+            return Ambiguous{c.comma_.line, c.comma_.group};
+        }
+        if (!c.point_.group.empty() && !points && commas) {
+            return Ambiguous{c.point_.line, c.point_.group};
+        }
+    }
+    return {};
 }
 
 bool is_nan_or_infinite(const Cell& cell) {

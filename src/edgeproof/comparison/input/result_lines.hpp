@@ -31,10 +31,37 @@ enum class Separator { tab, semicolon, bar, comma, comma_and_blank, blank };
 [[nodiscard]] std::vector<Cell> split_row(std::string_view line, Separator separator);
 
 /// Returns the number in a cell as a plain decimal: a decimal comma becomes a point (unless commas
-/// are separators and the cell is not quoted), and Fortran's `1.5-104` gets its exponent letter.
+/// are separators and the cell is not quoted), and `1.5-104` (Fortran), `1.5Q-4` and `1.5*^-4` get
+/// the exponent letter E.
 /// Returns nothing if the cell is not a number; nan and inf are not numbers.
 [[nodiscard]] std::optional<std::string> number_of(const Cell& cell, Separator separator);
 [[nodiscard]] bool is_nan_or_infinite(const Cell& cell);
+
+/// The decimal marks of one column, to find numbers such as `1,031` that may be 1031 or 1.031.
+class DecimalMarks {
+public:
+    void see(std::string_view text, std::size_t line);
+
+    struct Ambiguous {
+        std::size_t line = 0;
+        std::string text;
+    };
+    /// Returns the first number whose mark may stand between thousands: three digits follow the
+    /// mark, no number of the file shows that it is the decimal one, and the other mark is, or the
+    /// column has smaller whole numbers without a mark.
+    [[nodiscard]] static std::optional<Ambiguous>
+    ambiguous(const std::vector<DecimalMarks>& columns);
+
+private:
+    struct Mark {
+        bool decimal = false; ///< it cannot stand between thousands in some number
+        std::string group;    ///< the first number in which it can
+        std::size_t line = 0;
+    };
+    Mark comma_;
+    Mark point_;
+    bool plain_ = false; ///< a number of at most three digits has no mark
+};
 
 /// The lines of a file that are not blank, and the shape of the rows of numbers.
 struct ResultText {
@@ -57,10 +84,11 @@ struct ResultText {
 };
 
 /// Reads a text in UTF-8, with or without a byte order mark, or in UTF-16 with one, whose lines end
-/// in LF, CR LF or CR, and finds the separator of the rows. Of rows of several lengths, the most
-/// frequent length of the first hundred is used. Throws InputError for a text that is empty, with
-/// an incomplete character of UTF-16 or a zero byte, if no row has two numbers or more, and if
-/// commas may be decimal or separators and the header does not decide.
+/// in LF, CR LF or CR, and finds the separator of the rows. The minus sign and the no-break blanks
+/// of Unicode become '-' and ' '. Of rows of several lengths, the most frequent length of the first
+/// hundred is used. Throws InputError for a text that is empty, with an incomplete character of
+/// UTF-16 or a zero byte, if no row has two numbers or more, and if commas may be decimal or
+/// separators and the header does not decide.
 [[nodiscard]] ResultText result_text(std::string_view text, const std::string& file);
 
 /// Returns half a unit of the last digit of each number of a column. Numbers with an exponent have
@@ -79,6 +107,7 @@ struct UsedColumn {
 
 /// The columns of a table in use. q has the factor of p.
 struct TableHeader {
+    std::size_t line = 0; ///< of the names of x and p; 0 if there are none
     UsedColumn x;
     UsedColumn p;
     std::optional<UsedColumn> q;

@@ -55,6 +55,7 @@ public:
     ResultTable read() {
         const auto first = text_.cells(text_.lines[text_.first_row]);
         numbered_ = text_.is_number(first[0]);
+        check_before_first_row();
         for (std::size_t i = text_.first_row; i < text_.lines.size(); ++i) {
             if (i % 1024 == 0) {
                 check_interruption();
@@ -66,6 +67,18 @@ public:
     }
 
 private:
+    /// Refuses lines between the names and the first row in which only one of x and p is a number.
+    void check_before_first_row() {
+        for (std::size_t i = 0; header_.line > 0 && i < text_.first_row; ++i) {
+            const ResultLine& line = text_.lines[i];
+            const auto cells = text_.cells(line);
+            if (line.number > header_.line && !line.comment && cells.size() == text_.size &&
+                text_.is_number(cells[header_.x.index]) !=
+                    text_.is_number(cells[header_.p.index])) {
+                read_line(line);
+            }
+        }
+    }
     void skip(const ResultLine& line) {
         ++skipped_;
         first_skipped_ = first_skipped_ == 0 ? line.number : first_skipped_;
@@ -122,7 +135,8 @@ private:
                                  unusable(header_.x)   ? "x"
                                  : unusable(header_.p) ? "p"
                                                        : "q"),
-                     "write a decimal such as 1.5e-3, or take the row out");
+                     "write a decimal such as 1.5e-3, without marks between thousands, or take the "
+                     "row out");
     }
 
     /// True if there is text where the rows have numbers.
@@ -156,6 +170,8 @@ private:
     void keep(const ResultLine& line, const std::vector<Cell>& cells) {
         ResultRow row;
         row.line = line.number;
+        marks_[0].see(cells[header_.x.index].text, line.number);
+        marks_[1].see(cells[header_.p.index].text, line.number);
         x_texts_.push_back(*number_of(cells[header_.x.index], text_.separator));
         p_texts_.push_back(*number_of(cells[header_.p.index], text_.separator));
         row.x = value(line, x_texts_.back(), header_.x.factor);
@@ -219,6 +235,13 @@ private:
 
     void finish() {
         auto& rows = table_.rows;
+        if (const auto number = DecimalMarks::ambiguous(marks_)) {
+            std::string whole = number->text;
+            std::erase_if(whole, [](char c) { return c == ',' || c == '.'; });
+            text_.reject(number->line,
+                         fmt::format("{} may be {}, or a decimal", shown_cell(number->text), whole),
+                         "use one decimal mark, and no mark between thousands");
+        }
         if (!rows.empty() && header_.step) {
             keep_last_step();
         }
@@ -273,7 +296,8 @@ private:
     ResultText text_;
     TableHeader header_;
     ResultTable table_;
-    bool numbered_ = false; ///< the first cell of the first row is a number
+    bool numbered_ = false;              ///< the first cell of the first row is a number
+    std::vector<DecimalMarks> marks_{2}; ///< of x and p
     std::vector<std::string> x_texts_;
     std::vector<std::string> p_texts_;
     std::vector<std::string> q_texts_;

@@ -113,3 +113,19 @@ TEST_CASE("errata call no line a misprint if the ledger does not state what rest
     CHECK_FALSE(in_text(tex, "misprint"));
     CHECK_FALSE(in_text(tex, "matter"));
 }
+
+TEST_CASE("errata call only those lines misprints for which the ledger states what rests on them") {
+    const std::string value = "kind = \"value\"\nover = \"hertz\"\nof = \"p(x)\"\n";
+    const AuditResult result = small_ledger::audit_of(
+        value + "says = \"Es*C/3*sqrt(a^2 - x^2)\"\n[[claim]]\nid = \"D\"\n" + value +
+        "says = \"Es*C/4*sqrt(a^2 - x^2)\"\n[[claim]]\nid = \"L\"\n" + value +
+        "says = \"Es*C/2*sqrt(a^2 - x^2)\"\n[[later]]\nfrom = \"C\"\nclaim = \"L\"\n"
+        "words = \"the pressure\"\nsays = \"printed\"\n");
+    const std::vector<Erratum> errata = errata_of(result, {});
+    REQUIRE(errata.size() == 2);
+    CHECK(errata[0].weight == Weight::slip);
+    CHECK(errata[0].parts.front()->claim.id == "C");
+    CHECK(errata[1].weight == Weight::line);
+    CHECK(errata_count(errata) ==
+          "2 errors found. 1 is a misprint; what rests on the other formula is not stated.");
+}

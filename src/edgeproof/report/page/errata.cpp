@@ -36,18 +36,11 @@ bool reaches_conclusion(const audit::ClaimResult& result, const ById& all,
     });
 }
 
-/// True if the ledger states for some line what the source computes from it ([[later]]).
-bool is_classified(const ById& all) {
-    return std::ranges::any_of(all, [](const auto& one) {
-        return one.second->outcome.evidence.find("later_results") != nullptr;
-    });
-}
-
 Weight weight_of(const audit::ClaimResult& result, const ById& all) {
     if (of_sentence(result.claim)) {
         return result.claim.has("quoted") ? Weight::figure : Weight::conclusion;
     }
-    if (!is_classified(all)) {
+    if (later_results_of(result).empty()) {
         return Weight::line;
     }
     std::set<std::string> seen;
@@ -120,7 +113,7 @@ std::string errata_count(const std::vector<Erratum>& errata) {
         return out;
     }
     const std::size_t known = errata.size() - slips - lines;
-    out += fmt::format(" {} matter{}", known, known == 1 ? "s" : "");
+    out += known == 0 ? "" : fmt::format(" {} matter{}", known, known == 1 ? "s" : "");
     std::string parts;
     const auto part = [&](std::size_t n, const char* words) {
         if (n > 0) {
@@ -133,11 +126,18 @@ std::string errata_count(const std::vector<Erratum>& errata) {
     part(carried, carried == 1 ? "is a line on which a wrong conclusion rests"
                                : "are lines on which a wrong conclusion rests");
     out += parts.empty() ? "" : " (" + parts + ")";
-    return out + (lines > 0 ? fmt::format("; what rests on {} is not stated.",
-                                          lines == 1 ? "the other formula"
-                                                     : fmt::format("the {} formulas", lines))
-                            : fmt::format("; {} {}.", slips,
-                                          slips == 1 ? "is a misprint" : "are misprints"));
+    const char* between = known == 0 ? " " : "; ";
+    if (slips > 0) {
+        out +=
+            fmt::format("{}{} {}", between, slips, slips == 1 ? "is a misprint" : "are misprints");
+        between = "; ";
+    }
+    if (lines > 0) {
+        out += fmt::format("{}what rests on {} is not stated", between,
+                           lines == 1 ? "the other formula"
+                                      : fmt::format("the other {} formulas", lines));
+    }
+    return out + ".";
 }
 
 std::string place_words(const audit::Claim& claim, const audit::PrintedSource& source) {

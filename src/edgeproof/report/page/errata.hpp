@@ -55,7 +55,7 @@ enum class Weight {
     figure,     ///< a quoted number is wrong
     carried,    ///< a wrong line from which a wrong conclusion or figure was computed
     slip,       ///< a misprint: later results were not computed from the line as printed
-    line,       ///< a formula of a ledger that does not state what was computed from its lines
+    line,       ///< a formula for which the ledger does not state what is computed from it
 };
 
 /// One wrong place of the source: the refuted claims about one equation or one sentence.
@@ -69,8 +69,8 @@ struct Erratum {
 [[nodiscard]] std::vector<Erratum> errata_of(const audit::AuditResult& result,
                                              const audit::PrintedSource& source);
 
-/// Returns "17 errors: 5 change a conclusion, 3 a figure that is quoted, ..., 7 are
-/// misprints."
+/// Returns "17 errors found. 8 matter (4 change a conclusion, ...); 7 are misprints; what rests on
+/// the other 2 formulas is not stated."
 [[nodiscard]] std::string errata_count(const std::vector<Erratum>& errata);
 
 /// A later result computed with a line as printed (audit/run.hpp).

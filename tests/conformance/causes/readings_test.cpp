@@ -197,8 +197,11 @@ TEST_CASE("a dominant cause is named with what remains; what varies is not calle
     CHECK(found(keys, hertzes, "p", [](auto c, double u) {
               return 0.4054 * hertz_pressure(a_of(c), u);
           }) == Said{"p, right edge: 0.4054 times ours"});
-    const auto decimal = causes_of_factor([](double) { return 1.0; });
-    CHECK(decimal.empty());
+    CHECK(causes_of_factor([](double) { return 1.0; }).empty());
+    // A pressure such as that of a wedge, with log10 in place of the natural logarithm.
+    const auto decimal = causes_of_factor([](double) { return 1 / std::log(10.0); });
+    REQUIRE(decimal.size() == 1);
+    CHECK(decimal[0].name == "log10");
 }
 
 TEST_CASE("a function of the value is recognised, and x for u where P is given") {

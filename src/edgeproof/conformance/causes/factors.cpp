@@ -26,6 +26,8 @@ constexpr const char* intensity_hint =
     "the stress intensity of fracture mechanics, with its sqrt(2 pi) or sqrt(pi), for the "
     "coefficient of u^(k + 1/2)? scale by the inverse";
 constexpr const char* degree_hint = "degrees for radians";
+constexpr const char* log_hint =
+    "a decimal logarithm for the natural one (or the reverse) in the formula";
 constexpr const char* unit_hint = "other units? numbers have the units of the question";
 constexpr const char* sign_hint =
     "the other sign convention? p is positive in compression, q towards +x on the body that Q acts "
@@ -47,6 +49,7 @@ constexpr NamedFactors factors_with_names[] = {
     {"sqrt(pi) 1/sqrt(pi)", intensity_hint, "factor-sqrt-pi", false},
     {"sqrt(2*pi) 1/sqrt(2*pi)", intensity_hint, "factor-sqrt-2-pi", false},
     {"180/pi pi/180", degree_hint, "degrees", false},
+    {"log(10) 1/log(10)", log_hint, "log10", false},
     {"9.80665 1/9.80665", unit_hint, "unit-g", false},
     {"25.4 1/25.4", unit_hint, "unit-inch", false},
     {"6894.757293168 1/6894.757293168 6.894757293168 1/6.894757293168", unit_hint, "unit-psi",

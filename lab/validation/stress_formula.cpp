@@ -84,6 +84,7 @@ T textbook_stress(const scene::Scene& scene, const scene::AskedValue& asked) {
     const auto& parameters = scene.profile->parameters();
     if (scene.profile->kind() == contact::Profile::Kind::power_law &&
         parameters.at("m").template to<T>() == T(1) && !scene.shear) {
+        // The stresses below a Hertzian contact: johnson1985, eqs. (4.49) and (4.50).
         const T sum = a * a - x * x + z * z;
         const T root = sqrt(T(sum * sum + T(4) * x * x * z * z));
         const T m = sqrt(T((root + sum) / T(2)));

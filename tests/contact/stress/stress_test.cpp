@@ -228,3 +228,34 @@ TEST_CASE("on the contact the stress is the traction, and the surface strains ar
         }
     }
 }
+
+// An exponent that is not whole takes the hypergeometric function; P is continuous in m. (Nearer to
+// an even m that function loses its digits.)
+TEST_CASE("the recurrence of whole exponents agrees with the hypergeometric function") {
+    for (const char* m : {"2", "3", "10", "17"}) {
+        const std::string near = std::string(m) + " + 1e-12";
+        const auto contact_of = [](const std::string& exponent) {
+            return BallContact(
+                Profile::power_law(scenes::exact("1/3"), scenes::exact(exponent.c_str())),
+                scenes::exact("2"), Load::right_edge(scenes::exact("3/2")), stress_bits);
+        };
+        const BallContact whole = contact_of(m);
+        const BallContact other = contact_of(near);
+        const std::pair<const char*, const char*> places[] = {
+            {"0", "1/10"}, {"1/7", "1e-20"},  {"3/2", "1/8"}, {"3/2 + 1e-9", "0"}, {"-1/2", "2"},
+            {"2", "1/3"},  {"-7/4", "1e-12"}, {"9/5", "0"},   {"-5/3", "0"}};
+        for (const auto& [x_text, z_text] : places) {
+            const char* const x = x_text; // clang's CAPTURE takes no structured binding
+            const char* const z = z_text;
+            CAPTURE(whole.power_law()->exponent.midpoint());
+            CAPTURE(x);
+            CAPTURE(z);
+            const Box at(stress_ball(x), stress_ball(z));
+            const CauchyIntegral here = cauchy_integral(whole, at);
+            const CauchyIntegral there = cauchy_integral(other, at);
+            CHECK(abs(here.value - there.value).upper() < Real("1e-10") * abs(there.value).lower());
+            CHECK(abs(here.derivative - there.derivative).upper() <
+                  Real("1e-10") * abs(there.derivative).lower());
+        }
+    }
+}

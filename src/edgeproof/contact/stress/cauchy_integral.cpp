@@ -3,7 +3,9 @@
 
 #include "edgeproof/precision/ball/magnitude.hpp"
 
+#include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace edgeproof::contact {
 namespace {
@@ -192,6 +194,59 @@ Ball power_law_slope(const BallContact& contact, const Ball& x) {
     return contact.force_rate() * pow(x / contact.a(), m) * quarter;
 }
 
+/// 2F1(1/2, power/2; power/2 + 1; ratio). The last values are kept, because a search asks for
+/// several bounds over the same box.
+Box punches(const Ball& power, const Box& ratio) {
+    struct Value {
+        Ball power;
+        Box ratio;
+        Box value;
+    };
+    constexpr std::size_t most_kept = 8;
+    thread_local std::vector<Value> kept;
+    thread_local std::size_t next = 0;
+    for (const Value& known : kept) {
+        if (known.ratio.bits() == ratio.bits() &&
+            arb_equal(known.power.data(), power.data()) != 0 &&
+            acb_equal(known.ratio.get(), ratio.get()) != 0) {
+            return known.value;
+        }
+    }
+    const Ball half(Rational(1, 2), ratio.bits());
+    Value now{power, ratio, hypergeometric_2f1(half, power / 2, power / 2 + 1, ratio)};
+    if (kept.size() < most_kept) {
+        kept.push_back(now);
+    } else {
+        kept[next++ % most_kept] = now;
+    }
+    return now.value;
+}
+
+/// m, if it is a whole number for which the recurrence below is short; else 0.
+long whole_exponent(const Ball& m) {
+    constexpr long most = 64;
+    return arb_is_int(m.data()) != 0 && certainly_less(m, Ball(most + 1, m.bits()))
+               ? std::lround(arf_get_d(arb_midref(m.data()), ARF_RND_NEAR))
+               : 0;
+}
+
+/// The integral of u^m/sqrt(Z^2 - u^2) over 0 < u < 1, Re Z >= 0, by the recurrence
+/// m J_m = (m - 1) Z^2 J_(m-2) - sqrt(Z^2 - 1), which follows by integration by parts. It loses
+/// m ln|Z| where |Z| > 1. `root` is sqrt(Z^2 - 1).
+Box punches_of_whole_power(long m, const Box& Z, const Box& root) {
+    const long bits = Z.bits();
+    const Box Z2 = Z * Z;
+    Box J = Z - root; // m = 1
+    if (m % 2 == 0) {
+        const Box inverse = Box(Ball(1, bits)) / Z;
+        acb_asin(J.get(), inverse.get(), bits);
+    }
+    for (long k = m % 2 == 0 ? 2 : 3; k <= m; k += 2) {
+        J = (Z2 * J * Ball(k - 1, bits) - root) / Ball(k, bits);
+    }
+    return J;
+}
+
 // P(a) = K a^(m+1), so that the Cauchy integral is that of the flat punches by which the contact
 // grows: the integral of P'(s)/sqrt(zeta^2 - s^2) ds over 0 < s < a (docs/stress.md, "Power laws").
 CauchyIntegral power_law(const BallContact& contact, const Box& zeta) {
@@ -211,9 +266,12 @@ CauchyIntegral power_law(const BallContact& contact, const Box& zeta) {
     } else {
         // Where Re zeta > 0 the branch of 2F1 is the principal one.
         const Box right = certainly_negative(zeta.real()) ? -conj(zeta) : zeta;
-        const Ball half = Ball(Rational(1, 2), bits);
-        value = hypergeometric_2f1(half, power / 2, power / 2 + 1, Box(a * a) / (right * right)) *
-                force / right;
+        const long whole = whole_exponent(power - 1);
+        const bool near = certainly_less(abs(right) * 2, a * 3);
+        value = whole > 0 && near
+                    ? punches_of_whole_power(whole, right / a, root_outside({a, a}, right) / a) *
+                          (growth / a)
+                    : punches(power, Box(a * a) / (right * right)) * force / right;
     }
     if (certainly_negative(zeta.real())) {
         value = -conj(value);

@@ -334,3 +334,37 @@ TEST_CASE("the sum of increments of shear is stated for wedges and power laws un
     CHECK(other.verdict == "confirmed");
     CHECK(other.theorems.empty());
 }
+
+TEST_CASE("the integral of the pressure is stated for contacts that reach beyond the flat") {
+    const std::string integral = value("integral(p(x), x, -a, a)", "P");
+    const auto c = only_certificate(flat("[\"1\"]", "[\"2\"]"), integral);
+    CHECK(c.verdict == "confirmed");
+    CHECK(c.whole_verdict);
+    CHECK(contains(c.text, "is_integral_about_0 p a a P0"));
+    CHECK(only_certificate(wedges, integral).theorems.empty());
+    const auto tilted =
+        only_certificate(wedges, value("Es/2*integral(s*g1(s)/sqrt((a-s)*(s+b)), s, -b, a)",
+                                       "integral(p(s), s, -b, a)"));
+    CHECK(tilted.verdict == "confirmed");
+    CHECK(tilted.theorems.size() == 1);
+    CHECK_FALSE(tilted.whole_verdict);
+}
+
+TEST_CASE("terms above the pressure of rounded edges are stated near the right edge only") {
+    const std::string above =
+        "kind = \"relation\"\nsays = \"right_local(1, x) > p(x) and right_local(2, x) > p(x) and "
+        "right_local(3, x) > p(x)\"\n";
+    const std::string places = "u = [\"1/1000\"]\n";
+    const auto c =
+        only_certificate(places + flat("[\"1\"]", "[\"2\"]"), above + "holds = \"near-edge\"\n");
+    CHECK(c.verdict == "confirmed");
+    CHECK(c.whole_verdict);
+    CHECK(contains(c.text, "exists d, 0 < d /\\ forall u, 0 < u < d -> exists p0"));
+    const auto everywhere = only_certificate(places + flat("[\"1\"]", "[\"2\"]"), above);
+    CHECK(everywhere.theorems.empty());
+    const auto one = only_certificate(
+        places + flat("[\"1\"]", "[\"2\"]"),
+        "kind = \"relation\"\nsays = \"right_local(1, x) > p(x)\"\nholds = \"near-edge\"\n");
+    CHECK(one.verdict == "confirmed");
+    CHECK(one.theorems.empty());
+}

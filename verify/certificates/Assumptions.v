@@ -1,5 +1,8 @@
 (* Prints the axioms on which the theorems rest. *)
 From Edgeproof Require EQ01.
+From Edgeproof Require EQ02_p.
+From Edgeproof Require EQ02_g.
+From Edgeproof Require EQ03.
 From Edgeproof Require EQ05.
 From Edgeproof Require EQ07_integrand.
 From Edgeproof Require EQ07_integral.
@@ -22,6 +25,7 @@ From Edgeproof Require EQ18.
 From Edgeproof Require EQ19_L.
 From Edgeproof Require EQ19_M.
 From Edgeproof Require EQ19_N.
+From Edgeproof Require EQ22_P.
 From Edgeproof Require EQ23_L.
 From Edgeproof Require EQ23_M.
 From Edgeproof Require EQ23_N.
@@ -116,6 +120,7 @@ From Edgeproof Require S22.
 From Edgeproof Require S23.
 From Edgeproof Require S24.
 From Edgeproof Require S25.
+From Edgeproof Require S26.
 From Edgeproof Require S28_L.
 From Edgeproof Require S28_M.
 From Edgeproof Require S28_N.
@@ -138,6 +143,9 @@ From Edgeproof Require S60_hertz.
 
 Definition all_theorems : True :=
   let _ := EQ01.EQ01 in
+  let _ := EQ02_p.EQ02_p in
+  let _ := EQ02_g.EQ02_g in
+  let _ := EQ03.EQ03 in
   let _ := EQ05.EQ05 in
   let _ := EQ07_integrand.EQ07_integrand_refuted in
   let _ := EQ07_integrand.EQ07_integrand_corrected in
@@ -165,6 +173,7 @@ Definition all_theorems : True :=
   let _ := EQ19_L.EQ19_L in
   let _ := EQ19_M.EQ19_M in
   let _ := EQ19_N.EQ19_N in
+  let _ := EQ22_P.EQ22_P in
   let _ := EQ23_L.EQ23_L in
   let _ := EQ23_M.EQ23_M in
   let _ := EQ23_N.EQ23_N in
@@ -301,6 +310,7 @@ Definition all_theorems : True :=
   let _ := S24.S24_extent_similar in
   let _ := S25.S25_extent in
   let _ := S25.S25_extent_similar in
+  let _ := S26.S26 in
   let _ := S28_L.S28_L in
   let _ := S28_M.S28_M in
   let _ := S28_N.S28_N in

@@ -386,7 +386,13 @@ const std::vector<TheoryFile>& theory_files() {
         {"Flatness", coq_files::Flatness_v, "PowerLaw.vo"},
         {"PowerSides", coq_files::PowerSides_v, "Sides.vo PowerLaw.vo"},
         {"PowerError", coq_files::PowerError_v, "Orders.vo PowerLaw.vo"},
-        {"Similar", coq_files::Similar_v, "Stick.vo PowerLaw.vo"}};
+        {"Similar", coq_files::Similar_v, "Stick.vo PowerLaw.vo"},
+        {"Resultant", coq_files::Resultant_v, "Coefficients.vo"},
+        {"Places", coq_files::Places_v, "Coefficients.vo"},
+        {"LoadOfPressure", coq_files::LoadOfPressure_v,
+         "Resultant.vo Places.vo Limits.vo PowerLaw.vo"},
+        {"Forward", coq_files::Forward_v, "Sides.vo Inversion.vo LoadOfPressure.vo"},
+        {"RoundedSides", coq_files::RoundedSides_v, "Limits.vo"}};
     return all;
 }
 

@@ -42,6 +42,12 @@ extern const std::string_view PowerSides_v;    ///< one term lies below the pres
 extern const std::string_view PowerError_v;    ///< one term divided by the pressure, m > 5/8
 extern const std::string_view Similar_v;       ///< shear in proportion to the load
 
+extern const std::string_view Resultant_v;      ///< the integral of a pressure is the load
+extern const std::string_view Places_v;         ///< loads as integrals over places
+extern const std::string_view LoadOfPressure_v; ///< both for power laws, rounded edges, wedges
+extern const std::string_view Forward_v;        ///< the equation of the contact problem, parabola
+extern const std::string_view RoundedSides_v;   ///< the first terms of rounded edges lie above
+
 } // namespace coq_files
 
 struct TheoryFile {

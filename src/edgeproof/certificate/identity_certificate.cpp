@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace edgeproof::certificate {
 namespace {
@@ -50,6 +51,24 @@ std::string derived_theorem(const std::string& name, const Rational& exponent,
         name, statement, coq_number(Rational(exponent - 1)));
 }
 
+/// Returns the coefficient for which the ledger has the other side of the identity as a formula, in
+/// an identity of its own; no value if this claim is about a coefficient itself.
+std::optional<formula::Expr> coefficient_meant(const audit::Claim& claim,
+                                               const audit::Ledger& ledger) {
+    for (const audit::Claim& other : ledger.claims) {
+        if (other.kind == "identity" && !other.has("given") && other.has("over") &&
+            other.text("over") == claim.text("over") &&
+            other.formula("says") == claim.formula("of")) {
+            for (const char* name : {"right_c0", "right_c1", "right_c2"}) {
+                if (other.formula("of") == formula::Expr::symbol(name)) {
+                    return other.formula("of");
+                }
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 // States, for all contacts, that the coefficients exist and that the printed formula gives them.
@@ -78,7 +97,12 @@ void certify_identity(const audit::ClaimResult& result, const audit::Ledger& led
     }
     Statement statement(theory);
     const std::string printed = statement(claim.formula("says"));
-    const std::string exact = statement(claim.formula("of"));
+    std::string exact = statement(claim.formula("of"));
+    const auto meant =
+        symmetric && !given && !at_x ? coefficient_meant(claim, ledger) : std::nullopt;
+    if (meant) {
+        exact = fmt::format("{0} /\\\n  {0} =\n  {1}", exact, statement(*meant));
+    }
     const std::string name = coq_name(claim.id);
     const std::string load =
         given ? fmt::format("  (forall s, 0 < s -> P s = factor * Rpower s {}) ->\n",
@@ -102,13 +126,16 @@ void certify_identity(const audit::ClaimResult& result, const audit::Ledger& led
             given       ? " load convex"
             : symmetric ? " convex"
                         : " left convex",
-            statement.proof((at_x ? "intros x Hx. " : "") +
+            statement.proof((at_x    ? "intros x Hx. "
+                             : meant ? "split; "
+                                     : "") +
                             std::string(given       ? "identity_of_power contact load a P1 P2 P3"
                                         : symmetric ? "identity_symmetric contact a P1 P2 P3"
                                                     : "identity contact left a b b1")));
     certificate.theorems = {
         {name, given
                    ? "for all symmetric contacts of such a load, with any factor, printed = derived"
+               : meant     ? "for all symmetric contacts, both formulas are the coefficient"
                : symmetric ? "for all symmetric contacts, printed = derived"
                            : "for all contacts, printed = derived"}};
     if (given && are_of_power_law(claim, ledger, exponent_of_load(claim))) {

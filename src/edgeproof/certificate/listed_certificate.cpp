@@ -130,10 +130,10 @@ bool certify_listed(const audit::ClaimResult& result, const audit::Ledger& ledge
         return false;
     }
     Theory theory;
-    theory.imports = {"Contact",  "Coefficients", "Edges",         "Symmetric", "TiltedWedge",
-                      "Unique",   "Shear",        "Sides",         "Limits",    "Stick",
-                      "Orders",   "ShearTerms",   "TiltedRounded", "Inversion", "PowerLaw",
-                      "Flatness", "Similar"};
+    theory.imports = {"Contact",  "Coefficients", "Edges",          "Symmetric", "TiltedWedge",
+                      "Unique",   "Shear",        "Sides",          "Limits",    "Stick",
+                      "Orders",   "ShearTerms",   "TiltedRounded",  "Inversion", "PowerLaw",
+                      "Flatness", "Similar",      "LoadOfPressure", "Forward"};
     const std::string name = coq_name(claim.id);
     certificate.text =
         file_head(claim, ledger, theory) +

@@ -48,6 +48,8 @@ bool symmetric(const audit::SceneSpec& s) {
     return s.profile == "power-law" || s.profile == "flat-and-rounded" ||
            s.profile == "piecewise-symmetric";
 }
+bool power_law_or_rounded(const audit::SceneSpec& s) { return power_law(s) || beyond_the_flat(s); }
+bool non_symmetric(const audit::SceneSpec& s) { return tilted_wedge(s) || tilted_punch(s); }
 bool wedge_or_power_law_under_force(const audit::SceneSpec& s) {
     return force_alone(s) && (tilted_wedge(s) || power_law(s));
 }
@@ -73,7 +75,7 @@ constexpr std::string_view states_orders =
     "for all smooth contacts, the pressure and what one and two terms leave of it, divided by "
     "u^(1/2), u^(3/2) and u^(5/2), tend to the coefficients";
 
-constexpr std::array<Listed, 25> listed{
+constexpr std::array<Listed, 29> listed{
     {{"relation",
       {.says = "0 < b/a and b/a < 1"},
       tilted_to_the_left,
@@ -191,6 +193,71 @@ constexpr std::array<Listed, 25> listed{
       "punches with rounded edges and sums of these), beyond all knots, printed = Barber and "
       "Mossakovskii's integral",
       "power laws with other exponents than 0 and 1; places on the flat",
+      false},
+     {"value",
+      {.of = "p(x)",
+       .says = "1/Pi*integral(P1of(s)/sqrt(s^2-x^2), s, x, a)",
+       .where = "x > 0 and x < a"},
+      symmetric,
+      "(Es C m a x : R) (l : list part)",
+      R"((0 < C /\ 0 < a -> exists P0,
+    are_the_pressures Es (Symmetric.slope (parabola C)) a a (fun s => Es * C / 2 * sqrt (a ^ 2 - s ^ 2)) /\
+    is_the_load Es (Symmetric.slope (parabola C)) a a P0 /\
+    is_integral_about_0 (fun s => Es * C / 2 * sqrt (a ^ 2 - s ^ 2)) a a P0 /\
+    forall x, - a < x < a -> is_principal_value (fun s => Es * C / 2 * sqrt (a ^ 2 - s ^ 2) / (s - x)) (- a) a x
+      (- (PI * Es / 2 * Symmetric.slope (parabola C) x))) /\
+  (convex_punch l -> beyond m l -> 0 < m < x -> x < a -> exists P P1 p0 l0,
+    (forall s, x <= s <= a -> is_the_load Es (Symmetric.slope l) s s (P s) /\ is_derive P s (P1 s)) /\
+    is_principal_value (fun s => Symmetric.slope l s / sqrt (a ^ 2 - s ^ 2) * (1 / (s - x))) (- a) a x l0 /\
+    Es / (2 * PI) * sqrt (a ^ 2 - x ^ 2) * l0 = p0 /\
+    is_improper_integral (fun s => 1 / PI * (P1 s / sqrt (s ^ 2 - x ^ 2))) x a p0))",
+      "split; [intros [HC Ha]; exact (hertz_solves Es C a HC Ha) | exact (inversion_by_loads Es m "
+      "a x l)]",
+      "for all parabolas, the pressure solves the equation of the contact problem and has the load "
+      "as "
+      "its integral; for all symmetric punches whose g' is piecewise linear and convex, beyond all "
+      "knots, the inversion of that equation is the printed integral",
+      "power laws with other exponents than 0 and 1; places on the flat",
+      false},
+     {"value",
+      {.of = "P", .says = "integral(p(x), x, -a, a)"},
+      power_law_or_rounded,
+      "(Es C m t R0 a : R)",
+      R"(0 < C /\ 0 <= m /\ 0 < t < a /\ 0 < R0 ->
+  (exists p P0, are_the_pressures Es (power_slope C m) a a p /\
+    is_the_load Es (power_slope C m) a a P0 /\ is_integral_about_0 p a a P0) /\
+  (exists p P0, are_the_pressures Es (Symmetric.slope (rounded t R0)) a a p /\
+    is_the_load Es (Symmetric.slope (rounded t R0)) a a P0 /\ is_integral_about_0 p a a P0))",
+      "exact (integrals_of_pressure Es C m t R0 a)",
+      "for all power laws and all flat punches with rounded edges, the integral of the pressure, "
+      "also over the flat, is the load"},
+     {"value",
+      {.of = "P", .says = "Es/2*integral(s*g1(s)/sqrt(a^2-s^2), s, -a, a)"},
+      power_law_or_rounded,
+      "(Es C m t R0 a : R)",
+      R"(0 < C /\ 0 <= m /\ 0 < t < a /\ 0 < R0 ->
+  (exists p P0 l, are_the_pressures Es (power_slope C m) a a p /\ is_integral_about_0 p a a P0 /\
+    is_RInt_gen (fun s => s * power_slope C m s / sqrt (a ^ 2 - s ^ 2)) (at_right (- a)) (at_left a) l /\
+    Es / 2 * l = P0) /\
+  (exists p P0 l, are_the_pressures Es (Symmetric.slope (rounded t R0)) a a p /\ is_integral_about_0 p a a P0 /\
+    is_RInt_gen (fun s => s * Symmetric.slope (rounded t R0) s / sqrt (a ^ 2 - s ^ 2)) (at_right (- a)) (at_left a) l /\
+    Es / 2 * l = P0))",
+      "exact (loads_over_places Es C m t R0 a)",
+      "for all power laws and all flat punches with rounded edges, the printed integral over the "
+      "places is the integral of the pressure"},
+     {"value",
+      {.of = "integral(p(s), s, -b, a)",
+       .says = "Es/2*integral(s*g1(s)/sqrt((a-s)*(s+b)), s, -b, a)"},
+      non_symmetric,
+      "(Es phi gam a : R)",
+      R"(0 < phi /\ 0 < gam /\ 0 < a -> exists p P0 l,
+  are_the_pressures Es (TiltedWedge.slope phi (tilt phi gam)) a (gam * a) p /\
+  is_integral_about_0 p (gam * a) a P0 /\
+  is_RInt_gen (fun s => s * TiltedWedge.slope phi (tilt phi gam) s / sqrt ((a - s) * (s + gam * a)))
+    (at_right (- (gam * a))) (at_left a) l /\ Es / 2 * l = P0)",
+      "exact (wedge_load_over_places Es phi gam a)",
+      "for all tilted wedges, the printed integral over the places is the integral of the pressure",
+      "tilted punches with rounded edges",
       false},
      {"relation",
       {.says = ">"},

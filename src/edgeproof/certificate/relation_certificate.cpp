@@ -27,8 +27,9 @@ struct Subject {
 
 constexpr std::string_view low_power_law = "power law, m < 5/8";
 constexpr std::string_view high_power_law = "power law, m > 5/8";
+constexpr std::string_view rounded_edges = "flat and rounded";
 
-constexpr std::array<Subject, 8> subjects{
+constexpr std::array<Subject, 9> subjects{
     {{"force", "a b Q", "0 < a + b /\\ Q <> 0",
       "exists s0 s1 s2, is_the_@_shear_series (full_stick Q 0 a b) % s0 s1 s2", "a + b", ""},
      {"tension", "a b sig0", "0 < a + b /\\ sig0 <> 0",
@@ -45,6 +46,9 @@ constexpr std::array<Subject, 8> subjects{
      {high_power_law, "Es C m a", "0 < Es /\\ 0 < C /\\ 5 / 8 < m /\\ 0 < a",
       "exists r0 r1 r2, is_the_right_series Es (power_slope C m) a r0 r1 r2", "a",
       "is_the_pressure Es (power_slope C m) a (a - u) p0"},
+     {rounded_edges, "Es t R0 a", "0 < Es /\\ 0 < t < a /\\ 0 < R0",
+      "exists r0 r1 r2, is_the_right_series Es (Symmetric.slope (rounded t R0)) a r0 r1 r2", "a",
+      "is_the_pressure Es (Symmetric.slope (rounded t R0)) a (a - u) p0"},
      {"tilted wedge, right", "Es phi gam a", "0 < Es /\\ 0 < phi /\\ 0 < gam /\\ 0 < a",
       "exists r0 r1 r2, is_the_right_series Es (TiltedWedge.slope phi (tilt phi gam)) a r0 r1 r2",
       "a", "is_the_pressure Es (TiltedWedge.slope phi (tilt phi gam)) a (a - u) p0"},
@@ -80,7 +84,7 @@ constexpr std::string_view nearer = "abs(1 - @_local(2, x)/p(x)) < abs(1 - @_loc
 constexpr std::string_view is_nearer =
     "Rabs (1 - (r0 * sqrt u + r1 * (u * sqrt u)) / p0) < Rabs (1 - r0 * sqrt u / p0)";
 
-constexpr std::array<Compared, 11> compared{
+constexpr std::array<Compared, 12> compared{
     {{"force", "abs(@.s0)/sqrt(u) < abs(q(x))", "", "", "Rabs s0 / sqrt u < Rabs #", "force_alone"},
      {"tension", "abs(@.s0)/sqrt(u) > abs(q(x))", "u < L/2", "0 < u < (a + b) / 2",
       "Rabs # < Rabs s0 / sqrt u", "tension_alone"},
@@ -94,6 +98,7 @@ constexpr std::array<Compared, 11> compared{
       "power_one_term_below Es C m a"},
      {high_power_law, "@_local(1, x) > p(x)", "x > 0", "", "p0 < r0 * sqrt u",
       "power_above_near_edge Es C m a"},
+     {rounded_edges, above, "", "", is_above, "rounded_right Es t R0 a"},
      {"tilted wedge, right", below, "x > 0", "", is_below, "wedge_right Es phi gam a"},
      {"tilted wedge, left", below, "x < 0", "", is_below, "wedge_left Es phi gam a"}}};
 
@@ -143,6 +148,12 @@ std::string_view subject_of(const audit::Claim& claim, const audit::Ledger& ledg
     }
     if (profile("tilted-wedge")) {
         return right ? "tilted wedge, right" : "tilted wedge, left";
+    }
+    if (right && profile("flat-and-rounded") && all([](const audit::SceneSpec& s) {
+            return s.parameters.contains("a") && s.parameter("t").sign() > 0 &&
+                   formula::Exact(s.parameter("a").expr() - s.parameter("t").expr()).sign() > 0;
+        })) {
+        return rounded_edges;
     }
     if (!profile("power-law") || !right) {
         return "";
@@ -203,14 +214,18 @@ void certify_relation(const audit::ClaimResult& result, const audit::Ledger& led
                                       [&](const Subject& s) { return s.name == name_of_subject; });
     if (subject == subjects.end()) {
         throw NotStated(
-            "of relations, those of wedges, parabolas, power laws with m < 5/8 or m > 5/8 and full "
-            "stick under one load are stated");
+            "of relations, those of wedges, parabolas, power laws with m < 5/8 or m > 5/8, flat "
+            "punches with rounded edges and full stick under one load are stated");
     }
     Theory theory;
     theory.imports = {"Contact",     "Coefficients", "Edges",  "ClosedForm", "Symmetric",
                       "TiltedWedge", "Shear",        "Unique", "Tactics",    "Sides"};
     if (name_of_subject == low_power_law) {
         theory.imports.insert(theory.imports.end(), {"Gamma", "PowerLaw", "PowerSides"});
+    }
+    if (name_of_subject == rounded_edges) {
+        theory.imports.insert(theory.imports.end(),
+                              {"Limits", "Gamma", "PowerLaw", "PowerSides", "RoundedSides"});
     }
     if (high) {
         theory.imports.insert(theory.imports.end(),
@@ -236,11 +251,14 @@ void certify_relation(const audit::ClaimResult& result, const audit::Ledger& led
         const bool near_edge = holds == "near-edge";
         const audit::Verdict verdict =
             high ? result.readings.at(i).second.verdict : audit::Verdict::confirmed;
-        if ((holds != "everywhere" && !(near_edge && (high || name_of_subject == low_power_law))) ||
+        const bool may_be_near_edge =
+            high || name_of_subject == low_power_law || name_of_subject == rounded_edges;
+        if ((holds != "everywhere" && !(near_edge && may_be_near_edge)) ||
+            (name_of_subject == rounded_edges && !near_edge) ||
             (high &&
              verdict != (near_edge ? audit::Verdict::confirmed : audit::Verdict::refuted))) {
             throw NotStated(
-                "only relations that hold everywhere, and two near the edge, are stated");
+                "only relations that hold everywhere, and some near the edge, are stated");
         }
         const Compared& c = compared_in(reading, name_of_subject, edge, near_edge);
         const std::string places = near_edge ? "exists d, 0 < d /\\ forall u, 0 < u < d"

@@ -1,0 +1,1 @@
+../../share/edgeproof/coq/Forward.v

@@ -1,0 +1,1 @@
+../../share/edgeproof/coq/Places.v

@@ -22,6 +22,13 @@ Box principal_log1p(const Box& x) {
     return certainly_positive(x.real() + 1) || !x.may_be_real() ? log1p(x) : unknown_box(x.bits());
 }
 
+/// The one of two enclosures of a number with the smaller radius of the real part.
+Box narrower(Box one, Box other) {
+    return mag_cmp(arb_radref(acb_realref(one.get())), arb_radref(acb_realref(other.get()))) < 0
+               ? one
+               : other;
+}
+
 /// The right slip zone, between the right edges of two contacts.
 class RightZone {
 public:
@@ -39,10 +46,20 @@ public:
             if (!outer.bends_inside(i) || certainly_negative(beyond)) {
                 continue;
             }
-            const Ball t = atan2(sqrt(clamped(beyond)), sqrt(outer.knot_marks()[i].right)) * 2 /
-                           Ball::pi(bits_);
-            knots_.push_back({i, beyond, lower_end(t - reach), upper_end(t + reach)});
+            const Ball t = atan2(Field<Ball>::root(clamped(beyond)),
+                                 Field<Ball>::root(outer.knot_marks()[i].right)) *
+                           2 / Ball::pi(bits_);
+            // Near the neighbourhood, no logarithm may meet its cut.
+            const Ball around = reach + Ball(t.radius(), bits_) * 256;
+            knots_.push_back({i, beyond, lower_end(t - around), upper_end(t + around)});
         }
+        const auto may_meet_edge = [&](const BallContact& contact) {
+            return std::ranges::any_of(contact.slope().knots, [&](const Ball& v) {
+                return contains_zero(v - contact.a()) || contains_zero(v + contact.b());
+            });
+        };
+        // The root of the distance of a knot from an edge, which may be 0, has half of the bits.
+        accuracy_ = may_meet_edge(inner) || may_meet_edge(outer) ? bits_ * 3 / 8 : bits_ * 7 / 8;
     }
 
     [[nodiscard]] Ball integral() const {
@@ -113,7 +130,7 @@ private:
                 return u3 * gap(at, passed) *
                        (dx * pressure(at, passed) * pressure_ + rest * punch_);
             };
-            return integral_of(integrand, {bits_, bits_ * 7 / 8, Ball(0, bits_), Ball(1, bits_)}) *
+            return integral_of(integrand, {bits_, accuracy_, Ball(0, bits_), Ball(1, bits_)}) *
                    abs(step) * 4;
         };
         return half(from, length / 2) + half(to, -length / 2);
@@ -181,8 +198,9 @@ private:
                 continue;
             }
             const Mark<Ball>& v = outer_.knot_marks()[i];
-            const Box offset = at.inwards - v.right; // v - x
-            const bool beyond = i >= next;           // v > x
+            const Box offset = narrower(at.inwards - v.right,
+                                        Box(slope.knots[i] - inner_.a()) - at.beyond); // v - x
+            const bool beyond = i >= next;                                             // v > x
             const Box product = beyond ? at.left * v.right : at.inwards * v.left;
             const Box excess = (product + w * v.w) * Ball(2, bits_) /
                                (beyond ? offset * length : -offset * length);
@@ -210,7 +228,11 @@ private:
             const Mark<Ball>& v = outer_.knot_marks()[i];
             const Ball offset = inwards - v.right;
             const BallGreen green = ball_green(v, inwards, left, w, length, offset);
-            sum += abs(green.moment * slope.rate_drop(i)) * dx;
+            // |v - x| G is at most 2 (.)/D, since ln(1 + y) <= y; for a knot on the edge.
+            const Ball most_moment = (max(left * v.right, inwards * v.left) + w * v.w) * 2 / length;
+            sum += abs((green.moment.is_finite() ? green.moment : up_to(most_moment)) *
+                       slope.rate_drop(i)) *
+                   dx;
             if (slope.has_corner(i) && contains_zero(offset)) {
                 // G <= ln(C/|v - x|) with C = 4 D
                 const Ball r = upper_end(abs(offset));
@@ -230,8 +252,9 @@ private:
     const BallContact& inner_;
     const BallContact& outer_;
     long bits_;
-    Ball width_; ///< a - a_i
-    Ball root_;  ///< sqrt(a - a_i)
+    long accuracy_ = 0; ///< of the integrals, in bits
+    Ball width_;        ///< a - a_i
+    Ball root_;         ///< sqrt(a - a_i)
     Ball slope_at_edge_;
     const Ball& pressure_;
     const Ball& punch_;

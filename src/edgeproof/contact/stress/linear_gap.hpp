@@ -20,7 +20,8 @@ template <class U> struct BeyondEdge {
 /// condition. The integral of g'(y) - g'(a) has to be added to the gap.
 /// @param contact the contact, or a zone of its profile
 /// @param at_edge the integral of (pi - h) dg', which is pi g'(a)
-/// @param k returns k(x, v) = 2 arg(1 - omega e^(-ih)) for the mark of a knot
+/// @param x the place (length)
+/// @param k_of returns k(x, v) = 2 arg(1 - omega e^(-ih)) for the mark of a knot
 template <class U, class Kernel>
 [[nodiscard]] U gap_of_contact(const BallContact& contact, const Ball& at_edge,
                                const BeyondEdge<U>& x, const Kernel& k_of) {

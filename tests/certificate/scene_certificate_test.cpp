@@ -57,6 +57,20 @@ TEST_CASE("an edge computed from a force") {
     CHECK(has(named(all, "pressure.right").text, "Definition a : R := (sqrt ("));
 }
 
+TEST_CASE("stresses that a scene asks for are listed as not stated") {
+    scene::Scene scene =
+        scene::parse_scene("[profile]\nkind = \"hertz\"\nR = \"1\"\n[load]\na = "
+                           "\"1\"\ncontact_modulus = \"1\"\n[ask]\n"
+                           "digits = 10\npoints = [[\"0\", \"1/2\"]]\nquantities = [\"stress\"]\n",
+                           "scene.toml");
+    scene::Scene stated = scene;
+    stated.ask.quantities = {scene::QuantityGroup::contact};
+    const auto all = certificate::certify_scene(scene, run_scene(stated));
+    CHECK(named(all, "stress").theorems.empty());
+    CHECK(has(named(all, "stress").leaves_out, "no theory is about this quantity"));
+    CHECK(named(all, "load").theorems.size() == 1);
+}
+
 TEST_CASE("what cannot be stated about a scene has no theorem, but a reason") {
     const auto within = certified("kind = \"flat-and-rounded\"\nt = \"1/2\"\nR = \"1\"",
                                   "a = \"1\"", "u = [\"0.1\", \"0.6\"]\nedges = [\"left\"]\n");

@@ -96,6 +96,13 @@ public:
         if (scene_.shear) {
             add("shear", [](Certificate&) { throw NotStated("shear is not stated"); });
         }
+        using Group = scene::QuantityGroup;
+        for (const Group group : {Group::peak, Group::stress, Group::displacement}) {
+            if (scene_.ask.wants(group)) {
+                add(scene::group_name(group),
+                    [](Certificate&) { throw NotStated("no theory is about this quantity"); });
+            }
+        }
         return std::move(certificates_);
     }
 

@@ -11,6 +11,8 @@ namespace edgeproof::certificate {
 /// is one file for the load, and at each edge one for the coefficients, one for the pressures and
 /// one for each extent. A value that cannot be stated has no theorem, and its certificate gives the
 /// reason. The `verdict` of each certificate is "value".
+/// @param scene the scene, with all quantities that it asks for
+/// @param result the values of those that can be stated
 [[nodiscard]] std::vector<Certificate> certify_scene(const scene::Scene& scene,
                                                      const scene::SceneResult& result);
 

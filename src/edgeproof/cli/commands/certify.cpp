@@ -118,20 +118,21 @@ int certify_scene(const CertifyOptions& o, const std::string& text) {
     require_plane(scene, "certify");
     ask_terms(scene);
     scene.ask.digits.rounding = Rounding::nearest;
-    scene.ask.quantities = {scene::QuantityGroup::contact, scene::QuantityGroup::coefficients};
+    scene::Scene stated = scene;
+    stated.ask.quantities = {scene::QuantityGroup::contact, scene::QuantityGroup::coefficients};
     if (!scene.ask.u.empty()) {
-        scene.ask.quantities.insert(scene::QuantityGroup::pressure);
+        stated.ask.quantities.insert(scene::QuantityGroup::pressure);
     }
     if (scene.ask.tolerance) {
-        scene.ask.quantities.insert(scene::QuantityGroup::extent);
+        stated.ask.quantities.insert(scene::QuantityGroup::extent);
     }
     require_folder(o);
     if (o.record) {
-        return record_folder(o, certificate::certify_scene(scene, done(scene)));
+        return record_folder(o, certificate::certify_scene(scene, done(stated)));
     }
     io::StagedFolder staged(o.out);
     const std::vector<certificate::Certificate> all =
-        certificate::certify_scene(scene, done(scene));
+        certificate::certify_scene(scene, done(stated));
     write_folder(o, staged, all, "the scene " + title_of(scene), "quantities");
     for (const certificate::Certificate& c : all) {
         if (c.theorems.empty()) {

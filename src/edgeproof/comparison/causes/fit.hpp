@@ -23,7 +23,7 @@ struct Observed {
     [[nodiscard]] bool counts(const Suspect& suspect, std::size_t i) const;
 };
 
-/// How far data agree with a suspect, and their local noise.
+/// The agreement of data with a suspect, and their local noise.
 struct Fit {
     double left = 0;        ///< rms of data minus suspect, relative to its largest value
     double noise = 0;       ///< rms scatter of that difference from node to node

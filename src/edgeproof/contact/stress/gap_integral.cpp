@@ -186,7 +186,8 @@ private:
         return i;
     }
 
-    /// p, for an x beyond the first `passed` knots of the zone.
+    /// p, for an x beyond the first `passed` knots of the zone (docs/pressure.md, "Closed form:
+    /// piecewise linear slopes").
     [[nodiscard]] Box pressure(const Place& at, std::size_t passed) const {
         const LinearSlope<Ball>& slope = outer_.slope();
         const Ball length = outer_.a() + outer_.b();

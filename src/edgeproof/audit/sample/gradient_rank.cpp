@@ -6,7 +6,6 @@
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
-#include <ranges>
 #include <set>
 #include <utility>
 
@@ -145,8 +144,11 @@ void GradientRank::drop_equal_columns() {
             return of_[i] == of_[j] && std::all_of(others_.begin(), others_.end(),
                                                    [&](const Row& r) { return r[i] == r[j]; });
         };
-        const auto before = std::views::iota(std::size_t{0}, j);
-        if (std::ranges::none_of(before, equals)) {
+        std::size_t first = 0;
+        while (first < j && !equals(first)) {
+            ++first;
+        }
+        if (first == j) {
             continue;
         }
         const auto at = static_cast<std::ptrdiff_t>(j);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/input/column_names.hpp"
 
+#include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 
 namespace edgeproof::comparison {
 namespace {
@@ -62,9 +62,8 @@ std::string plain_of(std::string_view text) {
 }
 
 bool has_word(std::string_view words, std::string_view word) {
-    return std::ranges::any_of(std::views::split(words, ' '), [word](const auto& part) {
-        return std::string_view(part.begin(), part.end()) == word;
-    });
+    const std::vector<std::string_view> all = io::split_words(words);
+    return std::ranges::find(all, word) != all.end();
 }
 
 } // namespace

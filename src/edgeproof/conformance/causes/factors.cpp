@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/readings.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
+#include "edgeproof/io/toml/toml_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
 #include <string_view>
 
 namespace edgeproof::conformance {
@@ -71,8 +71,8 @@ std::string in_words(std::string formula, bool negative) {
 std::vector<NamedFactor> named_factors() {
     std::vector<NamedFactor> list;
     for (const NamedFactors& factors : factors_with_names) {
-        for (const auto part : std::views::split(factors.formulas, ' ')) {
-            const std::string formula(part.begin(), part.end());
+        for (const std::string_view part : io::split_words(factors.formulas)) {
+            const std::string formula(part);
             const Real factor = formula::Exact::parse(formula).to<Real>();
             for (const int sign : {1, -1}) {
                 if (formula != "1" || sign < 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/questions/question.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
+#include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 #include <set>
 #include <utility>
 
@@ -70,8 +70,11 @@ bool Questions::has_body_points() const {
 }
 
 std::set<scene::Quantity> Questions::quantities() const {
-    const auto asked = list | std::views::transform(&Question::quantity);
-    return {asked.begin(), asked.end()};
+    std::set<scene::Quantity> asked;
+    for (const Question& question : list) {
+        asked.insert(question.quantity);
+    }
+    return asked;
 }
 
 Questions rounded_to_binary64(const Questions& questions) {
@@ -111,8 +114,8 @@ const std::vector<ParameterKey>& parameter_keys() {
         };
         std::vector<ParameterKey> list;
         for (const auto& [section, names] : sections) {
-            for (const auto name : std::views::split(names, ' ')) {
-                list.push_back({std::string_view(name.begin(), name.end()), section});
+            for (const std::string_view name : io::split_words(names)) {
+                list.push_back({name, section});
             }
         }
         return list;

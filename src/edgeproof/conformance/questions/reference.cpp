@@ -10,7 +10,6 @@
 #include <atomic>
 #include <map>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <tuple>
 #include <type_traits>
@@ -20,9 +19,11 @@ namespace edgeproof::conformance {
 namespace {
 
 std::vector<scene::AskedValue> values_of(const Questions& questions, const Piece& piece) {
-    const auto values = std::views::transform(
-        piece, [&](std::size_t i) -> const scene::AskedValue& { return questions.list[i]; });
-    return {values.begin(), values.end()};
+    std::vector<scene::AskedValue> values;
+    for (const std::size_t i : piece) {
+        values.push_back(questions.list[i]);
+    }
+    return values;
 }
 
 scene::Scene scene_of(const Questions& questions, const Piece& piece) {

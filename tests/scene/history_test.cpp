@@ -49,7 +49,7 @@ Real history_value(const scene::Scene& s, scene::Quantity quantity, const Real& 
     asked.ask.u[0].place = scene::Place::parse(place, scene::Place::From::origin, {});
     asked.ask.quantities = {scene::QuantityGroup::pressure, scene::QuantityGroup::shear};
     const scene::SceneResult result = run_scene(asked);
-    const scene::Row& row = result.points().at(0).row(quantity);
+    const scene::Row row = result.points().at(0).row(quantity);
     CHECK(row.value->proved);
     if (state != nullptr) {
         *state = row.state;

@@ -22,7 +22,7 @@ std::vector<std::string> errors_at(const std::string& profile, const std::string
     std::vector<std::string> texts;
     const SceneResult result = run_scene(scene);
     for (const std::size_t n : {1U, 2U, 3U}) {
-        const BoundedValue& error =
+        const BoundedValue error =
             result.points()[0].at(of_shear ? Quantity::q_rel : Quantity::rel, n);
         CHECK(error.proved);
         texts.push_back(printed(error, {20}).text);

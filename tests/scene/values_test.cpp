@@ -239,7 +239,7 @@ TEST_CASE("the middle of a power law's contact is recognised exactly, and proved
         parsed("[profile]\nkind = \"power-law\"\nm = \"10\"\nC = \"1\"\n[load]\na = \"1/10\"\n"
                "contact_modulus = \"1\"\n[ask]\nu = [\"1/10\", \"0.0999999\"]\n");
     const SceneResult result = run_scene(scene);
-    const BoundedValue& middle = result.points()[0].at(Quantity::p);
+    const BoundedValue middle = result.points()[0].at(Quantity::p);
     CHECK(overlaps(middle.value, Ball(Rational(128, 315), 400) / Ball::pi(400) *
                                      Ball(parse_decimal("1e-10"), 400)));
     CHECK(middle.proved);
@@ -291,12 +291,17 @@ TEST_CASE("the tilt found from P and M is proved, and so is all that follows") {
     };
     const Scene scene = parsed(text("-1/50"));
     const SceneResult result = run_scene(scene);
-    for (const BoundedValue* v :
-         {&result.at(Quantity::alpha), &result.at(Quantity::a), &result.at(Quantity::b),
-          &result.at(Quantity::P), &result.at(Quantity::M), &result.points()[0].at(Quantity::p),
-          &result.at_edges(QuantityGroup::coefficients)[0].at(Quantity::c, 0)}) {
-        CHECK(v->proved);
-        CHECK(printed(*v, scene.ask.digits).complete);
+    const std::vector<BoundedValue> values{
+        result.at(Quantity::alpha),
+        result.at(Quantity::a),
+        result.at(Quantity::b),
+        result.at(Quantity::P),
+        result.at(Quantity::M),
+        result.points()[0].at(Quantity::p),
+        result.at_edges(QuantityGroup::coefficients)[0].at(Quantity::c, 0)};
+    for (const BoundedValue& v : values) {
+        CHECK(v.proved);
+        CHECK(printed(v, scene.ask.digits).complete);
     }
     const Ball P =
         Ball::pi(300) / 16 * sqrt(result.at(Quantity::a).value * result.at(Quantity::b).value);

@@ -57,6 +57,13 @@ TEST_CASE("an edge computed from a force") {
     CHECK(has(named(all, "pressure.right").text, "Definition a : R := (sqrt ("));
 }
 
+TEST_CASE("the force at the end of a step") {
+    const auto all = certified("kind = \"power-law\"\nm = \"1\"\nC = \"1\"",
+                               "[[step]]\nP = \"pi\"\n[[step]]\nP = \"pi/4\"",
+                               "u = [\"0.4\"]\nedges = [\"right\"]\n");
+    CHECK(has(named(all, "pressure.right").theorems.at(0).states, "p = 0.4"));
+}
+
 TEST_CASE("stresses that a scene asks for are listed as not stated") {
     scene::Scene scene =
         scene::parse_scene("[profile]\nkind = \"hertz\"\nR = \"1\"\n[load]\na = "

@@ -317,8 +317,7 @@ void add_given_scene(CLI::App& sub, SceneOptions& o) {
     add_list_option(sub, "--quantity", o.quantities, &o.scene,
                     "what is asked, such as pressure,shear, as far as the command gives it "
                     "(default: the scene's)");
-    sub.add_option("--step", o.step,
-                   "the state after this step of a load history (default: the last)");
+    add_step_option(sub, o.step);
     add_stated_options(sub, o);
     sub.add_flag("--show-scene", o.show_scene,
                  "print the file of a scene that is given by its quantities (standard error)");
@@ -341,17 +340,27 @@ void add_tolerance_option(CLI::App& sub, SceneOptions& o, const std::string& hel
     sub.add_option("--tolerance", o.tolerance, "1%, 0.01 or 1/100" + help);
 }
 
+void add_step_option(CLI::App& sub, std::string& step) {
+    sub.add_option("--step", step,
+                   "the state after this step of a load history (default: the last)");
+}
+
+void choose_step(scene::Scene& scene, const std::string& step) {
+    if (step.empty()) {
+        return;
+    }
+    if (scene.steps.empty()) {
+        throw InputError("--step " + step + ": the scene has no steps",
+                         "add [[step]] sections, or leave --step out");
+    }
+    set_step(scene, whole_number("--step", step, 1, scene.steps.size()));
+}
+
 scene::Scene asked_scene(const SceneOptions& o) {
     (void)format_of(o.format); // checked before any work
     const Rounding rounding = rounding_of(o.rounding);
     scene::Scene scene = given_scene(o);
-    if (!o.step.empty()) {
-        if (scene.steps.empty()) {
-            throw InputError("--step " + o.step + ": the scene has no steps",
-                             "add [[step]] sections, or leave --step out");
-        }
-        set_step(scene, whole_number("--step", o.step, 1, scene.steps.size()));
-    }
+    choose_step(scene, o.step);
     if (!o.digits.empty()) {
         scene.ask.digits.count = digits_of(o.digits, most_digits_of_a_scene);
     } else if (o.is_short()) {

@@ -69,6 +69,10 @@ void add_list_option(CLI::App& sub, const std::string& name, std::string& target
 /// Refuses the options that are given although they have no effect: `why` states the reason.
 void refuse_options(const std::vector<std::pair<std::string, std::string>>& texts_by_name,
                     const std::string& why);
+/// Adds --step for choose_step().
+void add_step_option(CLI::App& sub, std::string& step);
+/// Sets the state of a scene to that after the step that --step names, if it is given.
+void choose_step(scene::Scene& scene, const std::string& step);
 /// Adds --threads for threads_of().
 void add_threads_option(CLI::App& sub, std::string& threads);
 /// Adds --threads of a command that judges the claims of a ledger.

@@ -315,8 +315,9 @@ Scene asking(const Scene& scene, const std::vector<AskedValue>& values, const Di
         const QuantityRow& row = row_of(v.quantity);
         s.ask.quantities.insert(row.group);
         shear = shear || row.of_shear();
-        if (v.u) {
-            s.ask.u.push_back({*v.u, 0});
+        if (row.place == QuantityRow::Place::point) {
+            // The routes compute the places of `values`; the plan only needs to know of a point.
+            s.ask.u.push_back({v.u.value_or(formula::Exact::of(1)), 0});
         }
         if (v.in_body) {
             s.ask.in_bodies.push_back(*v.in_body);

@@ -21,6 +21,7 @@ namespace {
 
 struct CompareOptions {
     std::string scene;
+    std::string step; ///< of a load history; empty: the last one
     std::vector<std::string> results;
     std::string columns;
     std::string scale;
@@ -181,7 +182,8 @@ int compare_results(const CompareOptions& o) {
     if (!o.figures.empty()) {
         io::check_folder(o.figures); // the folder is made when there is something to write
     }
-    const scene::Scene scene = scene::read_scene(file_or_shipped(o.scene, shipped_scenes));
+    scene::Scene scene = scene::read_scene(file_or_shipped(o.scene, shipped_scenes));
+    choose_step(scene, o.step);
     reading.units = scene.units;
     std::vector<comparison::ResultTable> tables; // all are read before any work
     for (const std::string& file : o.results) {
@@ -228,6 +230,7 @@ void add_compare(CLI::App& app, int& code) {
         "results", o.results,
         "tables of x and p, as programs write them (also .frd and .dat of CalculiX); several: "
         "of finer and finer meshes");
+    add_step_option(sub, o.step);
     sub.add_option("--columns", o.columns, "x=1,p=3 or x=COORD1,p=CPRESS: which columns");
     sub.add_option("--scale", o.scale, "x=1e-3,p=1e6: multiply what the files have");
     sub.add_option("--origin", o.origin,

@@ -28,7 +28,7 @@ public:
         factors();
         for (const scene::SceneMistake& mistake : scene::contact_mistakes(contacts_.scene())) {
             const auto change = [&](scene::Scene& other) {
-                other.shear.reset();
+                other = other.without_shear();
                 mistake.change(other);
             };
             if (const ExactContact* const contact = changed(mistake, change)) {

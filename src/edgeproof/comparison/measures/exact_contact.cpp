@@ -4,6 +4,7 @@
 #include "edgeproof/contact/batch/batch_pressure.hpp"
 #include "edgeproof/contact/double_word/double_word_pressure.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/contact/routes/partial_slip.hpp"
@@ -147,7 +148,6 @@ struct ExactContact::Solved {
 };
 
 ExactContact::ExactContact(const scene::Scene& scene) {
-    require_no_history(scene, "compare");
     if (scene.curved_body()) {
         throw InputError("compare does not compute curved slopes of revolution",
                          "give a power law or a piecewise linear g'")
@@ -163,8 +163,7 @@ ExactContact::ExactContact(const scene::Scene& scene) {
 void ExactContact::solve(const scene::Scene& scene) {
     solved_ = std::make_shared<Solved>(scene);
     Solved& s = *solved_;
-    scene::Scene asked = scene;
-    asked.shear.reset();
+    scene::Scene asked = scene.without_shear();
     asked.ask = {};
     asked.ask.edges = {contact::Edge::right, contact::Edge::left};
     asked.ask.terms = {coefficients};
@@ -325,7 +324,16 @@ struct ExactShear::Solved {
         if (!spec.friction) {
             return;
         }
-        friction = spec.friction->to<Real>() * spec.Q.sign();
+        friction = spec.friction->to<Real>();
+        if (asked.history) {
+            most_force =
+                Real(friction * asked.history->layers.back().force.to<Real>()).convert_to<double>();
+            after_steps = std::make_unique<scene::SceneValues>(
+                asked, std::vector{traction_at(formula::Expr::number(Rational(0)))},
+                scene::Digits{traction_digits, Rounding::nearest, false});
+            return;
+        }
+        friction *= spec.Q.sign();
         scene::Scene zone = asked;
         zone.ask = {};
         zone.ask.quantities = {scene::QuantityGroup::slip};
@@ -347,6 +355,13 @@ struct ExactShear::Solved {
         }
         stick_pressure.emplace(profile, asked.contact_modulus.to<Real>(), stick, traction_digits);
     }
+    /// The question about q at the place x.
+    static scene::AskedValue traction_at(const formula::Expr& x) {
+        scene::AskedValue asked;
+        asked.quantity = scene::Quantity::q;
+        asked.place = scene::Distance(formula::Expr::symbol("a") - x, x);
+        return asked;
+    }
     /// The pressure of the stick zone, in which the place lies.
     [[nodiscard]] Real pressure(const contact::Point<Real>& place) const {
         return by_abel ? abel_pressure(*by_abel, profile, place) : (*stick_pressure)(place).value;
@@ -364,6 +379,8 @@ struct ExactShear::Solved {
     std::optional<contact::AxisymmetricContact> by_abel; ///< as in ExactContact
     std::optional<contact::NormalContact> normal_contact;
     std::optional<contact::PartialSlip> slip;
+    std::unique_ptr<scene::SceneValues> after_steps; ///< if the scene has a load history
+    double most_force = 0;                           ///< f P, in this case
 };
 
 ExactShear::ExactShear(const scene::Scene& scene, const contact::Profile& profile,
@@ -377,6 +394,10 @@ Real ExactShear::at(const contact::Point<Real>& place, const Real& p) const {
         return s.slip->traction(right ? contact::Edge::right : contact::Edge::left,
                                 formula::Exact(formula::Expr::number(exact_rational(
                                     (right ? place.right : place.left).convert_to<double>()))));
+    }
+    if (s.after_steps) {
+        const auto x = formula::Expr::number(contact::exact_value(place.x));
+        return s.after_steps->value(Solved::traction_at(x)).value.midpoint();
     }
     if (s.spec.path == contact::LoadingPath::together) {
         return s.load.Q / s.P * p;
@@ -395,13 +416,17 @@ Real ExactShear::at(const contact::Point<Real>& place, const Real& p) const {
 double ExactShear::scale() const {
     const Solved& s = *solved_;
     const double length = s.whole.length().convert_to<double>();
-    if (s.axisymmetric) {
-        return std::abs(force()) / (std::acos(-1) * length * length / 4);
+    const double area = s.axisymmetric ? std::acos(-1) * length * length / 4 : length;
+    if (s.after_steps) {
+        return s.most_force / area;
     }
-    return std::abs(force()) / length + std::abs(s.load.bulk_tension.convert_to<double>()) / 4;
+    return std::abs(force()) / area + std::abs(s.load.bulk_tension.convert_to<double>()) / 4;
 }
 std::string ExactShear::scale_text() const {
-    return solved_->axisymmetric ? "|Q|/(pi a^2)" : "|Q|/(a + b) + |bulk_tension|/4";
+    const std::string area = solved_->axisymmetric ? "(pi a^2)" : "(a + b)";
+    return solved_->after_steps    ? "f P/" + area
+           : solved_->axisymmetric ? "|Q|/" + area
+                                   : "|Q|/" + area + " + |bulk_tension|/4";
 }
 double ExactShear::force() const { return solved_->load.Q.convert_to<double>(); }
 bool ExactShear::singular() const {

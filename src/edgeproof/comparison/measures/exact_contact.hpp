@@ -14,7 +14,8 @@ namespace edgeproof::comparison {
 
 /// The exact shear traction of a scene at many places, to 20 digits minus those that cancel if Q
 /// and sigma_0 act against each other. Under full stick in closed form; on the path `together`
-/// (Q/P) p; in partial slip f (p - p*) with the batch rule for the pressure p* of the stick zone
+/// (Q/P) p; after the steps of a load history by the scene's own route (docs/histories.md); in
+/// partial slip f (p - p*) with the batch rule for the pressure p* of the stick zone
 /// (docs/partial-slip.md), or, if a bulk tension moves the stick zone of a symmetric profile out of
 /// the middle, by PartialSlip. An estimate. One object belongs to one thread.
 class ExactShear {
@@ -28,7 +29,8 @@ public:
     [[nodiscard]] Real at(const contact::Point<Real>& place, const Real& p) const;
     /// |Q|/(a + b) + |sigma_0|/4, the mean of |q| under full stick of Q and of sigma_0 alone: the
     /// reference of relative errors of q, since q itself may be infinite at the edges.
-    /// Of an axisymmetric contact |Q|/(pi a^2).
+    /// Of an axisymmetric contact |Q|/(pi a^2). After steps, at whose end Q may be 0, f times the
+    /// mean pressure.
     [[nodiscard]] double scale() const;
     [[nodiscard]] std::string scale_text() const;
     [[nodiscard]] double force() const; ///< Q

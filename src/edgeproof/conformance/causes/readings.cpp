@@ -40,8 +40,15 @@ bool reverse_shear(scene::Scene& scene) {
     if (!scene.shear) {
         return false;
     }
-    scene.shear->Q = formula::Exact(-scene.shear->Q.expr());
-    scene.shear->bulk_tension = formula::Exact(-scene.shear->bulk_tension.expr());
+    const auto reverse = [](auto& load) {
+        load.Q = formula::Exact(-load.Q.expr());
+        load.bulk_tension = formula::Exact(-load.bulk_tension.expr());
+    };
+    if (scene.history) {
+        change_steps(scene, reverse);
+    } else {
+        reverse(*scene.shear);
+    }
     return true;
 }
 

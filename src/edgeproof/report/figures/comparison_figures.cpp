@@ -111,8 +111,8 @@ Traction shear_of(const ComparisonReport& report) {
         infinite ? std::optional(3 * scale) : std::nullopt,
         [&exact](double x) { return exact.traction(Real(x), exact.at(Real(x))); },
         [](const Node& node) { return node.shear ? std::optional(node.shear->q) : std::nullopt; },
-        "|error of q|/(|Q|/(a + b) + |bulk tension|/4)",
-        "error of the data's shear traction, relative to |Q|/(a + b) + |bulk tension|/4,",
+        "|error of q|/(" + exact.shear()->scale_text() + ")",
+        "error of the data's shear traction, relative to " + exact.shear()->scale_text() + ",",
         [scale](const Node& node) {
             const bool comparable = node.shear && node.shear->exact;
             return comparable ? std::optional(std::abs(node.shear->error) / scale) : std::nullopt;
@@ -269,7 +269,8 @@ std::vector<Figure> comparison_figures(const ComparisonReport& report) {
                       "Left: data and exact pressure. Right: the relative error of each node "
                       "against its distance from the nearer edge." +
                           std::string(sheared ? " Below: the same of the shear traction, its "
-                                                "error relative to |Q|/(a + b) + |bulk tension|/4."
+                                                "error relative to " +
+                                                    report.exact->shear()->scale_text() + "."
                                               : ""),
                       {}};
         std::vector<Traction> tractions{pressure_of(report)};

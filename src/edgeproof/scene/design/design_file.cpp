@@ -239,6 +239,7 @@ Scene DesignScene::at(const std::vector<Rational>& values) const {
         scene.round.reset(); // the plane contact has the same pressure (docs/axisymmetric.md)
     }
     require_plane(scene, "design");
+    require_no_history(scene, "design");
     scene.ask = {};
     scene.ask.edges = edges;
     scene.ask.terms = {terms};

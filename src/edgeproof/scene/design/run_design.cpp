@@ -32,11 +32,10 @@ public:
             exact.push_back(contact::exact_value(Real(x)));
         }
         try {
-            Scene scene = design_.at(exact);
+            Scene scene = design_.at(exact).without_shear();
             if (!scene.profile || design_.shear) {
                 return std::numeric_limits<double>::quiet_NaN();
             }
-            scene.shear.reset();
             scene.ask.digits.count = estimate_digits;
             const Plan plan = make_plan(scene);
             contact::Work work;

@@ -61,6 +61,7 @@ void set_step(Scene& scene, std::size_t count) {
             .at(scene.file, last.line);
     };
     scene.load_line = last.line;
+    scene.step = count;
     scene.history.reset();
     if (last.P.sign() <= 0) {
         reject("there is no contact: P = " + last.P.text(), "give P > 0");
@@ -96,6 +97,11 @@ void set_step(Scene& scene, std::size_t count) {
     }
     scene.history =
         history_after(scene.steps, count, scene.pass, *scene.shear->friction, scene.file);
+}
+
+void change_steps(Scene& scene, const std::function<void(LoadStep&)>& change) {
+    std::ranges::for_each(scene.steps, change);
+    set_step(scene, scene.step);
 }
 
 } // namespace edgeproof::scene

@@ -115,7 +115,6 @@ void require_no_history(const Scene& scene, const std::string& command) {
 }
 
 void require_plane(const Scene& scene, const std::string& command) {
-    require_no_history(scene, command);
     if (scene.round) {
         throw InputError(command + " computes plane contacts only",
                          "leave geometry out of [profile], or use edgeproof pressure, expand or "

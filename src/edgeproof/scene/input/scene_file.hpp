@@ -126,6 +126,7 @@ struct Scene {
     /// friction. The load and the shear are then those at the end of that step.
     std::vector<LoadStep> steps;
     std::size_t pass = 0; ///< the number of the last steps that `cycles` repeats; 0: none
+    std::size_t step = 0; ///< the number of the step that counts, from 1; 0: there are no steps
     std::optional<LoadHistory> history;
     std::optional<Units> units; ///< labels for all numbers above
     Ask ask;
@@ -161,6 +162,14 @@ struct Scene {
     [[nodiscard]] const contact::Load& given_load() const { return round ? round->load : load; }
     /// True if b = a without solving.
     [[nodiscard]] bool symmetric() const { return profile && profile->symmetric(); }
+    /// The same contact under the same normal load, without a shear load and its history.
+    [[nodiscard]] Scene without_shear() const {
+        Scene normal = *this;
+        normal.shear.reset();
+        normal.history.reset();
+        normal.steps.clear();
+        return normal;
+    }
 };
 
 /// Reads a scene (examples/README.md describes the format). Throws InputError with file and line
@@ -180,6 +189,8 @@ struct Scene {
 /// InputError, with the line of the step, where the contact opens or slides, and for a bulk tension
 /// that is not applied once, in the last step and at constant P.
 void set_step(Scene& scene, std::size_t count);
+/// Changes all steps of a scene that has them, and sets its state again. Throws as set_step().
+void change_steps(Scene& scene, const std::function<void(LoadStep&)>& change);
 
 /// Reads [profile], [load] and [shear] of `top` and ignores other sections; the request is empty.
 [[nodiscard]] Scene read_contact(const io::TomlSection& top);
@@ -216,7 +227,7 @@ void change_given(Scene& scene, const std::function<void(Scene&)>& change);
 
 /// Refuses a load history for a command that does not compute one.
 void require_no_history(const Scene& scene, const std::string& command);
-/// Refuses a load history and an axisymmetric scene.
+/// Refuses an axisymmetric scene.
 void require_plane(const Scene& scene, const std::string& command);
 /// Refuses a scene with |Q| >= f P, with the line of the friction; `force` is P.
 [[noreturn]] void refuse_sliding(const Scene& scene, const Real& force);

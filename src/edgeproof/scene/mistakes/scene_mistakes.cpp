@@ -3,6 +3,7 @@
 
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
@@ -36,6 +37,10 @@ constexpr std::string_view tension_advice =
 constexpr std::string_view friction_advice =
     "friction is the coefficient of friction: |q| <= friction p";
 
+constexpr std::string_view history_advice =
+    "the traction depends on all loads before, and is asked for after the step that counts";
+constexpr std::size_t most_other_steps = 12;
+
 Expr integer(long k) { return Expr::number(Rational(k)); }
 
 /// Collects the mistakes of one scene.
@@ -65,7 +70,9 @@ public:
             });
         };
         using contact::ShearSpec;
-        if (scene_.shear->Q.sign() != 0) {
+        if (scene_.history) {
+            history();
+        } else if (scene_.shear->Q.sign() != 0) {
             times("half-shear-force", "half of Q", shear_advice, &ShearSpec::Q, half);
             times("half-shear-force", "twice Q", shear_advice, &ShearSpec::Q, two);
         }
@@ -81,13 +88,41 @@ public:
                 });
         }
         if (scene_.shear->friction) {
-            add("no-slip", "full stick, without friction", friction_advice,
-                [](Scene& s) { s.shear->friction.reset(); });
+            add("no-slip", "full stick, without friction", friction_advice, [](Scene& s) {
+                s.shear->friction.reset();
+                s.history.reset();
+                s.steps.clear();
+            });
         }
         return std::move(list_);
     }
 
 private:
+    /// The mistakes in the shear forces of steps.
+    void history() {
+        const auto times = [&](const char* what, const Expr& k) {
+            add("half-shear-force", what, shear_advice, [k](Scene& s) {
+                change_steps(s,
+                             [&](LoadStep& step) { step.Q = formula::Exact(step.Q.expr() * k); });
+            });
+        };
+        times("half of Q", half);
+        times("twice Q", two);
+        add("no-history", "P applied first, then Q, instead of the steps", history_advice,
+            [](Scene& s) {
+                s.history.reset();
+                s.steps.clear();
+            });
+        // Of repeated steps the first pass is enough: the others are like it, or nearly so.
+        const std::size_t different = std::min(scene_.steps.size(), most_other_steps);
+        for (std::size_t k = 1; k <= different; ++k) {
+            if (k != scene_.step) {
+                add("another-step", "the state after step " + std::to_string(k), history_advice,
+                    [k](Scene& s) { set_step(s, k); });
+            }
+        }
+    }
+
     void add(std::string_view name, std::string what, std::string_view advice,
              std::function<void(Scene&)> change) {
         list_.push_back({name, std::move(what), advice,
@@ -257,17 +292,46 @@ private:
         }
     }
 
+    void forces_of_steps() {
+        std::vector<formula::Exact> seen{scene_.load.value};
+        for (std::size_t k = 1; k <= scene_.steps.size() && seen.size() <= most_other_steps; ++k) {
+            const formula::Exact P = scene_.steps[k - 1].P;
+            const bool known = std::ranges::any_of(seen, [&](const formula::Exact& other) {
+                return formula::Exact(P.expr() - other.expr()).sign() == 0;
+            });
+            if (known || P.sign() <= 0) {
+                continue;
+            }
+            seen.push_back(P);
+            add("another-step", "the state after step " + std::to_string(k), history_advice,
+                [k, P](Scene& s) {
+                    if (s.history) {
+                        set_step(s, k);
+                    } else {
+                        s.load = contact::Load::force(P);
+                    }
+                });
+        }
+    }
+
     void loads() {
         const auto load = [&](std::string_view name, const char* what, std::string_view advice,
                               const Expr& times) {
-            add(name, what, advice,
-                [times](Scene& s) { s.load.value = formula::Exact(s.load.value.expr() * times); });
+            add(name, what, advice, [times](Scene& s) {
+                if (s.history) {
+                    change_steps(
+                        s, [&](LoadStep& step) { step.P = formula::Exact(step.P.expr() * times); });
+                } else {
+                    s.load.value = formula::Exact(s.load.value.expr() * times);
+                }
+            });
         };
         const contact::Load::Kind given = scene_.given_load().kind;
         if (given == contact::Load::Kind::force) {
             const auto advice = scene_.round ? round_force_advice : force_advice;
             load("half-force", "half of P", advice, half);
             load("half-force", "twice P", advice, two);
+            forces_of_steps();
             if (scene_.round) {
                 const Expr turn = two * Expr::pi();
                 load("force-per-radian", "P divided by 2 pi", advice, integer(1) / turn);

@@ -361,17 +361,41 @@ TEST_CASE("the greatest stresses after load histories agree with a second route"
     }
 }
 
-TEST_CASE("the greatest sxx after a load history needs q of one direction") {
-    const auto steps = [](const std::string& path) {
-        return "[profile]\n" + rounded +
-               "\n[load]\ncontact_modulus = \"2\"\nnu = \"0.3\"\n[shear]\nfriction = \"1/2\"\n" +
-               "[[step]]\nP = \"1/2\"\n" + path + "[ask]\ndigits = 12\n";
+// For g' = x, E* = 2, the contact of the half width c has p = sqrt(c^2 - x^2) and the force
+// pi c^2/2, and its Cauchy integral on the surface is pi x inside, pi (x - sgn(x) sqrt(x^2 - c^2))
+// outside (johnson1985, sec. 4.2(a)). Q grows until c = c_s sticks, and falls until c = c_r sticks:
+// q = f (2 p_r - p_s - p). Then sxx = -p - 2 q*/pi, where q* is the sum of the Cauchy integrals.
+TEST_CASE("the greatest sxx after load histories is that of Hertz's contacts in closed form") {
+    const auto after = [](const std::string& friction, const std::string& first,
+                          const std::string& second, Body body) {
+        return greatest_of(
+            "[profile]\nkind = \"hertz\"\nR = \"1\"\n[load]\ncontact_modulus = \"2\"\n"
+            "nu = \"0.3\"\n[shear]\nfriction = \"" +
+                friction + "\"\n[[step]]\nP = \"pi/2\"\n[[step]]\nQ = \"" + first +
+                "\"\n[[step]]\nQ = \"" + second + "\"\n[ask]\ndigits = 25\n",
+            Quantity::sxx, body);
     };
-    // Where q is greatest in an inner zone, or changes its sign, sxx is refused.
-    CHECK(refusal_of(steps("[[step]]\nQ = \"1/5\"\n[[step]]\nQ = \"-1/10\"\n"), Quantity::sxx)
-              .find("q has one direction") != std::string::npos);
-    CHECK(
-        refusal_of(steps("[[step]]\nP = \"1\"\nQ = \"1/5\"\n[[step]]\nP = \"2\"\n"), Quantity::sxx)
-            .find("q has one direction") != std::string::npos);
-    CHECK(refusal_of(steps("[[step]]\nP = \"1\"\nQ = \"1/5\"\n"), Quantity::sxx).empty());
+    const auto root = [](long top, long bottom) { return sqrt(Ball(top, 128) / bottom); };
+    const auto is = [](const GreatestValue& found, const Ball& x, const Ball& value) {
+        CHECK(found.value.proved);
+        CHECK(overlaps(found.value.value, value));
+        CHECK(overlaps(found.x.value, x));
+        CHECK(found.value.value.radius() < Real("1e-24"));
+    };
+    // c_s = 3/5, c_r = 4/5: 2 sqrt(1 - c_r^2) - sqrt(1 - c_s^2) at the right edge
+    is(after("1/2", "4*pi/25", "-pi/50", Body::A), Ball(1, 128), root(4, 25));
+    is(after("1/2", "4*pi/25", "-pi/50", Body::B), Ball(-1, 128), root(4, 25));
+    // c_s = 3/10, c_r = 9/10: sqrt(c_r^2 - c_s^2) - sqrt(1 - c_r^2) at the left edge of that zone
+    is(after("1/2", "91*pi/400", "53*pi/400", Body::A), -root(81, 100),
+       root(72, 100) - root(19, 100));
+    // The same at Q = 0, for c_s = 1/5 and c_r^2 = 13/25, with f = 1
+    is(after("1", "12*pi/25", "0", Body::A), Ball(1, 128), root(12, 25) * 4 - root(24, 25) * 2);
+}
+
+TEST_CASE("without shear in any layer the greatest sxx is refused") {
+    // The layers that were sheared lose contact.
+    CHECK(refusal_of(greatest_after("[[step]]\nP = \"1\"\nQ = \"1/8\"\n[[step]]\nP = \"1/4\"\n"
+                                    "Q = \"0\"\n"),
+                     Quantity::sxx)
+              .find("without shear traction") != std::string::npos);
 }

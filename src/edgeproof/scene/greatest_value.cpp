@@ -49,14 +49,12 @@ void check(const Scene& scene, Quantity quantity, Body body) {
                "piecewise linear g'",
                "give such a profile, or ask for stresses at points");
     }
-    if (scene.history && quantity == Quantity::sxx && !rises_outwards(*scene.history)) {
-        refuse(scene,
-               "the greatest sxx on the surface is proved only where |q|/p does not decrease "
-               "towards the edges and q has one direction",
-               "ask for the state after another step, or for stresses at points");
-    }
     const bool sheared =
-        scene.shear && (scene.shear->Q.sign() != 0 || scene.shear->bulk_tension.sign() != 0);
+        scene.history
+            ? std::ranges::any_of(
+                  scene.history->layers,
+                  [](const LoadHistory::Layer& layer) { return layer.ratio.sign() != 0; })
+            : scene.shear && (scene.shear->Q.sign() != 0 || scene.shear->bulk_tension.sign() != 0);
     if (sheared && !scene.slips() && !scene.together()) {
         refuse(scene, "under full stick the stresses are infinite at the edges",
                "give friction in [shear] (partial slip), or path = \"together\"");
@@ -149,7 +147,9 @@ GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity
     const auto measure = [&](const StressField& field) {
         using Kind = contact::StressNorm::Kind;
         contact::StressNorm norm;
-        if (quantity != Quantity::tau_max) {
+        if (quantity == Quantity::sxx) {
+            norm.kind = Kind::surface_sxx;
+        } else if (quantity != Quantity::tau_max) {
             norm.kind = quantity == Quantity::mises    ? Kind::mises
                         : quantity == Quantity::tresca ? Kind::tresca
                                                        : Kind::s1;
@@ -217,8 +217,10 @@ GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity
     }
     const bool twins = found->places.size() == 2 || (fields.at(search_bits)->mirrored &&
                                                      place.kind != GreatestPlace::Kind::axis);
-    result.notes.push_back(twins ? "the mirror image of the place, at -x, has the same value"
-                                 : "at all other places the value is less");
+    result.notes.emplace_back(twins ? "the mirror image of the place, at -x, has the same value"
+                              : quantity == Quantity::sxx
+                                  ? "at all other places of the surface the value is less"
+                                  : "at all other places the value is less");
     result.notes.push_back(std::to_string(found->boxes) + " boxes were examined");
     return result;
 }
@@ -266,8 +268,9 @@ GreatestValue greatest_value(const Scene& scene, Quantity quantity, Body body) {
         refuse(scene, "the greatest value is proved by closed forms only",
                "leave out the route in [ask]");
     }
-    return quantity == Quantity::sxx ? greatest_tension(scene, fields)
-                                     : greatest_inside(scene, fields, quantity, body);
+    return quantity == Quantity::sxx && (!scene.history || rises_outwards(*scene.history))
+               ? greatest_tension(scene, fields)
+               : greatest_inside(scene, fields, quantity, body);
 }
 
 } // namespace edgeproof::scene

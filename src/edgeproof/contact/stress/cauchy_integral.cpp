@@ -114,7 +114,10 @@ Box depth_over_root(const Extent<Ball>& e, const Box& zeta) {
             return ratio;
         }
     }
-    const auto least_root = [](const Box& x) { return sqrt(Ball(abs(x).lower(), x.bits())); };
+    const auto least_root = [](const Box& x) {
+        const Ball least(abs(x).lower(), x.bits()); // may be below 0 where x may be 0
+        return certainly_positive(least) ? sqrt(least) : Ball(0, x.bits());
+    };
     return box_of_size(sqrt(Ball(zeta.imaginary().upper(), zeta.bits())) /
                        max(least_root(right), least_root(left)));
 }

@@ -149,7 +149,7 @@ struct Cell {
 class Search {
 public:
     Search(const StressMeasure& F, std::size_t most_boxes)
-        : F_(F), bits_(F.field().bits()), most_boxes_(most_boxes) {
+        : F_(F), bits_(F.field().bits()), most_boxes_(most_boxes), surface_(F.on_surface_only()) {
         const Real size = max(F.field().contact().a(), F.field().contact().b()).upper();
         scale_ = mpfr_get_exp(raw(size));
     }
@@ -158,8 +158,9 @@ public:
         sample();
         find_edges();
         const double end = outer_end();
+        const double depth = surface_ ? 0 : end / 2;
         for (const double x : {-end / 2, end / 2}) {
-            add({x, end / 2, end / 2, end / 2});
+            add({x, depth, end / 2, depth});
         }
         while (!open_.empty() && open_.top().upper >= best_) {
             check_interruption();
@@ -211,7 +212,7 @@ private:
         constexpr int places = 24;
         constexpr int depths = 8;
         for (int i = -places; i <= places; ++i) {
-            for (int j = 0; j <= depths; ++j) {
+            for (int j = surface_ ? depths : 0; j <= depths; ++j) {
                 raise(F_.bound(
                     Box(number(1.5 * i / places), number(j == depths ? 0 : std::ldexp(2.0, -j)))));
             }
@@ -265,8 +266,9 @@ private:
         } else {
             // Both derivatives vanish at the place; on the surface F may increase towards it.
             const auto& [by_x, by_z] = over.first;
-            if (!contains_zero(by_x) || certainly_positive(by_z) ||
-                (!cell.on_surface() && certainly_negative(by_z))) {
+            if (!contains_zero(by_x) ||
+                (!surface_ &&
+                 (certainly_positive(by_z) || (!cell.on_surface() && certainly_negative(by_z))))) {
                 return;
             }
             const PlaneJet at = F_.jet(middle);
@@ -304,9 +306,7 @@ private:
     /// surface and is concave along it: then it is the only one there.
     bool decide(const Cell& cell) {
         const PlaneJet own = F_.jet(box(cell));
-        if (!own.is_finite() ||
-            !(own.concave() || (cell.on_surface() && certainly_negative(own.second[0]) &&
-                                certainly_negative(own.first[1])))) {
+        if (!own.is_finite() || !(own.concave() || is_greatest_on_surface(cell, own))) {
             return false;
         }
         for (const double factor : {8.0, 4.0, 2.0, 1.0}) {
@@ -321,6 +321,11 @@ private:
             }
         }
         return false;
+    }
+    /// True if F is less inside, where that counts, and concave along the surface.
+    [[nodiscard]] bool is_greatest_on_surface(const Cell& cell, const PlaneJet& over) const {
+        return cell.on_surface() && certainly_negative(over.second[0]) &&
+               (surface_ || certainly_negative(over.first[1]));
     }
     bool decide_in(const Cell& region) {
         const Box zeta = box(region);
@@ -337,10 +342,10 @@ private:
             }
             return at.has_value();
         };
-        if (region.on_surface() && certainly_negative(over.first[1])) {
-            return certainly_negative(over.second[0]) && found(Kind::surface, region.x, 0);
+        if (is_greatest_on_surface(region, over)) {
+            return found(Kind::surface, region.x, 0);
         }
-        if (!over.concave()) {
+        if (surface_ || !over.concave()) {
             return false;
         }
         const bool axis = F_.field().mirrored && std::abs(region.x) < region.half_x;
@@ -408,6 +413,7 @@ private:
     const StressMeasure& F_;
     long bits_;
     std::size_t most_boxes_;
+    bool surface_;   ///< only places with z = 0 count
     long scale_ = 0; ///< of the unit of cells: both edges lie within one unit of the origin
     Real best_ = -std::numeric_limits<Real>::infinity(); ///< F is at least that at some place
     std::size_t boxes_ = 0;

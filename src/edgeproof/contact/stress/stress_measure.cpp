@@ -106,7 +106,8 @@ StressMeasure::StressMeasure(StressField field, const StressNorm& norm)
 }
 
 Ball StressMeasure::stress(const Ball& F) const {
-    return (kind_ == Kind::tresca || kind_ == Kind::s1 ? F : sqrt(F)) / Ball::pi(field_.bits());
+    const bool square = kind_ == Kind::tau_max || kind_ == Kind::mises;
+    return (square ? sqrt(F) : F) / Ball::pi(field_.bits());
 }
 
 bool StressMeasure::shear_prevails(const Box& D, const Ball& S) const {
@@ -122,6 +123,8 @@ Ball StressMeasure::measure(const Box& D, const Ball& S) const {
         return abs(D) + max(abs(D), ratio_ * abs(S));
     case Kind::s1:
         return abs(D) + S;
+    case Kind::surface_sxx:
+        return D.real() + S;
     case Kind::tau_max:
     case Kind::mises:
         break;
@@ -187,6 +190,7 @@ bool StressMeasure::mirrored_on_surface(const Ball& x) const {
         return shear_prevails(here.D, here.S) && shear_prevails(there.D, there.S);
     }
     case Kind::s1:
+    case Kind::surface_sxx:
         break;
     }
     return false;
@@ -195,7 +199,7 @@ bool StressMeasure::mirrored_on_surface(const Ball& x) const {
 // A part with the force F at the distance d or more has |T| <= F/d, and |z dT/dzeta| <= F z/d^2,
 // z <= d.
 Ball StressMeasure::far(const Ball& distance) const {
-    Ball deviator = abs(bulk_);
+    Ball deviator = on_surface_only() ? bulk_ : abs(bulk_);
     Ball mean = kind_ == Kind::s1 ? bulk_ : deviator;
     for (std::size_t i = 0; i < weights_.size(); ++i) {
         const Ball size = forces_[i] / distance;
@@ -259,8 +263,8 @@ PlaneJet StressMeasure::jet(const Box& zeta) const {
     const Box D_zz = times_i(G[1]) * two - D_xx;
     const Ball S_x = G[0].imaginary(); // S is the real part of an analytic function
     const Ball S_z = G[0].real();      // whose derivative is -i G
-    if (kind_ == Kind::tresca || kind_ == Kind::s1) {
-        // Roots, and the sum of |D| and S, need narrow enclosures: from the middle of the box.
+    if (kind_ != Kind::tau_max && kind_ != Kind::mises) {
+        // Roots, and sums of D and S, need narrow enclosures: from the middle of the box.
         const Box middle = zeta.middle();
         const Sums at = sums(middle);
         const Ball x_off = zeta.real() - middle.real();
@@ -270,13 +274,20 @@ PlaneJet StressMeasure::jet(const Box& zeta) const {
         D = near.is_finite() ? near : D;
         S = S_near.is_finite() ? S_near : S;
     }
+    const Ball S_xx = G[1].imaginary();
+    const PlaneJet mean{S, {S_x, S_z}, {S_xx, G[1].real(), -S_xx}};
+    if (on_surface_only()) {
+        const Ball one(1, bits);
+        return sum(one,
+                   {D.real(), {D_x.real(), D_z.real()}, {D_xx.real(), D_xz.real(), D_zz.real()}},
+                   one, mean);
+    }
     const PlaneJet square_of_D{square_of_size(D),
                                {dot(D, D_x) * 2, dot(D, D_z) * 2},
                                {(square_of_size(D_x) + dot(D, D_xx)) * 2,
                                 (dot(D_x, D_z) + dot(D, D_xz)) * 2,
                                 (square_of_size(D_z) + dot(D, D_zz)) * 2}};
-    const Ball S_xx = G[1].imaginary();
-    return measure(D, square_of_D, {S, {S_x, S_z}, {S_xx, G[1].real(), -S_xx}});
+    return measure(D, square_of_D, mean);
 }
 
 Ball StressMeasure::at_edge(std::size_t part, Edge edge) const {
@@ -342,9 +353,7 @@ bool StressMeasure::greatest_at_right_edge(std::size_t part, const Ball& radius)
     }
     const Box minus_i(Ball(0, bits), Ball(-1, bits));
     const Ball rho = Ball::hull(Ball(0, bits), sqrt(radius));
-    const auto less_in = [&](const Ball& phi) {
-        const Ball c = cos(phi);
-        const Ball s = sin(phi);
+    const auto less_in = [&](const Ball& c, const Ball& s) { // cos(phi), sin(phi)
         const Box unit(c, s);
         const Box turn = unit * unit;
         const Box root = unit * rho;
@@ -357,6 +366,12 @@ bool StressMeasure::greatest_at_right_edge(std::size_t part, const Ball& radius)
         const Box b = (own_G * weights_[part] + others_G) * depth - turn * (slope * t + others_T);
         const Box a_S = unit * weights_[part] * minus_i * (-near->root);
         const Box b_S = turn * (slope * weights_[part] + others_G) * minus_i;
+        if (on_surface_only()) {
+            const Ball A = a.real() + a_S.real();
+            const Ball B = b.real() + b_S.real();
+            return (arb_is_nonpositive(A.data()) != 0 && certainly_negative(B)) ||
+                   certainly_negative(A + rho * B);
+        }
         const Box by_rho = a + b * rho;
         const Ball S_by_rho = a_S.real() + b_S.real() * rho;
         if (kind_ == Kind::tresca) { // the same of both stresses is greater at all of these places
@@ -375,6 +390,11 @@ bool StressMeasure::greatest_at_right_edge(std::size_t part, const Ball& radius)
         return (falls && certainly_negative(B)) ||
                certainly_negative(near->root * (X * c + Y * s) * 2 + rho * B);
     };
+    if (on_surface_only()) { // outside the part, and inside
+        const Ball zero(0, bits);
+        const Ball one(1, bits);
+        return less_in(one, zero) && less_in(zero, one);
+    }
     // Sectors, in parts of a right angle, are divided where they do not decide.
     constexpr double narrowest = 0x1p-14;
     std::vector<std::array<double, 2>> sectors{{0, 1}};
@@ -382,7 +402,8 @@ bool StressMeasure::greatest_at_right_edge(std::size_t part, const Ball& radius)
         const auto [from, width] = sectors.back();
         sectors.pop_back();
         const Ball turned = Ball::hull(Ball(Real(from), bits), Ball(Real(from + width), bits));
-        if (width <= 1.0 / 16 && less_in(Ball::pi(bits) / 2 * turned)) {
+        const Ball phi = Ball::pi(bits) / 2 * turned;
+        if (width <= 1.0 / 16 && less_in(cos(phi), sin(phi))) {
             continue;
         }
         if (width <= narrowest) {

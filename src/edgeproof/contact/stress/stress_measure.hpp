@@ -10,10 +10,10 @@
 namespace edgeproof::contact {
 
 /// The quantity whose greatest value is searched for: the greatest shear stress in the plane, the
-/// equivalent stresses of von Mises and Tresca in plane strain, or the greatest principal stress in
-/// the plane.
+/// equivalent stresses of von Mises and Tresca in plane strain, the greatest principal stress in
+/// the plane, or sxx on the surface.
 struct StressNorm {
-    enum class Kind { tau_max, mises, tresca, s1 };
+    enum class Kind { tau_max, mises, tresca, s1, surface_sxx };
     Kind kind = Kind::tau_max;
     /// Poisson's ratio <= 1/2, for mises and tresca.
     std::optional<Ball> poisson;
@@ -25,12 +25,15 @@ struct StressNorm {
 ///   mises    3 |D|^2 + (1 - 2 nu)^2 S^2 = pi^2 mises^2 (stress^2)
 ///   tresca   |D| + max(|D|, (1 - 2 nu) |S|) = pi tresca (stress)
 ///   s1       |D| + S = pi s1 (stress), where it is positive
+///   surface_sxx  Re D + S = pi sxx (stress), for z = 0 only
 /// (docs/stress.md, "The greatest values").
 class StressMeasure {
 public:
     StressMeasure(StressField field, const StressNorm& norm);
 
     [[nodiscard]] const StressField& field() const { return field_; }
+    /// True if F is compared on the surface only.
+    [[nodiscard]] bool on_surface_only() const { return kind_ == Kind::surface_sxx; }
     /// The stress of a value of F.
     [[nodiscard]] Ball stress(const Ball& F) const;
     /// F for every place of a box with z >= 0; not finite if the box is too wide.

@@ -75,7 +75,7 @@ TEST_CASE("the energy of a cycle in balls and by quadrature agree where slip pas
         {scenes::exact("1/2")}, {formula::parse("x/10", x), formula::parse("x - 9/20", x)});
     const Slipping s = slipping(profile, "1", "3/5", "9/10", "0", cycle_bits);
     REQUIRE(certainly_less(s.slip->stick().a, Ball(Rational(1, 2), cycle_bits)));
-    const Real in_balls = cycle_energy(*s.of->closed_form(), *s.slip).midpoint();
+    const Real in_balls = cycle_energy(*s.slip, growth_of(*s.of->closed_form())).midpoint();
     CHECK(within(energy_in_real(s, profile, "1", "3/5", "9/10"), in_balls, "1e-24"));
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("the energy of a cycle by quadrature where slip passes corners") {
         {scenes::exact("1/2")}, {formula::parse("x/10", x), formula::parse("x/10 + 1/5", x)});
     const Slipping s = slipping(profile, "1", "3/5", "99/100", "0", cycle_bits);
     REQUIRE(certainly_less(s.slip->stick().a, Ball(Rational(1, 2), cycle_bits)));
-    const Real in_balls = cycle_energy(*s.of->closed_form(), *s.slip).midpoint();
+    const Real in_balls = cycle_energy(*s.slip, growth_of(*s.of->closed_form())).midpoint();
     CHECK(within(energy_in_real(s, profile, "1", "3/5", "99/100"), in_balls, "1e-24"));
 }
 

@@ -126,7 +126,8 @@ void compare_with_points(const std::function<bool(const std::string&)>& wanted) 
             CAPTURE(load.bulk);
             const StressField field = sheared(c, load.friction, load.stick, load.bulk);
             using Kind = StressNorm::Kind;
-            for (const Kind kind : {Kind::tau_max, Kind::mises, Kind::tresca, Kind::s1}) {
+            for (const Kind kind :
+                 {Kind::tau_max, Kind::mises, Kind::tresca, Kind::s1, Kind::surface_sxx}) {
                 const Ball nu = greatest_ball("0.3");
                 const StressMeasure F(field, {.kind = kind, .poisson = nu});
                 ++tried;
@@ -151,6 +152,8 @@ void compare_with_points(const std::function<bool(const std::string&)>& wanted) 
                         return s.tresca(nu);
                     case Kind::s1:
                         return (s.sxx + s.szz) / 2 + s.tau_max();
+                    case Kind::surface_sxx:
+                        return s.sxx;
                     }
                     return s.tau_max();
                 };
@@ -161,8 +164,9 @@ void compare_with_points(const std::function<bool(const std::string&)>& wanted) 
                     const double near = i % 2 == 0 ? 1 : std::ldexp(1, -i / 2);
                     const Ball x = i % 2 == 0 ? Ball(0, greatest_bits)
                                               : Ball(place.x.midpoint(), greatest_bits);
-                    const Box zeta(x + dyadic_part(c, (4 * unit_number(random) - 2) * near),
-                                   dyadic_part(c, 2 * unit_number(random) * near));
+                    const Box zeta(
+                        x + dyadic_part(c, (4 * unit_number(random) - 2) * near),
+                        dyadic_part(c, F.on_surface_only() ? 0 : 2 * unit_number(random) * near));
                     CHECK_FALSE(certainly_less(most, stress(zeta)));
                 }
             }

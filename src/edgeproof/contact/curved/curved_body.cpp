@@ -195,6 +195,9 @@ Box CurvedBody::value(std::size_t ring, const Box& r, Integrand of) const {
     if (of == Integrand::slope) {
         return slope;
     }
+    if (of == Integrand::first_moment) {
+        return slope * r;
+    }
     if (of == Integrand::moment) {
         return slope * r * r;
     }

@@ -55,6 +55,10 @@ public:
     [[nodiscard]] Ball gap_beyond(const Ball& beyond) const override;
     [[nodiscard]] Ball loop_integral(const Ball& from, const Ball& tau) const override;
     [[nodiscard]] std::size_t cost() const override { return 100; }
+    /// The integral of f(L) ds/s over from < s < to, where L (force/length) is the force of the
+    /// plane contact of the same profile with the half width s: both have the same integrals of g'.
+    [[nodiscard]] Ball over_plane_widths(const Ball& from, const Ball& to,
+                                         const std::function<Box(const Box& L)>& f) const;
 
 private:
     /// A piece of g' begins at the radius v, with a jump of g'. The first one begins on the axis,
@@ -64,7 +68,7 @@ private:
         Ball jump;
         std::size_t knot;
     };
-    enum class Integrand { slope, moment, rate }; ///< g', r^2 g', (r g')'
+    enum class Integrand { slope, first_moment, moment, rate }; ///< g', r g', r^2 g', (r g')'
     /// A radius s, perhaps complex, that lies beyond the first rings.
     struct Radius {
         Box s;

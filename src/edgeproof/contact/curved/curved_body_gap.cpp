@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Integrals over the approach: the gap of a curved body of revolution and the energy of a cycle.
+// Integrals over the contacts of growing size: the gap of a curved body of revolution, and
+// energies.
 #include "edgeproof/contact/axisymmetric/abel_integral.hpp"
 #include "edgeproof/contact/curved/curved_body.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
@@ -90,6 +91,37 @@ Ball CurvedBody::loop_integral(const Ball& from, const Ball& tau) const {
         return Box(mean) - over_rings(at, Integrand::moment, bits_) * (modulus_ * 2);
     };
     return over_approach(from, {}, a_ - from, loop, P * tau * (approach() - approach_at(from)));
+}
+
+// Between two knots L is analytic in w = sqrt(s^2 - v^2), where v is the knot before
+// (docs/histories.md, "The energy"); ds/s = w dw/s^2.
+Ball CurvedBody::over_plane_widths(const Ball& from, const Ball& to,
+                                   const std::function<Box(const Box& L)>& f) const {
+    Ball sum(0, bits_);
+    for (std::size_t i = 0; i < rings_.size(); ++i) {
+        const Ball& v = rings_[i].v;
+        const bool last = i + 1 == rings_.size();
+        if (certainly_less(to, v) || (!last && certainly_less(rings_[i + 1].v, from))) {
+            continue;
+        }
+        const Ball begin = max(from, v);
+        const Ball end = last ? to : min(to, rings_[i + 1].v);
+        const Ball first = Field<Ball>::root(clamped(begin - v) * (begin + v));
+        const Ball final = Field<Ball>::root(clamped(end - v) * (end + v));
+        const Ball both = first + final; // it may be 0 where an edge is on the knot
+        const Ball width = certainly_positive(both) ? (end - begin) * (end + begin) / both : both;
+        const IntegralGoal goal{bits_, useful_accuracy(width.relative_accuracy_bits(), bits_),
+                                Ball(0, bits_), Ball(1, bits_)};
+        sum += width * integral_of(
+                           [&](const Box& t) {
+                               const Box w = t * width + first;
+                               const Radius at = radius(v, i, w);
+                               const Box L = over_rings(at, Integrand::first_moment, bits_);
+                               return f(L * modulus_) * w / (at.s * at.s);
+                           },
+                           goal);
+    }
+    return sum;
 }
 
 } // namespace edgeproof::contact

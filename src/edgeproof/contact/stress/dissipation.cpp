@@ -12,20 +12,8 @@ namespace {
 
 using Cut = SlipPhase::Cut;
 
-/// c0 + c1 x + c2 x^2 with x = L - at.
-struct Quadratic {
-    Ball at;
-    std::array<Ball, 3> c;
-
-    template <class L> [[nodiscard]] L operator()(const L& force) const {
-        const L x = force + (-at);
-        return (x * c[2] + c[1]) * x + c[0];
-    }
-};
-
-/// The integral over the time of a phase, 0 to 1, of P - L as long as L_s < L < P: a function of L
-/// that is quadratic between two cuts. Throws BudgetError if the bits do not distinguish the cuts.
-Quadratic weight_between(const SlipPhase& s, const Ball& from, const Ball& to) {
+/// The weight between two cuts. Throws BudgetError if the bits do not distinguish the cuts.
+PhaseWeight weight_between(const SlipPhase& s, const Ball& from, const Ball& to) {
     const Ball centre = (from + to) / 2;
     const auto beyond = [&](const Ball& force) { // centre > force
         if (!certainly_less(force, centre) && !certainly_less(centre, force)) {
@@ -58,28 +46,10 @@ Quadratic weight_between(const SlipPhase& s, const Ball& from, const Ball& to) {
             {mean, (upper - lower) / (half * 2), (upper - mean * 2 + lower) / (half * half * 2)}};
 }
 
-/// 2 f/(pi E*) times the sum of the integrals of the weights d ln D, which `integral` returns for a
-/// weight and two cuts.
-template <class Integral>
-Ball energy_of(const Ball& modulus, const Ball& friction, const std::vector<SlipPhase>& phases,
-               const Integral& integral) {
-    Ball sum(0, modulus.bits());
-    for (const SlipPhase& phase : phases) {
-        Ball part(0, modulus.bits());
-        for (std::size_t i = 0; i + 1 < phase.cuts.size(); ++i) {
-            const Cut& from = phase.cuts[i];
-            const Cut& to = phase.cuts[i + 1];
-            part += integral(weight_between(phase, from.force, to.force), from, to);
-        }
-        sum += phase.change * part;
-    }
-    return sum * friction * 2 / (Ball::pi(modulus.bits()) * modulus);
-}
-
 /// The integral of a weight d ln D between two cuts. W is the sum of a constant, a multiple of
 /// L - L_1 and one of (L_2 - L)(L - L_1), whose integrals are ln(D_2/D_1) and integrals of the gap
 /// (docs/partial-slip.md, "The energy of a cycle").
-Ball growth_integral(const BallContact& contact, const Quadratic& weight, const Cut& from,
+Ball growth_integral(const BallContact& contact, const PhaseWeight& weight, const Cut& from,
                      const Cut& to) {
     const BallContact inner = contact.between(from.zone.a, from.zone.b);
     const BallContact outer = contact.between(to.zone.a, to.zone.b);
@@ -93,37 +63,49 @@ Ball growth_integral(const BallContact& contact, const Quadratic& weight, const 
 
 } // namespace
 
-Ball dissipated_energy(const BallContact& contact, const Ball& friction,
-                       const std::vector<SlipPhase>& phases) {
-    return energy_of(contact.modulus(), friction, phases,
-                     [&](const Quadratic& weight, const Cut& from, const Cut& to) {
-                         return growth_integral(contact, weight, from, to);
-                     });
+GrowthIntegral growth_of(const BallContact& contact) {
+    return [&contact](const PhaseWeight& weight, const Cut& from, const Cut& to) {
+        return growth_integral(contact, weight, from, to);
+    };
 }
 
 // d ln D = dL/(power L)
-Ball similar_dissipated_energy(const Ball& modulus, const Ball& power, const Ball& friction,
-                               const std::vector<SlipPhase>& phases) {
-    return energy_of(
-        modulus, friction, phases, [&](const Quadratic& w, const Cut& from, const Cut& to) {
-            const Ball width = to.force - from.force;
-            const Ball constant = w(Ball(0, modulus.bits()));
-            return (constant * log1p(width / from.force) + (w.c[1] - w.c[2] * w.at * 2) * width +
-                    w.c[2] * width * (from.force + to.force) / 2) /
-                   power;
-        });
+GrowthIntegral similar_growth(const Ball& power) {
+    return [power](const PhaseWeight& w, const Cut& from, const Cut& to) {
+        const Ball width = to.force - from.force;
+        const Ball constant = w(Ball(0, power.bits()));
+        return (constant * log1p(width / from.force) + (w.c[1] - w.c[2] * w.at * 2) * width +
+                w.c[2] * width * (from.force + to.force) / 2) /
+               power;
+    };
+}
+
+Ball dissipated_energy(const Ball& modulus, const Ball& friction,
+                       const std::vector<SlipPhase>& phases, const GrowthIntegral& integral) {
+    Ball sum(0, modulus.bits());
+    for (const SlipPhase& phase : phases) {
+        Ball part(0, modulus.bits());
+        for (std::size_t i = 0; i + 1 < phase.cuts.size(); ++i) {
+            const Cut& from = phase.cuts[i];
+            const Cut& to = phase.cuts[i + 1];
+            part += integral(weight_between(phase, from.force, to.force), from, to);
+        }
+        sum += phase.change * part;
+    }
+    return sum * friction * 2 / (Ball::pi(modulus.bits()) * modulus);
 }
 
 // Both ways: Q changes by 2 |Q| = 2 f (P - L_s).
-Ball cycle_energy(const BallContact& contact, const BallSlip& slip) {
+Ball cycle_energy(const BallSlip& slip, const GrowthIntegral& integral) {
     const Ball inner = slip.force() * (1 - slip.load_ratio());
-    return dissipated_energy(contact, slip.friction(),
+    return dissipated_energy(slip.zones().modulus(), slip.friction(),
                              {{slip.force(),
                                inner,
                                slip.force(),
                                slip.force(),
                                slip.friction() * slip.force() * slip.load_ratio() * 4,
-                               {{inner, slip.stick()}, {slip.force(), slip.whole()}}}});
+                               {{inner, slip.stick()}, {slip.force(), slip.whole()}}}},
+                             integral);
 }
 
 // The integral of (P - L)(L - L_s) dL/L, divided by P^2: tau - tau^2/2 + (1 - tau) ln(1 - tau)

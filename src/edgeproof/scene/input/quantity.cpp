@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/input/quantity.hpp"
 
+#include "edgeproof/contact/curved/curved_body.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
@@ -175,7 +176,12 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
     }
     if ((needs == Needs::friction_alone || needs == Needs::history) && !scene.round &&
         scene.profile && !scene.profile->has_closed_form()) {
-        return lack("is not computed for curved slopes", "");
+        if (!scene.profile->symmetric()) {
+            return lack("is not computed for curved slopes that are not symmetric", "");
+        }
+        if (contact::CurvedBody::not_analytic_at(*scene.profile)) {
+            return lack("is not computed where g' is not analytic at the end of a piece", "");
+        }
     }
     return {};
 }

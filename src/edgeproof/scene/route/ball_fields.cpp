@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/curved/curved_body.hpp"
 #include "edgeproof/contact/curved/slope_monotonicity.hpp"
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/stress/surface_gap.hpp"
@@ -259,8 +260,24 @@ std::optional<Ball> BallLevel::power_of_growth() const {
 }
 
 // docs/histories.md, "The energy"
+contact::GrowthIntegral BallLevel::growth(const contact::ProvedContact& widest) const {
+    if (const auto power = power_of_growth()) {
+        return contact::similar_growth(*power);
+    }
+    if (const contact::BallContact* const form = widest.closed_form()) {
+        return growth_of(*form);
+    }
+    const auto body = std::make_shared<const contact::CurvedBody>(
+        *scene_.profile, scene_.contact_modulus, contact::Load::right_edge(formula::Exact::of(1)),
+        bits_);
+    return [body](const contact::PhaseWeight& weight, const contact::SlipPhase::Cut& from,
+                  const contact::SlipPhase::Cut& to) {
+        return body->over_plane_widths(from.zone.a, to.zone.a,
+                                       [&](const Box& L) { return weight(L); });
+    };
+}
+
 Ball BallLevel::energy_of(const std::vector<LoadHistory::Phase>& phases) const {
-    const auto power = power_of_growth();
     const Ball friction = ball_of(*scene_.shear->friction, bits_);
     std::optional<formula::Exact> most; // of the forces: P may have been greater
     for (const LoadHistory::Phase& phase : phases) {
@@ -270,11 +287,13 @@ Ball BallLevel::energy_of(const std::vector<LoadHistory::Phase>& phases) const {
     if (!most) {
         return {0, bits_};
     }
-    std::optional<contact::BallContact> widest;
+    // Of a power law or a wedge no zones are needed.
+    std::unique_ptr<contact::ProvedContact> widest;
     std::unique_ptr<contact::ZoneSolver> zones;
-    if (!power) {
-        widest.emplace(*scene_.profile, scene_.contact_modulus, contact::Load::force(*most), bits_);
-        zones = closed_form_zones(*widest);
+    if (!power_of_growth()) {
+        widest = contact::proved_contact(*scene_.profile, scene_.contact_modulus,
+                                         contact::Load::force(*most), bits_);
+        zones = zone_solver(*widest, *scene_.profile, scene_.contact_modulus, false);
     }
     std::vector<contact::SlipPhase> list;
     for (const LoadHistory::Phase& phase : phases) {
@@ -292,8 +311,8 @@ Ball BallLevel::energy_of(const std::vector<LoadHistory::Phase>& phases) const {
                               : contact::BallZone{a(), b()}});
         }
     }
-    return power ? similar_dissipated_energy(contact_->modulus(), *power, friction, list)
-                 : dissipated_energy(*widest, friction, list);
+    return dissipated_energy(contact_->modulus(), friction, list,
+                             growth(widest ? *widest : *contact_));
 }
 
 // docs/axisymmetric.md, "The energy of a cycle"

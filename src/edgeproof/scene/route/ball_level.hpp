@@ -25,12 +25,9 @@
 
 namespace edgeproof::scene {
 
-/// True if BallLevel::cycle_energy has a formula for the scene's profile.
+/// True if BallLevel::cycle_energy encloses the energy: the tilt of the profile is given.
 [[nodiscard]] inline bool encloses_cycle_energy(const Scene& scene) {
-    if (scene.round) {
-        return true;
-    }
-    return scene.profile && contact::BallContact::has_closed_form(*scene.profile);
+    return scene.round || scene.profile;
 }
 
 /// A scene's contact at one number of bits; the route in balls uses levels of more and more bits.
@@ -178,7 +175,7 @@ public:
             return scene_.round     ? round_cycle_energy(slip)
                    : scene_.history ? energy_of(*scene_.history->pass)
                    : power          ? similar_cycle_energy(slip, *power)
-                                    : contact::cycle_energy(*contact_->closed_form(), slip);
+                                    : contact::cycle_energy(slip, growth(*contact_));
         });
     }
     /// The energy of the last step of a load history, as cycle_energy().
@@ -252,6 +249,9 @@ private:
     /// The exponent in L ~ D^power of the contacts of a wedge or a power law under all forces L;
     /// nothing for other profiles.
     [[nodiscard]] std::optional<Ball> power_of_growth() const;
+    /// The integral over the contacts of the scene's profile up to `widest`, for energies. It
+    /// refers to `widest`.
+    [[nodiscard]] contact::GrowthIntegral growth(const contact::ProvedContact& widest) const;
     /// The energy of phases of a load history.
     [[nodiscard]] Ball energy_of(const std::vector<LoadHistory::Phase>& phases) const;
     /// Keeps the last value.

@@ -150,11 +150,19 @@ class Displacement(_Plain):
     x     the place, from the origin: a text; a Value if the place was given by its distance u
     gap   None inside the contact
     slip  None outside the contact, and for a scene without shear
+    ux, uz, slope  with a reference: the displacement of the surface of a body along x and into
+          the body, less that of the reference, and duz/dx
+    dissipation    with a reference: the energy that friction takes, per area, in a cycle from -Q to
+          Q and back; None outside the contact, and without friction
     """
 
     x: str | Value
     gap: Value | None
     slip: Value | None
+    ux: Value | None = None
+    uz: Value | None = None
+    slope: Value | None = None
+    dissipation: Value | None = None
 
 
 @dataclasses.dataclass(frozen=True)
@@ -411,6 +419,8 @@ def result_of(found: dict[str, Any]) -> Result:
             Stress(*in_bodies[i], *(at.value(name) for name in (
                 "sxx", "szz", "sxz", "mises", "tau_max", "syy", "s1", "s2", "s3", "tresca")))
             for i, at in at_places("body")),
-        displacements=Rows(Displacement(found["places"][i], at.value("gap"), at.value("slip"))
-                           for i, at in at_places("surface")),
+        displacements=Rows(
+            Displacement(found["places"][i], *(at.value(name) for name in (
+                "gap", "slip", "ux", "uz", "slope", "dissipation")))
+            for i, at in at_places("surface")),
     )

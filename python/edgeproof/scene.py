@@ -449,20 +449,24 @@ class Scene:
         return found if many else found[0]
 
     def displacement(self, x: Any = None, digits: int | None = None, *, u: Any = None,
-                     edge: str = "right") -> Any:
+                     edge: str = "right", reference: Any = None, body: str = "A") -> Any:
         """The gap between the surfaces at x outside the contact, or the slip inside.
 
         x is a length from the origin, or a formula in a and b ("a + 1/10"); in place of it, u is a
         distance inwards from an edge. The result is a Displacement; several places give Rows of
         them. Of an axisymmetric contact the slip is the mean over a circle (docs/axisymmetric.md).
-        Raises InputError for curved slopes.
+        With a reference, a place x whose displacement is 0, the rows have the displacements of the
+        surface of a body, "A" (on which Q acts) or "B", too. Raises InputError for curved slopes.
         """
         name, places = _given_places(u, x)
         texts, x_of = self._coordinates(u, edge) if name == "u" else (_texts(x, "x"), None)
         if not texts:
             return Rows()
-        found = self._run(digits, edges=["right"], quantities=["displacement"],
-                          x=texts).displacements
+        asked: dict[str, Any] = {"quantities": ["displacement"]}
+        if reference is not None:
+            asked = {"quantities": ["displacement", "surface"], "body": body,
+                     "reference": _texts(reference, "reference")[0]}
+        found = self._run(digits, edges=["right"], x=texts, **asked).displacements
         if x_of is not None:
             found = Rows(dataclasses.replace(row, x=x_of(i)) for i, row in enumerate(found))
         return found if _is_many(places) else found[0]

@@ -350,3 +350,19 @@ def test_repr_shows_the_scene(hertz, slipping, source):
     for file in sorted((source / "examples/scenes").glob("*.toml")):
         text = repr(edgeproof.read_scene(file))
         assert "\n" not in text and ("contact_modulus=" in text or "E1=" in text)
+
+
+def test_displacements_of_a_surface():
+    """With a reference both bodies approach by the gap less the profile, x^2/2 for Hertz."""
+    scene = edgeproof.Scene(edgeproof.hertz(R=1), a=1, contact_modulus=1, nu="0.3")
+    with mpmath.workdps(40):
+        for x in ("1/2", "2"):
+            rows = [scene.displacement(x=x, reference="0", body=body, digits=25) for body in "AB"]
+            gap = rows[0].gap.mpmath() if rows[0].gap is not None else 0
+            total = rows[0].uz.mpmath() + rows[1].uz.mpmath()
+            assert mpmath.almosteq(total, gap - exact(x) ** 2 / 2, 1e-22)
+            assert rows[0].ux.text == rows[1].ux.text and rows[0].dissipation is None
+    assert scene.displacement(x="1/2").uz is None
+    with pytest.raises(edgeproof.InputError, match="Poisson"):
+        edgeproof.Scene(edgeproof.hertz(R=1), a=1, contact_modulus=1).displacement(
+            x="1/2", reference="0")

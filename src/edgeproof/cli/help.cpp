@@ -38,7 +38,7 @@ constexpr CommandHelp helps[] = {
      {"--point", "--body", "--digits", "--format", "--out"}},
     {"displacement",
      "edgeproof displacement stress --x 0 2",
-     {"--x", "--digits", "--format", "--out", "--exact"}},
+     {"--x", "--reference", "--body", "--digits", "--format"}},
     {"plot",
      "edgeproof plot fretting-pad --tolerance 1%",
      {"--out", "--tolerance", "--terms", "--edge", "--u"}},

@@ -131,6 +131,10 @@ scene::Scene NativeScene::asking(const AskedByName& asked) const {
         ask.in_bodies =
             points_of(*x, *answer<Texts>(asked, "points_z"), *answer<std::string>(asked, "body"));
     }
+    if (const auto* text = answer<std::string>(asked, "reference")) {
+        ask.reference = place_at(*text, names_of(scene)).distance(contact::Edge::right);
+        ask.surface_of = body_named(*answer<std::string>(asked, "body"));
+    }
     if (const auto* terms = answer<std::vector<long>>(asked, "terms")) {
         ask.terms.clear();
         std::ranges::transform(*terms, std::back_inserter(ask.terms), number_of_terms);

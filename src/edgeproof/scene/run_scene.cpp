@@ -93,7 +93,9 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
     }
     for (std::size_t i = 0; plan.displacement && i < scene.ask.u.size(); ++i) {
         of_bodies(QuantityRow::Place::surface, i,
-                  {.place = scene.ask.u[i].distance(contact::Edge::right)});
+                  {.place = scene.ask.u[i].distance(contact::Edge::right),
+                   .in_body = scene::BodyPoint{{}, {}, scene.ask.surface_of},
+                   .reference = scene.ask.reference});
     }
     for (const contact::Edge edge : plan.edges) {
         for (std::size_t k = 0; scene.ask.wants(QuantityGroup::coefficients) && k < plan.terms;

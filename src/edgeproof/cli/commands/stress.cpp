@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/error_place.hpp"
+#include "edgeproof/scene/input/readers.hpp"
 
 namespace edgeproof::cli {
 namespace {
@@ -12,6 +13,11 @@ struct StressOptions : SceneOptions {
     std::string body = "A";
     std::vector<std::string> points; ///< "X,Z"
     std::string greatest;            ///< the quantity whose greatest value is asked for
+};
+
+struct DisplacementOptions : SceneOptions {
+    std::string reference; ///< empty: the scene's
+    std::string body = "A";
 };
 
 /// Refuses the options for points and edges of the contact, except places x if `by_x`.
@@ -151,7 +157,7 @@ std::optional<scene::BoundedValue> value_of(const RowsAt& at, Quantity quantity)
     return row != nullptr ? row->value : std::nullopt;
 }
 
-int displacement(const SceneOptions& o) {
+int displacement(const DisplacementOptions& o) {
     refuse_others(o, "displacements are asked for at places (--x X)", true);
     scene::Scene scene = asked_scene(o);
     for (const scene::AskedPoint& point : scene.ask.u) {
@@ -169,6 +175,15 @@ int displacement(const SceneOptions& o) {
     }
     scene.ask.edges = {contact::Edge::right};
     ask_for(scene, o, scene::QuantityGroup::displacement, {scene::QuantityGroup::contact});
+    if (!o.reference.empty()) {
+        scene.ask.reference =
+            scene::Place::parse(o.reference, scene::Place::From::origin, names_of(scene))
+                .distance(contact::Edge::right);
+    }
+    scene.ask.surface_of = body_of(o.body);
+    if (scene.ask.reference) {
+        scene.ask.quantities.insert(scene::QuantityGroup::surface);
+    }
     const scene::SceneResult result = done(scene);
     report::Table table = values_table(scene, result);
     table.notes = {
@@ -197,6 +212,19 @@ int displacement(const SceneOptions& o) {
         .add_value("slip", "",
                    [](const RowsAt& at) { return value_of(at, Quantity::slip_displacement); })
         .unit = unit_of(scene, Quantity::slip_displacement);
+    if (scene.ask.reference) {
+        table.notes.push_back("ux, uz: the displacement of the surface of body " + o.body +
+                              " along x and into the body, less that of the reference; slope: "
+                              "duz/dx; dissipation: the energy that friction takes, per area, in "
+                              "a cycle from -Q to Q and back, P held");
+        for (const Quantity q :
+             {Quantity::ux, Quantity::uz, Quantity::slope, Quantity::dissipation}) {
+            columns
+                .add_value(std::string(row_of(q).name), "",
+                           [q](const RowsAt& at) { return value_of(at, q); })
+                .unit = unit_of(scene, q);
+        }
+    }
     columns.add("route", Kind::text, [](const RowsAt& at) { return at.begin()->value->how(); })
         .role = report::Column::Role::route;
     columns.write(table, result.at_places(scene::QuantityRow::Place::surface));
@@ -247,10 +275,16 @@ void add_stress(CLI::App& app, int& code) {
 }
 
 void add_displacement(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<SceneOptions>(
+    auto [sub, o] = add_command<DisplacementOptions>(
         app, code, "displacement",
         "the gap outside the contact and the slip inside, each with a bound", displacement);
     add_scene_options(sub, o);
+    sub.add_option("--reference", o.reference,
+                   "the place x whose displacement is 0: adds ux, uz, slope and dissipation of the "
+                   "surface of a body (default: the scene's)");
+    sub.add_option("--body", o.body, "the body of that surface: Q acts on A")
+        ->capture_default_str()
+        ->type_name("A|B");
     sub.footer("See docs/stress.md.");
 }
 

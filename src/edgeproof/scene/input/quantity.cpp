@@ -122,7 +122,9 @@ bool of_curved_body(QuantityGroup group) {
 
 std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
     using Needs = QuantityRow::Needs;
-    const std::string symbol = symbol_of(asked);
+    const bool unnamed = symbol_of(asked).empty(); // in recipes
+    const std::string symbol =
+        unnamed ? std::string(row_of(asked.quantity).name) : symbol_of(asked);
     const auto lack = [&](const char* problem, const std::string& instead) {
         return Lack{symbol + " is requested, but " + problem,
                     instead + (instead.empty() ? "" : ", or ") + "leave " + symbol + " out"};
@@ -136,7 +138,11 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
         none.instead += " of the quantities";
         return none;
     }
-    if (needs == Needs::plane && scene.round) {
+    if (needs == Needs::reference && !asked.reference) {
+        return lack("there is no place without displacement", "give a reference");
+    }
+    if ((needs == Needs::plane || needs == Needs::reference || needs == Needs::cycle) &&
+        scene.round) {
         return lack("the contact is axisymmetric", "");
     }
     if (scene.curved_body() && !of_curved_body(row_of(asked.quantity).group)) {
@@ -145,7 +151,8 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
     if (needs == Needs::round && !scene.round) {
         return lack("the contact is plane, where the approach is undetermined", "");
     }
-    if (needs == Needs::poisson && !scene.poisson(asked.in_body ? asked.in_body->body : Body::A)) {
+    if ((needs == Needs::poisson || needs == Needs::reference) &&
+        !scene.poisson(asked.in_body ? asked.in_body->body : Body::A)) {
         return lack("there is no Poisson's ratio", "add nu to [load]");
     }
     if (!row_of(asked.quantity).of_friction()) {
@@ -154,10 +161,11 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
     if (!scene.slips()) {
         return lack("there is no friction", "add friction");
     }
-    if (needs == Needs::friction_alone && scene.shear->bulk_tension.sign() != 0) {
+    if ((needs == Needs::friction_alone || needs == Needs::cycle) &&
+        scene.shear->bulk_tension.sign() != 0) {
         return lack("there is a bulk tension", "leave bulk_tension out");
     }
-    if (row_of(asked.quantity).searched && scene.history) {
+    if ((row_of(asked.quantity).searched || needs == Needs::cycle) && scene.history) {
         return lack("is not computed for load histories", "");
     }
     if (needs == Needs::history && !scene.history) {
@@ -197,6 +205,13 @@ std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
     if (scene.curved_body() && !of_curved_body(group.group)) {
         return Lack{std::string(group.name) + " is not computed for curved slopes of revolution",
                     "give a power law or a piecewise linear g'"};
+    }
+    if (group.group == QuantityGroup::surface) {
+        AskedValue displacement{.quantity = Quantity::ux, .reference = scene.ask.reference};
+        displacement.in_body = BodyPoint{{}, {}, scene.ask.surface_of};
+        if (auto lack = lack_of(scene, displacement)) {
+            return lack;
+        }
     }
     if (scene.curved_body() && group.group == QuantityGroup::slip && scene.ask.tolerance) {
         return Lack{

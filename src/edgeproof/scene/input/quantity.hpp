@@ -77,6 +77,10 @@ enum class Quantity {
     slip_displacement, ///< u_A - u_B along the surface, inside the contact
     delta,             ///< approach of the bodies of an axisymmetric contact
     stiffness,         ///< dP/d delta
+    ux,                ///< displacement of the surface of a body along x, relative to a reference
+    uz,                ///< the same into the body
+    slope,             ///< du_z/dx
+    dissipation,       ///< energy dissipated in a cycle, per area of the surface
 };
 
 /// Quantities that are planned and computed together; `quantities` of a scene file names them.
@@ -90,6 +94,7 @@ enum class QuantityGroup {
     peak,         ///< the greatest pressure
     stress,       ///< stresses at points of the bodies
     displacement, ///< the gap outside the contact, and the slip inside
+    surface,      ///< displacements and slope of the surface of a body, and dissipation
 };
 
 /// A is the body on which Q and q act; B is the other one.
@@ -110,7 +115,8 @@ struct AskedValue {
     std::optional<formula::Exact> tolerance = {}; ///< if the row has `tolerance`
     std::optional<Distance> place = {}; ///< used instead of u, if the distance depends on the edges
     std::size_t j = 0;                  ///< the index of a crossing
-    std::optional<BodyPoint> in_body = {}; ///< for Place::body
+    std::optional<BodyPoint> in_body = {};  ///< for Place::body; of Place::surface the body
+    std::optional<Distance> reference = {}; ///< for Place::surface, the place without displacement
 
     [[nodiscard]] Distance distance() const { return place ? *place : Distance(*u); }
 };
@@ -126,6 +132,8 @@ struct QuantityRow {
         shear,
         friction,
         friction_alone,
+        cycle,
+        reference,
         history,
         unknown_tilt,
         poisson,
@@ -179,7 +187,7 @@ struct QuantityRow {
     }
     [[nodiscard]] bool of_friction() const {
         return needs == Needs::friction || needs == Needs::friction_alone ||
-               needs == Needs::history;
+               needs == Needs::cycle || needs == Needs::history;
     }
     /// True if the quantity needs [shear] of the scene; plans of other quantities leave it out.
     [[nodiscard]] bool of_shear() const { return needs == Needs::shear || of_friction(); }

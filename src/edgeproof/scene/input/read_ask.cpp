@@ -254,7 +254,7 @@ void require_positive(const io::TomlSection& section, std::string_view key,
 
 void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene& scene) {
     ask.allow({"edges", "terms", "u", "x", "points", "quantities", "tolerance", "process_zone",
-               "part", "route", "digits"});
+               "reference", "part", "route", "digits"});
     Ask& result = scene.ask;
     scene.ask_line = ask.line();
     if (ask.has("edges")) {
@@ -282,6 +282,12 @@ void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene&
     if (ask.has("tolerance")) {
         result.tolerance =
             at_key(ask, "tolerance", [&] { return parse_tolerance(ask.written("tolerance")); });
+    }
+    if (ask.has("reference")) {
+        const Place::Names names = names_of(profile, scene);
+        result.reference = PlaceReader(ask, "reference", Place::From::origin, names)
+                               .point(ask.numbers_written("reference").at(0))
+                               .distance(contact::Edge::right);
     }
     if (ask.has("process_zone")) {
         const formula::Exact zone = ask.exact("process_zone");

@@ -63,6 +63,9 @@ struct Ask {
     std::vector<AskedPoint> u;      ///< in the order of the request; those of x come last
     std::vector<BodyPoint>
         in_bodies; ///< points of the bodies, of body A until a command asks for B
+    /// The place of the surface whose displacement is 0, and the body of the surface.
+    std::optional<Distance> reference;
+    Body surface_of = Body::A;
     std::set<QuantityGroup> quantities;
     std::optional<formula::Exact> tolerance;
     std::optional<formula::Exact> process_zone; ///< a length from the edge

@@ -11,6 +11,7 @@
 #include "edgeproof/contact/stress/dissipation.hpp"
 #include "edgeproof/contact/stress/plane_stress.hpp"
 #include "edgeproof/contact/stress/stress_field.hpp"
+#include "edgeproof/contact/stress/surface_potential.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/scene/route/plan.hpp"
@@ -233,6 +234,12 @@ public:
     [[nodiscard]] contact::AxisymmetricStress axisymmetric_stress(Body body) const;
     /// Throws DomainError inside the contact.
     [[nodiscard]] Ball gap(const AskedValue& at);
+    // Values at a place of the surface of a body (ball_surface.cpp).
+    [[nodiscard]] Ball ux(const AskedValue& at);
+    [[nodiscard]] Ball uz(const AskedValue& at);
+    [[nodiscard]] Ball surface_slope(const AskedValue& at);
+    /// Throws DomainError outside the contact.
+    [[nodiscard]] Ball dissipation(const AskedValue& at);
     /// u_A - u_B since the place came into contact. Throws DomainError outside the contact.
     [[nodiscard]] Ball slip_displacement(const AskedValue& at);
     /// The sum of n terms of p, or of q.
@@ -257,6 +264,15 @@ private:
     /// Keeps the last value.
     [[nodiscard]] const contact::StressState& stress(const AskedValue& at);
     [[nodiscard]] Ball bulk_stress(Body body) const;
+    /// The potentials of p and of q on a body at a place, less those at the reference.
+    struct Potentials {
+        contact::SurfacePotential p;
+        contact::SurfacePotential q;
+        Ball distance; ///< of the place from the reference (length)
+    };
+    [[nodiscard]] Potentials potentials(const AskedValue& at);
+    [[nodiscard]] contact::SurfacePotential shear_potential(const contact::SurfacePotential& p,
+                                                            const Ball& x);
     [[nodiscard]] Ball poisson(const AskedValue& at) const {
         return ball_of(*scene_.poisson(at.in_body->body), bits_);
     }

@@ -80,7 +80,8 @@ public:
         plan_.slip = ask_.wants(QuantityGroup::slip);
         plan_.peak = ask_.wants(QuantityGroup::peak);
         plan_.stress = ask_.wants(QuantityGroup::stress);
-        plan_.displacement = ask_.wants(QuantityGroup::displacement);
+        plan_.displacement =
+            ask_.wants(QuantityGroup::displacement) || ask_.wants(QuantityGroup::surface);
         plan_.partial_slip =
             scene_.slips() && (plan_.shear || plan_.slip || plan_.stress || plan_.displacement);
         const bool similar = scene_.together();

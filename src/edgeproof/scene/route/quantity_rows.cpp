@@ -227,6 +227,13 @@ template <auto ball> constexpr Made on_surface(Quantity quantity, std::string_vi
             return s.round ? "rigorous integration" : "closed-form";
         });
 }
+template <auto ball>
+constexpr Made of_surface(Quantity quantity, std::string_view name, Unit unit) {
+    return value<Def::Place::surface, ball, nullptr, nullptr>(quantity, "", name, Group::surface,
+                                                              unit)
+        .labelled(name)
+        .by("closed-form");
+}
 
 /// The rows are in the order of Quantity.
 constexpr auto quantity_table = std::to_array<Def>({
@@ -376,6 +383,12 @@ constexpr auto quantity_table = std::to_array<Def>({
         .needing(Needs::round)
         .explained("contact stiffness dP/d delta")
         .by("closed-form"),
+    of_surface<&BallLevel::ux>(Quantity::ux, "ux", units::length).needing(Needs::reference),
+    of_surface<&BallLevel::uz>(Quantity::uz, "uz", units::length).needing(Needs::reference),
+    of_surface<&BallLevel::surface_slope>(Quantity::slope, "slope", units::number)
+        .needing(Needs::reference),
+    of_surface<&BallLevel::dissipation>(Quantity::dissipation, "dissipation", units::force)
+        .needing(Needs::cycle),
 });
 
 /// The rows are in the order of QuantityGroup.
@@ -398,6 +411,7 @@ constexpr std::array group_table{
     GroupRow{.group = QuantityGroup::peak, .name = "peak"},
     GroupRow{.group = QuantityGroup::stress, .name = "stress", .closed_form = true},
     GroupRow{.group = QuantityGroup::displacement, .name = "displacement", .closed_form = true},
+    GroupRow{.group = QuantityGroup::surface, .name = "surface", .closed_form = true},
 };
 
 template <class Table> consteval bool is_in_order(const Table& table, auto key) {

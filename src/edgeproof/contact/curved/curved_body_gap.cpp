@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Integrals over the contacts of growing size: the gap of a curved body of revolution, and
 // energies.
-#include "edgeproof/contact/axisymmetric/abel_integral.hpp"
 #include "edgeproof/contact/curved/curved_body.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 
 namespace edgeproof::contact {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/stress/gap_integral.hpp"
 
-#include "edgeproof/contact/axisymmetric/abel_integral.hpp"
 #include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 #include "edgeproof/contact/law/logarithmic_pressure.hpp"
 #include "edgeproof/contact/stress/linear_gap.hpp"
 

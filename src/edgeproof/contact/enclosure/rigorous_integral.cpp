@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/enclosure/rigorous_integral.hpp"
+
+#include "edgeproof/precision/interruption.hpp"
+
+#include <algorithm>
+
+namespace edgeproof::contact {
+namespace {
+
+/// The most evaluations of an integrand: a bend at the distance 1e-300 takes fewer than 300 a bit.
+/// Beyond it the result is wide, and the caller takes more bits, or smaller balls.
+constexpr slong evaluations_a_bit = 400;
+constexpr slong evaluations_if_wide = 800;
+
+bool meets_cut_of_root(const Box& c) { return !certainly_positive(c.real()) && c.may_be_real(); }
+bool may_meet_cut_of_arctangent(const Box& c) {
+    return !certainly_positive(c.real()) && !certainly_less(abs(c), Ball(1, c.bits()));
+}
+
+/// No exception may pass through Arb: after an interruption all remaining values are zero.
+struct Evaluation {
+    const std::function<Box(const Box&)>& f;
+    bool interrupted = false;
+};
+
+int evaluate(acb_ptr out, const acb_t t, void* parameter, slong /*order*/, slong bits) {
+    auto& evaluation = *static_cast<Evaluation*>(parameter);
+    evaluation.interrupted = evaluation.interrupted || interruption_requested() != 0;
+    if (evaluation.interrupted) {
+        acb_zero(out);
+    } else {
+        acb_set(out, evaluation.f(Box(t, static_cast<long>(bits))).get());
+    }
+    return 0;
+}
+
+} // namespace
+
+Box unknown_box(long bits) {
+    Box c(bits);
+    acb_indeterminate(c.get());
+    return c;
+}
+
+long useful_accuracy(long known, long bits) {
+    constexpr long spare_bits = 24;
+    return std::min(bits, std::clamp(known, 0L, bits) + spare_bits);
+}
+
+Box principal_root(const Box& x) { return meets_cut_of_root(x) ? unknown_box(x.bits()) : sqrt(x); }
+
+Box principal_arctangent(const Box& x) {
+    Box r(x.bits());
+    if (may_meet_cut_of_arctangent(x)) {
+        return unknown_box(x.bits());
+    }
+    acb_atan(r.get(), x.get(), x.bits());
+    return r;
+}
+
+Box inner_integral_of(const std::function<Box(const Box& t)>& f, const IntegralGoal& goal) {
+    AcbValue from;
+    AcbValue to;
+    acb_one(to);
+    // Where the parameters are wide balls, the integrand may be unbounded everywhere.
+    const Box in_the_middle = f(Box(Ball(Rational(1, 2), goal.bits)));
+    if (!in_the_middle.is_finite()) {
+        return unknown_box(goal.bits);
+    }
+    // An integrand that is 0 (on a flat) would be evaluated until the limit: no tolerance is met.
+    if (acb_is_zero(in_the_middle.get()) != 0 &&
+        acb_is_zero(f(Box(Ball::hull(Ball(0, goal.bits), Ball(1, goal.bits)))).get()) != 0) {
+        return Box(goal.bits);
+    }
+    MagValue tolerance;
+    arb_get_mag(tolerance,
+                contains_zero(goal.scale) ? abs(in_the_middle).data() : goal.scale.data());
+    mag_mul_2exp_si(tolerance, tolerance, -goal.accuracy - 64);
+    acb_calc_integrate_opt_t options;
+    acb_calc_integrate_opt_init(options);
+    options->eval_limit = goal.accuracy < narrow_integral_bits ? evaluations_if_wide
+                                                               : evaluations_a_bit * goal.accuracy;
+    Evaluation evaluation{f};
+    Box sum(goal.bits);
+    acb_calc_integrate(sum.get(), evaluate, &evaluation, from, to, goal.accuracy, tolerance,
+                       options, goal.bits);
+    return evaluation.interrupted ? unknown_box(goal.bits) : sum;
+}
+
+Ball integral_of(const std::function<Box(const Box& t)>& f, const IntegralGoal& goal) {
+    const Ball result = inner_integral_of(f, goal).real();
+    check_interruption();
+    return result;
+}
+
+} // namespace edgeproof::contact

@@ -64,18 +64,28 @@ TEST_CASE("the force at the end of a step") {
     CHECK(has(named(all, "pressure.right").theorems.at(0).states, "p = 0.4"));
 }
 
-TEST_CASE("stresses that a scene asks for are listed as not stated") {
-    scene::Scene scene =
-        scene::parse_scene("[profile]\nkind = \"hertz\"\nR = \"1\"\n[load]\na = "
-                           "\"1\"\ncontact_modulus = \"1\"\n[ask]\n"
-                           "digits = 10\npoints = [[\"0\", \"1/2\"]]\nquantities = [\"stress\"]\n",
-                           "scene.toml");
-    scene::Scene stated = scene;
-    stated.ask.quantities = {scene::QuantityGroup::contact};
-    const auto all = certificate::certify_scene(scene, run_scene(stated));
-    CHECK(named(all, "stress").theorems.empty());
-    CHECK(has(named(all, "stress").leaves_out, "no theory is about this quantity"));
-    CHECK(named(all, "load").theorems.size() == 1);
+TEST_CASE("stresses under a parabola as theorems") {
+    const auto certify_stresses = [](const std::string& profile, const std::string& z) {
+        const scene::Scene scene = scene::parse_scene(
+            "[profile]\n" + profile + "[load]\na = 1\ncontact_modulus = 1\n[ask]\ndigits = 30\n" +
+                "points = [[\"0\", \"" + z + "\"]]\nquantities = [\"contact\", \"stress\"]\n",
+            "scene.toml");
+        return certificate::certify_scene(scene, run_scene(scene));
+    };
+    const std::string hertz = "kind = \"hertz\"\nR = 2\n";
+    // Johnson, eqs. 4.45: under the middle szz = -p_0 a/sqrt(a^2 + z^2), here -1/(4 sqrt(2)).
+    const auto stated = certify_stresses(hertz, "1");
+    const auto& stress = named(stated, "stress");
+    REQUIRE(stress.theorems.size() == 1);
+    CHECK(has(stress.text, "are_the_pressures Es (Symmetric.slope punch) a a p"));
+    CHECK(has(stress.text, "are_the_stresses p a a 0 1 sxx szz sxz"));
+    CHECK(has(stress.theorems[0].states, "szz = -0.1767766953,"));
+    CHECK(has(stress.text, "Rabs (szz - (- (1767766953 / 10 ^ 10))) <= 5 / 10 ^ 11"));
+    // Without a theorem the reason is listed.
+    CHECK(has(named(certify_stresses(hertz, "0"), "stress").leaves_out, "z > 0"));
+    const auto rounded = certify_stresses("kind = \"flat-and-rounded\"\nt = \"1/2\"\nR = 1\n", "1");
+    CHECK(named(rounded, "stress").theorems.empty());
+    CHECK(has(named(rounded, "stress").leaves_out, "under a parabola"));
 }
 
 TEST_CASE("what cannot be stated about a scene has no theorem, but a reason") {

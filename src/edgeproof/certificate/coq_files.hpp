@@ -48,6 +48,9 @@ extern const std::string_view LoadOfPressure_v; ///< both for power laws, rounde
 extern const std::string_view Forward_v;        ///< the equation of the contact problem, parabola
 extern const std::string_view RoundedSides_v;   ///< the first terms of rounded edges lie above
 
+/// The stresses under a parabola. It is no file of its own: certificates of stresses contain it.
+extern const std::string_view Stress_v;
+
 } // namespace coq_files
 
 struct TheoryFile {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/certificate/scene_certificate.hpp"
 
+#include "edgeproof/certificate/coq_files.hpp"
 #include "edgeproof/certificate/parts.hpp"
 #include "edgeproof/certificate/stated_contact.hpp"
 #include "edgeproof/certificate/theory/statement.hpp"
@@ -97,7 +98,10 @@ public:
             add("shear", [](Certificate&) { throw NotStated("shear is not stated"); });
         }
         using Group = scene::QuantityGroup;
-        for (const Group group : {Group::peak, Group::stress, Group::displacement}) {
+        if (scene_.ask.wants(Group::stress)) {
+            add("stress", [&](Certificate& c) { stresses(c); });
+        }
+        for (const Group group : {Group::peak, Group::displacement, Group::surface}) {
             if (scene_.ask.wants(group)) {
                 add(scene::group_name(group),
                     [](Certificate&) { throw NotStated("no theory is about this quantity"); });
@@ -225,6 +229,54 @@ private:
         c.theorems.push_back(
             {name, fmt::format("p = {} at u = {} from the {} edge, rounded", value.text,
                                scene_.ask.u[row.point].text(), edge_name(row.asked.edge))});
+    }
+
+    /// States sxx, szz and sxz under a parabola, to 10 digits at most: the integrals take a minute
+    /// for each point.
+    void stresses(Certificate& c) {
+        constexpr unsigned most_digits = 10;
+        const auto& parameters =
+            scene_.profile ? scene_.profile->parameters() : std::map<std::string, formula::Exact>();
+        const auto m = parameters.find("m");
+        if (scene_.round || scene_.shear || m == parameters.end() || !m->second.is_rational() ||
+            m->second.rational() != 1) {
+            throw NotStated("stresses are stated under a parabola in the plane, without shear");
+        }
+        scene::Digits digits = scene_.ask.digits;
+        digits.count = std::min(digits.count, most_digits);
+        c.text = contact().head(comment()) + "\n" + std::string(coq_files::Stress_v);
+        for (const scene::RowsAt& at : result_.at_places(scene::QuantityRow::Place::body)) {
+            const scene::BodyPoint& point = scene_.ask.in_bodies[at.point()];
+            if (point.z.sign() <= 0) {
+                throw NotStated("stresses are stated inside a body, for z > 0");
+            }
+            const std::string place = in_coq(point.x) + " " + in_coq(point.z);
+            std::string conclusions;
+            std::string states;
+            for (const Quantity q : {Quantity::sxx, Quantity::szz, Quantity::sxz}) {
+                const std::string symbol(row_of(q).name);
+                const Rounded value = rounded(symbol, at.at(q), digits);
+                conclusions += " /\\\n  " + value.conclusion;
+                states += (states.empty() ? "" : ", ") + symbol + " = " + value.text;
+            }
+            const std::string name = fmt::format("stress_{}", c.theorems.size() + 1);
+            c.text += theorem_text(
+                name,
+                "exists p sxx szz sxz,\n"
+                "  are_the_pressures Es (Symmetric.slope punch) a a p /\\\n"
+                "  are_the_stresses p a a " +
+                    place + " sxx szz sxz" + conclusions,
+                "  destruct (stresses_of_parabola Es " + in_coq(parameters.at("C")) + " a " +
+                    place +
+                    ") as (p & Hp & Hs); try (constants; interval).\n"
+                    "  exists p. eexists. eexists. eexists. split; [exact Hp | split; [exact Hs "
+                    "|]].\n"
+                    "  constants. repeat split; integral with (i_prec 60, i_degree 12, i_fuel "
+                    "3000).\n");
+            c.theorems.push_back({name, fmt::format("{} at x = {}, z = {}, rounded", states,
+                                                    point.x.text(), point.z.text())});
+        }
+        c.leaves_out = "the other stresses";
     }
 
     void first_exit(Certificate& c, const scene::Row& extent) {

@@ -126,6 +126,9 @@ int certify_scene(const CertifyOptions& o, const std::string& text) {
     if (scene.ask.tolerance) {
         stated.ask.quantities.insert(scene::QuantityGroup::extent);
     }
+    if (scene.ask.wants(scene::QuantityGroup::stress) && !scene.shear && !scene.round) {
+        stated.ask.quantities.insert(scene::QuantityGroup::stress);
+    }
     require_folder(o);
     if (o.record) {
         return record_folder(o, certificate::certify_scene(scene, done(stated)));

@@ -99,12 +99,17 @@ const Section tilted{
     {"kind", "tilted-flat-and-rounded"}, {"alpha", "1/10"}, {"t", "0.4"}, {"R", "1"}};
 const Section untilted{{"kind", "tilted-flat-and-rounded"}, {"t", "0.4"}, {"R", "1"}};
 const Section by_edge{{"a", "1"}};
+const Section by_edge_with_nu{{"a", "1"}, {"nu", "0.3"}};
 const Section by_force{{"P", "1/2"}};
 const Section by_moment{{"P", "1/2"}, {"M", "-1/50"}};
 const Section both_edges{{"edges", Texts{"right", "left"}}};
 const Section extents_of_terms{
     {"terms", Texts{"1", "3"}}, {"tolerance", "5%"}, {"quantities", Texts{"extent"}}};
 
+const Section cubic_then_linear{{"kind", "piecewise"},
+                                {"symmetric", true},
+                                {"knots", Texts{"1/2"}},
+                                {"slopes", Texts{"x + x^3", "5/8 + 2*(x - 1/2)"}}};
 const Section sphere{{"kind", "hertz"}, {"R", "1"}, {"geometry", "axisymmetric"}};
 const Section flat_of_revolution{
     {"kind", "flat-and-rounded"}, {"t", "0.4"}, {"R", "1"}, {"geometry", "axisymmetric"}};
@@ -117,6 +122,9 @@ const io::TomlEntry tractions{"quantities", Texts{"pressure", "shear"}};
 Section only(const char* group) { return {{"quantities", Texts{group}}}; }
 Section displacement_at(const Texts& x) {
     return {{"quantities", Texts{"displacement"}}, {"x", x}};
+}
+Section surface_at(const Texts& x) {
+    return {{"quantities", Texts{"surface"}}, {"x", x}, {"reference", "0"}};
 }
 const Texts inside{"-0.97", "-0.9", "-0.7", "-0.5", "-0.3", "0.3", "0.5", "0.7", "0.9", "0.97"};
 const Texts outside{"-9", "-3", "-2", "-1.5", "-1.1", "1.1", "1.5", "2", "3", "9"};
@@ -168,6 +176,10 @@ const Added effects[] = {
     {"greatest pressure", plain, flat, by_edge, {}, only("peak")},
     {"gap at ten places", plain, flat, by_edge, {}, displacement_at(outside)},
     {"slip at ten places", slipping, flat, by_edge, shear_with_slip, displacement_at(inside)},
+    {"displacements of a surface at ten places", slipping, flat, by_edge_with_nu, shear_with_slip,
+     surface_at(inside)},
+    {"energy of a cycle, curved slopes", "slip zones and the energy of a cycle", cubic_then_linear,
+     by_edge, shear_with_slip, only("slip")},
     {"stresses at ten points", plain, flat, by_edge, {}, only("stress"), in_bodies},
     {"stresses in partial slip", slipping, flat, by_edge, shear_with_slip, only("stress"),
      in_bodies},

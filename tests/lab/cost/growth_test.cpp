@@ -103,6 +103,7 @@ TEST_CASE("an effect adds its own operations and no others") {
     CHECK(counts("stresses at ten points").closed_forms == 0);
     CHECK(counts("gap at ten places").displacements == 10);
     CHECK(counts("slip at ten places").displacements == 10);
+    CHECK(counts("displacements of a surface at ten places").displacements == 10);
     CHECK(counts("pressures under a sphere").closed_forms == 10);
     CHECK(counts("gap around a sphere").displacements == 10);
 }

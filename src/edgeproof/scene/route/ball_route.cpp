@@ -281,6 +281,7 @@ void BallRoute::count(const AskedValue& asked) {
         ++counts.stresses;
         break;
     case Quantity::slip_displacement: // asked for with the gap
+    case Quantity::slope:             // asked for with the displacements of a surface
         ++counts.displacements;
         break;
     default:

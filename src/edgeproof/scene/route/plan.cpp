@@ -236,7 +236,8 @@ private:
         }
         if (plan_.displacement) {
             add("displacement", true, count_of(ask_.u.size(), "place"), &Counts::displacements,
-                ask_.u.size());
+                ask_.u.size() * ((ask_.wants(QuantityGroup::displacement) ? 1 : 0) +
+                                 (ask_.wants(QuantityGroup::surface) ? 1 : 0)));
         }
         add("peak pressure", plan_.peak, plan_.peak ? "the greatest one" : "not asked for");
         // The tilt solver, and a load given as P, need P internally; that is not counted here.

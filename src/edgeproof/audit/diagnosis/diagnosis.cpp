@@ -10,6 +10,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace edgeproof::audit {
 namespace {
@@ -51,9 +52,7 @@ bool accept(const RefutedFormula& refuted, const formula::Expr& formula, Outcome
     return true;
 }
 
-} // namespace
-
-void diagnose(const RefutedFormula& refuted, Outcome& outcome) {
+void find_correction(const RefutedFormula& refuted, Outcome& outcome) {
     std::size_t tried = 0;
     std::size_t checked = 0;
     for (const Edit& edit : single_edits(refuted.printed, refuted.alphabet)) {
@@ -77,7 +76,13 @@ void diagnose(const RefutedFormula& refuted, Outcome& outcome) {
         }
     }
     outcome.evidence.add("edits_tried", tried);
-    if (refuted.ratio) {
+    // A known formula is a better correction than a factor with names that are not printed: of a
+    // formula for a, a factor that is a power of a is of no use.
+    const bool other_names =
+        refuted.ratio && std::ranges::any_of(free_symbols(*refuted.ratio), [&](const auto& name) {
+            return !holds_symbol(refuted.printed, name);
+        });
+    if (refuted.ratio && !(other_names && refuted.derived)) {
         const formula::Expr& r = *refuted.ratio;
         const formula::Expr corrected = r.kind() == formula::Expr::Kind::neg
                                             ? -(refuted.printed / r.arg(0))
@@ -93,6 +98,16 @@ void diagnose(const RefutedFormula& refuted, Outcome& outcome) {
         return;
     }
     outcome.note = "no correction was found";
+}
+
+} // namespace
+
+void diagnose(const RefutedFormula& refuted, Outcome& outcome) {
+    const std::string why = std::exchange(outcome.note, "");
+    find_correction(refuted, outcome);
+    if (outcome.verdict == Verdict::underspecified) { // what the formula lacks remains the finding
+        outcome.note = outcome.correct ? why + "; " + outcome.note : why;
+    }
 }
 
 EditAlphabet alphabet_for(const Claim& claim, const formula::Expr& printed,

@@ -42,12 +42,13 @@ struct RefutedFormula {
     /// The complete check; returns the verdict if it is proved or confirmed.
     std::function<std::optional<Verdict>(const formula::Expr&)> verdict_of;
     std::optional<formula::Expr> ratio;   ///< printed/exact, if a closed form was recognised
-    std::optional<formula::Expr> derived; ///< the exact formula, if there is a symbolic derivation
+    std::optional<formula::Expr> derived; ///< the exact formula, if it is derived or known
 };
 
 /// Adds the diagnosis to the outcome: the smallest single edit that makes the formula confirmed or
 /// proved; failing that, the printed formula divided by the ratio; failing that, the derived
-/// formula. `correct` is set only to a formula that is itself confirmed or proved.
+/// formula. `correct` is set only to a formula that is itself confirmed or proved. If the outcome
+/// is underspecified, its note is kept, and the correction follows.
 void diagnose(const RefutedFormula& refuted, Outcome& outcome);
 
 /// Returns the names that may be exchanged for each other in a claim, and the factors that may have

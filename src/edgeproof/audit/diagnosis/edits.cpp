@@ -179,7 +179,7 @@ private:
     }
 
     /// Changes the same thing at every place of a part of the formula: two names exchanged, such as
-    /// a and b in a kernel.
+    /// a and b in a kernel, or in the limits of an integral, or everywhere else.
     void exchange_names() {
         std::vector<std::string> written;
         for (const std::string& name : alphabet_.symbols) {
@@ -188,15 +188,41 @@ private:
             }
         }
         const std::string between = "_"; // no name of a ledger
+        const std::vector<formula::Path> limits_of_node = limits();
         for (std::size_t i = 0; i < written.size(); ++i) {
             for (std::size_t k = i + 1; k < written.size(); ++k) {
                 const auto name = [](const std::string& n) { return formula::Expr::symbol(n); };
-                put(substitute(substitute(substitute(node_, written[i], name(between)), written[k],
+                const formula::Expr exchanged =
+                    substitute(substitute(substitute(node_, written[i], name(between)), written[k],
                                           name(written[i])),
-                               between, name(written[k])),
-                    "names exchanged", 4);
+                               between, name(written[k]));
+                put(exchanged, "names exchanged", 4);
+                formula::Expr limits_only = node_;
+                formula::Expr other_places = exchanged;
+                for (const formula::Path& limit : limits_of_node) {
+                    limits_only = replace(limits_only, limit, at(exchanged, limit));
+                    other_places = replace(other_places, limit, at(node_, limit));
+                }
+                if (!limits_of_node.empty()) {
+                    put(limits_only, "names exchanged", 4);
+                    put(other_places, "names exchanged", 4);
+                }
             }
         }
+    }
+
+    /// The paths of the limits of integrals and sums in the node.
+    [[nodiscard]] std::vector<formula::Path> limits() const {
+        std::vector<formula::Path> found;
+        for (const formula::Path& path : paths(node_)) {
+            if (at(node_, path).is_binder()) {
+                for (const std::size_t limit : {2U, 3U}) {
+                    found.push_back(path);
+                    found.back().push_back(limit);
+                }
+            }
+        }
+        return found;
     }
 
     /// A function in place of its derivative, such as the gap g for its slope g'.

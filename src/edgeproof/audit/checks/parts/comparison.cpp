@@ -2,6 +2,7 @@
 #include "edgeproof/audit/checks/parts/comparison.hpp"
 
 #include "edgeproof/audit/checks/parts/decimal_fit.hpp"
+#include "edgeproof/audit/checks/parts/other_contacts.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -81,6 +82,24 @@ Screening::Screening(const Claim& claim, const AuditContext& context, const form
         } catch (const DomainError&) {
             continue;
         } catch (const BudgetError&) {
+            continue;
+        }
+    }
+    if (!samples_at->all().empty()) {
+        add_other_contacts(samples_at->all().front().sample, exact);
+    }
+}
+
+void Screening::add_other_contacts(const Sample& sample, const formula::Expr& exact) {
+    for (const Sample& other : other_contacts(sample)) {
+        try {
+            const auto contact =
+                std::make_shared<EnclosedSample>(other, formula::bits_for(digits_));
+            const auto value = [contact](const formula::Expr& e) {
+                return contact->evaluate(e).midpoint();
+            };
+            add_point(value, value(exact));
+        } catch (const Error&) {
             continue;
         }
     }
@@ -190,7 +209,8 @@ void FormulaComparison::judge(const std::string& agrees, Outcome& outcome) const
 }
 
 bool FormulaComparison::needs_correction(const Outcome& outcome) const {
-    return outcome.verdict == Verdict::refuted && std::holds_alternative<ExactFormula>(printed_);
+    return (outcome.verdict == Verdict::refuted || outcome.verdict == Verdict::underspecified) &&
+           std::holds_alternative<ExactFormula>(printed_);
 }
 
 bool FormulaComparison::confirms(const formula::Expr& made) const {
@@ -227,12 +247,53 @@ std::optional<formula::Expr> FormulaComparison::ratio(Evidence& evidence) const 
     const auto [least, most] = std::ranges::minmax_element(samples, {}, &RatioSample::ratio);
     evidence.add("ratio_range", std::vector<std::string>{value_text(least->ratio, 12),
                                                          value_text(most->ratio, 12)});
+    for (const Sample& other : other_contacts(samples_at_->all().front().sample)) {
+        try {
+            const EnclosedSample contact(other, formula::bits_for(30));
+            const Ball off = contact.evaluate(claim_.formula("says")) / contact.evaluate(exact_);
+            Variables parameters;
+            for (const auto& [name, value] : other.scene.parameters) {
+                parameters.emplace(name, value.to<Real>());
+            }
+            if (isfinite(off.midpoint())) {
+                samples.push_back({std::move(parameters), off.midpoint()});
+            }
+        } catch (const Error&) {
+            continue;
+        }
+    }
     auto ratio = recognise_ratio(samples, 20);
     if (ratio) {
         ratio = substitute(*ratio, "L", formula::Expr::symbol("a") + formula::Expr::symbol("b"));
         evidence.add("ratio", to_text(*ratio)).add("ratio_tex", to_tex(*ratio));
     }
     return ratio;
+}
+
+/// The textbook's formula for a cylinder (johnson1985, section 4.2), if the formula should equal
+/// a, P or the pressure, and all contacts are cylinders: what is printed may be that of a sphere.
+std::optional<formula::Expr> FormulaComparison::of_cylinder() const {
+    const bool cylinders =
+        std::ranges::all_of(samples_at_->all(), [](const EvaluatedSample& sample_at) {
+            const SceneSpec& scene = sample_at.sample.scene;
+            const auto m = scene.parameters.find("m");
+            return scene.profile == "power-law" && !scene.axisymmetric &&
+                   m != scene.parameters.end() && m->second == formula::Exact::parse("1");
+        });
+    const formula::Expr of = claim_.written("of");
+    const bool by_load = !holds_symbol(claim_.written("says"), "a");
+    const std::string name = to_text(of);
+    const std::string text = name == "a"      ? "sqrt(4*P/(Pi*Es*C))"
+                             : name == "P"    ? "Pi/4*Es*C*a^2"
+                             : name == "p(0)" ? (by_load ? "sqrt(P*Es*C/Pi)" : "2*P/(Pi*a)")
+                             : name == "p(x)" ? "2*P/(Pi*a)*sqrt(1 - (x/a)^2)"
+                                              : "";
+    try {
+        return cylinders && !text.empty() ? std::optional(parse_formula(text, claim_.vocabulary))
+                                          : std::nullopt;
+    } catch (const Error&) { // a name that the claim does not have
+        return {};
+    }
 }
 
 RefutedFormula FormulaComparison::refuted(Evidence& evidence) const {
@@ -242,6 +303,7 @@ RefutedFormula FormulaComparison::refuted(Evidence& evidence) const {
     refuted.alphabet = alphabet_for(claim_, refuted.printed, refuted.exact,
                                     &samples_at_->all().front().sample.scene);
     refuted.ratio = ratio(evidence);
+    refuted.derived = of_cylinder();
     return refuted;
 }
 

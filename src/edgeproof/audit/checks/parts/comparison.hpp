@@ -35,7 +35,7 @@ public:
     /// `digits`: the working digits; differences are compared with `tolerance` times the value.
     Screening(const Claim& claim, unsigned digits, Real tolerance)
         : claim_(claim), digits_(digits), tolerance_(std::move(tolerance)) {}
-    /// A few samples of the claim, and the exact formula there.
+    /// A few samples of the claim and other contacts, and the exact formula there.
     Screening(const Claim& claim, const AuditContext& context, const formula::Expr& exact);
 
     using Evaluation = std::function<Real(const formula::Expr&)>;
@@ -46,6 +46,8 @@ public:
     [[nodiscard]] bool operator()(const formula::Expr& written) const;
 
 private:
+    void add_other_contacts(const Sample& sample, const formula::Expr& exact);
+
     const Claim& claim_;
     unsigned digits_;
     Real tolerance_;
@@ -66,8 +68,8 @@ public:
     /// formula with decimals is confirmed as it stands or with other numbers that round to them
     /// (then the evidence has `rounded`), and refuted if no such numbers fit.
     void judge(const std::string& agrees, Outcome& outcome) const;
-    /// True if the judged formula is refuted, so that a correction is sought: not for a formula
-    /// with decimals, for which `judge` has found numbers that fit.
+    /// True if the judged formula is refuted, or has no value at some samples, so that a correction
+    /// is sought: not for a formula with decimals, for which `judge` has found numbers that fit.
     [[nodiscard]] bool needs_correction(const Outcome& outcome) const;
     /// True if a formula that the program made is confirmed at the samples, by enclosures.
     [[nodiscard]] bool confirms(const formula::Expr& made) const;
@@ -84,6 +86,7 @@ private:
     [[nodiscard]] Judgement by_enclosures(Outcome& outcome) const;
     [[nodiscard]] Judgement by_decimals(const DecimalFormula& printed, Outcome& outcome) const;
     [[nodiscard]] std::optional<formula::Expr> ratio(Evidence& evidence) const;
+    [[nodiscard]] std::optional<formula::Expr> of_cylinder() const;
 
     const Claim& claim_;
     PrintedFormula printed_;

@@ -148,7 +148,7 @@ TEST_CASE("CalculiX: the last of several steps is compared") {
 TEST_CASE("CalculiX: a file that is cut, binary, or without places is refused in one line") {
     const std::string frd = calculix_text(".frd");
     const std::string dat = calculix_text(".dat");
-    CHECK(refusal_of_calculix(frd.substr(0, frd.find("-4  CONTACT") + 1500))
+    CHECK(refusal_of_calculix(frd.substr(0, frd.find('\n', frd.find("-4  CONTACT") + 1500)))
               .find("ends inside a block") != std::string::npos);
     const std::string head(frd.substr(0, frd.find("\n    2C")));
     CHECK(refusal_of_calculix(head + "\n    2C      828          2\n").find("in text") !=
@@ -204,4 +204,59 @@ TEST_CASE("slip: partial slip of a cylinder by the textbook, in either direction
         CHECK(file.surface[0].peak < 1e-9);
         CHECK(file.surface[0].scale == doctest::Approx(slip_at(0.975)).epsilon(1e-9));
     }
+}
+
+namespace {
+
+/// An .frd file as CalculiX writes it for contact from surface to surface: each node of the model
+/// has a row, of zeros if it is in no face in contact. The surface is y = -x^2/100, there are nodes
+/// below it and of another body above it; the second tangential direction lies along x.
+std::string frd_of_surface_to_surface() {
+    std::string nodes;
+    std::string contact;
+    int number = 0;
+    for (int i = -8; i <= 8; ++i) {
+        const double x = 0.25 * i;
+        const double y = -x * x / 100;
+        for (const double at : {y, y - 0.25, y - 0.5, 0.1}) {
+            ++number;
+            nodes += fmt::format(" -1{:10d}{:12.5E}{:12.5E}{:12.5E}\n", number, x, at, 0.0);
+            const double p = at == y && std::abs(x) <= 1 ? 10 - 9 * x * x : 0;
+            contact += fmt::format(" -1{:10d}{:12.5E}{:12.5E}{:12.5E}{:12.5E}{:12.5E}{:12.5E}\n",
+                                   number, -p / 1e6, 0.0, p / 1e7, p, 0.0, -p / 10);
+        }
+    }
+    std::string components;
+    for (const char* name : {"COPEN", "CSLIP1", "CSLIP2", "CPRESS", "CSHEAR1", "CSHEAR2"}) {
+        components += fmt::format(" -5  {:<8}    1    4    1    1\n", name);
+    }
+    return fmt::format("    1C\n    2C  {:10d}  {:37d}\n", number, 1) + nodes + " -3\n" +
+           fmt::format("  100CL  101 1.000000000{:12d}                     0    1           1\n",
+                       number) +
+           " -4  CONTACT     6    1\n" + components + contact + " -3\n 9999\n";
+}
+
+} // namespace
+
+TEST_CASE("CalculiX: contact from surface to surface writes zeros at all other nodes") {
+    const ResultTable table = parse_result(frd_of_surface_to_surface(), "r.frd");
+    REQUIRE(table.rows.size() == 15); // 9 in contact, and 3 further on each side
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        const double x = -1.75 + 0.25 * static_cast<double>(i);
+        const double p = std::abs(x) <= 1 ? 10 - 9 * x * x : 0;
+        CHECK(table.rows[i].x.convert_to<double>() == doctest::Approx(x));
+        CHECK(table.rows[i].p.convert_to<double>() == doctest::Approx(p));
+        CHECK(table.rows[i].q->convert_to<double>() == doctest::Approx(-p / 10));
+        CHECK(table.rows[i].surface[0].has_value() == (p > 0));
+        CHECK(table.rows[i].surface[1].has_value() == (p > 0));
+    }
+    CHECK(table.findings.front().find("CSHEAR2 and CSLIP2 are compared") == 0);
+}
+
+TEST_CASE("CalculiX: output at points inside the faces is refused with what to write") {
+    CHECK(refusal_of_calculix(" contact stress (slave element+face,press,tang1,tang2) for all "
+                              "contact elements and time 0.1000000E+01\n\n"
+                              "      1217          5  5.308512E+00 -4.030666E-01  0.000000E+00\n",
+                              "r.dat")
+              .find("give the .frd file") != std::string::npos);
 }

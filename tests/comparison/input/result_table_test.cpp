@@ -275,6 +275,19 @@ TEST_CASE("results: UTF-16 with a byte order mark is read as the same text in UT
     }
 }
 
+TEST_CASE("results: Latin-1, and names in German, French and Italian") {
+    // The micro sign is B5 and the raised 2 is B2.
+    check_three(parsed_result("x [\xB5m];p [N/mm\xB2]\n-500;1\n0;1,5\n500;1\n", in_mm_and_MPa()));
+    check_three(parsed_result("Knotennummer\tX-Position (mm)\tY-Position (mm)\tDruck (MPa)\n"
+                              "1\t-0,5\t0,\t1,0\n2\t0,0\t0,\t1,5\n3\t0,5\t0,\t1,0\n",
+                              in_mm_and_MPa()));
+    for (const std::string name : {"Pression", "Pression de contact", "Pressione", "Presi\xF3n",
+                                   "Presi\xC3\xB3n", "Kontaktdruck"}) {
+        CAPTURE(name);
+        check_three(parsed_result("x," + name + "\n-0.5,1\n0,1.5\n0.5,1\n"));
+    }
+}
+
 TEST_CASE("results: blanks separate the columns, and a name has several words") {
     const std::string rows = "7 -0.5 1\n3 0 1.5\n9 0.5 1\n";
     for (const std::string header : {

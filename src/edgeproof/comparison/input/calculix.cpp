@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <utility>
@@ -21,6 +22,10 @@ namespace {
 constexpr std::string_view white_space = " \t\r";
 constexpr std::string_view stress_title = "contact stress (slave node";
 constexpr std::string_view gap_title = "relative contact displacement (slave node";
+constexpr std::string_view face_title = "contact stress (slave element+face";
+
+/// The contact output of a node, in the order of an .frd file.
+enum ContactValue : std::size_t { copen, cslip1, cslip2, cpress, cshear1, cshear2, contact_values };
 
 /// The values of a node, as texts, and the line that has them.
 struct NodeValues {
@@ -69,7 +74,7 @@ private:
 /// The values of a file at each node; the last step replaces those before.
 struct Contents {
     NodeTable places;
-    NodeTable contact; ///< COPEN, CSLIP1, CPRESS, CSHEAR1
+    NodeTable contact; ///< contact_values; empty texts without a value
     NodeTable stress;  ///< SXX
     std::size_t steps = 0;
 };
@@ -130,7 +135,8 @@ private:
         };
         NodeTable values;
         if (name == "CONTACT") {
-            read_rows(values, width, indices({"COPEN", "CSLIP1", "CPRESS", "CSHEAR1"}));
+            read_rows(values, width,
+                      indices({"COPEN", "CSLIP1", "CSLIP2", "CPRESS", "CSHEAR1", "CSHEAR2"}));
             contents_.contact = std::move(values);
             ++contents_.steps;
         } else if (name == "STRESS") {
@@ -221,14 +227,16 @@ Contents read_dat(std::string_view text, const std::string& file) {
                 lines.reject("a row of contact output has a node and three numbers",
                              "give the file as CalculiX writes it");
             }
-            table->insert_or_assign(words[0], NodeValues{{words[1], words[2]}, lines.number()});
+            table->insert_or_assign(words[0],
+                                    NodeValues{{words.begin() + 1, words.end()}, lines.number()});
         }
     }
     for (auto& [node, row] : contents.contact) {
         const auto gap = gaps.find(node);
-        const bool found = gap != gaps.end();
-        row.values = {found ? gap->second.values[0] : "", found ? gap->second.values[1] : "",
-                      row.values[0], row.values[1]};
+        std::vector<std::string> values =
+            gap != gaps.end() ? gap->second.values : std::vector<std::string>(cpress);
+        values.insert(values.end(), row.values.begin(), row.values.end());
+        row.values = std::move(values);
     }
     return contents;
 }
@@ -288,11 +296,96 @@ double value_of(const std::string& text) {
         .value.convert_to<double>();
 }
 
+double place_of(const NodeTable& places, const std::string& node, std::size_t axis) {
+    return value_of(places.find(node)->second.values[axis]);
+}
+
+bool is_zero(const NodeValues& row) {
+    return std::ranges::all_of(
+        row.values, [](const std::string& text) { return text.empty() || value_of(text) == 0; });
+}
+
+/// Adds to `kept` the nodes without output that continue the line through its two outermost nodes
+/// on one side, to three elements, so that the data show where the contact ends.
+void continue_surface(const NodeTable& places, const NodeTable& all, bool right, NodeTable& kept) {
+    constexpr double elements = 3;
+    constexpr double off_line = 0.25; // of an element
+    std::vector<std::array<double, 3>> line;
+    for (const auto& [node, row] : kept) {
+        line.push_back(
+            {place_of(places, node, 0), place_of(places, node, 1), place_of(places, node, 2)});
+    }
+    std::ranges::sort(
+        line, [right](const auto& s, const auto& t) { return right ? s[0] > t[0] : s[0] < t[0]; });
+    const auto other =
+        std::ranges::find_if(line, [&](const auto& p) { return p[0] != line[0][0]; });
+    if (other == line.end()) {
+        return;
+    }
+    const double dx = line[0][0] - (*other)[0];
+    const double slope = (line[0][1] - (*other)[1]) / dx;
+    NodeTable more;
+    for (const auto& [node, row] : all) {
+        const double part = (place_of(places, node, 0) - line[0][0]) / dx;
+        const double y = line[0][1] + slope * part * dx;
+        if (part > 0 && part < elements + off_line &&
+            std::abs(place_of(places, node, 1) - y) < off_line * std::abs(dx)) {
+            NodeValues outside{std::vector<std::string>(contact_values), row.line};
+            outside.values[cpress] = outside.values[cshear1] = outside.values[cshear2] = "0";
+            more.emplace(node, std::move(outside));
+        }
+    }
+    kept.merge(more);
+}
+
+/// Contact from surface to surface writes a row for each node of the model, with zeros if the node
+/// is in no face in contact. Keeps the nodes of these faces, and the next ones of the surface.
+void keep_surface(Contents& contents) {
+    NodeTable kept;
+    for (const auto& [node, row] : contents.contact) {
+        if (!is_zero(row)) {
+            kept.emplace(node, row);
+        }
+    }
+    if (kept.empty() || kept.size() == contents.contact.size()) {
+        return;
+    }
+    const NodeTable in_contact = kept;
+    for (const bool right : {true, false}) {
+        NodeTable wider = in_contact;
+        continue_surface(contents.places, contents.contact, right, wider);
+        kept.merge(wider);
+    }
+    contents.contact = std::move(kept);
+}
+
+/// 1 if the second tangential direction of the faces lies along the contact, 0 if the first does.
+std::size_t tangent_along(const NodeTable& contact) {
+    std::array<double, 4> greatest{}; // CSHEAR1, CSHEAR2, CSLIP1, CSLIP2
+    for (const auto& [node, row] : contact) {
+        for (const auto& [at, value] : {std::pair{0U, cshear1}, std::pair{1U, cshear2},
+                                        std::pair{2U, cslip1}, std::pair{3U, cslip2}}) {
+            const std::string& text = row.values[value];
+            greatest.at(at) =
+                std::max(greatest.at(at), text.empty() ? 0 : std::abs(value_of(text)));
+        }
+    }
+    return greatest[1] > greatest[0] || (greatest[1] == greatest[0] && greatest[3] > greatest[2])
+               ? 1
+               : 0;
+}
+
 } // namespace
 
 std::optional<CalculixTable> calculix_table(std::string_view text, const std::string& file) {
     const bool frd = text.starts_with("    1C") && text.find("\n    2C") != std::string_view::npos;
     if (!frd && text.find(stress_title) == std::string_view::npos) {
+        if (text.find(face_title) != std::string_view::npos) {
+            throw InputError(
+                "the contact output is that of points inside the faces, without places",
+                "give the .frd file, with *CONTACT FILE and CDIS, CSTR in the deck")
+                .at(file, 0);
+        }
         return {};
     }
     Contents contents = frd ? FrdReader(text, file).read() : read_dat(text, file);
@@ -307,34 +400,35 @@ std::optional<CalculixTable> calculix_table(std::string_view text, const std::st
     CalculixTable table{{file, {}}, {}};
     ResultText& rows = table.text;
     rows.separator = Separator::comma;
-    const bool has_gap = !contents.contact.begin()->second.values[0].empty();
+    for (const auto& [node, row] : contents.contact) {
+        if (!contents.places.contains(node)) {
+            throw InputError("node " + printable(node) + " has no place",
+                             "give the .frd or .inp file that belongs to this file")
+                .at(file, row.line);
+        }
+    }
+    keep_surface(contents);
+    const std::size_t tangent = tangent_along(contents.contact);
+    const bool has_gap = std::ranges::any_of(
+        contents.contact, [](const auto& row) { return !row.second.values[copen].empty(); });
     const bool has_stress = !contents.stress.empty();
     rows.size = 5U + (has_gap ? 2U : 0U) + (has_stress ? 1U : 0U);
     rows.first_row = 1;
     rows.lines.push_back({1, std::string("COORD1,COORD2,COORD3,CPRESS,CSHEAR1") +
                                  (has_gap ? ",COPEN,CSLIP1" : "") + (has_stress ? ",S11" : "")});
     std::map<double, std::size_t> planes; // the number of nodes by COORD3
-    const auto place_of = [&](const std::string& node, std::size_t line) -> const auto& {
-        const auto place = contents.places.find(node);
-        if (place == contents.places.end()) {
-            throw InputError("node " + printable(node) + " has no place",
-                             "give the .frd or .inp file that belongs to this file")
-                .at(file, line);
-        }
-        return place->second.values;
-    };
     for (const auto& [node, row] : contents.contact) {
-        ++planes[value_of(place_of(node, row.line)[2])];
+        ++planes[place_of(contents.places, node, 2)];
     }
     std::multimap<double, ResultLine> by_place;
     for (const auto& [node, row] : contents.contact) {
-        const auto& place = place_of(node, row.line);
+        const auto& place = contents.places.find(node)->second.values;
         if (planes.size() > 1 && value_of(place[2]) != planes.begin()->first) {
             continue;
         }
         std::string line = fmt::format("{},{},{},{},{}", place[0], place[1], place[2],
-                                       row.values[2], row.values[3]);
-        line += has_gap ? "," + row.values[0] + "," + row.values[1] : "";
+                                       row.values[cpress], row.values[cshear1 + tangent]);
+        line += has_gap ? "," + row.values[copen] + "," + row.values[cslip1 + tangent] : "";
         const auto stress = contents.stress.find(node);
         line += stress != contents.stress.end() ? "," + stress->second.values[0] : "";
         by_place.emplace(value_of(place[0]), ResultLine{row.line, std::move(line)});
@@ -345,6 +439,10 @@ std::optional<CalculixTable> calculix_table(std::string_view text, const std::st
     if (contents.steps > 1) {
         table.findings.push_back(fmt::format(
             "the file has contact output of {} times: the last is compared", contents.steps));
+    }
+    if (tangent == 1) {
+        table.findings.emplace_back("CSHEAR2 and CSLIP2 are compared: the second tangential "
+                                    "direction lies along the contact");
     }
     if (planes.size() > 1) {
         table.findings.push_back(

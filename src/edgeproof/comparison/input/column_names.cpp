@@ -34,6 +34,8 @@ constexpr KnownNames known_names[] = {
     {"pcontact normalpressure contactstress normaltraction tractionnormal normalstress",
      ColumnRole::pressure, 2},
     {"tn pn pres press solidtn lagsc", ColumnRole::pressure, 3},
+    {"druck kontaktdruck pression pressiondecontact pressione pressionedicontatto presin presion",
+     ColumnRole::pressure, 3}, // German, French, Italian, Spanish
     {"sigman sn", ColumnRole::pressure, 4},
     {"s22 sy syy sigmayy sigmay", ColumnRole::pressure, 5},
     {"q cshear1 cshear", ColumnRole::shear, 1},
@@ -48,7 +50,8 @@ constexpr KnownNames known_names[] = {
 constexpr std::string_view other_names =
     "node nodelabel nodenumber nodeno nodeid element elem elementlabel elementnumber elementid "
     "label number no id partinstance partinstancename y z ycoord ycoordinate zcoord zcoordinate "
-    "coordinatey coordinatez cstatus status ylocation zlocation noeud coory coorz";
+    "coordinatey coordinatez cstatus status ylocation zlocation noeud coory coorz yposition "
+    "zposition knoten knotennummer knotennr";
 /// Columns that number the steps of a computation, or give their time.
 constexpr std::string_view step_names =
     "step stepnumber stepid loadstep substep time steptime inst increment inc frame numordre";

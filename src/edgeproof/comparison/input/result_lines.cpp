@@ -238,6 +238,40 @@ void append_utf8(std::string& out, char32_t c) {
     }
 }
 
+/// The number of bytes that follow the first byte of a character in UTF-8; nothing for other bytes.
+std::optional<std::size_t> following_bytes(unsigned char first) {
+    return first < 0x80                    ? std::optional<std::size_t>(0)
+           : first >= 0xC2 && first < 0xE0 ? std::optional<std::size_t>(1)
+           : first >= 0xE0 && first < 0xF0 ? std::optional<std::size_t>(2)
+           : first >= 0xF0 && first < 0xF5 ? std::optional<std::size_t>(3)
+                                           : std::nullopt;
+}
+
+bool is_utf8(std::string_view text) {
+    for (std::size_t at = 0; at < text.size();) {
+        const auto following = following_bytes(static_cast<unsigned char>(text[at]));
+        if (!following || at + *following >= text.size()) {
+            return false;
+        }
+        for (std::size_t k = 1; k <= *following; ++k) {
+            if ((static_cast<unsigned char>(text[at + k]) & 0xC0) != 0x80) {
+                return false;
+            }
+        }
+        at += *following + 1;
+    }
+    return true;
+}
+
+/// Converts a text in Latin-1 (Windows-1252 has the same letters) to UTF-8.
+std::string utf8_from_latin1(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        append_utf8(out, static_cast<unsigned char>(c));
+    }
+    return out;
+}
+
 /// Converts a text in UTF-16 with a byte order mark to UTF-8, without the mark. Returns nothing if
 /// it ends within a character, or contains half of a pair.
 std::optional<std::string> utf8_from_utf16(std::string_view text) {
@@ -297,6 +331,9 @@ ResultText result_text(std::string_view text, const std::string& file) {
                       "give a table of x and p as text");
     }
     text.remove_prefix(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+    if (!is_utf8(text)) {
+        return result_text(utf8_from_latin1(text), file);
+    }
     std::size_t number = 1;
     for (std::size_t at = 0; at < text.size(); ++number) {
         if (number % 4096 == 0) {

@@ -83,12 +83,12 @@ struct ResultText {
                              const std::string& instead) const;
 };
 
-/// Reads a text in UTF-8, with or without a byte order mark, or in UTF-16 with one, whose lines end
-/// in LF, CR LF or CR, and finds the separator of the rows. The minus sign and the no-break blanks
-/// of Unicode become '-' and ' '. Of rows of several lengths, the most frequent length of the first
-/// hundred is used. Throws InputError for a text that is empty, with an incomplete character of
-/// UTF-16 or a zero byte, if no row has two numbers or more, and if commas may be decimal or
-/// separators and the header does not decide.
+/// Reads a text in UTF-8, with or without a byte order mark, in UTF-16 with one, or in Latin-1,
+/// whose lines end in LF, CR LF or CR, and finds the separator of the rows. The minus sign and the
+/// no-break blanks of Unicode become '-' and ' '. Of rows of several lengths, the most frequent
+/// length of the first hundred is used. Throws InputError for a text that is empty, with an
+/// incomplete character of UTF-16 or a zero byte, if no row has two numbers or more, and if commas
+/// may be decimal or separators and the header does not decide.
 [[nodiscard]] ResultText result_text(std::string_view text, const std::string& file);
 
 /// Returns half a unit of the last digit of each number of a column. Numbers with an exponent have

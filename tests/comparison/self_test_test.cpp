@@ -2,11 +2,15 @@
 #include "edgeproof/comparison/self_test.hpp"
 
 #include "edgeproof/comparison/comparison.hpp"
+#include "edgeproof/comparison/injected_mistake.hpp"
+#include "edgeproof/comparison/measures/mesh_error.hpp"
+#include "edgeproof/comparison/spring_bed.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace {
 
@@ -44,6 +48,41 @@ TEST_CASE("self-test: mistakes in the pressure are named, and none wrongly") {
     const auto angle = std::ranges::find(test.rows, "tangent-of-angle", &SelfTestRow::name);
     REQUIRE(angle != test.rows.end());
     CHECK(angle->at[0].named == 1);
+}
+
+TEST_CASE("the allowance for a mesh by a corner is that of boundary elements with rigid springs") {
+    constexpr double elements = 200; // in the contact
+    double greatest = 0;
+    int count = 0;
+    for (const TestedContact& tested : tested_contacts()) {
+        const Scene scene = scene_of(tested.keys);
+        const ExactContact exact(scene);
+        if (!exact.scale().mean || exact.axisymmetric()) {
+            continue;
+        }
+        ++count;
+        const SpringBed rigid(scene, exact, 0);
+        double products = 0;
+        double squares = 0;
+        for (int i = 0; i < 400; ++i) {
+            const double x = -exact.b().value + exact.length() * (i + 0.37) / 400;
+            const auto at = exact.at(x);
+            const double zone = 2 * exact.length() / 100; // two elements of 100 in the contact
+            const bool near_corner = std::ranges::any_of(exact.knots(), [&](const auto& knot) {
+                return knot.corner && std::abs(x - knot.x) < zone;
+            });
+            if (at.p && at.u() > zone && !near_corner) {
+                products += rigid.pressure(x) * *at.p;
+                squares += *at.p * *at.p;
+            }
+        }
+        CAPTURE(tested.name);
+        CAPTURE(elements * std::abs(products / squares - 1));
+        greatest = std::max(greatest, elements * std::abs(products / squares - 1));
+    }
+    CHECK(count >= 2);
+    CHECK(greatest <= mesh_error_by_corner_times_elements);
+    CHECK(greatest > 0.75 * mesh_error_by_corner_times_elements); // and not much more
 }
 
 // The apex of a wedge is a corner, where the noise of one node has the effect of a small shift.

@@ -347,7 +347,8 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
     constexpr double roundoff = 1e-9;
     const double least = file.passes() ? worth_a_word : roundoff;
     const double own_error = mesh_error.value_or(expected_mesh_error(
-        file.contact.mean_element > 0 ? exact.length() / file.contact.mean_element : 1));
+        file.contact.mean_element > 0 ? exact.length() / file.contact.mean_element : 1,
+        exact.scale().mean));
     if (suspects != nullptr && file.all.peak > least) {
         file.diagnosis = diagnose(file.table, file.data, file.contact, *suspects, exact, own_error);
     }

@@ -246,3 +246,66 @@ TEST_CASE("a constant is not called a mistake that nearly has its effect") {
         CHECK(found[0].also.empty());
     }
 }
+
+TEST_CASE("a dominant factor is named with what remains, and is not called a constant") {
+    const std::vector<QuestionCells> questions = right_questions();
+    const std::vector<double> exact = exact_values(questions);
+    struct Dominant {
+        double factor;
+        const char* name;
+        std::vector<double> rests;
+    };
+    KnownReadings known;
+    for (const Dominant& d :
+         {Dominant{1000, "power-of-ten", {0.005, 0.04}}, Dominant{1e-3, "power-of-ten", {0.1}},
+          Dominant{3.14159265358979323846, "factor-pi", {0.04}}, Dominant{0.5, "factor-2", {0.035}},
+          Dominant{1.41421356237309504880, "factor-sqrt-2", {0.01}}}) {
+        for (const double rest : d.rests) {
+            std::vector<double> values = exact;
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                const auto u = questions[i].find("u");
+                const double part = u == questions[i].end() ? 0 : std::atof(u->second.c_str());
+                const double slow = 1 + std::sin(static_cast<double>(i) / 20);
+                values[i] *= d.factor * (1 + rest * (slow + std::sqrt(part)) / 2.8);
+            }
+            const Answers answers = echoed_answers(parse_csv(csv(questions, values), "a"));
+            const auto found =
+                infer_conventions(answers, compare(answers, Target{7, {}, false}, {}), {}, known);
+            CAPTURE(d.factor);
+            CAPTURE(rest);
+            std::size_t rows = 0;
+            double remains = 0;
+            for (const Convention& c : found) {
+                CAPTURE(c.of);
+                CAPTURE(c.relation);
+                CHECK(c.name == d.name);
+                CHECK(c.factor == doctest::Approx(d.factor));
+                rows += c.rows;
+                remains = std::max(remains, c.remains);
+            }
+            CHECK(rows > questions.size() / 2);
+            CHECK(remains > rest / 3);
+            CHECK(remains < rest);
+        }
+    }
+}
+
+TEST_CASE("a constant that is nearly a common factor may be the factor and another mistake") {
+    const std::vector<QuestionCells> questions = right_questions();
+    const std::vector<double> exact = exact_values(questions);
+    for (const auto& [constant, name] :
+         {std::pair{1040.0, "power-of-ten"}, std::pair{2.05, "factor-2"}, std::pair{1.37, ""}}) {
+        std::vector<double> values = exact;
+        for (double& v : values) {
+            v *= constant;
+        }
+        const Answers answers = echoed_answers(parse_csv(csv(questions, values), "a"));
+        const auto found =
+            infer_conventions(answers, compare(answers, Target{7, {}, false}, {}), {});
+        CAPTURE(constant);
+        REQUIRE(found.size() == 1);
+        CHECK(found[0].name == "factor");
+        CHECK(found[0].equally_likely ==
+              (*name == '\0' ? std::vector<std::string>{} : std::vector<std::string>{name}));
+    }
+}

@@ -150,6 +150,16 @@ TEST_CASE("single precision is named as such, and so are answers cut when writte
     CHECK(found(keys, wedges, "p", [](auto c, double u) {
               return wedge_pressure(a_of(c), u) * (1 + 1e-7);
           }).empty());
+    // Five decimals of values from 0.0003 to 8000.
+    const std::vector<std::string> stiff{"power-law,0,1,1,1e4", "power-law,0,1,2,1e-2",
+                                         "power-law,0,1,1,1e-3", "power-law,0,1,2,30"};
+    CHECK(found(
+              keys, stiff, "p",
+              [](auto c, double u) {
+                  const double modulus[] = {1e4, 1e-2, 1e-3, 30};
+                  return modulus[c] * wedge_pressure(c % 2 == 0 ? 1 : 2, u);
+              },
+              "%.5f") == Said{"p: right, and cut to 5 decimals when written"});
 }
 
 namespace {

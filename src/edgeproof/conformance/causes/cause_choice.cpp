@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/cause_search.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -40,7 +42,8 @@ void CauseSearch::add_doubt(const WrongRows& rows, Explained& to) const {
                              const double allowed = l.rank == 0 ? -two_deviations : two_deviations;
                              return misfit(*fit, unit) <= misfit(l.fit, unit) + allowed;
                          });
-    if (as_well && fit->noise_like.value_or(true)) {
+    const double unscattered = std::max(same_value, 3 * noise_);
+    if (as_well && fit->noise_like.value_or(fit->held <= unscattered)) {
         to.likely.push_back(constant(*ratio, std::move(*fit)));
     }
 }
@@ -68,7 +71,12 @@ void CauseSearch::keep_best(Explained& explained) {
     if (best.fit.noise_like.value_or(false)) {
         noise_ = std::max(noise_, best.fit.scatter);
     }
-    std::erase_if(likely, [&](const Likely& l) { return misfit_in_units(l) > most; });
+    // The rest after a common factor may nearly be a constant.
+    const bool may_vary =
+        best.rank == rank_of_constant && !best.fit.noise_like.value_or(best.fit.held <= same_value);
+    std::erase_if(likely, [&](const Likely& l) {
+        return misfit_in_units(l) > most && !(may_vary && l.rank == 0 && l.fit.dominates);
+    });
     std::ranges::stable_sort(likely, {}, [&](const Likely& l) {
         return std::pair(l.rank, l.rank == 1 ? 0 : misfit_in_units(l));
     });
@@ -91,7 +99,7 @@ std::size_t CauseSearch::rows_of(const Likely& cause) const {
 Convention CauseSearch::convention(const Explained& explained) const {
     const auto& likely = explained.likely;
     const Likely& first = *std::ranges::max_element(likely, {}, [&](const Likely& l) {
-        return std::pair(l.rank != rank_of_constant, rows_of(l));
+        return (l.rank == rank_of_constant ? 1 : 2) * rows_of(l);
     });
     Convention c;
     c.of = first.of_family ? explained.group.family : explained.group.name;
@@ -113,10 +121,30 @@ Convention CauseSearch::convention(const Explained& explained) const {
         }
     }
     if (first.rank == 2 && std::max(first.doubtful, c.remains) > unlikely_by_chance) {
-        c.also.emplace_back("a constant without a name");
+        c.also.emplace_back(c.remains == 0 ? "a constant without a name"
+                                           : "a factor that varies, near that number by chance");
         c.equally_likely.emplace_back("factor");
     }
+    if (first.rank == rank_of_constant) {
+        add_dominant_factors(c);
+    }
     return c;
+}
+
+void CauseSearch::add_dominant_factors(Convention& constant) const {
+    for (const NamedFactor& factor : factors_) {
+        const double more = Real(constant.factor / factor.value - 1).convert_to<double>();
+        const double error =
+            std::max(std::abs(constant.factor - 1), std::abs(1 / constant.factor - 1));
+        const bool known = std::ranges::find(constant.equally_likely, factor.name) !=
+                           constant.equally_likely.end();
+        if (factor.common && !known && std::abs(more) < most_scatter &&
+            error >= dominant_gain * std::abs(more)) {
+            constant.also.push_back(fmt::format("{}ours, and {:+.2g} % that have another cause",
+                                                factor.words, 100 * more));
+            constant.equally_likely.emplace_back(factor.name);
+        }
+    }
 }
 
 double CauseSearch::digits_of(double off) {

@@ -138,7 +138,9 @@ void CauseSearch::add_factors(const WrongRows& rows, const Values& values,
         if (abs(Real(ratio->value / factor.value - 1)) > most_scatter) {
             continue;
         }
-        if (auto fit = fit_of(rows, times(values, factor.value), noise_)) {
+        auto fit = fit_of(rows, times(values, factor.value), noise_);
+        const bool smooth = fit && !fit->noise_like.value_or(true);
+        if (fit && (fit->dominates || !smooth)) {
             to.likely.push_back(likely(factor, *ratio, std::move(*fit), swapped));
         }
     }
@@ -286,8 +288,9 @@ bool CauseSearch::constant_is_better(const WrongRows& all, const Explained& name
         return false;
     }
     const double unit = std::max(other->fit.scatter, noise_);
+    const bool is_constant = other->fit.noise_like.value_or(other->fit.held <= same_value);
     return std::ranges::all_of(named.likely, [&](const Likely& l) {
-        return !l.fit.noise_like.value_or(false) &&
+        return !l.fit.noise_like.value_or(false) && (is_constant || !l.fit.dominates) &&
                misfit(l.fit, unit) > misfit(other->fit, unit) + indistinguishable_misfit(l.fit);
     });
 }

@@ -97,7 +97,7 @@ private:
     [[nodiscard]] std::optional<Likely> constant_of(const Group& group, const WrongRows& all) const;
     /// True if all named causes leave a remainder that is not known to be noise, and that a
     /// constant without a name does not leave: one that is nearly the effect of a mistake by
-    /// chance.
+    /// chance. If a named factor dominates the error, the answers must be known to be constant.
     [[nodiscard]] bool constant_is_better(const WrongRows& all, const Explained& named) const;
     [[nodiscard]] Explained by_constant(const Group& group);
 
@@ -120,8 +120,11 @@ private:
     [[nodiscard]] std::size_t rows_of(const Likely& cause) const;
 
     /// The cause of a group that explains most rows of all groups, and the others. A constant
-    /// without a name is the first only if it is the only one.
+    /// without a name must explain twice as many rows.
     [[nodiscard]] Convention convention(const Explained& explained) const;
+    /// Adds the common factors that are nearly the constant, if they leave less than a twenty-fifth
+    /// of the error: the rest may have another cause.
+    void add_dominant_factors(Convention& constant) const;
     [[nodiscard]] static double digits_of(double off);
 
     const Answers& answers_;

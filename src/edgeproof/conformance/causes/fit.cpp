@@ -149,10 +149,14 @@ std::optional<Fit> fit_of(const WrongRows& rows, const std::vector<std::optional
     }
     std::vector<double> left;
     std::vector<double> left_before;
+    std::vector<double> of_ratio; // as large for 1/2 as for 2
     for (std::size_t k = 0; k < rows.size(); ++k) {
         if (fit.changes[k]) {
             left.push_back(fit.off[k]);
             left_before.push_back(fit.before[k]);
+            const Real inverse = rows.ours[k] / rows.answers[k] - 1;
+            of_ratio.push_back(
+                std::max(fit.before[k], std::min(std::abs(inverse.convert_to<double>()), 1e300)));
         }
     }
     if (!enough(fit.rows, left.size())) {
@@ -162,7 +166,8 @@ std::optional<Fit> fit_of(const WrongRows& rows, const std::vector<std::optional
     const double before_half = sorted_at(left_before, 0.5);
     const double left_half = sorted_at(absolute(left), 0.5);
     const double gain = least_gain * (1 + rows_for_less_gain * few);
-    const bool dominates = before_half >= dominant_gain * left_half;
+    const bool dominates = sorted_at(std::move(of_ratio), 0.5) >= dominant_gain * left_half;
+    fit.dominates = dominates;
     if (before_half < gain * left_half || (fit.held > std::max(most_remainder, of_held * noise) &&
                                            !dominates && !fit.noise_like.value_or(false))) {
         return {};

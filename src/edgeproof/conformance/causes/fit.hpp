@@ -37,6 +37,9 @@ struct Fit {
     double worst = 0;           ///< the largest |off| of these
     double held = 0;            ///< the |off| that nine of ten rows do not exceed
     double scatter = 0;         ///< the standard deviation, from the median of the absolute values
+    /// The cause leaves less than a twenty-fifth of the error, |answer/ours - 1| or |ours/answer -
+    /// 1|, of the rows that it changes. Set by fit_of().
+    bool dominates = false;
     /// True if the remaining error scatters from point to point, as errors of rounding and noise
     /// do. Empty if there are too few neighbours to decide.
     std::optional<bool> noise_like;

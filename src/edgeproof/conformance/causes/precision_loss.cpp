@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -52,6 +53,18 @@ unsigned digits_carried(const Answer& answer) {
     return std::min(digits_written(answer.text), static_cast<unsigned>(last - first));
 }
 
+/// The decimals of the shortest decimal that is the same binary64 (12300 has none).
+unsigned decimals_carried(const Answer& answer) {
+    const std::string text = fmt::format("{}", answer.value.convert_to<double>());
+    const std::size_t end = std::min(text.find('e'), text.size());
+    const std::size_t point = text.substr(0, end).find('.');
+    const int written = point == std::string::npos ? 0 : static_cast<int>(end - point) - 1;
+    const int exponent = end < text.size() ? std::stoi(text.substr(end + 1)) : 0;
+    const bool whole =
+        answer.value.convert_to<double>() == std::round(answer.value.convert_to<double>());
+    return whole ? 0U : static_cast<unsigned>(std::max(0, written - exponent));
+}
+
 /// True if the answer is a binary32, or one written with the few digits that identify it. A short
 /// decimal is no evidence: every one survives in binary32.
 bool is_single(const Answer& answer) {
@@ -85,7 +98,21 @@ struct Tally {
     unsigned written = 0;
     double digits = 40;
     std::vector<std::size_t> single;
-    std::size_t cut = 0;
+    std::vector<std::size_t> cut;
+    std::vector<std::size_t> zeros; ///< wrong answers that are 0
+
+    /// The number of decimals, if more of the cut answers have it than have the number of digits.
+    [[nodiscard]] std::optional<unsigned> decimals(const Answers& answers) const {
+        unsigned most = 0;
+        for (const std::size_t i : cut) {
+            most = std::max(most, decimals_carried(answers.given[i]));
+        }
+        const auto by_decimals = std::ranges::count_if(
+            cut, [&](std::size_t i) { return decimals_carried(answers.given[i]) == most; });
+        const auto by_digits = std::ranges::count_if(
+            cut, [&](std::size_t i) { return digits_carried(answers.given[i]) == written; });
+        return by_decimals > by_digits ? std::optional(most) : std::nullopt;
+    }
 };
 
 } // namespace
@@ -100,6 +127,10 @@ std::vector<Convention> infer_precision_loss(const Answers& answers, const Agree
         const unsigned written = number ? digits_carried(answer) : 0;
         const bool cut = number && written > 0 && written < full_digits && !held.pass &&
                          is_cut(answer, agreements.references[i], written);
+        if (answer.state == Answer::State::number && answer.value == 0 && !held.pass &&
+            held.no_reference.empty()) {
+            families[family_of(answers.questions.list[i])].zeros.push_back(i);
+        }
         if (!number || held.pass) {
             continue;
         }
@@ -112,35 +143,47 @@ std::vector<Convention> infer_precision_loss(const Answers& answers, const Agree
         if (is_single(answer)) {
             t.single.push_back(i);
         }
-        t.cut += cut ? 1 : 0;
+        if (cut) {
+            t.cut.push_back(i);
+        }
         t.written = std::max(t.written, written);
         t.digits = std::min(t.digits, held.digits);
     }
     std::vector<Convention> found;
     for (const auto& [family, t] : families) {
-        const bool cut = enough(t.cut, t.wrong.size());
+        const bool cut = enough(t.cut.size(), t.wrong.size());
         if (!cut && !enough(t.single.size(), t.failing)) {
             continue;
         }
         Convention c;
         c.of = family;
-        c.relation = cut ? fmt::format("right, and cut to {} digits when written", t.written)
-                         : "in single precision (binary32)";
+        const auto decimals = cut ? t.decimals(answers) : std::nullopt;
+        c.relation = decimals ? fmt::format("right, and cut to {} decimals when written", *decimals)
+                     : cut    ? fmt::format("right, and cut to {} digits when written", t.written)
+                              : "in single precision (binary32)";
         c.digits = c.held = t.digits;
-        c.rows = cut ? t.cut : t.single.size();
+        c.rows = cut ? t.cut.size() : t.single.size();
         c.which = t.single;
         if (cut) { // also those that other errors have moved by a unit of the last digit
             c.which = t.wrong;
             std::erase_if(c.which, [&](std::size_t i) {
-                return digits_carried(answers.given[i]) > t.written ||
-                       agreements.cases[i].digits < t.written - 1;
+                const unsigned carried = digits_carried(answers.given[i]);
+                return decimals ? decimals_carried(answers.given[i]) > *decimals ||
+                                      agreements.cases[i].digits < carried - 1.0
+                                : carried > t.written || agreements.cases[i].digits < t.written - 1;
+            });
+            std::ranges::copy_if(t.zeros, std::back_inserter(c.which), [&](std::size_t i) {
+                const Real ours = agreements.references[i].value.value.midpoint();
+                return decimals && abs(ours) <= pow(Real(10), -static_cast<int>(*decimals)) / 2;
             });
         }
         c.failing = t.failing;
         c.hint = cut ? "write all 17 digits of a double (%.17g), or state what you write with "
                        "--digits"
                      : "compute and write in double precision";
-        c.name = cut ? fmt::format("rounded-to-{}", t.written) : "binary32";
+        c.name = decimals ? fmt::format("rounded-to-{}-decimals", *decimals)
+                 : cut    ? fmt::format("rounded-to-{}", t.written)
+                          : "binary32";
         found.push_back(std::move(c));
     }
     return found;

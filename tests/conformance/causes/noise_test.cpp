@@ -293,19 +293,21 @@ TEST_CASE("a dominant factor is named with what remains, and is not called a con
 TEST_CASE("a constant that is nearly a common factor may be the factor and another mistake") {
     const std::vector<QuestionCells> questions = right_questions();
     const std::vector<double> exact = exact_values(questions);
-    for (const auto& [constant, name] :
-         {std::pair{1040.0, "power-of-ten"}, std::pair{2.05, "factor-2"}, std::pair{1.37, ""}}) {
+    const std::vector<std::pair<double, std::string>> constants{
+        {1040.0, "power-of-ten"}, {2.05, "factor-2"}, {1.37, ""}};
+    for (const auto& tried : constants) {
         std::vector<double> values = exact;
         for (double& v : values) {
-            v *= constant;
+            v *= tried.first;
         }
         const Answers answers = echoed_answers(parse_csv(csv(questions, values), "a"));
         const auto found =
             infer_conventions(answers, compare(answers, Target{7, {}, false}, {}), {});
-        CAPTURE(constant);
+        CAPTURE(tried.first);
         REQUIRE(found.size() == 1);
         CHECK(found[0].name == "factor");
-        CHECK(found[0].equally_likely ==
-              (*name == '\0' ? std::vector<std::string>{} : std::vector<std::string>{name}));
+        CHECK(found[0].equally_likely == (tried.second.empty()
+                                              ? std::vector<std::string>{}
+                                              : std::vector<std::string>{tried.second}));
     }
 }

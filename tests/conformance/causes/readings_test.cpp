@@ -160,6 +160,12 @@ TEST_CASE("single precision is named as such, and so are answers cut when writte
                   return modulus[c] * wedge_pressure(c % 2 == 0 ? 1 : 2, u);
               },
               "%.5f") == Said{"p: right, and cut to 5 decimals when written"});
+    // Three digits of large values are whole numbers.
+    const std::vector<std::string> large{"power-law,0,1,1,1e6", "power-law,0,1,2,1e8"};
+    CHECK(found(
+              keys, large, "p",
+              [](auto c, double u) { return (c == 0 ? 1e6 : 1e8) * wedge_pressure(a_of(c), u); },
+              "%.3g") == Said{"p: right, and cut to 3 digits when written"});
 }
 
 namespace {

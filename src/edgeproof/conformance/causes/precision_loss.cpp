@@ -101,7 +101,7 @@ struct Tally {
     std::vector<std::size_t> cut;
     std::vector<std::size_t> zeros; ///< wrong answers that are 0
 
-    /// The number of decimals, if more of the cut answers have it than have the number of digits.
+    /// The number of decimals, if most of the cut answers have it, and few the number of digits.
     [[nodiscard]] std::optional<unsigned> decimals(const Answers& answers) const {
         unsigned most = 0;
         for (const std::size_t i : cut) {
@@ -111,7 +111,9 @@ struct Tally {
             cut, [&](std::size_t i) { return decimals_carried(answers.given[i]) == most; });
         const auto by_digits = std::ranges::count_if(
             cut, [&](std::size_t i) { return digits_carried(answers.given[i]) == written; });
-        return by_decimals > by_digits ? std::optional(most) : std::nullopt;
+        const auto all = static_cast<std::ptrdiff_t>(cut.size());
+        return most > 0 && 2 * by_decimals > all && 2 * by_digits < all ? std::optional(most)
+                                                                        : std::nullopt;
     }
 };
 
@@ -150,13 +152,14 @@ std::vector<Convention> infer_precision_loss(const Answers& answers, const Agree
         t.digits = std::min(t.digits, held.digits);
     }
     std::vector<Convention> found;
-    for (const auto& [family, t] : families) {
+    for (const auto& of_family : families) {
+        const Tally& t = of_family.second;
         const bool cut = enough(t.cut.size(), t.wrong.size());
         if (!cut && !enough(t.single.size(), t.failing)) {
             continue;
         }
         Convention c;
-        c.of = family;
+        c.of = of_family.first;
         const auto decimals = cut ? t.decimals(answers) : std::nullopt;
         c.relation = decimals ? fmt::format("right, and cut to {} decimals when written", *decimals)
                      : cut    ? fmt::format("right, and cut to {} digits when written", t.written)

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string_view>
+#include <utility>
 
 namespace edgeproof::audit {
 namespace {
@@ -53,10 +54,14 @@ std::vector<Sample> other_contacts(const Sample& sample) {
                        parameters.contains("C") && parameters.contains("a") &&
                        parameters.contains("Es");
     if (power_law && plain) {
-        for (const auto& [changed, factor] :
-             {std::pair{"a", Rational(7, 5)}, std::pair{"C", Rational(3, 5)},
-              std::pair{"Es", Rational(11, 7)}, std::pair{"a", Rational(5, 9)}}) {
-            add([&](const std::string& name) { return name == changed ? factor : Rational(1); });
+        const std::pair<std::string_view, Rational> changes[] = {{"a", Rational(7, 5)},
+                                                                 {"C", Rational(3, 5)},
+                                                                 {"Es", Rational(11, 7)},
+                                                                 {"a", Rational(5, 9)}};
+        for (const auto& change : changes) {
+            add([&change](const std::string& name) {
+                return name == change.first ? change.second : Rational(1);
+            });
         }
     } else if (!power_law) {
         add([](const std::string& name) {

@@ -350,6 +350,65 @@ TEST_CASE("the integral of the pressure is stated for contacts that reach beyond
     CHECK_FALSE(tilted.whole_verdict);
 }
 
+// The theorem is about places between x = 0 and the transition x = t.
+TEST_CASE("a pressure that grows is stated only for places of the theorem") {
+    const std::string grows =
+        "kind = \"monotone\"\nof = \"p(s)\"\nalong = \"s\"\nsense = \"increasing\"\n";
+    const auto c = only_certificate(flat("[\"1\"]", "[\"2\"]"),
+                                    grows + "vary = { s = [\"0\", \"t/2\", \"t\"] }\n");
+    CHECK(c.verdict == "confirmed");
+    CHECK(c.whole_verdict);
+    CHECK(contains(c.text, "forall x z, 0 <= x < z -> z <= t -> p x < p z"));
+    const auto beyond = only_certificate(flat("[\"1\"]", "[\"2\"]"),
+                                         grows + "vary = { s = [\"0\", \"t/2\", \"t*1.001\"] }\n");
+    CHECK(beyond.verdict == "confirmed");
+    CHECK(beyond.theorems.empty());
+}
+
+TEST_CASE("a difference at the transition is stated only if its places approach the transition") {
+    const std::string limit = "kind = \"limit\"\nof = \"(p(t+s)-p(t-s))/p(t)\"\nalong = "
+                              "\"s\"\nlimit = \"0\"\nvary = { s = [";
+    const auto c = only_certificate(flat("[\"1\"]", "[\"2\"]"),
+                                    limit + "\"(a-t)*1e-1\", \"(a-t)*1e-4\", \"(a-t)*1e-16\"] }\n");
+    CHECK(c.verdict == "confirmed");
+    CHECK(c.whole_verdict);
+    CHECK(contains(c.text, "(forall x, - a < x < a -> continuous p x)"));
+    const auto far = only_certificate(
+        flat("[\"1\"]", "[\"2\"]"), limit + "\"(a-t)*1e-1\", \"(a-t)*1e-2\", \"(a-t)*1e-3\"] }\n");
+    CHECK(far.theorems.empty());
+}
+
+// The theorem says at which edge the coefficient vanishes; the readings are those of the theorem.
+TEST_CASE("a claim with several readings is stated with all of them") {
+    const std::string sheared =
+        "profile = \"tilted-wedge\"\ncount = 2\nu = [\"1/5\"]\n[family.parameters]\nphi = "
+        "[\"1/50\"]\nalpha = [\"phi/3\"]\na = [\"3/2\"]\nEs = [\"7/3\"]\nQ = [\"1/3\", \"-2/7\"]\n"
+        "sig0 = [\"1/5\"]\n";
+    const std::string vanishing = "kind = \"vanishing\"\nsays = \"4/(3*Pi)\"\nratio = "
+                                  "\"sig0*d/Q\"\nloads = [\"Q\", \"sig0\"]\n";
+    const auto reading = [](const std::string& of, const std::string& elsewhere) {
+        return "[[claim.reading]]\ntext = \"" + of + "\"\nof = \"" + of + "\"\nelsewhere = [\"" +
+               elsewhere + "\"]\n";
+    };
+    const std::string left = reading("left.s1", "right.s1");
+    const std::string right = reading("right.s1", "left.s1");
+    const std::string define = "d = \"(a+b)/2\"\n";
+    const auto c = only_certificate(sheared, vanishing + left + right, define);
+    CHECK(c.verdict == "imprecise");
+    CHECK(c.whole_verdict);
+    CHECK(contains(c.text, "s1 = 0 /\\ v1 <> 0"));
+    CHECK(only_certificate(sheared, vanishing + right + left, define).theorems.empty());
+}
+
+TEST_CASE("the printed consistency is stated for tilted wedges and tilted punches") {
+    const std::string integral = "integral(g1(s)/sqrt((a-s)*(s+b)), s, -b, a)";
+    const std::string scale = "scale = \"integral(abs(g1(s))/sqrt((a-s)*(s+b)), s, -b, a)\"\n";
+    const auto c = only_certificate(wedges, value(integral, "0") + scale);
+    CHECK(c.verdict == "confirmed");
+    CHECK(c.whole_verdict);
+    CHECK(contains(c.text, "is_the_left_edge (tilted_rounded_slope alpha t R0) a b"));
+}
+
 TEST_CASE("terms above the pressure of rounded edges are stated near the right edge only") {
     const std::string above =
         "kind = \"relation\"\nsays = \"right_local(1, x) > p(x) and right_local(2, x) > p(x) and "

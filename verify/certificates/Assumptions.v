@@ -25,6 +25,9 @@ From Edgeproof Require EQ18.
 From Edgeproof Require EQ19_L.
 From Edgeproof Require EQ19_M.
 From Edgeproof Require EQ19_N.
+From Edgeproof Require EQ20.
+From Edgeproof Require EQ21_R.
+From Edgeproof Require EQ21_L.
 From Edgeproof Require EQ22_P.
 From Edgeproof Require EQ23_L.
 From Edgeproof Require EQ23_M.
@@ -48,6 +51,7 @@ From Edgeproof Require EQ32_N.
 From Edgeproof Require EQ34_q.
 From Edgeproof Require EQ34_force.
 From Edgeproof Require EQ34_strain.
+From Edgeproof Require EQ35.
 From Edgeproof Require EQ36_K.
 From Edgeproof Require EQ36_L.
 From Edgeproof Require EQ36_M.
@@ -60,6 +64,7 @@ From Edgeproof Require EQ39_Mplus.
 From Edgeproof Require EQ39_Kminus.
 From Edgeproof Require EQ39_Lminus.
 From Edgeproof Require EQ39_Mminus.
+From Edgeproof Require EQ41.
 From Edgeproof Require EQ44.
 From Edgeproof Require EQ45.
 From Edgeproof Require EQ47_F.
@@ -70,6 +75,7 @@ From Edgeproof Require S38_sides.
 From Edgeproof Require S45.
 From Edgeproof Require EQ38_Lplus.
 From Edgeproof Require EQ38_Lminus.
+From Edgeproof Require EQ40.
 From Edgeproof Require S49.
 From Edgeproof Require S50_right.
 From Edgeproof Require S50_left.
@@ -81,6 +87,7 @@ From Edgeproof Require S53_tension.
 From Edgeproof Require S53_equation.
 From Edgeproof Require S54_right.
 From Edgeproof Require S54_left.
+From Edgeproof Require S54_stick.
 From Edgeproof Require S47_right.
 From Edgeproof Require S47_left.
 From Edgeproof Require S48_right.
@@ -94,6 +101,7 @@ From Edgeproof Require EQ04_left.
 From Edgeproof Require EQ29.
 From Edgeproof Require EQ31.
 From Edgeproof Require S01.
+From Edgeproof Require S02.
 From Edgeproof Require S03_M.
 From Edgeproof Require S03_N.
 From Edgeproof Require S04_distance.
@@ -114,6 +122,9 @@ From Edgeproof Require S17_hertz.
 From Edgeproof Require S18_none.
 From Edgeproof Require S18_any.
 From Edgeproof Require S18_limit.
+From Edgeproof Require S19_continuous.
+From Edgeproof Require S19_peak.
+From Edgeproof Require S19_minimum.
 From Edgeproof Require S20.
 From Edgeproof Require S21.
 From Edgeproof Require S22.
@@ -140,6 +151,7 @@ From Edgeproof Require S37_right.
 From Edgeproof Require S37_left.
 From Edgeproof Require S60_wedge.
 From Edgeproof Require S60_hertz.
+From Edgeproof Require S61.
 
 Definition all_theorems : True :=
   let _ := EQ01.EQ01 in
@@ -173,6 +185,9 @@ Definition all_theorems : True :=
   let _ := EQ19_L.EQ19_L in
   let _ := EQ19_M.EQ19_M in
   let _ := EQ19_N.EQ19_N in
+  let _ := EQ20.EQ20 in
+  let _ := EQ21_R.EQ21_R in
+  let _ := EQ21_L.EQ21_L in
   let _ := EQ22_P.EQ22_P in
   let _ := EQ23_L.EQ23_L in
   let _ := EQ23_M.EQ23_M in
@@ -203,6 +218,7 @@ Definition all_theorems : True :=
   let _ := EQ34_q.EQ34_q in
   let _ := EQ34_force.EQ34_force in
   let _ := EQ34_strain.EQ34_strain in
+  let _ := EQ35.EQ35 in
   let _ := EQ36_K.EQ36_K in
   let _ := EQ36_L.EQ36_L in
   let _ := EQ36_M.EQ36_M in
@@ -215,6 +231,7 @@ Definition all_theorems : True :=
   let _ := EQ39_Kminus.EQ39_Kminus in
   let _ := EQ39_Lminus.EQ39_Lminus in
   let _ := EQ39_Mminus.EQ39_Mminus in
+  let _ := EQ41.EQ41 in
   let _ := EQ44.EQ44_refuted in
   let _ := EQ44.EQ44_corrected in
   let _ := EQ44.EQ44_instance in
@@ -242,6 +259,7 @@ Definition all_theorems : True :=
   let _ := S45.S45 in
   let _ := EQ38_Lplus.EQ38_Lplus_refuted in
   let _ := EQ38_Lminus.EQ38_Lminus_refuted in
+  let _ := EQ40.EQ40 in
   let _ := S49.S49_refuted in
   let _ := S49.S49_corrected in
   let _ := S50_right.S50_right in
@@ -254,6 +272,7 @@ Definition all_theorems : True :=
   let _ := S53_equation.S53_equation in
   let _ := S54_right.S54_right in
   let _ := S54_left.S54_left in
+  let _ := S54_stick.S54_stick in
   let _ := S47_right.S47_right in
   let _ := S47_left.S47_left in
   let _ := S48_right.S48_right_1 in
@@ -269,6 +288,7 @@ Definition all_theorems : True :=
   let _ := EQ29.EQ29 in
   let _ := EQ31.EQ31 in
   let _ := S01.S01 in
+  let _ := S02.S02 in
   let _ := S03_M.S03_M_refuted in
   let _ := S03_N.S03_N_refuted in
   let _ := S04_distance.S04_distance_refuted in
@@ -298,6 +318,9 @@ Definition all_theorems : True :=
   let _ := S18_none.S18_none in
   let _ := S18_any.S18_any in
   let _ := S18_limit.S18_limit in
+  let _ := S19_continuous.S19_continuous in
+  let _ := S19_peak.S19_peak in
+  let _ := S19_minimum.S19_minimum in
   let _ := S20.S20_extent in
   let _ := S20.S20_extent_similar in
   let _ := S21.S21_extent in
@@ -332,5 +355,6 @@ Definition all_theorems : True :=
   let _ := S37_left.S37_left in
   let _ := S60_wedge.S60_wedge in
   let _ := S60_hertz.S60_hertz in
+  let _ := S61.S61 in
   I.
 Print Assumptions all_theorems.

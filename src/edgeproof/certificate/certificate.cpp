@@ -392,7 +392,13 @@ const std::vector<TheoryFile>& theory_files() {
         {"LoadOfPressure", coq_files::LoadOfPressure_v,
          "Resultant.vo Places.vo Limits.vo PowerLaw.vo"},
         {"Forward", coq_files::Forward_v, "Sides.vo Inversion.vo LoadOfPressure.vo"},
-        {"RoundedSides", coq_files::RoundedSides_v, "Limits.vo"}};
+        {"RoundedSides", coq_files::RoundedSides_v, "Limits.vo"},
+        {"Dilogarithm", coq_files::Dilogarithm_v, "Resultant.vo"},
+        {"LogPressure", coq_files::LogPressure_v, "Stick.vo Dilogarithm.vo"},
+        {"ForwardPunches", coq_files::ForwardPunches_v, "Similar.vo Forward.vo LogPressure.vo"},
+        {"RoundedShape", coq_files::RoundedShape_v, "ForwardPunches.vo"},
+        {"Consistency", coq_files::Consistency_v, "TiltedRounded.vo LogPressure.vo Places.vo"},
+        {"Readings", coq_files::Readings_v, "Forward.vo Orders.vo"}};
     return all;
 }
 

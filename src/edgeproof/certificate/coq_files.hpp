@@ -47,6 +47,12 @@ extern const std::string_view Places_v;         ///< loads as integrals over pla
 extern const std::string_view LoadOfPressure_v; ///< both for power laws, rounded edges, wedges
 extern const std::string_view Forward_v;        ///< the equation of the contact problem, parabola
 extern const std::string_view RoundedSides_v;   ///< the first terms of rounded edges lie above
+extern const std::string_view Dilogarithm_v;    ///< the dilogarithm, for the next file
+extern const std::string_view LogPressure_v;    ///< the pressure of a corner, its principal value
+extern const std::string_view ForwardPunches_v; ///< the equation for wedges and rounded edges
+extern const std::string_view RoundedShape_v;   ///< the shape of the pressure of rounded edges
+extern const std::string_view Consistency_v;    ///< the printed condition of consistency
+extern const std::string_view Readings_v;       ///< claims that hold in one reading only
 
 /// The stresses under a parabola. It is no file of its own: certificates of stresses contain it.
 extern const std::string_view Stress_v;

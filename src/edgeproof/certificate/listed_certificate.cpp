@@ -43,7 +43,7 @@ bool is_series(const audit::Claim& claim, const Said& said) {
 /// Whether a claim without readings, or one reading of it, says this. A field that changes what the
 /// claim means, and that the theorem does not have, makes it another claim.
 bool is_said(const audit::Claim& claim, const Said& said) {
-    if (claim.has("vary") || claim.has("given") || claim.has("holds") ||
+    if (claim.has("vary") == said.to.empty() || claim.has("given") || claim.has("holds") ||
         (said.where.empty() ? claim.has("where") : !is_condition(claim, "where", said.where))) {
         return false;
     }
@@ -60,22 +60,72 @@ bool is_said(const audit::Claim& claim, const Said& said) {
     if (claim.kind == "value") {
         return is_formula(claim, "says", said.says);
     }
+    if (claim.kind == "order") {
+        return is_formula(claim, "says", said.says) &&
+               claim.text_or("factor", "of-the-scene") == said.along;
+    }
+    if (claim.kind == "vanishing") {
+        return is_formula(claim, "says", said.says) &&
+               is_formula(claim, "ratio", "sig0*((a+b)/2)/Q");
+    }
     const std::string_view key = claim.kind == "limit" ? "limit" : "sense";
     return claim.kind == "independence" ||
            (claim.text(key) == said.says && claim.text("along") == said.along);
 }
 
-bool says(const audit::Claim& claim, const Listed& entry) {
-    if (claim.kind != entry.kind) {
+bool says(const audit::ClaimResult& result, const Listed& entry) {
+    const audit::Claim& claim = result.claim;
+    if (claim.kind != entry.kind || result.outcome.verdict != entry.verdict) {
         return false;
     }
+    const auto* const end =
+        std::find_if(entry.other_readings.begin(), entry.other_readings.end(),
+                     [](const Said& said) { return said.of.empty() && said.says.empty(); });
+    const auto others = static_cast<std::size_t>(end - entry.other_readings.begin());
     if (claim.readings.empty()) {
-        return entry.said.also.empty() && is_said(claim, entry.said);
+        return others == 0 && is_said(claim, entry.said);
     }
-    Said second = entry.said;
-    second.of = second.also;
-    return !second.of.empty() && claim.readings.size() == 2 &&
-           is_said(claim.readings[0], entry.said) && is_said(claim.readings[1], second);
+    return claim.readings.size() == others + 1 && is_said(claim.readings.front(), entry.said) &&
+           std::equal(entry.other_readings.begin(), end, claim.readings.begin() + 1,
+                      [](const Said& said, const audit::Claim& c) { return is_said(c, said); });
+}
+
+/// Returns the value of a formula of the parameters of a scene.
+formula::Exact value_at(formula::Expr e, const audit::SceneSpec& scene) {
+    for (const auto& [name, value] : scene.parameters) {
+        e = substitute(e, name, value.expr());
+    }
+    return formula::Exact(e);
+}
+
+/// Whether the places that the claim varies are those of the theorem; those of a limit approach
+/// their limit from above.
+bool varies_as(const audit::Claim& claim, const Said& said,
+               const std::vector<audit::SceneSpec>& scenes) {
+    if (said.to.empty()) {
+        return true;
+    }
+    const auto& varied = claim.table("vary");
+    if (varied.size() != 1 || varied.front().first != said.along) {
+        return false;
+    }
+    const auto parsed = [&](std::string_view text) {
+        return audit::parse_formula(text, {claim.vocabulary.symbols, {}});
+    };
+    return std::all_of(scenes.begin(), scenes.end(), [&](const audit::SceneSpec& scene) {
+        const formula::Expr from = value_at(parsed(said.from), scene).expr();
+        const formula::Expr to = value_at(parsed(said.to), scene).expr();
+        std::vector<double> shares;
+        for (const std::string& value : varied.front().second) {
+            const formula::Expr place = value_at(parsed(value), scene).expr();
+            if (formula::Exact(place - from).sign() < 0 || formula::Exact(to - place).sign() < 0) {
+                return false;
+            }
+            shares.push_back(formula::Exact((place - from) / (to - from)).to<double>());
+        }
+        return claim.kind != "limit" || (std::is_sorted(shares.rbegin(), shares.rend()) &&
+                                         shares.back() > 0 && shares.back() < 1e-6);
+    });
 }
 
 /// Whether the values that the claim follows end where the theorem's limit is, or approach it.
@@ -117,23 +167,32 @@ bool ends_there(const audit::Claim& claim, const audit::Ledger& ledger, const Li
 bool certify_listed(const audit::ClaimResult& result, const audit::Ledger& ledger,
                     Certificate& certificate) {
     const audit::Claim& claim = result.claim;
-    if (result.outcome.verdict != audit::Verdict::confirmed || !claim.has("over")) {
+    if (!claim.has("over")) {
         return false;
     }
     const auto scenes = draw_scenes(ledger.family(claim.text("over")), ledger.families);
-    const auto listed = listed_statements();
-    const auto entry = std::find_if(listed.begin(), listed.end(), [&](const Listed& l) {
-        return says(claim, l) && !scenes.empty() &&
-               std::all_of(scenes.begin(), scenes.end(), l.about) && ends_there(claim, ledger, l);
-    });
-    if (entry == listed.end()) {
+    const auto is_stated = [&](const Listed& l) {
+        return says(result, l) && !scenes.empty() &&
+               std::all_of(scenes.begin(), scenes.end(), l.about) && ends_there(claim, ledger, l) &&
+               varies_as(claim, l.said, scenes);
+    };
+    const Listed* entry = nullptr;
+    for (const auto listed : {listed_pressures(), listed_statements()}) {
+        const auto found = std::find_if(listed.begin(), listed.end(), is_stated);
+        if (entry == nullptr && found != listed.end()) {
+            entry = &*found;
+        }
+    }
+    if (entry == nullptr) {
         return false;
     }
     Theory theory;
-    theory.imports = {"Contact",  "Coefficients", "Edges",          "Symmetric", "TiltedWedge",
-                      "Unique",   "Shear",        "Sides",          "Limits",    "Stick",
-                      "Orders",   "ShearTerms",   "TiltedRounded",  "Inversion", "PowerLaw",
-                      "Flatness", "Similar",      "LoadOfPressure", "Forward"};
+    theory.imports = {"Contact",       "Coefficients",   "Edges",    "Symmetric",
+                      "TiltedWedge",   "Unique",         "Shear",    "Sides",
+                      "Limits",        "Stick",          "Orders",   "ShearTerms",
+                      "TiltedRounded", "Inversion",      "PowerLaw", "Flatness",
+                      "Similar",       "LoadOfPressure", "Forward",  "ForwardPunches",
+                      "Consistency",   "RoundedShape",   "Readings"};
     const std::string name = coq_name(claim.id);
     certificate.text =
         file_head(claim, ledger, theory) +

@@ -1,59 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/certificate/listed_statements.hpp"
+#include "edgeproof/certificate/listed_scenes.hpp"
 
 #include <array>
-#include <cmath>
-#include <string>
 
 namespace edgeproof::certificate {
 namespace {
 
-double number(const audit::SceneSpec& scene, const std::string& parameter) {
-    return scene.parameter(parameter).to<double>();
-}
-
-bool tilted_wedge(const audit::SceneSpec& s) {
-    return s.profile == "tilted-wedge" && std::abs(number(s, "alpha")) < number(s, "phi");
-}
-bool tilted_to_the_left(const audit::SceneSpec& s) {
-    return tilted_wedge(s) && s.parameter("alpha").sign() > 0;
-}
-bool flat_and_rounded(const audit::SceneSpec& s) {
-    return s.profile == "flat-and-rounded" && s.parameters.contains("a");
-}
-bool beyond_the_flat(const audit::SceneSpec& s) {
-    return flat_and_rounded(s) &&
-           formula::Exact(s.parameter("a").expr() - s.parameter("t").expr()).sign() > 0;
-}
-bool within_the_flat(const audit::SceneSpec& s) {
-    return flat_and_rounded(s) && !beyond_the_flat(s);
-}
-bool without(const audit::SceneSpec& s, const std::string& load) {
-    const auto found = s.parameters.find(load);
-    return found != s.parameters.end() && found->second.sign() == 0;
-}
-bool under(const audit::SceneSpec& s, const std::string& load) {
-    return s.parameters.contains(load) && !without(s, load);
-}
-bool force_alone(const audit::SceneSpec& s) { return without(s, "sig0") && under(s, "Q"); }
-bool tension_alone(const audit::SceneSpec& s) { return without(s, "Q") && under(s, "sig0"); }
-bool tilted_punch(const audit::SceneSpec& s) {
-    return s.profile == "tilted-flat-and-rounded" && s.parameter("alpha").sign() > 0 &&
-           s.parameter("t").sign() > 0 && s.parameter("R").sign() > 0;
-}
-bool power_law(const audit::SceneSpec& s) {
-    return s.profile == "power-law" && s.parameter("m").sign() >= 0 && s.parameter("C").sign() > 0;
-}
-bool symmetric(const audit::SceneSpec& s) {
-    return s.profile == "power-law" || s.profile == "flat-and-rounded" ||
-           s.profile == "piecewise-symmetric";
-}
-bool power_law_or_rounded(const audit::SceneSpec& s) { return power_law(s) || beyond_the_flat(s); }
-bool non_symmetric(const audit::SceneSpec& s) { return tilted_wedge(s) || tilted_punch(s); }
-bool wedge_or_power_law_under_force(const audit::SceneSpec& s) {
-    return force_alone(s) && (tilted_wedge(s) || power_law(s));
-}
-bool any_contact(const audit::SceneSpec& /*s*/) { return true; }
+using namespace listed_scenes;
 
 constexpr std::string_view convex_smooth =
     "that the load and the left edge are smooth functions of the right edge, which is assumed; the "
@@ -75,7 +29,7 @@ constexpr std::string_view states_orders =
     "for all smooth contacts, the pressure and what one and two terms leave of it, divided by "
     "u^(1/2), u^(3/2) and u^(5/2), tend to the coefficients";
 
-constexpr std::array<Listed, 29> listed{
+constexpr std::array<Listed, 27> listed{
     {{"relation",
       {.says = "0 < b/a and b/a < 1"},
       tilted_to_the_left,
@@ -179,86 +133,68 @@ constexpr std::array<Listed, 29> listed{
       "the force Q; of all functions (A + B x)/sqrt((a - x)(x + b)) it is the only one",
       "that the integral equation has no solution of another form",
       false},
-     {"value",
-      {.of = "p(x)",
-       .says = "Es/(2*Pi)*sqrt(a^2-x^2)*pv(g1(s)/sqrt(a^2-s^2)*(1/(s-x)), s, -a, a, x)"},
-      symmetric,
-      "(Es m a x : R) (l : list part)",
-      R"(convex_punch l -> beyond m l -> 0 < m < x -> x < a ->
-  exists p0 l0, is_the_pressure Es (Symmetric.slope l) a x p0 /\
-  is_principal_value (fun s => Symmetric.slope l s / sqrt (a ^ 2 - s ^ 2) * (1 / (s - x))) (- a) a x l0 /\
-  Es / (2 * PI) * sqrt (a ^ 2 - x ^ 2) * l0 = p0)",
-      "exact (the_pressure_by_inversion Es l m a x)",
-      "for all symmetric punches whose g' is piecewise linear and convex (wedges, parabolas, flat "
-      "punches with rounded edges and sums of these), beyond all knots, printed = Barber and "
-      "Mossakovskii's integral",
-      "power laws with other exponents than 0 and 1; places on the flat",
-      false},
-     {"value",
-      {.of = "p(x)",
-       .says = "1/Pi*integral(P1of(s)/sqrt(s^2-x^2), s, x, a)",
-       .where = "x > 0 and x < a"},
-      symmetric,
-      "(Es C m a x : R) (l : list part)",
-      R"((0 < C /\ 0 < a -> exists P0,
-    are_the_pressures Es (Symmetric.slope (parabola C)) a a (fun s => Es * C / 2 * sqrt (a ^ 2 - s ^ 2)) /\
-    is_the_load Es (Symmetric.slope (parabola C)) a a P0 /\
-    is_integral_about_0 (fun s => Es * C / 2 * sqrt (a ^ 2 - s ^ 2)) a a P0 /\
-    forall x, - a < x < a -> is_principal_value (fun s => Es * C / 2 * sqrt (a ^ 2 - s ^ 2) / (s - x)) (- a) a x
-      (- (PI * Es / 2 * Symmetric.slope (parabola C) x))) /\
-  (convex_punch l -> beyond m l -> 0 < m < x -> x < a -> exists P P1 p0 l0,
-    (forall s, x <= s <= a -> is_the_load Es (Symmetric.slope l) s s (P s) /\ is_derive P s (P1 s)) /\
-    is_principal_value (fun s => Symmetric.slope l s / sqrt (a ^ 2 - s ^ 2) * (1 / (s - x))) (- a) a x l0 /\
-    Es / (2 * PI) * sqrt (a ^ 2 - x ^ 2) * l0 = p0 /\
-    is_improper_integral (fun s => 1 / PI * (P1 s / sqrt (s ^ 2 - x ^ 2))) x a p0))",
-      "split; [intros [HC Ha]; exact (hertz_solves Es C a HC Ha) | exact (inversion_by_loads Es m "
-      "a x l)]",
-      "for all parabolas, the pressure solves the equation of the contact problem and has the load "
-      "as "
-      "its integral; for all symmetric punches whose g' is piecewise linear and convex, beyond all "
-      "knots, the inversion of that equation is the printed integral",
-      "power laws with other exponents than 0 and 1; places on the flat",
-      false},
-     {"value",
-      {.of = "P", .says = "integral(p(x), x, -a, a)"},
+     {"order",
+      {.of = "abs(1 - right_local(1, x)/p(x))",
+       .says = "right.c1*u",
+       .along = "of-the-scene",
+       .where = "abs(right.c1)*a > right.c0*1e-9"},
       power_law_or_rounded,
-      "(Es C m t R0 a : R)",
-      R"(0 < C /\ 0 <= m /\ 0 < t < a /\ 0 < R0 ->
-  (exists p P0, are_the_pressures Es (power_slope C m) a a p /\
-    is_the_load Es (power_slope C m) a a P0 /\ is_integral_about_0 p a a P0) /\
-  (exists p P0, are_the_pressures Es (Symmetric.slope (rounded t R0)) a a p /\
-    is_the_load Es (Symmetric.slope (rounded t R0)) a a P0 /\ is_integral_about_0 p a a P0))",
-      "exact (integrals_of_pressure Es C m t R0 a)",
-      "for all power laws and all flat punches with rounded edges, the integral of the pressure, "
-      "also over the flat, is the load"},
-     {"value",
-      {.of = "P", .says = "Es/2*integral(s*g1(s)/sqrt(a^2-s^2), s, -a, a)"},
-      power_law_or_rounded,
-      "(Es C m t R0 a : R)",
-      R"(0 < C /\ 0 <= m /\ 0 < t < a /\ 0 < R0 ->
-  (exists p P0 l, are_the_pressures Es (power_slope C m) a a p /\ is_integral_about_0 p a a P0 /\
-    is_RInt_gen (fun s => s * power_slope C m s / sqrt (a ^ 2 - s ^ 2)) (at_right (- a)) (at_left a) l /\
-    Es / 2 * l = P0) /\
-  (exists p P0 l, are_the_pressures Es (Symmetric.slope (rounded t R0)) a a p /\ is_integral_about_0 p a a P0 /\
-    is_RInt_gen (fun s => s * Symmetric.slope (rounded t R0) s / sqrt (a ^ 2 - s ^ 2)) (at_right (- a)) (at_left a) l /\
-    Es / 2 * l = P0))",
-      "exact (loads_over_places Es C m t R0 a)",
-      "for all power laws and all flat punches with rounded edges, the printed integral over the "
-      "places is the integral of the pressure"},
-     {"value",
-      {.of = "integral(p(s), s, -b, a)",
-       .says = "Es/2*integral(s*g1(s)/sqrt((a-s)*(s+b)), s, -b, a)"},
-      non_symmetric,
-      "(Es phi gam a : R)",
-      R"(0 < phi /\ 0 < gam /\ 0 < a -> exists p P0 l,
-  are_the_pressures Es (TiltedWedge.slope phi (tilt phi gam)) a (gam * a) p /\
-  is_integral_about_0 p (gam * a) a P0 /\
-  is_RInt_gen (fun s => s * TiltedWedge.slope phi (tilt phi gam) s / sqrt ((a - s) * (s + gam * a)))
-    (at_right (- (gam * a))) (at_left a) l /\ Es / 2 * l = P0)",
-      "exact (wedge_load_over_places Es phi gam a)",
-      "for all tilted wedges, the printed integral over the places is the integral of the pressure",
-      "tilted punches with rounded edges",
-      false},
+      "(Es C m t R0 a K : R)",
+      R"(0 < Es /\ 0 < C /\ 0 <= m /\ 0 < t < a /\ 0 < R0 ->
+  (exists r0 r1 r2, is_the_right_series Es (power_slope C m) a r0 r1 r2 /\ r0 <> 0 /\
+    has_error_of_order Es (power_slope C m) a r0 (Rabs (r1 / r0))) /\
+  (exists r0 r1 r2, is_the_right_series Es (Symmetric.slope (rounded t R0)) a r0 r1 r2 /\ r0 <> 0 /\
+    has_error_of_order Es (Symmetric.slope (rounded t R0)) a r0 (Rabs (r1 / r0))) /\
+  (exists Fs phi c r0 r1 r2 factor,
+    is_the_right_series Fs (TiltedWedge.slope phi (tilt phi 1)) c r0 r1 r2 /\ r0 <> 0 /\ r1 <> 0 /\
+    has_error_of_order Fs (TiltedWedge.slope phi (tilt phi 1)) c r0 (factor * Rabs r1) /\ factor <> K))",
+      "exact (order_in_the_distance Es C m t R0 a K)",
+      "for all power laws and all flat punches with rounded edges, the error of one term, divided "
+      "by the distance from the edge, tends to |c1/c0|; for no number K is this K |c1| at all "
+      "contacts",
+      "",
+      true,
+      audit::Verdict::imprecise,
+      {{{.of = "abs(1 - right_local(1, x)/p(x))",
+         .says = "right.c1*u",
+         .along = "pure-number",
+         .where = "abs(right.c1)*a > right.c0*1e-9"}}}},
+     {"relation",
+      {.says = "right.s0*left.s0 > 0", .where = "sig0*(b+a)/Q < 8/Pi"},
+      under_a_force,
+      "",
+      R"((forall a b Q sig0, 0 < a + b /\ Q <> 0 -> exists s0 s1 s2 v0 v1 v2,
+    is_the_right_shear_series (full_stick Q sig0 a b) a s0 s1 s2 /\
+    is_the_left_shear_series (full_stick Q sig0 a b) b v0 v1 v2 /\
+    (Rabs (sig0 * (b + a) / Q) < 8 / PI -> 0 < s0 * v0) /\
+    (sig0 * (b + a) / Q < 8 / PI /\ 0 < sig0 * Q -> 0 < s0 * v0)) /\
+  (exists a b Q sig0 s0 s1 s2 v0 v1 v2, 0 < a + b /\ Q <> 0 /\
+    is_the_right_shear_series (full_stick Q sig0 a b) a s0 s1 s2 /\
+    is_the_left_shear_series (full_stick Q sig0 a b) b v0 v1 v2 /\
+    sig0 * (b + a) / Q < 8 / PI /\ s0 * v0 < 0))",
+      "exact same_sign",
+      "for all contacts, the coefficients have one sign if the relation holds in absolute value, "
+      "and if it holds for Q and sig0 of one sign; there is a contact for which it holds as "
+      "printed, and they have different signs",
+      "",
+      true,
+      audit::Verdict::imprecise,
+      {{{.says = "right.s0*left.s0 > 0", .where = "abs(sig0*(b+a)/Q) < 8/Pi"},
+        {.says = "right.s0*left.s0 > 0", .where = "sig0*(b+a)/Q < 8/Pi and sig0*Q > 0"}}}},
+     {"vanishing",
+      {.of = "left.s1", .says = "4/(3*Pi)"},
+      under_a_force,
+      "(a b Q sig0 : R)",
+      R"(0 < a + b /\ Q <> 0 /\ sig0 * ((a + b) / 2) / Q = 4 / (3 * PI) -> exists s0 s1 s2 v0 v1 v2,
+  is_the_right_shear_series (full_stick Q sig0 a b) a s0 s1 s2 /\
+  is_the_left_shear_series (full_stick Q sig0 a b) b v0 v1 v2 /\ s1 = 0 /\ v1 <> 0)",
+      "exact (vanishes_at_the_right a b Q sig0)",
+      "for all contacts, at the printed ratio the coefficient vanishes at the right edge, and not "
+      "at the left one",
+      "",
+      true,
+      audit::Verdict::imprecise,
+      {{{.of = "right.s1", .says = "4/(3*Pi)"}}}},
      {"relation",
       {.says = ">"},
       force_alone,
@@ -291,11 +227,7 @@ constexpr std::array<Listed, 29> listed{
       "at every place x > 0 of all contacts, the pressure divided by that of a rectangular punch "
       "tends to 1 as m grows without bound"},
      {"limit",
-      {.of = "right_local(1, x)/p(x)",
-       .says = "infinity",
-       .along = "m",
-       .unit = growing,
-       .also = "right_local(1, x)*a/P"},
+      {.of = "right_local(1, x)/p(x)", .says = "infinity", .along = "m", .unit = growing},
       power_law,
       "(Es C a x : R)",
       R"(0 < Es /\ 0 < C /\ 0 < x < a -> exists p P r : R -> R,
@@ -306,7 +238,11 @@ constexpr std::array<Listed, 29> listed{
   filterlim (fun m => r m * sqrt (a - x) * a / P m) (Rbar_locally p_infty) (Rbar_locally p_infty))",
       "exact (one_term_diverges Es C a x)",
       "at every place x > 0 of all contacts, one term divided by the pressure, and divided by P/a, "
-      "grows without bound with m"},
+      "grows without bound with m",
+      "",
+      true,
+      audit::Verdict::confirmed,
+      {{{.of = "right_local(1, x)*a/P", .says = "infinity", .along = "m", .unit = growing}}}},
      {"independence",
       {.of = "q(x)*L/Q"},
       force_alone,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/audit/ledger/judgement.hpp"
 #include "edgeproof/audit/ledger/ledger.hpp"
 
+#include <array>
 #include <span>
 #include <string_view>
 
@@ -16,18 +18,21 @@ struct Said {
     std::string_view of = ""; ///< of a series: the edge
     /// The limit, or the sense of a monotone claim; ">" and "<" as in signs_of_terms().
     std::string_view says = "";
-    std::string_view along = ""; ///< a parameter of the family
-    std::string_view unit = "";  ///< this parameter, divided by `unit`, ends at `end`
+    /// A parameter of the family, or a place that the claim varies; of an order, its `factor`.
+    std::string_view along = "";
+    std::string_view unit = ""; ///< this parameter, divided by `unit`, ends at `end`
     double end = 0;
     std::string_view where = "";
-    std::string_view also = ""; ///< the formula of a second reading
+    /// Where the values of a place lie that the claim itself varies; a limit is taken at `from`.
+    std::string_view from = "";
+    std::string_view to = "";
 };
 
 /// A claim for which the Coq files have a theorem: its kind, what it says, and the scenes that the
 /// theorem is about.
 struct Listed {
     std::string_view kind;
-    Said said;
+    Said said; ///< in the first reading, if there are several
     bool (*about)(const audit::SceneSpec&);
     std::string_view parameters; ///< of the theorem: "phi a : R"
     std::string_view statement;
@@ -35,9 +40,13 @@ struct Listed {
     std::string_view states;
     std::string_view leaves_out = "";
     bool whole = true;
+    audit::Verdict verdict = audit::Verdict::confirmed;
+    std::array<Said, 2> other_readings = {}; ///< those without `of` and `says` do not exist
 };
 
-/// Returns all of them. If several are about a claim, the first is stated.
+/// Return all of them: those about pressures, the equation of the contact problem and consistency,
+/// and all others. If several are about a claim, the first is stated.
+[[nodiscard]] std::span<const Listed> listed_pressures();
 [[nodiscard]] std::span<const Listed> listed_statements();
 
 } // namespace edgeproof::certificate

@@ -1,0 +1,17 @@
+(* Claim S19.continuous of the ledger moore-hills, lines 231 to 231 of its source.
+   Printed: It is worth noting that, while the exact solution for the pressure (\ref{eqn:Pressure_FaR_exact}) is continuous everywhere, there is a characteristic peak close to the flat-to-round transition points $x = \pm t$ before the pressure falls to a minimum at the line of symmetry, as shown by the black curves in figure \ref{fig:Over_Under_FaR}.
+   Says: in words *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+From Edgeproof Require Import Contact Coefficients Edges Symmetric TiltedWedge Unique Shear Sides Limits Stick Orders ShearTerms TiltedRounded Inversion PowerLaw Flatness Similar LoadOfPressure Forward ForwardPunches Consistency RoundedShape Readings.
+Open Scope R_scope.
+
+Theorem S19_continuous (Es t R0 a : R) : 0 < Es /\ 0 < t < a /\ 0 < R0 -> exists p,
+  are_the_pressures Es (Symmetric.slope (rounded t R0)) a a p /\
+  (forall x, - a < x < a -> continuous p x) /\
+  filterlim (fun s => (p (t + s) - p (t - s)) / p t) (at_right 0) (locally 0).
+Proof.
+  exact (continuous_everywhere Es t R0 a).
+Qed.
+

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The named wrong edits of tests/mutations, whose README gives the format."""
 import contextlib
+import functools
+import re
 import tomllib
 from dataclasses import dataclass
+from fnmatch import fnmatchcase
 
 from tree_copy import ROOT
 
@@ -11,6 +14,17 @@ FOLDER = ROOT / "tests" / "mutations"
 
 class Malformed(Exception):
     pass
+
+
+LITERAL = r'"(?:[^"\\]|\\.)*"'
+
+
+@functools.cache
+def test_cases(folder):
+    """The names of the doctest cases in a folder."""
+    texts = [text for path in folder.rglob("*.cpp")
+             for text in re.findall(rf"TEST_CASE(?:_TEMPLATE)?\(\s*((?:{LITERAL}\s*)+)", path.read_text())]
+    return ["".join(literal[1:-1] for literal in re.findall(LITERAL, text)) for text in texts]
 
 
 @dataclass(frozen=True)
@@ -40,7 +54,13 @@ class Mutation:
         if not path.is_file():
             return f"no file {self.file}"
         count = path.read_text().count(self.find)
-        return None if count == 1 else f"its text occurs {count} times in {self.file}"
+        if count != 1:
+            return f"its text occurs {count} times in {self.file}"
+        folder = root / "tests" / self.target.removeprefix("test_")
+        if self.case and not any(fnmatchcase(name.lower(), pattern.lower())
+                                 for name in test_cases(folder) for pattern in self.case.split(",")):
+            return f"{self.target} has no test case {self.case!r}"
+        return None
 
     @contextlib.contextmanager
     def made(self, tree):

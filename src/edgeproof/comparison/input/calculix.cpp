@@ -324,16 +324,27 @@ void continue_surface(const NodeTable& places, const NodeTable& all, bool right,
     }
     const double dx = line[0][0] - (*other)[0];
     const double slope = (line[0][1] - (*other)[1]) / dx;
-    NodeTable more;
+    // Of several nodes at one x, such as those of the other body, the nearest to the line counts.
+    std::map<std::pair<double, double>, std::pair<double, std::string>> nearest; // by x and z
     for (const auto& [node, row] : all) {
-        const double part = (place_of(places, node, 0) - line[0][0]) / dx;
-        const double y = line[0][1] + slope * part * dx;
-        if (part > 0 && part < elements + off_line &&
-            std::abs(place_of(places, node, 1) - y) < off_line * std::abs(dx)) {
-            NodeValues outside{std::vector<std::string>(contact_values), row.line};
-            outside.values[cpress] = outside.values[cshear1] = outside.values[cshear2] = "0";
-            more.emplace(node, std::move(outside));
+        const double x = place_of(places, node, 0);
+        const double part = (x - line[0][0]) / dx;
+        const double off =
+            std::abs(place_of(places, node, 1) - line[0][1] - slope * (x - line[0][0]));
+        if (part > 0 && part < elements + off_line && off < off_line * std::abs(dx)) {
+            const auto at = std::pair(x, place_of(places, node, 2));
+            const auto known = nearest.find(at);
+            if (known == nearest.end() || off < known->second.first) {
+                nearest.insert_or_assign(at, std::pair(off, node));
+            }
         }
+    }
+    NodeTable more;
+    for (const auto& [at, node] : nearest) {
+        NodeValues outside{std::vector<std::string>(contact_values),
+                           all.find(node.second)->second.line};
+        outside.values[cpress] = outside.values[cshear1] = outside.values[cshear2] = "0";
+        more.emplace(node.second, std::move(outside));
     }
     kept.merge(more);
 }

@@ -86,8 +86,14 @@ TEST_CASE("the signs of the parts of the shear traction are stated for all conta
     const std::string claim = "kind = \"superposition\"\nsays = \"add\"\nof = \"right.s0\"\n"
                               "when_zero = \"right.s1\"\nloads = [\"Q\", \"sig0\"]\n";
     const auto c = only_certificate(sheared + "sig0 = [\"1/7\"]\n", claim);
-    CHECK(contains(c.text, "(s1 = 0 -> 0 < t0 * v0)"));
+    CHECK(contains(c.text, "s0 = t0 + v0 /\\\n  s1 = t1 + v1 /\\\n  (s1 = 0 -> 0 < t0 * v0)."));
     CHECK(c.whole_verdict);
+    const std::string two_edges =
+        "kind = \"superposition\"\nsays = \"subtract\"\nof = \"left.s0\"\n"
+        "when_zero = \"right.s1\"\nloads = [\"Q\", \"sig0\"]\n";
+    CHECK(contains(only_certificate(sheared + "sig0 = [\"1/7\"]\n", two_edges).text,
+                   "is_the_left_shear_series (full_stick Q sig0 a b) b w0 w1 w2 /\\\n"
+                   "  w0 = t0 + v0 /\\\n  s1 = t1 - v1 /\\\n  (s1 = 0 -> t0 * v0 < 0)."));
     const std::string smaller =
         "kind = \"relation\"\nsays = \"abs(right.s0)/sqrt(u) < abs(q(x))\"\n"
         "holds = \"everywhere\"\n";

@@ -12,6 +12,8 @@ Theorem S50_right (a b Q sig0 : R) : 0 < a + b /\ Q <> 0 ->
   is_the_right_shear_series (full_stick Q sig0 a b) a s0 s1 s2 /\
   is_the_right_shear_series (full_stick Q 0 a b) a t0 t1 t2 /\
   is_the_right_shear_series (full_stick 0 sig0 a b) a v0 v1 v2 /\
+  s0 = t0 + v0 /\
+  s1 = t1 + v1 /\
   (s1 = 0 -> 0 < t0 * v0).
 Proof.
   intros form.
@@ -19,6 +21,7 @@ Proof.
   split. { apply the_right_shear_series, right_shear; lra. }
   split. { apply the_right_shear_series, right_shear; lra. }
   split. { apply the_right_shear_series, right_shear; lra. }
+  do 2 (split; [unfold shear_0, shear_1, shear_2, Rdiv; ring |]).
   intros H. parts_by_sign H a b sig0.
 Qed.
 

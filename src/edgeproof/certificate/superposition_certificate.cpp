@@ -70,7 +70,9 @@ Theory imports() {
 } // namespace
 
 // The claim is that where one coefficient vanishes, the parts of another that the force and the
-// tension make have one sign ("add") or opposite signs ("subtract").
+// tension make have one sign ("add") or opposite signs ("subtract"). A sign alone would also be
+// true of other loads. Therefore the theorem also states that both coefficients consist of these
+// parts.
 void certify_superposition(const audit::ClaimResult& result, const audit::Ledger& ledger,
                            Certificate& certificate) {
     const audit::Claim& claim = result.claim;
@@ -81,23 +83,35 @@ void certify_superposition(const audit::ClaimResult& result, const audit::Ledger
     }
     const Coefficient of = coefficient(claim.formula("of"));
     const Coefficient zero = coefficient(claim.formula("when_zero"));
-    const auto [facts, proof] =
-        exist({series(zero.right, "s", "Q", "sig0"), series(of.right, "t", "Q", "0"),
-               series(of.right, "v", "0", "sig0")});
+    const bool same_edge = of.right == zero.right;
+    std::vector<Fact> series_of = {series(zero.right, "s", "Q", "sig0"),
+                                   series(of.right, "t", "Q", "0"),
+                                   series(of.right, "v", "0", "sig0")};
+    if (!same_edge) {
+        series_of.push_back(series(of.right, "w", "Q", "sig0"));
+    }
+    const auto [facts, proof] = exist(series_of);
     const bool add = claim.text("says") == "add";
     const std::string product = fmt::format("t{0} * v{0}", of.index);
+    const std::string parts =
+        fmt::format("{0}{1} = t{1} + v{1} /\\\n  s{2} = t{2} {3} v{2} /\\\n", same_edge ? "s" : "w",
+                    of.index, zero.index, same_edge ? "+" : "-");
     const std::string name = coq_name(claim.id);
     certificate.text =
         file_head(claim, ledger, imports()) +
         theorem_text(name + " (a b Q sig0 : R)",
-                     fmt::format("0 < a + b /\\ Q <> 0 ->\n  {}  (s{} = 0 -> {})", facts,
+                     fmt::format("0 < a + b /\\ Q <> 0 ->\n  {}  {}  (s{} = 0 -> {})", facts, parts,
                                  zero.index, add ? "0 < " + product : product + " < 0"),
-                     "  intros form.\n" + proof + "  intros H. parts_by_sign H a b sig0.\n");
+                     "  intros form.\n" + proof +
+                         "  do 2 (split; [unfold shear_0, shear_1, shear_2, Rdiv; ring |]).\n"
+                         "  intros H. parts_by_sign H a b sig0.\n");
     certificate.theorems = {
-        {name, fmt::format("for all contacts under full stick, where {} = 0, the parts of {} by Q "
-                           "and by sig0 have {}",
-                           claim.text("when_zero"), claim.text("of"),
-                           add ? "the same sign" : "opposite signs")}};
+        {name,
+         fmt::format("for all contacts under full stick, {0} is the sum of its parts by Q "
+                     "and by sig0, {1} is the {2}; where {1} = 0, the parts of {0} have {3}",
+                     claim.text("of"), claim.text("when_zero"),
+                     same_edge ? "sum of its parts" : "difference of such parts at the other edge",
+                     add ? "the same sign" : "opposite signs")}};
     certificate.whole_verdict = true;
 }
 

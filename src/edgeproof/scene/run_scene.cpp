@@ -323,6 +323,10 @@ Scene asking(const Scene& scene, const std::vector<AskedValue>& values, const Di
         }
         if (v.in_body) {
             s.ask.in_bodies.push_back(*v.in_body);
+            s.ask.surface_of = v.in_body->body;
+        }
+        if (v.reference) {
+            s.ask.reference = v.reference;
         }
         // A stress or displacement depends on the shear, if there is one.
         shear = shear || row.of_bodies();

@@ -66,7 +66,8 @@ bool only_in_balls(const QuantityRow& row) {
 }
 
 /// Returns a row's quantity at the right edge, u = 1/5, with a tolerance of 1% and k = 1 if it has
-/// these; a stress at x = 0, z = 3/4, the gap at x = 5/4, the slip at x = 1/5.
+/// these; a stress at x = 0, z = 3/4, the gap at x = 5/4, the dissipation at x = 4/5, other values
+/// of the surface at x = 1/5, relative to x = 0.
 AskedValue asked_of(const QuantityRow& row, const std::string& length = "1") {
     AskedValue asked{row.quantity};
     asked.k = row.index == Index::none ? 0 : 1;
@@ -77,8 +78,15 @@ AskedValue asked_of(const QuantityRow& row, const std::string& length = "1") {
         asked.in_body = {Exact(), Exact::parse("3/4*" + length)};
     }
     if (row.place == QuantityRow::Place::surface) {
-        const std::string x = row.quantity == Quantity::gap ? "5/4*" : "1/5*";
-        asked.place = Place::parse(x + length, Place::From::origin, {}).distance(asked.edge);
+        const std::string x = row.quantity == Quantity::gap           ? "5/4*"
+                              : row.quantity == Quantity::dissipation ? "4/5*"
+                                                                      : "1/5*";
+        const auto at = [&](const std::string& text) {
+            return Place::parse(text, Place::From::origin, {}).distance(asked.edge);
+        };
+        asked.place = at(x + length);
+        asked.reference = at("0");
+        asked.in_body = scene::BodyPoint{};
     }
     if (row.tolerance) {
         asked.tolerance = parse_tolerance("1%");
@@ -139,6 +147,7 @@ TEST_CASE("each quantity is evaluated in balls and in Real: Hertz and a wedge by
     // and more beyond.
     constexpr long bits = 200;
     const Ball pi = acos(Ball(-1, bits));
+    const Ball fifth = pi / 2 - acos(Ball(Rational(1, 5), bits)); // arcsin(1/5)
     const Ball root = sqrt(Ball(2, bits));
     // On the axis of a cylinder, p_0 = 1/2, a = 1, z = 3/4 (johnson1985, eq. 4.46): sxx = -1/10,
     // szz = -2/5. There q gives sxz = -(Q/pi) (1 + z^2)^(-3/2) alone.
@@ -200,6 +209,16 @@ TEST_CASE("each quantity is evaluated in balls and in Real: Hertz and a wedge by
         {Quantity::slip_displacement, Ball(0, bits)},
         {Quantity::delta, Ball(1, bits)},     // a^2/R of a sphere
         {Quantity::stiffness, Ball(2, bits)}, // dP/da = 4 E* a^2/R, d delta/da = 2 a/R
+        // With nu = 1/4 and E* = 1 the compliances of docs/stress.md are (1 - nu^2)/E = 1/2 and
+        // 1/3; the integral of p from 0 to x is (x sqrt(1 - x^2) + arcsin x)/4, that of q is (Q/pi)
+        // arcsin x with Q = 3/10.
+        {Quantity::ux, -(sqrt(Ball(24, bits)) / 25 + fifth) / 12},
+        {Quantity::uz, fifth / (pi * 10) - Ball(Rational(1, 100), bits)},
+        {Quantity::slope, 1 / (pi * sqrt(Ball(24, bits)) * 2) - Ball(Rational(1, 10), bits)},
+        // 4 f^2 p h with p = 3/10 and the gap h of the stick zone, of the half width 1/2
+        {Quantity::dissipation,
+         Ball(Rational(192, 125), bits) / (pi * pi) *
+             (sqrt(Ball(39, bits)) * 2 / 25 - log((Ball(8, bits) + sqrt(Ball(39, bits))) / 5) / 4)},
     };
     for (const QuantityRow& row : quantity_rows()) {
         CAPTURE(row.name);
@@ -277,16 +296,17 @@ TEST_CASE("a name that is not a quantity: how to write one, and which one was li
         (void)parsed(hertz("1", "quantities = [\"presure\"]\n"));
         FAIL("accepted");
     } catch (const InputError& error) {
-        CHECK(error.instead() == "did you mean pressure? write one of pressure, coefficients, "
-                                 "shear, extent, slip, contact, peak, stress, displacement");
+        CHECK(error.instead() ==
+              "did you mean pressure? write one of pressure, coefficients, "
+              "shear, extent, slip, contact, peak, stress, displacement, surface");
     }
     for (const GroupRow& row : group_rows()) {
         const std::string asked = "u = \"1/2\"\nterms = 1\ntolerance = \"1%\"\nquantities = [\"" +
-                                  std::string(row.name) + "\"]\n";
+                                  std::string(row.name) + "\"]\nreference = 0\n";
         // The shear is small compared with friction, also for a small load.
         const std::string shear = row.friction ? "[shear]\nQ = \"1/1000\"\nfriction = \"1/2\"\n"
                                   : row.shear  ? "[shear]\nQ = \"1\"\n"
-                                               : "";
+                                               : "nu = 0.3\n";
         const Scene scene = parsed(tilted_wedge(shear, asked));
         CHECK(scene.ask.quantities == std::set{row.group});
         CHECK(group_name(row.group) == row.name);

@@ -147,10 +147,10 @@ void write_outputs(const report::ComparisonReport& report, const CompareOptions&
         staged->commit();
         written.add(o.figures);
     }
-    for (const auto& [file, text] : {std::pair(&o.html, &page), std::pair(&o.junit, &junit)}) {
-        if (!file->empty()) {
-            written.run([&] { io::write_output(*file, *text); });
-            written.add(*file);
+    for (const auto& output : {std::pair(&o.html, &page), std::pair(&o.junit, &junit)}) {
+        if (!output.first->empty()) {
+            written.run([&] { io::write_output(*output.first, *output.second); });
+            written.add(*output.first);
         }
     }
 }

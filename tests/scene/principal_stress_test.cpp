@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/quadrature/tanh_sinh.hpp"
 #include "edgeproof/scene/scene.hpp"
+#include "tests/scene/traction_integrals.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -8,16 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ios>
-#include <map>
-#include <optional>
 #include <random>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
-using scene::Body, scene::Quantity, scene::Scene;
+using scene::Body, scene::Quantity, scene::Scene, scenes::real_of;
 
 namespace {
 
@@ -55,8 +51,6 @@ Scene stressed_scene(const StressedContact& c) {
                               "scene.toml");
 }
 
-Real real_of(const Ball& x) { return at_working_precision(x.midpoint()); }
-
 /// The eigenvalues, in descending order, of a symmetric matrix of three rows, by Jacobi's
 /// rotations.
 std::array<Real, 3> eigenvalues(std::array<std::array<Real, 3>, 3> A) {
@@ -87,110 +81,6 @@ std::array<Real, 3> eigenvalues(std::array<std::array<Real, 3>, 3> A) {
     return values;
 }
 
-/// `johnson1985`, eq. 2.23, over the pressure and the shear traction of a scene, by tanh-sinh
-/// quadrature.
-class TractionIntegrals {
-public:
-    explicit TractionIntegrals(const Scene& s)
-        : values_(s, asked(s), {18, Rounding::nearest, false}), shear_(s.shear.has_value()) {
-        const auto length = [&](Quantity quantity) {
-            return real_of(values_.value({quantity}).value);
-        };
-        a_ = length(Quantity::a);
-        b_ = length(Quantity::b);
-        ends_ = {Real(-b_), Real(0), a_};
-        if (s.slips() && !s.history) {
-            ends_.push_back(length(Quantity::stick_a));
-            ends_.push_back(Real(-length(Quantity::stick_b)));
-        }
-        if (s.history) {
-            for (const scene::LoadHistory::Layer& layer : s.history->layers) {
-                Scene part = s;
-                part.history.reset();
-                part.shear.reset();
-                part.load = contact::Load::force(layer.force);
-                const Real end = real_of(
-                    scene::SceneValues(part, {{Quantity::a}}, {30, Rounding::nearest, false})
-                        .value({Quantity::a})
-                        .value);
-                ends_.push_back(end);
-                ends_.push_back(Real(-end));
-            }
-        }
-        for (const char* knot : {"-0.4", "0.4"}) {
-            ends_.emplace_back(knot);
-        }
-    }
-
-    /// sxx, szz, sxz of the tractions at a place of a body, which carries `side` times q.
-    [[nodiscard]] std::array<Real, 3> at(const Real& x, const Real& z, long side) {
-        std::vector<Real> ends = ends_;
-        ends.push_back(x);
-        std::erase_if(ends, [&](const Real& s) { return s < -b_ || s > a_; });
-        std::sort(ends.begin(), ends.end());
-        std::array<Real, 3> sum{Real(0), Real(0), Real(0)};
-        for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-            const Real length = ends[i + 1] - ends[i];
-            if (length < Real("1e-25")) {
-                continue;
-            }
-            for (std::size_t k = 0; k < 3; ++k) {
-                const auto f = [&](const Real& lo, const Real& hi) {
-                    const Real s = ends[i] + length * lo;
-                    const auto edge = s > 0 ? contact::Edge::right : contact::Edge::left;
-                    const Real u = s > 0 ? Real(a_ - ends[i + 1] + length * hi)
-                                         : Real(b_ + ends[i] + length * lo);
-                    const Real d = x - s;
-                    const Real r2 = d * d + z * z;
-                    const std::array<Real, 3> of_p{z * d * d, z * z * z, z * z * d};
-                    const std::array<Real, 3> of_q{d * d * d, z * z * d, z * d * d};
-                    Real load = traction(Quantity::p, edge, u) * of_p[k];
-                    if (shear_) {
-                        load += side * traction(Quantity::q, edge, u) * of_q[k];
-                    }
-                    return Real(load / (r2 * r2) * length);
-                };
-                sum[k] += quadrature::tanh_sinh<Real>(f, {.target_digits = 11}).value;
-            }
-        }
-        for (Real& x_k : sum) {
-            x_k *= -2 / edgeproof::pi<Real>();
-        }
-        return sum;
-    }
-
-private:
-    static std::vector<scene::AskedValue> asked(const Scene& s) {
-        std::vector<scene::AskedValue> list{{Quantity::p}, {Quantity::a}, {Quantity::b}};
-        list.front().u = Exact::parse("1/9");
-        if (s.shear) {
-            list.push_back({Quantity::q});
-        }
-        if (s.slips()) {
-            list.push_back({Quantity::stick_a});
-        }
-        return list;
-    }
-    [[nodiscard]] Real traction(Quantity quantity, contact::Edge edge, const Real& u) {
-        scene::AskedValue one{quantity, 0, edge};
-        const std::string place = u.str(30, std::ios_base::scientific);
-        auto& known = known_[{quantity, edge, place}];
-        if (!known) {
-            one.u = Exact::parse(place);
-            known = real_of(values_.value(one).value);
-        }
-        return *known;
-    }
-
-    scene::SceneValues values_;
-    bool shear_;
-    Real a_;
-    Real b_;
-    std::vector<Real> ends_;
-    /// The values at the nodes that several integrals have in common.
-    std::map<std::tuple<Quantity, contact::Edge, std::string>, std::optional<Real>> known_;
-};
-
 } // namespace
 
 // Both bodies, tilts, tension, full stick, partial slip and a load history: the components by
@@ -204,7 +94,7 @@ TEST_CASE("stresses of scenes agree with integrals of the tractions and with eig
     for (const StressedContact& contact : stressed_contacts) {
         CAPTURE(std::string(contact.profile));
         Scene s = stressed_scene(contact);
-        TractionIntegrals integrals(s);
+        scenes::TractionIntegrals integrals(s, 18);
         s.ask.quantities = {scene::QuantityGroup::stress};
         for (int i = 0; i < 4; ++i) {
             const Body body = i % 2 == 0 ? Body::A : Body::B;
@@ -235,7 +125,8 @@ TEST_CASE("stresses of scenes agree with integrals of the tractions and with eig
                 CHECK(abs(Real(value(quantity) - expected)) < Real("1e-27"));
             };
             const long side = point.body == Body::A ? 1 : -1;
-            const auto by_quadrature = integrals.at(point.x.to<Real>(), point.z.to<Real>(), side);
+            const auto by_quadrature =
+                integrals.at(point.x.to<Real>(), point.z.to<Real>(), side, 11, true);
             Real bulk(0);
             if (s.shear) {
                 bulk = s.shear->bulk_A.to<Real>();

@@ -324,7 +324,7 @@ void continue_surface(const NodeTable& places, const NodeTable& all, bool right,
     }
     const double dx = line[0][0] - (*other)[0];
     const double slope = (line[0][1] - (*other)[1]) / dx;
-    // Of several nodes at one x, such as those of the other body, the nearest to the line counts.
+    // If several nodes have one x, such as those of the other body, the nearest to the line counts.
     std::map<std::pair<double, double>, std::pair<double, std::string>> nearest; // by x and z
     for (const auto& [node, row] : all) {
         const double x = place_of(places, node, 0);

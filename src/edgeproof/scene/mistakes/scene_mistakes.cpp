@@ -113,7 +113,7 @@ private:
                 s.history.reset();
                 s.steps.clear();
             });
-        // Of repeated steps the first pass is enough: the others are like it, or nearly so.
+        // If steps are repeated, the first pass is enough: the others are like it, or nearly so.
         const std::size_t different = std::min(scene_.steps.size(), most_other_steps);
         for (std::size_t k = 1; k <= different; ++k) {
             if (k != scene_.step) {

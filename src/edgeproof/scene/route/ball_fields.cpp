@@ -287,7 +287,7 @@ Ball BallLevel::energy_of(const std::vector<LoadHistory::Phase>& phases) const {
     if (!most) {
         return {0, bits_};
     }
-    // Of a power law or a wedge no zones are needed.
+    // The energies of a power law or a wedge need no zones.
     std::unique_ptr<contact::ProvedContact> widest;
     std::unique_ptr<contact::ZoneSolver> zones;
     if (!power_of_growth()) {

@@ -293,10 +293,13 @@ TEST_CASE("the energy of a cycle of curved slopes that are symmetric") {
     const std::string bent = "knots = [\"1/2\"]\nslopes = [\"x + x^3\", \"5/8 + 2*(x - 1/2)\"]\n";
     const std::string corner = "knots = [\"1/4\", \"1/2\"]\nslopes = [\"0\", \"2*sinh(x - 1/4)\", "
                                "\"2*sinh(1/4) + 1/10 + exp(x) - exp(1/2)\"]\n";
-    const std::array<std::array<std::string, 4>, 5> cases{{
+    // The third case with lengths doubled, which multiplies the energy by 4.
+    const std::string doubled = "knots = [\"1\"]\nslopes = [\"x/2 + x^3/8\", \"5/8 + x - 1\"]\n";
+    const std::array<std::array<std::string, 4>, 6> cases{{
         {cubic, "P = 1", "3/10", "0.009873165875667185367180741970571674403104534"},
         {bent, "P = 1", "3/10", "0.01109080190809416256991316672922870394796933"},
         {bent, "P = 1", "59/100", "0.1705836201317539501644297603705037813336993"},
+        {doubled, "P = 2", "59/50", "0.6823344805270158006577190414820151253347972"},
         {bent, "a = \"1/2\"", "1/20", "0.0002053543448911557864587511871417865323593143"},
         {corner, "P = 1", "59/100", "0.1280400060365598300257863046886212273543636"},
     }};

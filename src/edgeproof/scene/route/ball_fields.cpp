@@ -267,6 +267,7 @@ contact::GrowthIntegral BallLevel::growth(const contact::ProvedContact& widest) 
     if (const contact::BallContact* const form = widest.closed_form()) {
         return growth_of(*form);
     }
+    // Only its integrals of g' are used, and not its radius.
     const auto body = std::make_shared<const contact::CurvedBody>(
         *scene_.profile, scene_.contact_modulus, contact::Load::right_edge(formula::Exact::of(1)),
         bits_);

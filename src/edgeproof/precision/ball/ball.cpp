@@ -3,6 +3,8 @@
 
 #include "edgeproof/precision/error.hpp"
 
+#include <utility>
+
 namespace edgeproof {
 namespace {
 
@@ -110,6 +112,55 @@ bool contains(const Ball& x, const Real& point) {
 bool contains(const Ball& x, const Rational& point) {
     return arb_contains_fmpq(x.data(), to_fmpq(point)) != 0;
 }
+
+Ball& Ball::operator+=(const Ball& o) {
+    arb_add(x_, x_, o.x_, widen(o));
+    return *this;
+}
+Ball& Ball::operator-=(const Ball& o) {
+    arb_sub(x_, x_, o.x_, widen(o));
+    return *this;
+}
+Ball& Ball::operator*=(const Ball& o) {
+    arb_mul(x_, x_, o.x_, widen(o));
+    return *this;
+}
+Ball& Ball::operator/=(const Ball& o) {
+    arb_div(x_, x_, o.x_, widen(o));
+    return *this;
+}
+Ball& Ball::operator*=(long k) {
+    arb_mul_si(x_, x_, k, bits_);
+    return *this;
+}
+Ball& Ball::operator/=(long k) {
+    arb_div_si(x_, x_, k, bits_);
+    return *this;
+}
+Ball& Ball::operator+=(long k) {
+    arb_add_si(x_, x_, k, bits_);
+    return *this;
+}
+Ball& Ball::operator-=(long k) {
+    arb_sub_si(x_, x_, k, bits_);
+    return *this;
+}
+Ball operator-(Ball x) {
+    arb_neg(x.x_, x.x_);
+    return x;
+}
+Ball operator+(Ball x, const Ball& y) { return std::move(x += y); }
+Ball operator-(Ball x, const Ball& y) { return std::move(x -= y); }
+Ball operator*(Ball x, const Ball& y) { return std::move(x *= y); }
+Ball operator/(Ball x, const Ball& y) { return std::move(x /= y); }
+Ball operator+(Ball x, long k) { return std::move(x += k); }
+Ball operator-(Ball x, long k) { return std::move(x -= k); }
+Ball operator*(Ball x, long k) { return std::move(x *= k); }
+Ball operator/(Ball x, long k) { return std::move(x /= k); }
+Ball operator+(long k, Ball x) { return std::move(x += k); }
+Ball operator-(long k, Ball x) { return -std::move(x -= k); }
+Ball operator*(long k, Ball x) { return std::move(x *= k); }
+Ball operator/(long k, const Ball& x) { return Ball(k, x.bits_) / x; }
 
 Ball abs(const Ball& x) {
     return apply(x, [](arb_ptr r, arb_srcptr v, long) { arb_abs(r, v); });

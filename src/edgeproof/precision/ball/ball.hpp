@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace edgeproof {
 
@@ -58,60 +57,35 @@ public:
                                                    std::numeric_limits<long>::max()));
     }
 
-    Ball& operator+=(const Ball& o) {
-        arb_add(x_, x_, o.x_, widen(o));
-        return *this;
-    }
-    Ball& operator-=(const Ball& o) {
-        arb_sub(x_, x_, o.x_, widen(o));
-        return *this;
-    }
-    Ball& operator*=(const Ball& o) {
-        arb_mul(x_, x_, o.x_, widen(o));
-        return *this;
-    }
-    Ball& operator/=(const Ball& o) {
-        arb_div(x_, x_, o.x_, widen(o));
-        return *this;
-    }
-    Ball& operator*=(long k) {
-        arb_mul_si(x_, x_, k, bits_);
-        return *this;
-    }
-    Ball& operator/=(long k) {
-        arb_div_si(x_, x_, k, bits_);
-        return *this;
-    }
-    Ball& operator+=(long k) {
-        arb_add_si(x_, x_, k, bits_);
-        return *this;
-    }
-    Ball& operator-=(long k) {
-        arb_sub_si(x_, x_, k, bits_);
-        return *this;
-    }
-    friend Ball operator-(Ball x) {
-        arb_neg(x.x_, x.x_);
-        return x;
-    }
-    friend Ball operator+(Ball x, const Ball& y) { return std::move(x += y); }
-    friend Ball operator-(Ball x, const Ball& y) { return std::move(x -= y); }
-    friend Ball operator*(Ball x, const Ball& y) { return std::move(x *= y); }
-    friend Ball operator/(Ball x, const Ball& y) { return std::move(x /= y); }
-    friend Ball operator+(Ball x, long k) { return std::move(x += k); }
-    friend Ball operator-(Ball x, long k) { return std::move(x -= k); }
-    friend Ball operator*(Ball x, long k) { return std::move(x *= k); }
-    friend Ball operator/(Ball x, long k) { return std::move(x /= k); }
-    friend Ball operator+(long k, Ball x) { return std::move(x += k); }
-    friend Ball operator-(long k, Ball x) { return -std::move(x -= k); }
-    friend Ball operator*(long k, Ball x) { return std::move(x *= k); }
-    friend Ball operator/(long k, const Ball& x) { return Ball(k, x.bits_) / x; }
+    // Defined in ball.cpp, because inlined they are a large part of the compiled code.
+    Ball& operator+=(const Ball& o);
+    Ball& operator-=(const Ball& o);
+    Ball& operator*=(const Ball& o);
+    Ball& operator/=(const Ball& o);
+    Ball& operator+=(long k);
+    Ball& operator-=(long k);
+    Ball& operator*=(long k);
+    Ball& operator/=(long k);
+    friend Ball operator-(Ball x);
+    friend Ball operator+(Ball x, const Ball& y);
+    friend Ball operator-(Ball x, const Ball& y);
+    friend Ball operator*(Ball x, const Ball& y);
+    friend Ball operator/(Ball x, const Ball& y);
+    friend Ball operator+(Ball x, long k);
+    friend Ball operator-(Ball x, long k);
+    friend Ball operator*(Ball x, long k);
+    friend Ball operator/(Ball x, long k);
+    friend Ball operator+(long k, Ball x);
+    friend Ball operator-(long k, Ball x);
+    friend Ball operator*(long k, Ball x);
+    friend Ball operator/(long k, const Ball& x);
 
     /// For the functions below, and for code that calls Arb.
     [[nodiscard]] arb_srcptr data() const noexcept { return x_; }
     [[nodiscard]] arb_ptr data() noexcept { return x_; }
 
 private:
+    /// Sets the working precision to that of o if that is larger, and returns it.
     long widen(const Ball& o) { return bits_ = bits_ < o.bits_ ? o.bits_ : bits_; }
     ArbValue x_;
     long bits_;

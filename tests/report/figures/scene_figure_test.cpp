@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/figures/scene_figure.hpp"
-#include "edgeproof/report/figures/stress_figure.hpp"
 
 #include "tests/support/namespaces.hpp"
 

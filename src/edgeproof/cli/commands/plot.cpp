@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/error_place.hpp"
-#include "edgeproof/report/figures/stress_figure.hpp"
+#include "edgeproof/report/figures/scene_figure.hpp"
 
 namespace edgeproof::cli {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/figures/figure_option.hpp"
+
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
-#include "edgeproof/report/figures/agreement_figure.hpp"
-#include "edgeproof/report/figures/design_figure.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/text/percent.hpp"
 

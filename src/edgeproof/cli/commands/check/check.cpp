@@ -7,7 +7,7 @@
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
-#include "edgeproof/report/figures/agreement_figure.hpp"
+#include "edgeproof/report/figures/figure_option.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/tables/agreement_report.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"

@@ -5,7 +5,7 @@
 // by a substitution and 1 - x^2 computed from u. Writes a line for each place (u and the three
 // values, in full), then `time` and the nanoseconds for a value of each. The contact is solved
 // before.
-#include "edgeproof/scene/binary64_pressures.hpp"
+#include "edgeproof/scene/binary64_values.hpp"
 #include "lab/validation/textbook_formula.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>

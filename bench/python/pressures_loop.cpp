@@ -2,7 +2,7 @@
 // pressures_loop SCENE COUNT RUNS: writes the seconds for COUNT pressures of a scene in a loop of
 // C++, with places and values in arrays of double; a line for each run. The contact is solved
 // before.
-#include "edgeproof/scene/binary64_pressures.hpp"
+#include "edgeproof/scene/binary64_values.hpp"
 
 #include <chrono>
 #include <cstdio>

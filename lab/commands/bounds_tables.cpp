@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/commands/bounds_tables.hpp"
 
-#include "edgeproof/precision/rounding/digits_right.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/law/work.hpp"
+#include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/roots/power_law_fit.hpp"
 #include "lab/cost/measure.hpp"
 

@@ -4,11 +4,11 @@
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"
-#include "edgeproof/precision/ball/arb_include.hpp"
+#include "edgeproof/precision/ball/arb_values.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/precision/rounding/digits_right.hpp"
 #include "edgeproof/precision/rounding/escalate.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <boost/version.hpp>
 

@@ -5,8 +5,8 @@
 #include "edgeproof/contact/double_word/double_word_shear.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "lab/counts/sample.hpp"
 

@@ -6,7 +6,7 @@
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
-#ifdef EDGEPROOF_ARB_IN_FLINT // see arb_include.hpp
+#ifdef EDGEPROOF_ARB_IN_FLINT // see arb_values.hpp
 #include <flint/acb_elliptic.h>
 #else
 #include <acb_elliptic.h>

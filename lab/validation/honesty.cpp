@@ -2,7 +2,6 @@
 #include "lab/validation/honesty.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/precision/rounding/digits_right.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "lab/validation/plain_tanh_sinh.hpp"
 #include "lab/validation/value_routes.hpp"

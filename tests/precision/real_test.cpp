@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/exact_rational.hpp"
+#include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/real.hpp"
 #include "tests/support/namespaces.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/quadrature/gauss_legendre.hpp"
 #include "edgeproof/quadrature/holomorphic_reach.hpp"
-#include "edgeproof/quadrature/level_estimate.hpp"
+#include "edgeproof/quadrature/tanh_sinh_nodes.hpp"
 
 #include "edgeproof/precision/ball/ball.hpp"
 #include "tests/support/namespaces.hpp"

@@ -2,7 +2,6 @@
 // Stresses of axisymmetric contacts without shear, and the slip.
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/quadrature/tanh_sinh.hpp"
-#include "edgeproof/scene/greatest_value.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 #include "tests/support/namespaces.hpp"
 

@@ -2,7 +2,7 @@
 #include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
-#include "edgeproof/scene/binary64_pressures.hpp"
+#include "edgeproof/scene/binary64_values.hpp"
 #include "tests/scene/scene_text.hpp"
 
 #include <doctest/doctest.h>

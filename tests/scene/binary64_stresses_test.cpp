@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/scene/binary64_stresses.hpp"
+#include "edgeproof/scene/binary64_values.hpp"
 
 #include "edgeproof/precision/double_word/binary64_ball.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/exact_rational.hpp"
+#include "edgeproof/precision/rational.hpp"
 #include "edgeproof/scene/scene.hpp"
 #include "tests/support/namespaces.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/scene/greatest_value.hpp"
+#include "edgeproof/scene/run_scene.hpp"
 
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/binary64_stresses.hpp"
+#include "edgeproof/scene/binary64_values.hpp"
 #include "edgeproof/scene/scene.hpp"
 #include "tests/support/namespaces.hpp"
 

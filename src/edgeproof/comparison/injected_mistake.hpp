@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/comparison/measures/exact_contact.hpp"
-#include "edgeproof/scene/mistakes/injected_keys.hpp"
+#include "edgeproof/scene/mistakes/scene_mistakes.hpp"
 
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// Mistakes of users, in the text of a scene (scene/mistakes/injected_keys.hpp) and in its written
+/// Mistakes of users, in the text of a scene (scene/mistakes/scene_mistakes.hpp) and in its written
 /// pressures, to test the diagnosis, which has its own suspects.
 namespace edgeproof::comparison {
 

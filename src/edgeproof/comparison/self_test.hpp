@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/comparison/injected_mistake.hpp"
-#include "edgeproof/scene/mistakes/mistake_counts.hpp"
+#include "edgeproof/scene/mistakes/scene_mistakes.hpp"
 
 #include <array>
 #include <cstdint>

@@ -10,37 +10,36 @@
 ///   law/shear.hpp                     q under full stick
 ///   law/slip_series.hpp               the slip zones in powers of the load
 ///   law/forward.hpp                   resultant and principal value of a traction
-///   law/work.hpp                      Counts and Work: counts of the work done
-///   routes/normal_contact.hpp         NormalContact: p, c_k, P, M to a given number of digits
+///   routes/normal_contact.hpp         NormalContact: p, c_k, P, M to a given number of digits;
+///   counts
+///                                     of the work done
 ///   routes/pressure_routes.hpp        p(x) by routes that share no formula
-///   routes/power_law_closed_form.hpp  p(x) of a power law by Gauss's 2F1
-///   routes/shear_traction.hpp         ShearTraction: q under full stick, to a given number of
-///   digits routes/partial_slip.hpp           PartialSlip: from the pressures in the slip zones
+///   routes/shear_traction.hpp         ShearTraction: q under full stick
+///   routes/partial_slip.hpp           PartialSlip: from the pressures in the slip zones
 ///   routes/extent.hpp                 how far from an edge n terms stay within a tolerance
 ///   tilt/tilt_solver.hpp              the tilt for a given force and moment
 ///   batch/batch_pressure.hpp          many pressures of one contact, at the least cost
 ///   double_word/double_word_pressure.hpp  pressures to binary64, in double words with bounds
 ///   enclosure/ball_contact.hpp        BallContact: the contact in balls, proved
-///   enclosure/exact_edges.hpp         edges on a knot, decided by exact algebra
+///   enclosure/exact_contact.hpp       exact values; edges on a knot, decided by exact algebra
 ///   enclosure/ball_extent.hpp         how far n terms stay within a tolerance, proved
 ///   slip/ball_slip.hpp                BallSlip: partial slip, proved
 ///   slip/stick_zone.hpp               ZoneSolver: the stick zone under any force and tilt
 ///   slip/slip_reach.hpp               the load up to which n terms of a zone's size are accurate
 ///   curved/integrated_contact.hpp     IntegratedContact: curved g', by rigorous integration
 ///   curved/proved_slip.hpp            ProvedSlip: partial slip of any profile in balls
-///   curved/slope_monotonicity.hpp     proves that g' does not decrease
+///   curved/curved_slope.hpp           proves that g' does not decrease
 ///   curved/pressure_disk.hpp          Taylor series of p; Cauchy's estimate bounds the remainder
-///   design/design.hpp                 the parameter for which an approximation reaches farthest
+///   design/best_reach.hpp             the parameter for which an approximation reaches farthest
 #include "edgeproof/contact/batch/batch_pressure.hpp"
+#include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
-#include "edgeproof/contact/curved/slope_monotonicity.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/contact/enclosure/exact_edges.hpp"
+#include "edgeproof/contact/enclosure/exact_contact.hpp"
 #include "edgeproof/contact/law/contact_law.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
 #include "edgeproof/contact/law/forward.hpp"
-#include "edgeproof/contact/law/work.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/contact/routes/extent.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"

@@ -45,4 +45,11 @@ public:
     using Error::Error;
 };
 
+/// Throws InputError if a requirement on the input does not hold; `instead` states what to give.
+inline void require(bool holds, const std::string& problem, const std::string& instead) {
+    if (!holds) {
+        throw InputError(problem, instead);
+    }
+}
+
 } // namespace edgeproof

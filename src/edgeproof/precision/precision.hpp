@@ -6,12 +6,12 @@
 ///   interruption.hpp  requests to end the work
 ///   real.hpp        Real (MPFR at any precision) and PrecisionScope
 ///   arithmetic.hpp  the same functions for double, long double, Float128 and Real
-///   text.hpp        exact text in (decimals become rationals), rounded text out
+///   text.hpp        exact text in (decimals become rationals), rounded text out; balls printed to
+///   a
+///                   stream; the number of digits that an enclosure proves right
 ///   ball.hpp        Ball (Arb): a midpoint and a proved radius
-///   print.hpp       balls printed to a stream
 ///   ball_series.hpp BallSeries: truncated power series with balls as coefficients
 ///   interval.hpp    Interval: both ends of a range, whose signs are exact
-///   digits_right.hpp  the number of digits of a number that an enclosure proves right
 ///   arb_values.hpp  values of Arb's types that clear themselves
 ///   elementary.hpp  the arc tangent, sinh x and e^x - 1 of Real, by Arb
 ///   bounded_cache.hpp  tables of bounded size
@@ -26,7 +26,5 @@
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/real.hpp"
-#include "edgeproof/precision/rounding/digits_right.hpp"
 #include "edgeproof/precision/rounding/escalate.hpp"
-#include "edgeproof/precision/rounding/print.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/precision/error.hpp"
+
 #include <boost/multiprecision/gmp.hpp>
+#include <cmath>
 
 namespace edgeproof {
 
@@ -9,5 +12,14 @@ using Rational = boost::multiprecision::number<boost::multiprecision::gmp_ration
                                                boost::multiprecision::et_off>;
 using Integer =
     boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+
+/// Returns the exact value of a double. Use no other conversion of a double: the one of the library
+/// ends the process for a number that is not finite. Throws DomainError for such a number.
+[[nodiscard]] inline Rational exact_rational(double x) {
+    if (!std::isfinite(x)) {
+        throw DomainError("a number is beyond the range of binary64 arithmetic");
+    }
+    return Rational(x);
+}
 
 } // namespace edgeproof

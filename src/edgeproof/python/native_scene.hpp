@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/scene/binary64_pressures.hpp"
+#include "edgeproof/scene/binary64_values.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
 #include <cstddef>

@@ -6,7 +6,6 @@
 #include "edgeproof/python/bindings.hpp"
 #include "edgeproof/python/native_scene.hpp"
 #include "edgeproof/python/without_gil.hpp"
-#include "edgeproof/scene/binary64_stresses.hpp"
 #include "edgeproof/scene/binary64_values.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 #include "edgeproof/scene/run_scene.hpp"

@@ -4,7 +4,6 @@
 #include "edgeproof/precision/ball/acb_values.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace edgeproof::quadrature {
 namespace {

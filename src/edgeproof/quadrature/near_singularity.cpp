@@ -6,7 +6,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/quadrature/gauss_legendre.hpp"
-#include "edgeproof/quadrature/level_estimate.hpp"
+#include "edgeproof/quadrature/tanh_sinh_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>

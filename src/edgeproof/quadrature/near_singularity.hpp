@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/precision/real.hpp"
-#include "edgeproof/quadrature/integrand_ref.hpp"
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 
 #include <optional>

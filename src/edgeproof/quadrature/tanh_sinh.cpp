@@ -4,7 +4,6 @@
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/quadrature/level_estimate.hpp"
 #include "edgeproof/quadrature/tanh_sinh_nodes.hpp"
 
 #include <cmath>

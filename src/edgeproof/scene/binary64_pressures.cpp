@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/scene/binary64_pressures.hpp"
+#include "edgeproof/scene/binary64_values.hpp"
 
 #include "edgeproof/contact/batch/batch_pressure.hpp"
 #include "edgeproof/contact/double_word/double_word_pressure.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
-#include "edgeproof/scene/closed_form_contact.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>
@@ -17,7 +16,6 @@
 #include <functional>
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace edgeproof::scene {
@@ -90,20 +88,20 @@ struct Binary64Pressures::Contact {
 
     /// Decides only where the edge is known exactly; elsewhere run_scene has to separate a place
     /// from a corner.
-    [[nodiscard]] bool on_corner(contact::Edge edge, double u) const {
-        const auto& end = edge == contact::Edge::right ? exact_a : exact_b;
+    [[nodiscard]] bool on_corner(Edge edge, double u) const {
+        const auto& end = edge == Edge::right ? exact_a : exact_b;
         for (std::size_t i = 0; end && i < profile->knots().size(); ++i) {
             const auto knot = rational_of(profile->knots()[i]);
             if (profile->has_corner(i) && knot &&
-                exact_rational(u) == (edge == contact::Edge::right ? Rational(*end - *knot)
-                                                                   : Rational(*end + *knot))) {
+                exact_rational(u) ==
+                    (edge == Edge::right ? Rational(*end - *knot) : Rational(*end + *knot))) {
                 return true;
             }
         }
         return false;
     }
 
-    [[nodiscard]] double at(contact::Edge edge, double u) const {
+    [[nodiscard]] double at(Edge edge, double u) const {
         if (words) {
             if (const auto nearest = words->nearest(edge, u)) {
                 return *nearest;
@@ -137,10 +135,10 @@ struct Binary64Pressures::Contact {
 
     /// Returns p at a place that run_scene refuses: closer to the far edge or to a corner than its
     /// bits separate, or exactly on one of them (as far as most_bits decide).
-    [[nodiscard]] std::optional<double> near_edge_or_corner(contact::Edge edge, double u) const {
+    [[nodiscard]] std::optional<double> near_edge_or_corner(Edge edge, double u) const {
         bool on_corner = false;
         for (long bits = 2 * first_bits; solved && bits <= most_bits; bits *= 2) {
-            const contact::BallContact closer = solved(bits);
+            const BallContact closer = solved(bits);
             const Ball from(real_of(u), bits);
             if (!certainly_less(from, Ball(closer.a() + closer.b()))) {
                 continue;
@@ -160,7 +158,7 @@ struct Binary64Pressures::Contact {
                                                                        : std::optional(0.0);
     }
 
-    [[nodiscard]] std::optional<double> by_batch(contact::Edge edge, double u) const {
+    [[nodiscard]] std::optional<double> by_batch(Edge edge, double u) const {
         try {
             const contact::RoutedPressure<Real> p = (*batch)(edge, real_of(u));
             if (!p.converged) {
@@ -174,10 +172,10 @@ struct Binary64Pressures::Contact {
     }
 
     /// Computes one value by the routes of the scene.
-    [[nodiscard]] double in_full(contact::Edge edge, double u) const {
+    [[nodiscard]] double in_full(Edge edge, double u) const {
         Scene one = scene;
         one.ask.edges = {edge};
-        one.ask.u = {{formula::Exact::of(exact_rational(u)), 0}};
+        one.ask.u = {{Exact::of(exact_rational(u)), 0}};
         one.ask.quantities = {QuantityGroup::pressure};
         one.ask.digits = {batch_digits, Rounding::nearest, true};
         const SceneResult result = run_scene(one);
@@ -194,9 +192,9 @@ struct Binary64Pressures::Contact {
     std::optional<Rational> exact_a;
     std::optional<Rational> exact_b;
     std::optional<Rational> exact_length;
-    std::optional<contact::Profile> profile;
-    std::optional<contact::BallContact> balls;
-    std::function<contact::BallContact(long)> solved; ///< the same contact at these bits
+    std::optional<Profile> profile;
+    std::optional<BallContact> balls;
+    std::function<BallContact(long)> solved;          ///< the same contact at these bits
     std::optional<contact::DoubleWordPressure> words; ///< decides nearly all places
     std::optional<contact::BatchPressure> batch;
 };
@@ -207,14 +205,14 @@ Binary64Pressures::~Binary64Pressures() = default;
 Binary64Pressures::Binary64Pressures(Binary64Pressures&&) noexcept = default;
 Binary64Pressures& Binary64Pressures::operator=(Binary64Pressures&&) noexcept = default;
 
-double Binary64Pressures::operator()(contact::Edge edge, double u) const {
+double Binary64Pressures::operator()(Edge edge, double u) const {
     if (std::isnan(u)) {
         throw DomainError("u is not a number");
     }
     return contact_->at(edge, u);
 }
 
-void Binary64Pressures::operator()(contact::Edge edge, std::span<const double> u,
+void Binary64Pressures::operator()(Edge edge, std::span<const double> u,
                                    std::span<double> p) const {
     for (std::size_t i = 0; i < u.size(); ++i) {
         check_interruption();

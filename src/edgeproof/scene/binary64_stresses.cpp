@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/scene/binary64_stresses.hpp"
+#include "edgeproof/scene/binary64_values.hpp"
 
 #include "edgeproof/contact/stress/binary64_stress.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/rational.hpp"
 #include "edgeproof/scene/route/ball_level.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -52,7 +50,7 @@ public:
         try {
             BallLevel level(asked_, plan, {}, Binary64Stress::field_bits);
             mean_pressure_ = Ball(level.force() / level.length()).midpoint().convert_to<double>();
-            const contact::BallContact* const closed = level.contact().closed_form();
+            const BallContact* const closed = level.contact().closed_form();
             const auto field =
                 closed != nullptr && closed->piecewise_linear() && has_binary64_balls()
                     ? level.stress_field(body)
@@ -111,8 +109,8 @@ private:
     void by_scene(const std::vector<std::size_t>& indices) const {
         Scene scene = asked_;
         for (const std::size_t i : indices) {
-            scene.ask.in_bodies.push_back({formula::Exact::of(exact_rational(x_[i])),
-                                           formula::Exact::of(exact_rational(z_[i])), body_});
+            scene.ask.in_bodies.push_back(
+                {Exact::of(exact_rational(x_[i])), Exact::of(exact_rational(z_[i])), body_});
         }
         const SceneResult result = run_scene(scene);
         for (const RowsAt& at : result.at_places(QuantityRow::Place::body)) {

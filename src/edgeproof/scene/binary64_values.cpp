@@ -4,13 +4,12 @@
 #include "edgeproof/contact/double_word/double_word_expansion.hpp"
 #include "edgeproof/contact/double_word/double_word_shear.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
+#include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
-#include "edgeproof/scene/binary64_pressures.hpp"
-#include "edgeproof/scene/closed_form_contact.hpp"
 #include "edgeproof/scene/input/readers.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
@@ -22,10 +21,14 @@
 #include <vector>
 
 namespace edgeproof::scene {
+
 namespace {
 
+template <class... Rest> ClosedFormContact contact_of(Profile profile, Rest... rest) {
+    return {profile, [profile, rest...](long bits) { return BallContact(profile, rest..., bits); }};
+}
+
 using contact::DoubleWordPressure;
-using contact::Edge;
 
 /// A quantity at the distance u from an edge, in double words.
 using InWords = std::function<DoubleWord(Edge, const DoubleWord&)>;
@@ -35,8 +38,8 @@ constexpr unsigned first_digits = 25;
 constexpr unsigned most_digits = 800; ///< 1 - p_n/p cancels near an edge
 
 contact::DoubleWordShear shear_in_words(const Scene& scene, const ClosedFormContact& closed,
-                                        const contact::BallContact& solved) {
-    const contact::ShearSpec& shear = *scene.shear;
+                                        const BallContact& solved) {
+    const ShearSpec& shear = *scene.shear;
     const contact::ShearLoad<Ball> load{ball_of(shear.Q, word_bits),
                                         ball_of(shear.bulk_tension, word_bits)};
     if (scene.slips()) {
@@ -56,7 +59,7 @@ contact::DoubleWordShear shear_in_words(const Scene& scene, const ClosedFormCont
 
 /// Returns nothing if the quantity has no formula in double words.
 InWords in_words(const Scene& scene, const Binary64Question& question,
-                 const ClosedFormContact& closed, const contact::BallContact& solved) {
+                 const ClosedFormContact& closed, const BallContact& solved) {
     const bool has_form = DoubleWordPressure::has_form(closed.profile);
     if (question.quantity == Quantity::q) {
         // The form for partial slip is that of one step of Q in the plane.
@@ -107,7 +110,7 @@ public:
         try {
             if (const auto closed = closed_form_contact(scene_, 2 * word_bits)) {
                 profile_ = closed->profile;
-                const contact::BallContact solved = closed->at(word_bits);
+                const BallContact solved = closed->at(word_bits);
                 words_ = in_words(scene_, question_, *closed, solved);
             }
         } catch (const BudgetError&) {
@@ -232,7 +235,7 @@ private:
                                                     unsigned digits) {
         scene_.ask.u.clear();
         for (const std::size_t i : indices) {
-            const formula::Exact place = formula::Exact::of(exact_rational(places[i]));
+            const Exact place = Exact::of(exact_rational(places[i]));
             AskedPoint point{place};
             if (question_.from_origin) {
                 point.place = Place::parse(place.text(), Place::From::origin, names_of(scene_));
@@ -265,11 +268,26 @@ private:
     Binary64Question question_;
     End right_;
     End left_;
-    std::optional<contact::Profile> profile_;
+    std::optional<Profile> profile_;
     InWords words_;
 };
 
 } // namespace
+
+std::optional<ClosedFormContact> closed_form_contact(const Scene& scene, long tilt_bits) {
+    if (scene.punch) {
+        contact::EnclosedTilt tilt = enclose_tilt(*scene.punch, scene.contact_modulus,
+                                                  scene.load.value, *scene.moment, tilt_bits);
+        return tilt.exactly_zero
+                   ? contact_of(std::move(tilt.near), scene.contact_modulus, scene.load)
+                   : contact_of(std::move(tilt.near), tilt.alpha, scene.contact_modulus,
+                                scene.load);
+    }
+    if (scene.profile->axisymmetric() || !BallContact::has_closed_form(*scene.profile)) {
+        return {};
+    }
+    return contact_of(*scene.profile, scene.contact_modulus, scene.load);
+}
 
 void compute_binary64(const Scene& scene, const Binary64Question& question,
                       std::span<const double> places, std::span<double> values) {

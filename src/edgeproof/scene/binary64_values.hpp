@@ -1,18 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
+#include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
 #include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 
 namespace edgeproof::scene {
+
+using contact::BallContact;
+
+/// The contact of a scene in balls of any precision.
+struct ClosedFormContact {
+    Profile profile; ///< if the tilt was found: that of a tilt near it
+    std::function<BallContact(long bits)> at;
+};
+
+/// Nothing for curved slopes. An unknown tilt is enclosed with `tilt_bits`. Throws as BallContact
+/// and enclose_tilt do.
+[[nodiscard]] std::optional<ClosedFormContact> closed_form_contact(const Scene& scene,
+                                                                   long tilt_bits);
 
 /// A quantity at many places that are binary64 numbers.
 struct Binary64Question {
     Quantity quantity = Quantity::p; ///< p, q, local (n terms of p) or rel
     std::size_t n = 0;               ///< number of terms of local and rel
-    contact::Edge edge = contact::Edge::right;
+    Edge edge = Edge::right;
     bool from_origin = false; ///< the places are coordinates x, else distances u from the edge
 };
 
@@ -28,5 +46,65 @@ struct Binary64Question {
 /// `places` and `values` have the same size.
 void compute_binary64(const Scene& scene, const Binary64Question& question,
                       std::span<const double> places, std::span<double> values);
+
+/// Many pressures of one scene as binary64: each is the binary64 nearest to the exact p (ties to
+/// even). The contact is solved once; the scene's [ask] is ignored.
+///
+/// Where p has a closed form, every value is proved: the whole enclosure of p rounds to it.
+/// Elsewhere BatchPressure computes p at 25 digits with an estimated error. Where that error leaves
+/// two candidates, run_scene decides, in balls as far as the scene allows.
+class Binary64Pressures {
+public:
+    /// Throws InputError (with the line of the load) if no contact carries the load.
+    explicit Binary64Pressures(const Scene& scene);
+    ~Binary64Pressures();
+    Binary64Pressures(Binary64Pressures&&) noexcept;
+    Binary64Pressures& operator=(Binary64Pressures&&) noexcept;
+
+    /// Returns p at the distance u (exactly that binary64) inwards from an edge, in units of the
+    /// contact modulus; 0 at the edges and outside the contact; infinity on a corner of the profile
+    /// (also where 4096 bits do not separate the place from an edge or from a corner that is not a
+    /// known number). Throws DomainError for NaN, BudgetError if no budget decides the last bit.
+    /// One object belongs to one thread at a time.
+    [[nodiscard]] double operator()(Edge edge, double u) const;
+
+    /// Computes p for many distances, in their order; `u` and `p` have the same size. Also throws
+    /// Interrupted.
+    void operator()(Edge edge, std::span<const double> u, std::span<double> p) const;
+
+    [[nodiscard]] bool proved() const noexcept;
+
+private:
+    struct Contact;
+    std::unique_ptr<Contact> contact_;
+};
+
+/// The stresses at many points of a body, in units of the contact modulus. All arrays have the same
+/// size; `mises` is empty if the scene has no Poisson's ratio.
+struct Binary64Stresses {
+    std::span<double> sxx;
+    std::span<double> szz;
+    std::span<double> sxz;
+    std::span<double> tau_max;
+    std::span<double> mises;
+    std::span<double> bound; ///< of the error of each value at the point
+};
+
+/// Computes the stresses at the places x and the depths z, which are exactly these binary64. The
+/// bounds are proved and at most 1e-12 of the mean pressure, or 2^-52 of the value itself where it
+/// is large: binary64 with bounds decide most points of piecewise linear slopes, run_scene computes
+/// the others. The scene's [ask] is ignored.
+///
+/// Throws InputError for z < 0, for points at which a stress is infinite, and if the stresses of
+/// the scene are not computed; DomainError for numbers that are not finite; Interrupted.
+/// @param scene the contact
+/// @param body the body in which the points are
+/// @param x places (length)
+/// @param z depths (length), as many
+/// @param stresses receives the values
+/// @param threads 0: the processors available
+void compute_binary64(const Scene& scene, Body body, std::span<const double> x,
+                      std::span<const double> z, const Binary64Stresses& stresses,
+                      unsigned threads = 0);
 
 } // namespace edgeproof::scene

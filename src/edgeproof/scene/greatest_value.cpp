@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/scene/greatest_value.hpp"
+#include "edgeproof/scene/run_scene.hpp"
 
 #include "edgeproof/contact/stress/greatest_stress.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -29,12 +29,11 @@ constexpr long most_raised = 64;
 /// with the force (docs/stress.md, "The greatest values").
 bool rises_outwards(const LoadHistory& history) {
     const int sign = history.layers.back().ratio.sign();
-    const formula::Exact* before = nullptr;
+    const Exact* before = nullptr;
     return sign != 0 && std::ranges::all_of(history.layers, [&](const LoadHistory::Layer& layer) {
-               const formula::Exact* const last = std::exchange(before, &layer.ratio);
-               const int growth = last == nullptr
-                                      ? layer.ratio.sign()
-                                      : formula::Exact(layer.ratio.expr() - last->expr()).sign();
+               const Exact* const last = std::exchange(before, &layer.ratio);
+               const int growth = last == nullptr ? layer.ratio.sign()
+                                                  : Exact(layer.ratio.expr() - last->expr()).sign();
                return growth * sign >= 0;
            });
 }
@@ -111,8 +110,8 @@ private:
 BoundedValue proved(const Ball& x, const std::string& route) { return {x, true, route}; }
 
 /// The coordinate of an edge of the contact, or of the stick zone.
-BoundedValue place_of_edge(const Scene& scene, bool stick, contact::Edge edge) {
-    const bool right = edge == contact::Edge::right;
+BoundedValue place_of_edge(const Scene& scene, bool stick, Edge edge) {
+    const bool right = edge == Edge::right;
     const AskedValue asked{stick ? (right ? Quantity::stick_a : Quantity::stick_b)
                                  : (right ? Quantity::a : Quantity::b)};
     BoundedValue x = SceneValues(scene, {asked}, scene.ask.digits).value(asked);
@@ -160,9 +159,8 @@ GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity
     std::optional<contact::GreatestStress> found;
     fields.raise(search_bits, [&](const StressField& field) {
         for (const contact::LoadPart& part : field.parts) {
-            for (std::size_t i = 0; i < part.contact.slope().knots.size(); ++i) {
-                if (part.contact.piecewise_linear() && part.contact.bends_inside(i) &&
-                    part.contact.slope().has_corner(i)) {
+            for (const std::size_t i : part.contact.bends_inside()) {
+                if (part.contact.slope().has_corner(i)) {
                     refuse(scene,
                            "the profile has a corner inside the contact, where the stress has no "
                            "finite limit",

@@ -44,7 +44,7 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
             }
         }
     }
-    for (const contact::Edge edge : plan.edges) {
+    for (const Edge edge : plan.edges) {
         for (std::size_t i = 0; i < plan.points; ++i) {
             const AskedPoint& point = scene.ask.u[i];
             const Distance u = point.distance(edge);
@@ -93,11 +93,11 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
     }
     for (std::size_t i = 0; plan.displacement && i < scene.ask.u.size(); ++i) {
         of_bodies(QuantityRow::Place::surface, i,
-                  {.place = scene.ask.u[i].distance(contact::Edge::right),
+                  {.place = scene.ask.u[i].distance(Edge::right),
                    .in_body = scene::BodyPoint{{}, {}, scene.ask.surface_of},
                    .reference = scene.ask.reference});
     }
-    for (const contact::Edge edge : plan.edges) {
+    for (const Edge edge : plan.edges) {
         for (std::size_t k = 0; scene.ask.wants(QuantityGroup::coefficients) && k < plan.terms;
              ++k) {
             add({Quantity::c, k, edge});
@@ -106,12 +106,12 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
             }
         }
     }
-    for (const contact::Edge edge : plan.edges) {
+    for (const Edge edge : plan.edges) {
         for (const std::size_t n : plan.extents ? scene.ask.terms : std::vector<std::size_t>{}) {
             add({Quantity::extent, n, edge, {}, scene.ask.tolerance});
         }
     }
-    for (const contact::Edge edge : plan.slip ? plan.edges : std::vector<contact::Edge>{}) {
+    for (const Edge edge : plan.slip ? plan.edges : std::vector<Edge>{}) {
         add({Quantity::slip, 0, edge});
         for (const std::size_t n : scene.history ? std::vector<std::size_t>{} : scene.ask.terms) {
             add({Quantity::slip_terms, n, edge, {}, scene.ask.tolerance});
@@ -308,7 +308,7 @@ SceneResult run_scene(const Scene& scene, const RunOptions& options) {
 Scene asking(const Scene& scene, const std::vector<AskedValue>& values, const Digits& digits) {
     Scene s = scene;
     s.ask = Ask{};
-    s.ask.edges = {contact::Edge::right, contact::Edge::left};
+    s.ask.edges = {Edge::right, Edge::left};
     s.ask.digits = digits;
     bool shear = false;
     std::size_t orders = 0;
@@ -319,7 +319,7 @@ Scene asking(const Scene& scene, const std::vector<AskedValue>& values, const Di
         shear = shear || row.of_shear();
         if (row.place == QuantityRow::Place::point) {
             // The routes compute the places of `values`; the plan only needs to know of a point.
-            s.ask.u.push_back({v.u.value_or(formula::Exact::of(1)), 0});
+            s.ask.u.push_back({v.u.value_or(Exact::of(1)), 0});
         }
         if (v.in_body) {
             s.ask.in_bodies.push_back(*v.in_body);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace edgeproof::scene {
@@ -13,7 +14,7 @@ namespace edgeproof::scene {
 /// coefficients, the extents and the slip zones, each edge by edge in the order of the request.
 struct SceneResult {
     Plan plan;
-    contact::Work work; ///< the work done
+    Work work; ///< the work done
     std::vector<Row> rows;
     bool in_proportion = true; ///< ValueRoute::in_proportion(), for a scene with friction
 
@@ -71,8 +72,22 @@ public:
 private:
     Scene scene_;
     Plan plan_;
-    contact::Work work_;
+    Work work_;
     std::unique_ptr<ValueRoute> route_;
 };
+
+/// The greatest value of a stress in a body, and its place; all three are proved.
+struct GreatestValue {
+    BoundedValue value;
+    BoundedValue x;                 ///< from the origin (length)
+    BoundedValue z;                 ///< the depth (length)
+    std::vector<std::string> notes; ///< sentences about the place
+};
+
+/// Returns the greatest mises, tresca, s1 or tau_max for z >= 0, or the greatest sxx at z = 0, to
+/// the digits of the scene. For mises, tresca and s1 the scene must have a Poisson's ratio. Throws
+/// InputError for a quantity that has no greatest value, BudgetError where the search does not
+/// decide.
+[[nodiscard]] GreatestValue greatest_value(const Scene& scene, Quantity quantity, Body body);
 
 } // namespace edgeproof::scene

@@ -8,21 +8,18 @@
 ///   quantity.hpp     the table of quantities: names, places, units, evaluators
 ///   value_route.hpp  Row: one asked value with its result
 ///                    ValueRoute: one interface for all ways to compute values
-///   enclosure.hpp   exact constants as balls
+///   enclosure.hpp    exact constants as balls
 ///   bounded_value.hpp  BoundedValue: a value, its error, its route; printing
 ///   run_scene.hpp    run_scene: carries out the plan and counts the work
-///   run_scene.hpp SceneValues: single numbers of a scene
-///   binary64_pressures.hpp, binary64_values.hpp  many values, rounded to binary64
-///   print.hpp      values printed to a stream
-///   greatest_value.hpp  greatest_value: the greatest stress of a body, and its place
+///                    SceneValues: single numbers of a scene
+///                    greatest_value: the greatest stress of a body, and its place
+///   binary64_values.hpp  many values, rounded to binary64
 #include "edgeproof/formula/exact/enclosure.hpp"
-#include "edgeproof/scene/greatest_value.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
 #include "edgeproof/scene/input/points.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 #include "edgeproof/scene/input/units.hpp"
-#include "edgeproof/scene/print.hpp"
 #include "edgeproof/scene/route/plan.hpp"
 #include "edgeproof/scene/route/value_route.hpp"
 #include "edgeproof/scene/run_scene.hpp"

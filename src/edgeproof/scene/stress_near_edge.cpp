@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <utility>
 
 namespace edgeproof::scene {
 namespace {
@@ -51,7 +50,7 @@ public:
     }
 
     /// Calls f with the series of more and more bits until it returns true.
-    void raise(contact::Edge edge, std::size_t terms,
+    void raise(Edge edge, std::size_t terms,
                const std::function<bool(const EdgeStress&)>& f) const {
         const auto extra = static_cast<long>(terms); // each term loses about a bit
         for (long bits = plan_.bits; bits <= most_doubled * plan_.bits; bits *= 2) {
@@ -102,11 +101,11 @@ BoundedValue proved(const Ball& x) {
 
 } // namespace
 
-std::vector<RayTerm> ray_terms(const Scene& scene, Body body, const formula::Exact& angle,
+std::vector<RayTerm> ray_terms(const Scene& scene, Body body, const Exact& angle,
                                std::size_t terms) {
     const Series series(scene, body);
     std::vector<RayTerm> all;
-    for (const contact::Edge edge : scene.ask.edges) {
+    for (const Edge edge : scene.ask.edges) {
         std::vector<RayTerm> found;
         series.raise(edge, terms, [&](const EdgeStress& near) {
             found.clear();
@@ -128,10 +127,10 @@ std::vector<RayTerm> ray_terms(const Scene& scene, Body body, const formula::Exa
     return all;
 }
 
-std::vector<RayReach> ray_reaches(const Scene& scene, Body body, const formula::Exact& angle) {
+std::vector<RayReach> ray_reaches(const Scene& scene, Body body, const Exact& angle) {
     const Series series(scene, body);
     std::vector<RayReach> all;
-    for (const contact::Edge edge : scene.ask.edges) {
+    for (const Edge edge : scene.ask.edges) {
         std::vector<RayReach> found;
         for (const Quantity quantity : ray_stresses) {
             for (const std::size_t n : scene.ask.terms) {

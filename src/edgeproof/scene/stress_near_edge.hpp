@@ -16,20 +16,20 @@ inline constexpr std::array ray_stresses{Quantity::sxx, Quantity::szz, Quantity:
 
 /// The coefficients of r^(halves/2) (stress/length^(halves/2)) at the distance r from an edge.
 struct RayTerm {
-    contact::Edge edge;
+    Edge edge;
     int halves;
     std::array<BoundedValue, 3> values;
 };
 /// The coefficients of the first `terms` powers at each edge of the scene, proved. Throws
 /// InputError for a contact without a closed form, BudgetError if no number of bits gives the
 /// digits.
-[[nodiscard]] std::vector<RayTerm> ray_terms(const Scene& scene, Body body,
-                                             const formula::Exact& angle, std::size_t terms);
+[[nodiscard]] std::vector<RayTerm> ray_terms(const Scene& scene, Body body, const Exact& angle,
+                                             std::size_t terms);
 
 /// The distance from an edge up to which the sum of the first n terms is within the tolerance of
 /// the scene.
 struct RayReach {
-    contact::Edge edge;
+    Edge edge;
     Quantity quantity;
     std::size_t n;
     /// The first exit (length); nothing if the tolerance is kept up to `searched`, or if the first
@@ -39,7 +39,6 @@ struct RayReach {
     bool vanishes;
 };
 /// For each edge, stress and number of terms of the scene; proved. Throws as ray_terms.
-[[nodiscard]] std::vector<RayReach> ray_reaches(const Scene& scene, Body body,
-                                                const formula::Exact& angle);
+[[nodiscard]] std::vector<RayReach> ray_reaches(const Scene& scene, Body body, const Exact& angle);
 
 } // namespace edgeproof::scene

@@ -52,6 +52,11 @@ template <class T>
     }
     return antiderivative(g.truncated(x.order() - 1) * derivative(x), f0);
 }
+/// The same for g = rate(), which is infinite at an end of the domain of f: one term needs no g.
+template <class T, class Rate>
+[[nodiscard]] Series<T> integrate_root(const Rate& rate, const Series<T>& x, const T& f0) {
+    return x.order() == 1 ? Series<T>(f0, 1) : integrate_along(rate(), x, f0);
+}
 
 template <class T> [[nodiscard]] Series<T> log(const Series<T>& x) {
     using std::log;
@@ -90,18 +95,12 @@ template <class T> [[nodiscard]] Series<T> arc_tangent(const Series<T>& x) {
 
 template <class T> [[nodiscard]] Series<T> asin(const Series<T>& x) {
     using std::asin;
-    if (x.order() == 1) {
-        return Series<T>(T(asin(x[0])), 1);
-    }
-    return integrate_along(T(1) / sqrt(T(1) - x * x), x, T(asin(x[0])));
+    return integrate_root([&] { return T(1) / sqrt(T(1) - x * x); }, x, T(asin(x[0])));
 }
 
 template <class T> [[nodiscard]] Series<T> acos(const Series<T>& x) {
     using std::acos;
-    if (x.order() == 1) {
-        return Series<T>(T(acos(x[0])), 1);
-    }
-    return integrate_along(T(-1) / sqrt(T(1) - x * x), x, T(acos(x[0])));
+    return integrate_root([&] { return T(-1) / sqrt(T(1) - x * x); }, x, T(acos(x[0])));
 }
 
 /// sin x and cos x together, by s' = c x', c' = -s x'.
@@ -145,18 +144,13 @@ template <class T> [[nodiscard]] Series<T> tanh(const Series<T>& x) {
 }
 template <class T> [[nodiscard]] Series<T> asinh(const Series<T>& x) {
     using std::asinh;
-    if (x.order() == 1) {
-        return Series<T>(T(asinh(x[0])), 1);
-    }
-    return integrate_along(T(1) / sqrt(T(1) + x * x), x, T(asinh(x[0])));
+    return integrate_root([&] { return T(1) / sqrt(T(1) + x * x); }, x, T(asinh(x[0])));
 }
 
 template <class T> [[nodiscard]] Series<T> acosh(const Series<T>& x) {
     using std::acosh;
-    if (x.order() == 1) {
-        return Series<T>(T(acosh(x[0])), 1);
-    }
-    return integrate_along(T(1) / (sqrt(x - T(1)) * sqrt(x + T(1))), x, T(acosh(x[0])));
+    return integrate_root([&] { return T(1) / (sqrt(x - T(1)) * sqrt(x + T(1))); }, x,
+                          T(acosh(x[0])));
 }
 template <class T> [[nodiscard]] Series<T> atanh(const Series<T>& x) {
     using std::atanh;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/curved/slope_monotonicity.hpp"
+#include "edgeproof/contact/curved/curved_slope.hpp"
 #include "tests/contact/scenes.hpp"
 #include "tests/support/namespaces.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/design/design.hpp"
+#include "edgeproof/contact/design/best_reach.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/exact_contact.hpp"
-#include "edgeproof/contact/enclosure/exact_edges.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/formula/parse.hpp"

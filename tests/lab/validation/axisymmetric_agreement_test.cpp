@@ -2,7 +2,7 @@
 // Axisymmetric contacts drawn from a fixed seed: every value agrees to 50 digits with integrals
 // that share no formula with it, and Boussinesq's integral of the pressure returns the profile.
 
-#include "edgeproof/precision/rounding/digits_right.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 #include "edgeproof/scene/scene.hpp"
 #include "lab/validation/abel_quadrature.hpp"

@@ -4,7 +4,7 @@
 #include "edgeproof/io/csv.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/rounding/digits_right.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 #include "edgeproof/scene/scene.hpp"
 #include "lab/validation/abel_quadrature.hpp"

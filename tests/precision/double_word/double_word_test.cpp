@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/precision/double_word/double_word_ball.hpp"
-#include "edgeproof/precision/double_word/logarithm.hpp"
-#include "edgeproof/precision/double_word/piecewise_series.hpp"
+#include "edgeproof/precision/double_word/double_word.hpp"
+#include "edgeproof/precision/double_word/function_tables.hpp"
 #include "edgeproof/precision/split_mix.hpp"
 #include "tests/support/namespaces.hpp"
 

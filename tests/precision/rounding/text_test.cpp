@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/precision.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <iomanip>
 #include <random>
+#include <sstream>
 
 namespace {
+
 Rational halved(unsigned times) { return Rational(Integer(1), Integer(Integer(1) << times)); }
+
+std::string streamed_ball(const Ball& x, int digits) {
+    std::ostringstream out;
+    out << std::setprecision(digits) << x;
+    return out.str();
+}
+
 } // namespace
 
 TEST_CASE("a decimal means exactly the number that is written") {
@@ -248,4 +259,52 @@ TEST_CASE("the nearest binary64, once") {
     CHECK(nearest_binary64(Ball(Rational(tiny * Rational(7, 5)), 400)).value() == 0x1p-1074);
     CHECK(nearest_binary64(Ball(Rational(tiny * Rational(8, 5)), 400)).value() == 0x1p-1073);
     CHECK(hexadecimal(0.5) == "0x1p-1");
+}
+
+TEST_CASE("digits that are right: against the worst number of the ball") {
+    const PrecisionScope scope(60);
+    CHECK(digits_right(Real(1), Ball(Rational(1), 200)) == most_digits_right);
+    CHECK(digits_right(Real(1) + pow(Real(10), -7) * 2, Ball(Rational(1), 200)) == 6);
+    CHECK(digits_right(Real(1), Ball::around(Real(1), pow(Real(10), -9) * 3, 200)) == 8);
+    CHECK(digits_right(Real(2), Ball(Rational(1), 200)) == 0);
+    CHECK(digits_right(Real(0) / Real(0), Ball(Rational(1), 200)) == 0);
+    CHECK(digits_proved(Ball::around(Real(2), pow(Real(10), -9), 200)) == 9);
+}
+
+TEST_CASE("digits are those of the true error, and no more than the enclosure proves") {
+    const PrecisionScope scope(60);
+    const Real one(1);
+    const Ball narrow = Ball::around(one, pow(Real(10), -50), 200);
+    CHECK(digits_reached(Real(one + pow(Real(10), -10)), narrow) ==
+          doctest::Approx(10).epsilon(1e-6));
+    CHECK(digits_reached(Real(one - 3 * pow(Real(10), -7)), narrow) ==
+          doctest::Approx(6.5229).epsilon(1e-4));
+    CHECK(digits_reached(one, narrow) == doctest::Approx(50).epsilon(1e-3));
+    CHECK(digits_reached(Real(-one), narrow) == 0);
+    CHECK(digits_reached(one, Ball::around(Real(0), one, 200)) == 0);
+    Real none(0);
+    mpfr_set_nan(none.backend().data());
+    CHECK(digits_reached(none, narrow) == 0);
+}
+
+// pi = 3.14159265358979323846..., so that |3.14159 - pi| = 2.6535...e-6 and |3.1415926536 - pi| =
+// 1.0206...e-11.
+TEST_CASE("a ball is printed with the digits of the stream and the bound of their error") {
+    std::ostringstream out;
+    out << Ball::pi(200);
+    CHECK(out.str() == "3.14159 +/- 2.7e-06");
+    CHECK(streamed_ball(Ball::pi(200), 11) == "3.1415926536 +/- 1.1e-11");
+    // The radius of such a ball is at most 2^-100 = 7.9e-31.
+    CHECK(streamed_ball(Ball(Rational(3, 10), 100), 4).substr(0, 11) == "0.3000 +/- ");
+    CHECK(streamed_ball(Ball(Rational(3, 10), 100), 4).substr(14) == "e-31");
+    CHECK(streamed_ball(-Ball(2, 64), 3) == "-2.00 +/- 0");
+    CHECK(streamed_ball(Ball(0, 64), 3) == "0 +/- 0");
+}
+
+TEST_CASE("a wide ball has fewer digits, or both ends") {
+    // Both ends, 1.249023... and 1.250976..., round to 1.25, but not to the same four digits.
+    const Ball wide = Ball::around(Real(1.25), Real(0x1p-10), 64);
+    CHECK(streamed_ball(wide, 10) == "1.25 +/- 0.00098");
+    CHECK(streamed_ball(Ball::around(Real(0), Real(0.25), 64), 10).substr(0, 4) == "[-0.");
+    CHECK(streamed_ball(1 / Ball(0, 64), 10) == "nan");
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosure/contact_formulas.hpp"
 
-#include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>

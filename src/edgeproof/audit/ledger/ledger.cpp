@@ -11,7 +11,7 @@
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
-#include "edgeproof/scene/input/file_kind.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
 
 #include <algorithm>
 #include <set>

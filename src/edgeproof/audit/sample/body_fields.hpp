@@ -2,7 +2,6 @@
 #pragma once
 #include "edgeproof/audit/ledger/family.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
-#include "edgeproof/contact/curved/proved_tractions.hpp"
 
 #include <memory>
 #include <optional>

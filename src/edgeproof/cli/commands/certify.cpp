@@ -9,7 +9,7 @@
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/report/text/program_line.hpp"
-#include "edgeproof/scene/input/file_kind.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "edgeproof/report/figures/figure_option.hpp"
 #include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/tables/design_table.hpp"
-#include "edgeproof/scene/design/run_design.hpp"
+#include "edgeproof/scene/design/design_file.hpp"
 
 #include <fmt/format.h>
 

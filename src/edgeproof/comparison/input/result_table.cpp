@@ -6,9 +6,9 @@
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
+#include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/measures/alignment.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/rational.hpp"
 
 #include <fmt/format.h>
 

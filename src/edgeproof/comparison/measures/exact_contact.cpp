@@ -12,8 +12,8 @@
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/exact_rational.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/rational.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/law/point.hpp"
+#include "edgeproof/contact/law/kernels.hpp"
 #include "edgeproof/precision/real.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 

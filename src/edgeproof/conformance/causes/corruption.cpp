@@ -2,7 +2,7 @@
 #include "edgeproof/conformance/causes/corruption.hpp"
 
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/exact_rational.hpp"
+#include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/precision/split_mix.hpp"
 

@@ -5,7 +5,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
-#include "edgeproof/scene/mistakes/injected_keys.hpp"
+#include "edgeproof/scene/mistakes/scene_mistakes.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/scene/mistakes/mistake_counts.hpp"
+#include "edgeproof/scene/mistakes/scene_mistakes.hpp"
 
 #include <array>
 #include <cstddef>
@@ -18,7 +18,7 @@ inline constexpr std::size_t least_percent_named = 90;
 /// Gives the answers of programs with one mistake each, with noise, to questions about contacts of
 /// every kind of profile, each under two loads, and counts the causes that infer_conventions()
 /// names. The mistakes are made without the catalogue that is under test: the keys of the contact
-/// are changed (scene/mistakes/injected_keys.hpp), or places and values as a program would change
+/// are changed (scene/mistakes/scene_mistakes.hpp), or places and values as a program would change
 /// them. Every cause reported, of any quantity, must have the name of the mistake, alone or among
 /// those equally likely. A mistake is hidden if it changes fewer than eight answers by more than
 /// five times the noise. The rows without a name are right answers, and errors that no mistake of

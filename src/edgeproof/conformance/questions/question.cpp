@@ -3,7 +3,7 @@
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/exact_rational.hpp"
+#include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <boost/algorithm/string/trim.hpp>

@@ -6,8 +6,8 @@
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
-#include "edgeproof/scene/input/file_kind.hpp"
 #include "edgeproof/scene/input/points.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
 
 #include <array>
 #include <utility>

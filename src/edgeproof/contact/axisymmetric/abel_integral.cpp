@@ -5,7 +5,6 @@
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/quadrature/theta_cells.hpp"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
-#include "edgeproof/contact/law/load.hpp"
+#include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/slip/stick_zone.hpp"
 #include "edgeproof/precision/ball/complex_box.hpp"
 
@@ -17,15 +17,17 @@ namespace edgeproof::contact {
 class RoundContact : public ProvedContact {
 public:
     using ProvedContact::ProvedContact;
-    /// The approach delta of the bodies (length).
-    [[nodiscard]] virtual Ball approach() const = 0;
+    /// The total force P (force).
+    [[nodiscard]] Ball force() const override { return force_at(a_); }
     [[nodiscard]] Ball moment() const override { return {0, bits_}; }
+    /// The approach delta of the bodies (length).
+    [[nodiscard]] Ball approach() const { return approach_at(a_); }
     /// dP/da (force/length).
-    [[nodiscard]] virtual Ball force_rate() const = 0;
+    [[nodiscard]] Ball force_rate() const { return modulus_ * a_ * approach_rate_at(a_) * 2; }
     /// Returns the coefficients of dP/da (force/length) at the radius a - d in powers of d.
     [[nodiscard]] virtual std::vector<Ball> force_rates(std::size_t terms) const = 0;
     /// The radius (length) of the contact of the same profile under the total force P.
-    [[nodiscard]] virtual Ball radius_for(const Ball& P) const = 0;
+    [[nodiscard]] Ball radius_for(const Ball& P) const;
     /// The contact of the same profile with the radius `a` (length).
     [[nodiscard]] virtual std::unique_ptr<RoundContact> resized(const Ball& a) const = 0;
     /// The radius (length) at which g' begins to rise.
@@ -35,6 +37,25 @@ public:
     /// Returns the integral of (1 - tau/2) P - L over the approach (force x length), where the
     /// force L grows from (1 - tau) P, at the radius `from` (length), to P.
     [[nodiscard]] virtual Ball loop_integral(const Ball& from, const Ball& tau) const = 0;
+    [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
+
+protected:
+    /// Finds the radius: a (length), or that of the total force P (force) or of the approach delta
+    /// (length).
+    void carry(const Load& load);
+    /// A radius from which the search for that of a force, or of an approach, starts.
+    struct Start {
+        Ball radius;
+        bool near; ///< ZeroSearch::near
+    };
+    [[nodiscard]] virtual Start start_for(Load::Kind kind, const Ball& given) const = 0;
+    /// The force, the approach h and its rate h' for the radius s (length).
+    [[nodiscard]] virtual Ball force_at(const Ball& s) const = 0;
+    [[nodiscard]] virtual Ball approach_at(const Ball& s) const = 0;
+    [[nodiscard]] virtual Ball approach_rate_at(const Ball& s) const = 0;
+    /// The coefficients of h'(a + z) in powers of z; not finite if g' may jump or bend at the edge.
+    [[nodiscard]] virtual std::vector<Ball> approach_rates(std::size_t terms) const = 0;
+    [[nodiscard]] bool inside(std::size_t knot) const override;
 };
 
 /// An axisymmetric contact whose slope g'(r) is piecewise linear, in ball arithmetic
@@ -49,27 +70,22 @@ public:
     /// @param contact_modulus E* (stress)
     /// @param load the radius a (length), the total force P (force) or the approach delta (length)
     /// @param bits working precision
-    AxisymmetricContact(const Profile& profile, const formula::Exact& contact_modulus,
-                        const Load& load, long bits);
+    AxisymmetricContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
+                        long bits);
 
-    /// The total force P (force).
-    [[nodiscard]] Ball force() const override { return force_at(a_); }
-    [[nodiscard]] Ball force_rate() const override;
-    [[nodiscard]] Ball approach() const override;
-    [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const override;
+    [[nodiscard]] Ball pressure(Edge edge, const Exact& u) const override;
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
     [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const override;
     [[nodiscard]] BallSeries pressure_series(Edge edge, const Ball& u,
                                              std::size_t order) const override;
     [[nodiscard]] Ball reach(Edge edge) const override;
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
-    [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
     [[nodiscard]] std::size_t cost() const override { return 10; }
 
     /// The pressure (stress) at the radius r >= 0 (length). Not finite at a corner.
-    [[nodiscard]] Ball pressure_at(const formula::Exact& r) const;
+    [[nodiscard]] Ball pressure_at(const Exact& r) const;
     /// The integral of h'(s) sqrt(s^2 - r^2) over r < s < a (length^2), for r > 0.
-    [[nodiscard]] Ball outer_moment(const formula::Exact& r) const;
+    [[nodiscard]] Ball outer_moment(const Exact& r) const;
     /// The integral of h'(s) s/(s^2 + w)^n over 0 < s < a, for w > 0 (length^2) and n > 0.
     [[nodiscard]] Ball approach_moment(const Ball& w, long n) const;
 
@@ -83,7 +99,6 @@ public:
     [[nodiscard]] std::unique_ptr<RoundContact> resized(const Ball& a) const override {
         return std::make_unique<AxisymmetricContact>(with_radius(a));
     }
-    [[nodiscard]] Ball radius_for(const Ball& P) const override;
     [[nodiscard]] std::vector<Ball> force_rates(std::size_t terms) const override;
     [[nodiscard]] Ball loop_integral(const Ball& from, const Ball& tau) const override;
     /// True if g' jumps on the axis, where the pressure is then infinite.
@@ -102,16 +117,17 @@ private:
         std::size_t knot;
     };
     struct Place;
-    [[nodiscard]] Ball force_at(const Ball& a) const;
-    /// Returns h'(s) (docs/axisymmetric.md, "Piecewise linear slopes").
-    [[nodiscard]] Ball approach_rate(const Ball& s) const;
-    [[nodiscard]] Ball approach_at(const Ball& s) const;
-    /// Returns h'(a + z) as a series in z; its coefficients are not finite if a bend may lie on the
-    /// edge.
+    [[nodiscard]] Start start_for(Load::Kind kind, const Ball& given) const override;
+    [[nodiscard]] Ball force_at(const Ball& a) const override;
+    [[nodiscard]] Ball approach_at(const Ball& s) const override;
+    /// docs/axisymmetric.md, "Piecewise linear slopes".
+    [[nodiscard]] Ball approach_rate_at(const Ball& s) const override;
     [[nodiscard]] BallSeries approach_rate_series(std::size_t terms) const;
-    [[nodiscard]] Place place_at(const formula::Exact& r) const;
+    [[nodiscard]] std::vector<Ball> approach_rates(std::size_t terms) const override {
+        return approach_rate_series(terms).coefficients();
+    }
+    [[nodiscard]] Place place_at(const Exact& r) const;
     template <class F> [[nodiscard]] Ball over_bends(const Ball& s, const F& f) const;
-    [[nodiscard]] bool inside(std::size_t knot) const override;
     [[nodiscard]] Ball pressure(const Place& at, bool least) const;
 
     std::vector<Bend> bends_; ///< ascending

@@ -5,9 +5,6 @@
 namespace edgeproof::contact {
 namespace {
 
-using formula::Exact;
-using formula::Expr;
-
 Expr number(long k) { return Expr::number(Rational(k)); }
 
 /// Gamma((m + 1)/2)/Gamma(m/2 + 1); for whole m up to 100 without the gamma function, from

@@ -2,8 +2,8 @@
 // The pressure of an axisymmetric contact, and its series.
 #include "edgeproof/contact/axisymmetric/abel_integral.hpp"
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
-#include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -27,14 +27,14 @@ struct AxisymmetricContact::Place {
     [[nodiscard]] Ball W() const { return Field<Ball>::root(clamped(u) * clamped(other)); }
 };
 
-Ball AxisymmetricContact::pressure(Edge edge, const formula::Exact& u) const {
+Ball AxisymmetricContact::pressure(Edge edge, const Exact& u) const {
     const Ball from = enclosed_constant(u, bits_);
     const Ball other = a_ * 2 - from;
     Place at{from, other, abs(a_ - from), std::vector<bool>(bends_.size())};
     if (const auto a = known(edge)) {
         for (std::size_t i = 0; i < bends_.size(); ++i) {
-            const formula::Expr v = profile_.knots()[bends_[i].knot].expr();
-            const formula::Expr x = a->expr() - u.expr();
+            const Expr v = profile_.knots()[bends_[i].knot].expr();
+            const Expr x = a->expr() - u.expr();
             at.on_knot[i] =
                 overlaps(at.r, bends_[i].v) && (certainly_zero(x - v) || certainly_zero(x + v));
         }
@@ -42,7 +42,7 @@ Ball AxisymmetricContact::pressure(Edge edge, const formula::Exact& u) const {
     return pressure(at, false);
 }
 
-AxisymmetricContact::Place AxisymmetricContact::place_at(const formula::Exact& r) const {
+AxisymmetricContact::Place AxisymmetricContact::place_at(const Exact& r) const {
     const Ball x = enclosed_constant(r, bits_);
     Place at{a_ - x, a_ + x, x, std::vector<bool>(bends_.size())};
     for (std::size_t i = 0; i < bends_.size(); ++i) {
@@ -52,11 +52,9 @@ AxisymmetricContact::Place AxisymmetricContact::place_at(const formula::Exact& r
     return at;
 }
 
-Ball AxisymmetricContact::pressure_at(const formula::Exact& r) const {
-    return pressure(place_at(r), false);
-}
+Ball AxisymmetricContact::pressure_at(const Exact& r) const { return pressure(place_at(r), false); }
 
-Ball AxisymmetricContact::outer_moment(const formula::Exact& r) const {
+Ball AxisymmetricContact::outer_moment(const Exact& r) const {
     const Place at = place_at(r);
     const Ball W = at.W();
     const Ball W3 = W * W * W;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Integrals over the approach: the gap outside the contact, and the energy of a cycle.
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
-#include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 
 #include <algorithm>

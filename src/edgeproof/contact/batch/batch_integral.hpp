@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace edgeproof::contact {
@@ -15,7 +14,7 @@ namespace edgeproof::contact {
 /// The pressure by eqn:SIEPressure, with its principal value regularised (docs/pressure.md, "The
 /// singular integral, and how its pole is taken out"), as a sum over the pieces of g':
 ///   p = (E*/(2 pi)) (w(x) times the integral of (G - G_x)/(S - S_x) d phi, plus corners).
-/// phi and S are defined in batch_circle.hpp, G in batch_piece.hpp. G and S both increase, so that
+/// phi and S are defined in batch_piece.hpp, and G. G and S both increase, so that
 /// the sum over linear pieces has no cancellation.
 class BatchIntegral {
 public:

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/batch/batch_power_law.hpp"
 
-#include "edgeproof/contact/batch/batch_circle.hpp"
+#include "edgeproof/contact/batch/batch_piece.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/quadrature/gauss_legendre.hpp"
 #include "edgeproof/quadrature/holomorphic_reach.hpp"
-#include "edgeproof/quadrature/level_estimate.hpp"
 #include "edgeproof/quadrature/tanh_sinh_nodes.hpp"
 
 #include <algorithm>
@@ -34,10 +33,9 @@ void set_middle(Real& x, const Ball& ball) {
 }
 
 /// Returns (m - 1)/2.
-formula::Exact exponent_of_integrand(const formula::Exact& m) {
-    return m.is_rational()
-               ? formula::Exact::of(Rational((m.rational() - 1) / 2))
-               : formula::Exact((m.expr() - formula::Expr::number(1)) / formula::Expr::number(2));
+Exact exponent_of_integrand(const Exact& m) {
+    return m.is_rational() ? Exact::of(Rational((m.rational() - 1) / 2))
+                           : Exact((m.expr() - Expr::number(1)) / Expr::number(2));
 }
 
 /// Returns t^p (1 - t)^r; `rest` is 1 - t.
@@ -50,7 +48,7 @@ Real weight_at(const Real& t, const Real& rest, const Real& p, const Real& r) {
 
 } // namespace
 
-unsigned BatchPowerLaw::lost_digits(const formula::Exact& m) {
+unsigned BatchPowerLaw::lost_digits(const Exact& m) {
     const Real value = m.to<Real>();
     const Real distance = abs(value - 2 * round(Real(value / 2)));
     return distance > 0 && distance < 1
@@ -58,8 +56,8 @@ unsigned BatchPowerLaw::lost_digits(const formula::Exact& m) {
                : 0;
 }
 
-BatchPowerLaw::BatchPowerLaw(const formula::Exact& m, const Real& rate, const Real& a,
-                             unsigned digits, BatchPressure::Rule rule)
+BatchPowerLaw::BatchPowerLaw(const Exact& m, const Real& rate, const Real& a, unsigned digits,
+                             BatchPressure::Rule rule)
     : m_(m.to<Real>()), m_double_(static_cast<double>(m_)), scale_(rate / pi<Real>()),
       inverse_a_(1 / a), ln_tolerance_(-(static_cast<double>(digits) + 3) * std::numbers::ln10),
       rule_(rule), power_(exponent_of_integrand(m)) {

@@ -2,7 +2,6 @@
 #pragma once
 #include "edgeproof/contact/batch/batch_pressure.hpp"
 #include "edgeproof/contact/batch/batch_sums.hpp"
-#include "edgeproof/contact/batch/real_power.hpp"
 #include "edgeproof/quadrature/gauss_legendre.hpp"
 
 #include <cstddef>
@@ -31,13 +30,13 @@ public:
     /// @param a half-length of the contact (length)
     /// @param digits relative accuracy wanted, in decimal digits
     /// @param rule quadrature rule
-    BatchPowerLaw(const formula::Exact& m, const Real& rate, const Real& a, unsigned digits,
+    BatchPowerLaw(const Exact& m, const Real& rate, const Real& a, unsigned digits,
                   BatchPressure::Rule rule);
     /// Returns p (stress) with an estimate of its error.
     /// @param at point inside the contact (length)
     [[nodiscard]] RoutedPressure<Real> operator()(const Point<Real>& at);
     /// Returns the number of digits that cancel near the apex if m is close to an even number.
-    [[nodiscard]] static unsigned lost_digits(const formula::Exact& m);
+    [[nodiscard]] static unsigned lost_digits(const Exact& m);
 
 private:
     struct Share {

@@ -3,7 +3,6 @@
 
 #include "edgeproof/contact/batch/batch_integral.hpp"
 #include "edgeproof/contact/batch/batch_power_law.hpp"
-#include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>

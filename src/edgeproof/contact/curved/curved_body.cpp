@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/curved/curved_body.hpp"
 
-#include "edgeproof/contact/curved/slope_integral.hpp"
-#include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
-#include "edgeproof/contact/enclosure/isolate_zero.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -18,12 +17,11 @@ namespace {
 
 constexpr long narrow_bits_of_radius = 48; ///< a radius with fewer bits is a range
 constexpr long parts_of_range = 8;         ///< into which a coarse enclosure is divided
-constexpr const char* radius_sought = "the radius of the contact";
 
 bool is_narrow(const Box& s) { return acb_rel_accuracy_bits(s.get()) >= narrow_bits_of_radius; }
 
 /// The piece of g' to the right of a knot.
-const formula::Expr& slope_from(const Profile& profile, std::size_t knot) {
+const Expr& slope_from(const Profile& profile, std::size_t knot) {
     return profile.pieces()[knot + 1].slope;
 }
 
@@ -45,12 +43,10 @@ Box integral_or_range(const std::function<Box(const Box& t)>& f, bool narrow, lo
 } // namespace
 
 bool CurvedBody::handles(const Profile& profile) {
-    return std::all_of(
-        profile.pieces().begin(), profile.pieces().end(),
-        [](const SlopePiece& piece) { return formula::has_complex_taylor(piece.slope); });
+    return std::ranges::all_of(profile.pieces(), formula::has_complex_taylor, &SlopePiece::slope);
 }
 
-std::optional<formula::Exact> CurvedBody::not_analytic_at(const Profile& profile) {
+std::optional<Exact> CurvedBody::not_analytic_at(const Profile& profile) {
     constexpr long bits = 128;
     const auto finite = [&](std::size_t piece, const Ball& v) {
         const Ball apart = up_to(power_of_two(-100, bits));
@@ -70,8 +66,8 @@ std::optional<formula::Exact> CurvedBody::not_analytic_at(const Profile& profile
     return {};
 }
 
-CurvedBody::CurvedBody(const Profile& profile, const formula::Exact& contact_modulus,
-                       const Load& load, long bits)
+CurvedBody::CurvedBody(const Profile& profile, const Exact& contact_modulus, const Load& load,
+                       long bits)
     : RoundContact(profile, formula::enclosed_constant(contact_modulus, bits), bits) {
     for (std::size_t i = slope_.origin; i < slope_.knots.size(); ++i) {
         const Ball& v = slope_.knots[i];
@@ -84,26 +80,13 @@ CurvedBody::CurvedBody(const Profile& profile, const formula::Exact& contact_mod
         }
         rings_.push_back({v, std::move(jump), i});
     }
-    const Ball given = formula::enclosed_constant(load.value, bits);
-    if (load.kind == Load::Kind::right_edge) {
-        known_a_ = load.value;
-        a_ = given;
-        find_knots_on_edges();
-    } else if (load.kind == Load::Kind::force) {
-        a_ = radius_for(given);
-    } else {
-        a_ = isolate_zero([&](const Ball& s) { return given - approach_at(s); },
-                          [&](const Ball& s) { return -approach_rate_at(s); },
-                          near_radius(given, Integrand::slope), radius_sought, {.near = true});
-    }
-    b_ = a_;
+    carry(load);
 }
 
-Ball CurvedBody::radius_for(const Ball& P) const {
-    return isolate_zero([&](const Ball& s) { return P - force_at(s); },
-                        [&](const Ball& s) { return -(modulus_ * s * approach_rate_at(s) * 2); },
-                        near_radius(P / (modulus_ * 2), Integrand::moment), radius_sought,
-                        {.near = true});
+CurvedBody::Start CurvedBody::start_for(Load::Kind kind, const Ball& given) const {
+    return {kind == Load::Kind::approach ? near_radius(given, Integrand::slope)
+                                         : near_radius(given / (modulus_ * 2), Integrand::moment),
+            true};
 }
 
 std::unique_ptr<RoundContact> CurvedBody::resized(const Ball& a) const {
@@ -140,10 +123,6 @@ Ball CurvedBody::near_radius(const Ball& given, Integrand of) const {
         s = middle(!hi ? s * 2 : certainly_positive(lo) ? (lo + *hi) / 2 : *hi / 2);
     }
     return s;
-}
-
-bool CurvedBody::inside(std::size_t knot) const {
-    return !on_edge_[knot] && !certainly_less(a_, abs(slope_.knots[knot]));
 }
 
 CurvedBody::Radius CurvedBody::radius(const Ball& s) const {
@@ -354,14 +333,14 @@ Ball CurvedBody::pressure_at(const Ball& u, const Ball& other, const Ball& r,
     }
 }
 
-Ball CurvedBody::pressure(Edge edge, const formula::Exact& u) const {
+Ball CurvedBody::pressure(Edge edge, const Exact& u) const {
     const Ball from = formula::enclosed_constant(u, bits_);
     std::optional<std::size_t> on;
     const Ball r = abs(a_ - from);
     if (const auto a = known(edge)) {
-        const formula::Expr x = a->expr() - u.expr();
+        const Expr x = a->expr() - u.expr();
         for (std::size_t i = 0; i < rings_.size(); ++i) {
-            const formula::Expr v = profile_.knots()[rings_[i].knot].expr();
+            const Expr v = profile_.knots()[rings_[i].knot].expr();
             if (overlaps(r, rings_[i].v) && (certainly_zero(x - v) || certainly_zero(x + v))) {
                 on = i;
             }

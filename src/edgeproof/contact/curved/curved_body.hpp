@@ -15,7 +15,7 @@ namespace edgeproof::contact {
 /// (docs/axisymmetric.md, "Curved slopes"). delta, P and h' are integrals of g' over r, and the
 /// pressure is an integral of h' over s, each by Arb's rigorous integration (`johansson2018`). g'
 /// must be analytic on each piece, ends included; otherwise the values are not finite. The proofs
-/// need a g' that does not decrease (slope_monotonicity.hpp). The pressure is enclosed at points
+/// need a g' that does not decrease (curved_slope.hpp). The pressure is enclosed at points
 /// only: over a wide ball, and its series, are not finite.
 class CurvedBody : public RoundContact {
 public:
@@ -23,19 +23,16 @@ public:
     [[nodiscard]] static bool handles(const Profile& profile);
     /// The radius r >= 0 (length) of a knot at which g' is not analytic on a piece, so that no
     /// value is enclosed; nothing if there is none.
-    [[nodiscard]] static std::optional<formula::Exact> not_analytic_at(const Profile& profile);
+    [[nodiscard]] static std::optional<Exact> not_analytic_at(const Profile& profile);
 
     /// Throws BudgetError where `bits` do not suffice to enclose the radius.
     /// @param profile g'(r), symmetric
     /// @param contact_modulus E* (stress)
     /// @param load the radius a (length), the total force P (force) or the approach delta (length)
     /// @param bits working precision
-    CurvedBody(const Profile& profile, const formula::Exact& contact_modulus, const Load& load,
-               long bits);
+    CurvedBody(const Profile& profile, const Exact& contact_modulus, const Load& load, long bits);
 
-    [[nodiscard]] Ball force() const override { return force_at(a_); }
-    [[nodiscard]] Ball approach() const override { return approach_at(a_); }
-    [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const override;
+    [[nodiscard]] Ball pressure(Edge edge, const Exact& u) const override;
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
     [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const override {
         return pressure(edge, u);
@@ -44,12 +41,7 @@ public:
                                              std::size_t order) const override;
     [[nodiscard]] Ball reach(Edge edge) const override;
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
-    [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
-    [[nodiscard]] Ball force_rate() const override {
-        return modulus_ * a_ * approach_rate_at(a_) * 2;
-    }
     [[nodiscard]] std::vector<Ball> force_rates(std::size_t terms) const override;
-    [[nodiscard]] Ball radius_for(const Ball& P) const override;
     [[nodiscard]] std::unique_ptr<RoundContact> resized(const Ball& a) const override;
     [[nodiscard]] Ball minimum_end() const override;
     [[nodiscard]] Ball gap_beyond(const Ball& beyond) const override;
@@ -92,9 +84,10 @@ private:
     [[nodiscard]] Box rate_over_radius_at(const Box& s) const;
     /// h'(s) without the jump of the ring `except`.
     [[nodiscard]] Box approach_rate(const Radius& at, std::optional<std::size_t> except) const;
-    [[nodiscard]] Ball approach_rate_at(const Ball& s) const;
-    [[nodiscard]] Ball approach_at(const Ball& s) const;
-    [[nodiscard]] Ball force_at(const Ball& s) const;
+    [[nodiscard]] Start start_for(Load::Kind kind, const Ball& given) const override;
+    [[nodiscard]] Ball approach_rate_at(const Ball& s) const override;
+    [[nodiscard]] Ball approach_at(const Ball& s) const override;
+    [[nodiscard]] Ball force_at(const Ball& s) const override;
     /// True if g' does not change at a ring nor in the piece after it.
     [[nodiscard]] bool begins_flat(const Ring& ring) const;
     /// The integral of h'(s)/sqrt(s^2 - r^2) over A < s < sqrt(A^2 + W^2), A >= r.
@@ -111,11 +104,9 @@ private:
     over_approach(const Ball& from, std::optional<std::size_t> on, const Ball& beyond,
                   const std::function<Box(const Radius& at, const Box& depth)>& f,
                   const Ball& scale) const;
-    /// The Taylor coefficients of h'(s) about s = a.
-    [[nodiscard]] std::vector<Ball> approach_rates(std::size_t terms) const;
+    [[nodiscard]] std::vector<Ball> approach_rates(std::size_t terms) const override;
     /// A bound of |h'(s)| for |s - a| <= rho; not finite if none is found.
     [[nodiscard]] Ball most_rate(const Ball& rho) const;
-    [[nodiscard]] bool inside(std::size_t knot) const override;
 
     std::vector<Ring> rings_; ///< ascending
 };

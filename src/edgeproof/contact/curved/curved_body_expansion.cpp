@@ -4,8 +4,6 @@
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
 
-#include <utility>
-
 namespace edgeproof::contact {
 
 // p/sqrt(u) = (E*/pi) times the integral of h'(a - u t) (1 - t)^(-1/2) (2a - u (1 + t))^(-1/2) over
@@ -92,22 +90,6 @@ std::vector<Ball> CurvedBody::force_rates(std::size_t terms) const {
         rates.push_back(k % 2 == 0 ? rate : -rate);
     }
     return rates;
-}
-
-std::vector<Ball> CurvedBody::expansion(Edge /*edge*/, std::size_t terms) const {
-    if (terms == 0) {
-        return {};
-    }
-    std::vector<Ball> rates = approach_rates(terms);
-    std::vector<Ball> radii;
-    for (std::size_t k = 0; k < terms; ++k) {
-        rates[k] *= modulus_;
-        radii.push_back(k == 0 ? a_ : Ball(k == 1 ? 1 : 0, bits_));
-    }
-    // The plane contact with P'(s) = E* h'(s) has the same pressure.
-    const LawSeries<Ball> law{series::Series<Ball>(std::move(rates)),
-                              series::Series<Ball>(std::move(radii))};
-    return coefficients_of(right_edge_brackets(law, a_), Ball(a_ * 2));
 }
 
 } // namespace edgeproof::contact

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
-#include "edgeproof/contact/enclosure/exact_edges.hpp"
-#include "edgeproof/contact/profile/profile_checks.hpp"
-#include "edgeproof/contact/profile/slope_from_knot.hpp"
+#include "edgeproof/contact/enclosure/exact_contact.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
+#include "edgeproof/contact/profile/profile.hpp"
+#include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -48,11 +48,10 @@ long goal_between(const Ball& a, const Ball& b, long bits) {
 } // namespace
 
 bool IntegratedContact::handles(const Profile& profile) {
-    return std::all_of(profile.pieces().begin(), profile.pieces().end(),
-                       [](const SlopePiece& piece) { return has_complex_taylor(piece.slope); });
+    return std::ranges::all_of(profile.pieces(), formula::has_complex_taylor, &SlopePiece::slope);
 }
 
-IntegratedContact::IntegratedContact(const Profile& profile, const formula::Exact& contact_modulus,
+IntegratedContact::IntegratedContact(const Profile& profile, const Exact& contact_modulus,
                                      const Load& load, long bits)
     : ProvedContact(profile, enclosed_constant(contact_modulus, bits), bits), load_(load) {
     if (load.kind == Load::Kind::right_edge) {
@@ -229,7 +228,7 @@ std::vector<Ball> IntegratedContact::series_of_slope(std::size_t piece, const Ba
     return slope_series(profile_.pieces()[piece].slope, x, terms, bits_);
 }
 
-Ball IntegratedContact::pressure(Edge edge, const formula::Exact& u) const {
+Ball IntegratedContact::pressure(Edge edge, const Exact& u) const {
     const Ball from_edge = enclosed_constant(u, bits_);
     const Ball other = a_ + b_ - from_edge;
     if (certainly_negative(from_edge) || certainly_negative(other)) {
@@ -376,7 +375,7 @@ std::optional<Ball> IntegratedContact::left_edge_near(const Ball& a, const Ball&
 /// derivatives P_a and P_b of P(a, b), the integral of g' over theta has the derivatives kappa P_a
 /// and -kappa P_b, kappa = 4/(E* (a + b)). So b' = P_a/P_b and P' = 2 P_a along the contacts that
 /// satisfy the consistency condition (docs/mechanics.md, "One measure, six kernels").
-IntegratedContact::Guess IntegratedContact::guess(const formula::Exact& contact_modulus) const {
+IntegratedContact::Guess IntegratedContact::guess(const Exact& contact_modulus) const {
     const bool by_force = load_.kind == Load::Kind::force;
     const bool symmetric = profile_.symmetric();
     const auto near = [&](unsigned digits) {
@@ -415,7 +414,7 @@ IntegratedContact::Guess IntegratedContact::guess(const formula::Exact& contact_
     return near(static_cast<unsigned>(bits_ * 3 / 10));
 }
 
-void IntegratedContact::enclose_edges(const formula::Exact& contact_modulus) {
+void IntegratedContact::enclose_edges(const Exact& contact_modulus) {
     const Guess near = guess(contact_modulus);
     const auto too_few = [&] {
         return BudgetError("ball arithmetic at " + std::to_string(bits_) +

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/curved/pressure_disk.hpp"
-#include "edgeproof/contact/curved/slope_integral.hpp"
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/contact/stress/cauchy_integral.hpp"
@@ -19,7 +19,7 @@ namespace edgeproof::contact {
 /// enclosure found by Arb's rigorous integration (johansson2018) over theta, where s = c + d
 /// cos(theta) removes the singularities at the edges (docs/curved-slopes.md).
 ///
-/// All values are valid for a g' that does not decrease; slope_monotonicity.hpp proves this. An
+/// All values are valid for a g' that does not decrease; curved_slope.hpp proves this. An
 /// edge that is not given is enclosed between two trial edges. The integral of g' over theta
 /// (eqn:Consistency) decreases as the left edge moves outwards, and the force increases with the
 /// right edge of a contact that satisfies the consistency condition. Opposite signs at both trial
@@ -35,14 +35,14 @@ public:
     /// @param contact_modulus E* (stress)
     /// @param load the right edge (length) or the force (force/length)
     /// @param bits working precision
-    IntegratedContact(const Profile& profile, const formula::Exact& contact_modulus,
-                      const Load& load, long bits);
+    IntegratedContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
+                      long bits);
 
     [[nodiscard]] Ball force() const override { return force_of(a_, b_); }
     [[nodiscard]] Ball moment() const override;
     /// The result is not finite on a knot, unless exact numbers prove that the point is the knot
     /// and that g' does not jump there.
-    [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const override;
+    [[nodiscard]] Ball pressure(Edge edge, const Exact& u) const override;
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
     /// Returns the radius of the disk about an edge (length).
@@ -70,7 +70,7 @@ public:
     /// the value at an edge that is known exactly.
     [[nodiscard]] CauchyIntegral cauchy_integral(const Box& zeta) const;
     /// An initial zone of a profile whose contact is enclosed elsewhere.
-    IntegratedContact(const Profile& profile, const formula::Exact& contact_modulus, const Ball& a,
+    IntegratedContact(const Profile& profile, const Exact& contact_modulus, const Ball& a,
                       const Ball& b, long bits);
 
 private:
@@ -86,7 +86,7 @@ private:
             std::size_t formula = 0;
             long root = 0; ///< 0: no branch point
         };
-        std::vector<formula::Expr> formulas;       ///< of the pieces, followed by those in roots
+        std::vector<Expr> formulas;                ///< of the pieces, followed by those in roots
         std::vector<std::array<Root, 2>> of_knots; ///< to the left of the knot, to the right of it
     };
     /// The formulas, computed when first needed.
@@ -117,9 +117,9 @@ private:
         Ball b_rate;     ///< b'(a)
     };
     /// `contact_modulus`: E* (stress).
-    [[nodiscard]] Guess guess(const formula::Exact& contact_modulus) const;
+    [[nodiscard]] Guess guess(const Exact& contact_modulus) const;
     /// Encloses the edges that are not given.
-    void enclose_edges(const formula::Exact& contact_modulus);
+    void enclose_edges(const Exact& contact_modulus);
     /// Encloses b for the right edge `a`, near `start`; nothing if the bits do not suffice.
     [[nodiscard]] std::optional<Ball> left_edge_near(const Ball& a, const Ball& start) const;
     /// Returns x at the distance `u` from an edge.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
-#include "edgeproof/contact/curved/slope_integral.hpp"
-#include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
 
 #include <algorithm>
 

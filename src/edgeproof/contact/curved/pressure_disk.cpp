@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/curved/pressure_disk.hpp"
 
-#include "edgeproof/contact/curved/slope_integral.hpp"
+#include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/precision/ball/acb_values.hpp"
@@ -34,8 +34,7 @@ const acb_struct* variable(const quadrature::ThetaPlace& at) {
 }
 
 /// Computes g' - g0.
-void slope_change(acb_ptr change, const formula::Expr& slope, const acb_t s, const Ball& g0,
-                  long bits) {
+void slope_change(acb_ptr change, const Expr& slope, const acb_t s, const Ball& g0, long bits) {
     AcbPolyValue taylor;
     complex_taylor(taylor, slope, s, 1, bits);
     acb_poly_get_coeff_acb(change, taylor, 0);
@@ -45,7 +44,7 @@ void slope_change(acb_ptr change, const formula::Expr& slope, const acb_t s, con
 /// Returns the largest |g'(z) - g'(x)| for |z - x| <= r by the formula of a piece, with the disk
 /// covered by boxes; infinite if the formula may not be holomorphic. g' is real on the real axis,
 /// so that half of the disk suffices.
-Magnitude largest_change(const formula::Expr& slope, const Ball& x, const Ball& g0, const Ball& r) {
+Magnitude largest_change(const Expr& slope, const Ball& x, const Ball& g0, const Ball& r) {
     constexpr int across = 3;
     AcbValue s;
     AcbValue change;
@@ -236,7 +235,7 @@ private:
 PressureDisk::PressureDisk(const SlopeOverTheta& integral, std::size_t holds, const Ball& x,
                            const Ball& gap, std::size_t terms, long bits)
     : terms_(terms), bits_(bits) {
-    const formula::Expr& slope = integral.formulas[holds];
+    const Expr& slope = integral.formulas[holds];
     const std::vector<Ball> at_x = slope_series(slope, x, 2, bits);
     const Ball& g0 = at_x[0];
     if (!g0.is_finite() || !certainly_positive(gap)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/formula/expr.hpp"
+#include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/ball_series.hpp"
 #include "edgeproof/precision/ball/magnitude.hpp"
@@ -14,7 +14,7 @@ namespace edgeproof::contact {
 /// The data of I(x), the integral of (g'(s) - g'(x))/(s - x) over theta: p = E*/(2 pi) w(x) I(x)
 /// (eqn:SIEPressure regularised; docs/curved-slopes.md, "What is integrated").
 struct SlopeOverTheta {
-    std::vector<formula::Expr> formulas; ///< of the pieces in s, and of the spans with a root
+    std::vector<Expr> formulas; ///< of the pieces in s, and of the spans with a root
     std::vector<quadrature::ThetaSpan> spans;
     std::vector<quadrature::ThetaSpan> pieces; ///< the same without roots
     Ball centre;

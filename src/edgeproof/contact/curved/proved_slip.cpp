@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/curved/proved_slip.hpp"
+
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/curved/curved_body.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace edgeproof::contact {
 
-ProvedSlip::ProvedSlip(const Profile& profile, const formula::Exact& contact_modulus,
-                       const Load& load, const ShearLoad<Ball>& shear, const Ball& friction,
-                       long bits, const std::optional<Ball>& total_force)
+ProvedSlip::ProvedSlip(const Profile& profile, const Exact& contact_modulus, const Load& load,
+                       const ShearLoad<Ball>& shear, const Ball& friction, long bits,
+                       const std::optional<Ball>& total_force)
     : contact_(proved_contact(profile, contact_modulus, load, bits)),
       zones_(total_force ? axisymmetric_zones(*contact_->closed_form(), *total_force)
                          : zone_solver(*contact_, profile, contact_modulus,
@@ -21,8 +21,7 @@ ProvedSlip::ProvedSlip(const Profile& profile, const formula::Exact& contact_mod
                   friction);
 }
 
-std::unique_ptr<ProvedContact> proved_contact(const Profile& profile,
-                                              const formula::Exact& contact_modulus,
+std::unique_ptr<ProvedContact> proved_contact(const Profile& profile, const Exact& contact_modulus,
                                               const Load& load, long bits) {
     if (BallContact::has_closed_form(profile)) {
         return std::make_unique<BallContact>(profile, contact_modulus, load, bits);
@@ -41,7 +40,7 @@ bool ProvedSlip::admissible() const {
            !certainly_negative(slip_->size(Edge::left));
 }
 
-IntegratedContact::IntegratedContact(const Profile& profile, const formula::Exact& contact_modulus,
+IntegratedContact::IntegratedContact(const Profile& profile, const Exact& contact_modulus,
                                      const Ball& a, const Ball& b, long bits)
     : ProvedContact(profile, enclosed_constant(contact_modulus, bits), bits), zone_(true) {
     move_edges(a, b);
@@ -84,9 +83,8 @@ constexpr long coarse_zone_bits = 96;
 
 class IntegratedZones : public ZoneSolver {
 public:
-    explicit IntegratedZones(IntegratedContact contact) : contact_(std::move(contact)) {}
-    [[nodiscard]] long bits() const override { return contact_.bits(); }
-    [[nodiscard]] const Ball& modulus() const override { return contact_.modulus(); }
+    explicit IntegratedZones(IntegratedContact contact)
+        : ZoneSolver(contact), contact_(std::move(contact)) {}
     [[nodiscard]] ZoneValues values(const BallZone& zone) const override {
         const IntegratedContact c = contact_.between(zone.a, zone.b, bits());
         return {c.zone_force(), c.zone_mean_slope(), c.zone_rate(Edge::right),
@@ -128,14 +126,11 @@ namespace {
 ///     = a^(p + q) b^(-r) B(p + 1, q) 2F1(r, p + 1; p + 1 + q; -a/b).
 class TiltedPowerLawZones : public ZoneSolver {
 public:
-    TiltedPowerLawZones(const Profile& profile, const formula::Exact& modulus,
-                        const BallContact& contact)
-        : integrals_(integrated_zones(
-              IntegratedContact(profile, modulus, contact.a(), contact.b(), contact.bits()))),
+    TiltedPowerLawZones(const Profile& profile, const Exact& modulus, const BallContact& contact)
+        : ZoneSolver(contact), integrals_(integrated_zones(IntegratedContact(
+                                   profile, modulus, contact.a(), contact.b(), contact.bits()))),
           exponent_(formula::enclosed_constant(profile.parameters().at("m"), contact.bits())),
           factor_(formula::enclosed_constant(profile.parameters().at("C"), contact.bits())) {}
-    [[nodiscard]] long bits() const override { return integrals_->bits(); }
-    [[nodiscard]] const Ball& modulus() const override { return integrals_->modulus(); }
     [[nodiscard]] ZoneValues values(const BallZone& zone) const override {
         const Ball& a = zone.a;
         const Ball& b = zone.b;
@@ -180,7 +175,7 @@ private:
 } // namespace
 
 std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact, const Profile& profile,
-                                        const formula::Exact& contact_modulus, bool tilted) {
+                                        const Exact& contact_modulus, bool tilted) {
     const BallContact* closed = contact.closed_form();
     if (profile.axisymmetric()) {
         return axisymmetric_zones(dynamic_cast<const RoundContact&>(contact));
@@ -192,6 +187,45 @@ std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact, const Prof
         return std::make_unique<TiltedPowerLawZones>(profile, contact_modulus, *closed);
     }
     return closed_form_zones(*closed);
+}
+
+CauchyIntegral pressure_integral(const ProvedContact& contact, const Box& zeta) {
+    const BallContact* const closed = contact.closed_form();
+    return closed != nullptr
+               ? cauchy_integral(*closed, zeta)
+               : dynamic_cast<const IntegratedContact&>(contact).cauchy_integral(zeta);
+}
+
+TractionParts::TractionParts(const BallSlip& slip, const ProvedContact& contact,
+                             const Profile& profile, const Exact& contact_modulus, bool tilted)
+    : whole_ratio_(slip.whole_ratio()) {
+    const BallContact* const closed = contact.closed_form();
+    const auto* const curved = dynamic_cast<const IntegratedContact*>(&contact);
+    closed_forms_ = closed != nullptr && (closed->piecewise_linear() || !tilted);
+    for (const ShearPart& part : slip.parts()) {
+        ratios_.push_back(part.ratio);
+        const auto& [a, b] = part.zone;
+        if (closed_forms_) {
+            closed_.push_back(closed->between(a, b));
+        } else if (curved != nullptr) {
+            integrated_.push_back(curved->between(a, b, contact.bits()));
+        } else {
+            integrated_.push_back(
+                IntegratedContact(profile, contact_modulus, a, b, contact.bits()));
+        }
+    }
+}
+
+// docs/stress.md, "The Cauchy integrals of q": in partial slip q = f (p - p*) in the direction of
+// Q; after a load history q is a sum of such parts (docs/histories.md).
+CauchyIntegral TractionParts::integral(const CauchyIntegral& p, const Box& zeta) const {
+    CauchyIntegral q = p * whole_ratio_;
+    for (std::size_t i = 0; i < ratios_.size(); ++i) {
+        q = q - (closed_forms_ ? contact::cauchy_integral(closed_[i], zeta)
+                               : integrated_[i].cauchy_integral(zeta)) *
+                    -ratios_[i];
+    }
+    return q;
 }
 
 } // namespace edgeproof::contact

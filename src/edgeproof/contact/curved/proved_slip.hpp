@@ -4,9 +4,11 @@
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
 #include "edgeproof/contact/slip/stick_zone.hpp"
+#include "edgeproof/contact/stress/cauchy_integral.hpp"
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace edgeproof::contact {
 
@@ -24,7 +26,7 @@ public:
     /// @param bits working precision
     /// @param total_force the total force P of an axisymmetric power law; `profile` is then that of
     /// the plane contact with the same pressure, and Q a total force, too
-    ProvedSlip(const Profile& profile, const formula::Exact& contact_modulus, const Load& load,
+    ProvedSlip(const Profile& profile, const Exact& contact_modulus, const Load& load,
                const ShearLoad<Ball>& shear, const Ball& friction, long bits,
                const std::optional<Ball>& total_force = {});
 
@@ -47,19 +49,48 @@ private:
 /// Returns the contact of a load, by a closed form if there is one, otherwise by rigorous
 /// integration; the contact is axisymmetric if the profile is. Throws BudgetError if `bits` do not
 /// suffice to enclose the edges.
-[[nodiscard]] std::unique_ptr<ProvedContact> proved_contact(const Profile& profile,
-                                                            const formula::Exact& contact_modulus,
-                                                            const Load& load, long bits);
+[[nodiscard]] std::unique_ptr<ProvedContact>
+proved_contact(const Profile& profile, const Exact& contact_modulus, const Load& load, long bits);
 
 /// Returns the solver for the stick zones of a contact made by proved_contact() or of one with a
 /// closed form. `tilted`: a bulk tension tilts the zones.
 [[nodiscard]] std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact,
                                                       const Profile& profile,
-                                                      const formula::Exact& contact_modulus,
-                                                      bool tilted);
+                                                      const Exact& contact_modulus, bool tilted);
 
 /// Returns the solver for zones of any slope that IntegratedContact handles, by rigorous
 /// integration. It keeps a copy of `contact`.
 [[nodiscard]] std::unique_ptr<ZoneSolver> integrated_zones(const IntegratedContact& contact);
+
+/// The Cauchy integral of the pressure of a plane contact made by proved_contact(). Enclosed.
+[[nodiscard]] CauchyIntegral pressure_integral(const ProvedContact& contact, const Box& zeta);
+
+/// The parts of the traction of partial slip, or after a load history, as contacts: by closed
+/// forms, or by rigorous integration for curved slopes and for power laws under a bulk tension.
+class TractionParts {
+public:
+    /// @param slip the state, which does not slide
+    /// @param contact the plane contact
+    /// @param profile g'(x) of it
+    /// @param contact_modulus E* (stress)
+    /// @param tilted true if a bulk tension tilts the zones
+    TractionParts(const BallSlip& slip, const ProvedContact& contact, const Profile& profile,
+                  const Exact& contact_modulus, bool tilted);
+
+    /// The zones of the parts as contacts, in the order of BallSlip::parts(); null without closed
+    /// forms.
+    [[nodiscard]] const std::vector<BallContact>* closed() const {
+        return closed_forms_ ? &closed_ : nullptr;
+    }
+    /// The Cauchy integral of q. Enclosed. `p` is that of the pressure at the same place.
+    [[nodiscard]] CauchyIntegral integral(const CauchyIntegral& p, const Box& zeta) const;
+
+private:
+    bool closed_forms_;
+    std::vector<BallContact> closed_;
+    std::vector<IntegratedContact> integrated_;
+    Ball whole_ratio_;
+    std::vector<Ball> ratios_;
+};
 
 } // namespace edgeproof::contact

@@ -56,9 +56,9 @@ struct ErrorFamily {
 
 /// A scene's numbers as formulas in the names of its parameters.
 struct ParametricLoad {
-    std::optional<formula::Expr> a; ///< or
-    std::optional<formula::Expr> P;
-    formula::Expr contact_modulus;
+    std::optional<Expr> a; ///< or
+    std::optional<Expr> P;
+    Expr contact_modulus;
 };
 struct ErrorQuestion {
     Edge edge = Edge::right;
@@ -69,19 +69,19 @@ struct ErrorQuestion {
 
 /// g' piecewise linear: pieces, knots and the half-planes' load as formulas. The origin is one of
 /// the knots. The jumps are not set.
-struct ParametricSlope : LinearSlope<formula::Expr> {
+struct ParametricSlope : LinearSlope<Expr> {
     bool symmetric = false;
 };
 
 /// The pressure of a power law of exponent m. Distances need `half_width`.
-[[nodiscard]] std::unique_ptr<ErrorFamily>
-power_law_errors(const formula::Expr& m, const std::optional<formula::Expr>& half_width,
-                 const ErrorQuestion& question);
+[[nodiscard]] std::unique_ptr<ErrorFamily> power_law_errors(const Expr& m,
+                                                            const std::optional<Expr>& half_width,
+                                                            const ErrorQuestion& question);
 /// The shear traction under full stick at constant P, from Q and sigma_0 (contact/law/shear.hpp);
 /// a + b is a formula (needed for distances and for a tension).
-[[nodiscard]] std::unique_ptr<ErrorFamily> full_stick_errors(const formula::Expr& Q,
-                                                             const formula::Expr& bulk_tension,
-                                                             const formula::Expr& length,
+[[nodiscard]] std::unique_ptr<ErrorFamily> full_stick_errors(const Expr& Q,
+                                                             const Expr& bulk_tension,
+                                                             const Expr& length,
                                                              const ErrorQuestion& question);
 /// The pressure of a piecewise linear profile for which a or P is given.
 [[nodiscard]] std::unique_ptr<ErrorFamily> linear_slope_errors(const ParametricSlope& slope,
@@ -89,13 +89,14 @@ power_law_errors(const formula::Expr& m, const std::optional<formula::Expr>& hal
                                                                const ErrorQuestion& question);
 /// d_n/d - 1 of a slip zone as a function of the load ratio |Q|/(f P), which takes the
 /// place of the distance; its range is 1 (docs/partial-slip.md). For a power law without a tension.
-[[nodiscard]] std::unique_ptr<ErrorFamily> power_law_slip_errors(const formula::Expr& m,
+[[nodiscard]] std::unique_ptr<ErrorFamily> power_law_slip_errors(const Expr& m,
                                                                  const ErrorQuestion& question);
 /// The same for a piecewise linear profile; `tension`: sigma_0/Q. Values are not finite if sigma_0
 /// cannot grow in proportion to Q, or if the stick zone does not contain the origin.
-[[nodiscard]] std::unique_ptr<ErrorFamily>
-linear_slip_errors(const ParametricSlope& slope, const ParametricLoad& load,
-                   const std::optional<formula::Expr>& tension, const ErrorQuestion& question);
+[[nodiscard]] std::unique_ptr<ErrorFamily> linear_slip_errors(const ParametricSlope& slope,
+                                                              const ParametricLoad& load,
+                                                              const std::optional<Expr>& tension,
+                                                              const ErrorQuestion& question);
 
 /// Evaluates formulas in the parameters, over Ball or Jet.
 template <class T> class ParameterValues {
@@ -121,10 +122,8 @@ public:
         }
         throw Error("'" + std::string(name) + "' is no parameter");
     }
-    [[nodiscard]] T operator()(const formula::Expr& e) const {
-        return formula::evaluate<T>(e, *this);
-    }
-    [[nodiscard]] std::optional<T> operator()(const std::optional<formula::Expr>& e) const {
+    [[nodiscard]] T operator()(const Expr& e) const { return formula::evaluate<T>(e, *this); }
+    [[nodiscard]] std::optional<T> operator()(const std::optional<Expr>& e) const {
         return e ? std::optional<T>((*this)(*e)) : std::nullopt;
     }
     [[nodiscard]] long bits() const { return bits_; }

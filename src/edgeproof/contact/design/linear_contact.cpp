@@ -63,10 +63,10 @@ template <class T> T LinearContact<T>::force_rate(const Extent<T>& e) const {
 }
 
 template <class T>
-LinearContact<T>::LinearContact(const ParametricSlope& of, const formula::Expr& contact_modulus,
+LinearContact<T>::LinearContact(const ParametricSlope& of, const Expr& contact_modulus,
                                 const ParameterValues<T>& value)
     : modulus(value(contact_modulus)), bits(value.bits()) {
-    for (const formula::Expr& knot : of.knots) {
+    for (const Expr& knot : of.knots) {
         slope.knots.push_back(value(knot));
     }
     for (const ParametricSlope::Piece& piece : of.pieces) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/design/error_family.hpp"
-#include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/law/linear_measure.hpp"
-#include "edgeproof/contact/law/logarithmic_pressure.hpp"
 
 #include <optional>
 #include <vector>
@@ -20,7 +19,7 @@ template <class T> struct LinearContact {
     long bits = 64;
 
     LinearContact() = default;
-    LinearContact(const ParametricSlope& of, const formula::Expr& contact_modulus,
+    LinearContact(const ParametricSlope& of, const Expr& contact_modulus,
                   const ParameterValues<T>& value);
     /// Positive if the left edge must lie further out (moore-hills EQ20).
     [[nodiscard]] T imbalance(const Extent<T>& e) const;

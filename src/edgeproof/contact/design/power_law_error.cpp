@@ -99,8 +99,7 @@ template <class T> struct PowerLawSlip {
 
 } // namespace
 
-std::unique_ptr<ErrorFamily> power_law_errors(const formula::Expr& m,
-                                              const std::optional<formula::Expr>& half_width,
+std::unique_ptr<ErrorFamily> power_law_errors(const Expr& m, const std::optional<Expr>& half_width,
                                               const ErrorQuestion& question) {
     const auto n = static_cast<double>(question.terms);
     return closed_form_errors(
@@ -112,10 +111,8 @@ std::unique_ptr<ErrorFamily> power_law_errors(const formula::Expr& m,
         });
 }
 
-std::unique_ptr<ErrorFamily> full_stick_errors(const formula::Expr& Q,
-                                               const formula::Expr& bulk_tension,
-                                               const formula::Expr& length,
-                                               const ErrorQuestion& question) {
+std::unique_ptr<ErrorFamily> full_stick_errors(const Expr& Q, const Expr& bulk_tension,
+                                               const Expr& length, const ErrorQuestion& question) {
     return closed_form_errors(question, {7, 4, 8 + 5 * static_cast<double>(question.terms)},
                               [Q, bulk_tension, length, question](const auto& value) {
                                   using T = typename std::decay_t<decltype(value)>::Number;
@@ -128,8 +125,7 @@ std::unique_ptr<ErrorFamily> full_stick_errors(const formula::Expr& Q,
                               });
 }
 
-std::unique_ptr<ErrorFamily> power_law_slip_errors(const formula::Expr& m,
-                                                   const ErrorQuestion& question) {
+std::unique_ptr<ErrorFamily> power_law_slip_errors(const Expr& m, const ErrorQuestion& question) {
     const auto n = static_cast<double>(question.terms);
     return closed_form_errors(
         question, {5 + 3 * n, 4, 10 + 2 * n}, [m, terms = question.terms](const auto& value) {

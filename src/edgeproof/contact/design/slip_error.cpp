@@ -14,7 +14,7 @@ template <class T> struct SlippingContact {
 
     /// A contact without its edges, and without its load if that is not given.
     SlippingContact(const ParametricSlope& slope, const ParametricLoad& load,
-                    const std::optional<formula::Expr>& of_tension, const ParameterValues<T>& value)
+                    const std::optional<Expr>& of_tension, const ParameterValues<T>& value)
         : contact(slope, load.contact_modulus, value),
           force(load.P ? value(*load.P) : value.number(Rational(0))), tension(value(of_tension)) {}
 
@@ -153,7 +153,7 @@ private:
 
 std::unique_ptr<ErrorFamily> linear_slip_errors(const ParametricSlope& slope,
                                                 const ParametricLoad& load,
-                                                const std::optional<formula::Expr>& tension,
+                                                const std::optional<Expr>& tension,
                                                 const ErrorQuestion& question) {
     const auto n = static_cast<double>(question.terms);
     const double over = (load.P ? 1500 : 500) + 6 * n * n * n * n;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/double_word/double_word_expansion.hpp"
 
-#include "edgeproof/precision/double_word/double_word_ball.hpp"
-#include "edgeproof/precision/exact_rational.hpp"
+#include "edgeproof/precision/double_word/double_word.hpp"
+#include "edgeproof/precision/rational.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/contact/law/kernels.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
-#include "edgeproof/precision/double_word/double_word_ball.hpp"
+#include "edgeproof/precision/double_word/double_word.hpp"
 
 #include <cfenv>
 #include <cfloat>

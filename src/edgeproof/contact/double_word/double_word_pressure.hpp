@@ -1,18 +1,197 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/double_word/double_word_power_law.hpp"
-#include "edgeproof/contact/double_word/double_word_slope.hpp"
+#include "edgeproof/contact/double_word/double_word_field.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/law/linear_measure.hpp"
+#include "edgeproof/precision/double_word/function_tables.hpp"
 
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <variant>
+#include <vector>
 
 namespace edgeproof::contact {
 
-/// p in closed form, correctly rounded to binary64: the formulas of a piecewise linear slope
-/// (double_word_slope.hpp) and of power laws with integer and half-integer exponents
-/// (double_word_power_law.hpp) in double words, which carry bounds (docs/double-words.md). Balls
-/// decide the rest.
+/// p of a piecewise linear slope by the formula of law/linear_measure.hpp (docs/pressure.md,
+/// "Closed form: piecewise linear slopes").
+struct DoubleWordSlope {
+    struct Knot {
+        std::size_t index; ///< in the profile
+        DoubleWordMark at;
+        Mark<DoubleWord> mark;
+        bool corner;
+        DoubleWord jump; ///< of g'
+        DoubleWord drop; ///< of g''
+    };
+    std::vector<Knot> knots; ///< those inside the contact where g' jumps or bends
+    DoubleWord arc;
+    DoubleWord width; ///< a + b
+    DoubleWord factor;
+    const LogarithmTable* table;
+
+    /// (v - x) G where v - x is nearly 0: G <= ln(1 + 4 D/|v - x|), and r ln(1 + 4 D/r) increases
+    /// with r, D < 2^100 (docs/double-words.md, lemma 6).
+    static DoubleWord moment_near_knot(const DoubleWord& offset) {
+        const double r = std::fabs(offset.high) + std::fabs(offset.low) + offset.radius;
+        return {0, 0, 400 * std::fmax(r, 0x1p-400)};
+    }
+
+    struct Green {
+        DoubleWord value;  ///< G
+        DoubleWord moment; ///< (v - x) G
+    };
+    static constexpr double smallest_excess = 0x1p-520;
+
+    /// The members that logarithmic_sum requires of a slope.
+    [[nodiscard]] bool has_corner(std::size_t i) const { return knots[i].corner; }
+    [[nodiscard]] const DoubleWord& jump(std::size_t i) const { return knots[i].jump; }
+    [[nodiscard]] const DoubleWord& rate_drop(std::size_t i) const { return knots[i].drop; }
+
+    /// Returns ln(1 + y).
+    [[nodiscard]] DoubleWord logarithm(const DoubleWord& y) const {
+        if (!double_word::well_known(y) || !(y.high > smallest_excess)) [[unlikely]] {
+            return double_word::about_zero(y); // ln(1 + y) <= y
+        }
+        return log1p(y, *table);
+    }
+    /// Returns G(x, v) of a knot. `offset`: v - x, not zero within its radius.
+    [[nodiscard]] Green green(const Knot& knot, const DoubleWord& offset, const DoubleWordPlace& x,
+                              const DoubleWord& w_x) const {
+        const DoubleWord excess =
+            green_excess(knot.mark, x.right, x.left, w_x, offset.high > 0 ? 1 : -1);
+        const DoubleWord G = logarithm(excess / (width * abs(offset)));
+        return {G, offset * G};
+    }
+
+    /// Returns p (stress) at a place of the contact; infinite exactly on a corner.
+    /// @param x distances from the edges of the contact (length)
+    /// @param edge,u edge from which the distances of the knots are measured, and the distance
+    /// from it
+    [[nodiscard]] DoubleWord pressure(const DoubleWordPlace& x, Edge edge,
+                                      const DoubleWord& u) const {
+        if (!x.inside()) {
+            return double_word::unknown();
+        }
+        const DoubleWord w_x = x.root(x.right * x.left);
+        bool on_corner = false;
+        const DoubleWord sum = logarithmic_sum(
+            *this, knots.size(), arc * w_x, [](std::size_t) { return true; },
+            [&](std::size_t i) {
+                const Knot& knot = knots[i];
+                const DoubleWord offset = knot.at.offset(edge, u);
+                if (!double_word::well_known(offset)) {
+                    on_corner =
+                        on_corner || (knot.corner && offset.high == 0 && offset.radius == 0);
+                    return Green{double_word::unknown(), moment_near_knot(offset)};
+                }
+                return green(knot, offset, x, w_x);
+            });
+        if (on_corner) {
+            return {std::numeric_limits<double>::infinity(), 0, 0};
+        }
+        return sum * factor;
+    }
+};
+
+/// p of a power law whose exponent m is a multiple of 1/2, m <= 64: P'(a)/pi times I_m(|x|/a)
+/// (docs/pressure.md, "Closed form: power laws"). The recurrence m I_m = sqrt(y) + (m - 1) q^2
+/// I_(m-2) is applied upwards, where all terms are positive. It begins with I_0, a logarithm, with
+/// I_1 = sqrt(y), or with I_(1/2) or I_(3/2), which are power series about the edge, or about the
+/// apex with a power of q.
+class DoubleWordPowerLaw {
+public:
+    /// True if there is such a formula for the exponent `m`.
+    [[nodiscard]] static bool has(const Exact& m);
+    /// The contact, or zone, of such a law.
+    /// @param m exponent
+    /// @param contact the contact or zone in balls
+    /// @param whole the contact from whose edges the distance of the apex is measured
+    DoubleWordPowerLaw(const Exact& m, const BallContact& contact, const BallContact& whole);
+
+    /// Returns p (stress) at a place of the contact.
+    /// @param x distances from the edges of `contact` (length)
+    /// @param edge,u edge of `whole` and the distance from it (length)
+    [[nodiscard]] DoubleWord pressure(const DoubleWordPlace& x, Edge edge,
+                                      const DoubleWord& u) const {
+        if (!x.inside()) {
+            return double_word::unknown();
+        }
+        // y = 1 - q^2 = u (D - u)/a^2 (docs/pressure.md, "Closed form: power laws")
+        const DoubleWord y = x.right * x.left * inverse_ * inverse_;
+        const DoubleWord root = x.root(y);
+        const DoubleWord q = abs(apex_.offset(edge, u)) * inverse_;
+        const DoubleWord square = q * q;
+        DoubleWord I = lowest(y, root, q, square);
+        for (const Step& step : steps_) {
+            I = step.inverse * root + step.ratio * square * I;
+        }
+        return I * factor_;
+    }
+
+    [[nodiscard]] const DoubleWord& factor() const { return factor_; }
+    /// All other numbers of the contact.
+    [[nodiscard]] std::vector<DoubleWord> constants() const {
+        return {apex_.inset.first, apex_.outset.first, inverse_};
+    }
+
+private:
+    /// n, the exponent at which the recurrence begins.
+    enum class Lowest : std::uint8_t { zero, half, one, three_halves };
+    struct Step {
+        DoubleWord inverse; ///< 1/m
+        DoubleWord ratio;   ///< (m - 1)/m
+    };
+    struct Series {
+        explicit Series(const Rational& n);
+        PiecewiseSeries edge; ///< I_n/sqrt(y) in y
+        PiecewiseSeries apex; ///< I_n without the power of q, in q^2
+        DoubleWord power;     ///< factor of the power of q
+        static const Series& of(Lowest n);
+    };
+
+    /// Returns I_n (docs/pressure.md, "Closed form: power laws").
+    [[nodiscard]] DoubleWord lowest(const DoubleWord& y, const DoubleWord& root,
+                                    const DoubleWord& q, const DoubleWord& square) const {
+        constexpr double farthest = 0x1p500; // largest argument of the logarithm
+        if (n_ == Lowest::one) {
+            return root;
+        }
+        const bool at_apex = q.high == 0 && q.radius == 0;
+        if (n_ == Lowest::zero && at_apex) {
+            return {}; // the next step takes q^2 I_0, which is 0
+        }
+        if (n_ == Lowest::zero) {
+            // I_0 = arcosh(1/q) = ln((1 + sqrt(y))/q)
+            const DoubleWord excess = (root + y / (q + DoubleWord{1, 0, 0})) / q;
+            return double_word::well_known(excess) && excess.high < farthest &&
+                           excess.high > 1 / farthest
+                       ? log1p(excess, *table_)
+                       : double_word::about_zero(excess); // ln(1 + y) <= y
+        }
+        if (y.high <= 0.5) {
+            return root * series_->edge(y);
+        }
+        if (at_apex) {
+            return series_->apex(square);
+        }
+        const DoubleWord half_power = sqrt(q);
+        return series_->apex(square) +
+               series_->power * (n_ == Lowest::half ? half_power : q * half_power);
+    }
+
+    DoubleWordMark apex_;
+    DoubleWord inverse_; ///< 1/a
+    DoubleWord factor_;
+    Lowest n_ = Lowest::one;
+    std::vector<Step> steps_;
+    const Series* series_ = nullptr;
+    const LogarithmTable* table_ = &LogarithmTable::get();
+};
+
+/// p in closed form, correctly rounded to binary64: the formulas of a piecewise linear slope and of
+/// power laws with integer and half-integer exponents in double words, which carry bounds
+/// (docs/double-words.md). Balls decide the rest.
 ///
 /// The object is immutable: many threads may use it.
 class DoubleWordPressure {

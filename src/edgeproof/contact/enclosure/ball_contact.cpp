@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 
-#include "edgeproof/contact/enclosure/ball_marks.hpp"
-#include "edgeproof/contact/enclosure/exact_edges.hpp"
+#include "edgeproof/contact/enclosure/exact_contact.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/enclosure/isolate_zero.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
-#include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/precision/error.hpp"
 
-#include <algorithm>
 #include <optional>
 
 namespace edgeproof::contact {
 bool BallContact::has_closed_form(const Profile& profile) { return profile.has_closed_form(); }
 
-BallContact::BallContact(const Profile& profile, const formula::Exact& contact_modulus,
-                         const Load& load, long bits)
+BallContact::BallContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
+                         long bits)
     : BallContact(profile, enclosed_constant(contact_modulus, bits), bits) {
     if (load.kind == Load::Kind::right_edge) {
         known_a_ = load.value;
@@ -24,7 +22,7 @@ BallContact::BallContact(const Profile& profile, const formula::Exact& contact_m
     solve(contact_modulus, load);
 }
 
-BallContact::BallContact(const Profile& profile, const formula::Exact& contact_modulus,
+BallContact::BallContact(const Profile& profile, const Exact& contact_modulus,
                          const ExactEdges& edges, long bits)
     : BallContact(profile, enclosed_constant(contact_modulus, bits), bits) {
     lie_at(edges);
@@ -39,8 +37,8 @@ void BallContact::lie_at(const ExactEdges& edges) {
     find_knots_on_edges();
 }
 
-BallContact::BallContact(const Profile& near, const Ball& alpha,
-                         const formula::Exact& contact_modulus, const Load& load, long bits)
+BallContact::BallContact(const Profile& near, const Ball& alpha, const Exact& contact_modulus,
+                         const Load& load, long bits)
     : BallContact(near, enclosed_constant(contact_modulus, bits), bits) {
     tilt_by(alpha);
     const Ball given = constant(load.value.expr());
@@ -49,7 +47,7 @@ BallContact::BallContact(const Profile& near, const Ball& alpha,
     fix();
 }
 
-void BallContact::solve(const formula::Exact& contact_modulus, const Load& load) {
+void BallContact::solve(const Exact& contact_modulus, const Load& load) {
     const Ball given = constant(load.value.expr());
     bool isolated = true;
     try {
@@ -127,7 +125,7 @@ BallContact::BallContact(const Profile& profile, const Ball& modulus, long bits)
         throw DomainError("only a piecewise linear slope or a power law has a closed form");
     }
     if (!profile.piecewise_linear()) {
-        const formula::Exact& exponent = profile.parameters().at("m");
+        const Exact& exponent = profile.parameters().at("m");
         const Ball m = constant(exponent.expr());
         power_law_integral_.emplace(exponent, m);
         const Ball C = constant(profile.parameters().at("C").expr());

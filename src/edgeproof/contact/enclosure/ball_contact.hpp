@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/enclosure/ball_marks.hpp"
-#include "edgeproof/contact/enclosure/exact_edges.hpp"
+#include "edgeproof/contact/enclosure/exact_contact.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/enclosure/power_law_integral.hpp"
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/contact/law/kernels.hpp"
 #include "edgeproof/contact/law/linear_measure.hpp"
-#include "edgeproof/contact/law/load.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/ball_series.hpp"
 
@@ -30,14 +28,13 @@ class BallContact : public ProvedContact {
 public:
     /// Throws DomainError for a profile without a closed form, and BudgetError if `bits` are too
     /// few to isolate the edges.
-    BallContact(const Profile& profile, const formula::Exact& contact_modulus, const Load& load,
+    BallContact(const Profile& profile, const Exact& contact_modulus, const Load& load, long bits);
+    /// The contact of two known edges (exact_contact.hpp); nothing is solved for.
+    BallContact(const Profile& profile, const Exact& contact_modulus, const ExactEdges& edges,
                 long bits);
-    /// The contact of two known edges (exact_edges.hpp); nothing is solved for.
-    BallContact(const Profile& profile, const formula::Exact& contact_modulus,
-                const ExactEdges& edges, long bits);
     /// The contact of a tilted wedge or punch whose tilt lies in the ball `alpha`; `near` is the
     /// profile of a tilt in or near it.
-    BallContact(const Profile& near, const Ball& alpha, const formula::Exact& contact_modulus,
+    BallContact(const Profile& near, const Ball& alpha, const Exact& contact_modulus,
                 const Load& load, long bits);
 
     [[nodiscard]] static bool has_closed_form(const Profile& profile);
@@ -60,7 +57,7 @@ public:
     [[nodiscard]] BallSeries total_rate_series(std::size_t order) const;
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
     /// If the edge is known exactly as well, the distances from the knots are exact.
-    [[nodiscard]] Ball pressure(Edge edge, const formula::Exact& u) const override;
+    [[nodiscard]] Ball pressure(Edge edge, const Exact& u) const override;
     [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const override;
     [[nodiscard]] BallSeries pressure_series(Edge edge, const Ball& u,
                                              std::size_t order) const override;
@@ -69,13 +66,14 @@ public:
     [[nodiscard]] Ball reach(Edge edge) const override;
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
-    /// The parts of the pressure of a piecewise linear slope (logarithmic_pressure.hpp): the slope;
-    /// the marks of its knots; whether a knot is inside and the formula of g' changes there; the
-    /// integral of g'' over the angle; the factor E*/(2 pi) of the sum, or P'(a)/pi for a power
-    /// law.
+    /// The parts of the pressure of a piecewise linear slope (linear_measure.hpp): the slope;
+    /// the marks of its knots; whether a knot is inside and the formula of g' changes there, and
+    /// the list of these knots; the integral of g'' over the angle; the factor E*/(2 pi) of the
+    /// sum, or P'(a)/pi for a power law.
     [[nodiscard]] const LinearSlope<Ball>& slope() const { return slope_; }
     [[nodiscard]] const std::vector<Mark<Ball>>& knot_marks() const { return fixed_.marks; }
     [[nodiscard]] bool bends_inside(std::size_t knot) const { return fixed_.bends[knot]; }
+    [[nodiscard]] const std::vector<std::size_t>& bends_inside() const { return fixed_.inside; }
     [[nodiscard]] const Ball& arc() const { return fixed_.arc; }
     [[nodiscard]] const Ball& pressure_factor() const { return fixed_.factor; }
     /// The mirror image of the contact, with its edges.
@@ -97,7 +95,7 @@ public:
 private:
     BallContact(const Profile& profile, const Ball& modulus, long bits);
     void tilt_by(const Ball& alpha);
-    void solve(const formula::Exact& contact_modulus, const Load& load);
+    void solve(const Exact& contact_modulus, const Load& load);
     void lie_at(const ExactEdges& edges);
     [[nodiscard]] std::optional<std::size_t> flat_end(Edge edge) const;
     [[nodiscard]] std::vector<Ball> right_expansion(std::size_t terms) const;
@@ -107,10 +105,11 @@ private:
     [[nodiscard]] bool bends(std::size_t knot) const override;
     /// The parts of the pressure that do not depend on the point.
     struct Fixed {
-        std::vector<Mark<Ball>> marks; ///< the marks of the knots
-        std::vector<bool> bends;       ///< true for knots inside where the formula of g' changes
-        std::vector<Ball> insets;      ///< a - knot
-        std::vector<Ball> outsets;     ///< b + knot
+        std::vector<Mark<Ball>> marks;   ///< the marks of the knots
+        std::vector<bool> bends;         ///< true for knots inside where the formula of g' changes
+        std::vector<std::size_t> inside; ///< these knots
+        std::vector<Ball> insets;        ///< a - knot
+        std::vector<Ball> outsets;       ///< b + knot
         /// The insets and outsets that are known exactly.
         std::vector<std::optional<Rational>> exact_insets;
         std::vector<std::optional<Rational>> exact_outsets;
@@ -144,15 +143,13 @@ private:
 /// that many digits of its natural size |c_0|/length^k. Throws BudgetError as enclosed_pressure
 /// does.
 [[nodiscard]] std::vector<Ball> enclosed_expansion(const Profile& profile,
-                                                   const formula::Exact& contact_modulus,
-                                                   const Load& load, Edge edge, std::size_t terms,
-                                                   unsigned digits);
+                                                   const Exact& contact_modulus, const Load& load,
+                                                   Edge edge, std::size_t terms, unsigned digits);
 
 /// The pressure to `digits` correct digits: the precision doubles until the relative radius of the
 /// enclosure is below 10^-(digits + 2). `u` is the distance from the edge (length); the pressure is
 /// in the unit of contact_modulus. Throws BudgetError if the budget of bits is not enough.
-[[nodiscard]] Ball enclosed_pressure(const Profile& profile, const formula::Exact& contact_modulus,
-                                     const Load& load, Edge edge, const formula::Exact& u,
-                                     unsigned digits);
+[[nodiscard]] Ball enclosed_pressure(const Profile& profile, const Exact& contact_modulus,
+                                     const Load& load, Edge edge, const Exact& u, unsigned digits);
 
 } // namespace edgeproof::contact

@@ -8,7 +8,6 @@
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <utility>
 

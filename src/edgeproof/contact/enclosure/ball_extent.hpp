@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
-#include "edgeproof/contact/law/load.hpp"
+#include "edgeproof/contact/profile/edge.hpp"
 
 #include <functional>
 #include <optional>
@@ -38,8 +38,7 @@ public:
     using Contact = std::function<const ProvedContact&(long bits)>;
 
     /// Throws InputError as within_tolerance does. `contact` must outlive the object.
-    BallExtentSearch(Contact contact, Edge edge, std::size_t n, formula::Exact tolerance,
-                     ExtentRange range)
+    BallExtentSearch(Contact contact, Edge edge, std::size_t n, Exact tolerance, ExtentRange range)
         : contact_(std::move(contact)), edge_(edge), n_(n), tolerance_(std::move(tolerance)),
           range_(std::move(range)) {}
 
@@ -78,7 +77,7 @@ private:
     Contact contact_;
     Edge edge_;
     std::size_t n_;
-    formula::Exact tolerance_;
+    Exact tolerance_;
     ExtentRange range_;
     std::size_t evaluations_ = 0;
     int most_doublings_ = 5;    ///< of the bits of the scan, before it gives up

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
 #include "edgeproof/contact/law/kernels.hpp"
-#include "edgeproof/contact/law/logarithmic_pressure.hpp"
+#include "edgeproof/contact/law/linear_measure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/escalate.hpp"
 
@@ -23,7 +23,7 @@ struct BallContact::Place {
 void BallContact::fix() {
     fixed_ = {};
     fixed_.length = a_ + b_;
-    const auto exactly = [&](const formula::Expr& e) {
+    const auto exactly = [&](const Expr& e) {
         const Rational* q = e.rational();
         return q != nullptr ? std::optional<Rational>(*q) : std::nullopt;
     };
@@ -52,6 +52,9 @@ void BallContact::fix() {
     fixed_.arc = arc_of(slope_, Extent<Ball>{a_, b_}, fixed_.marks);
     for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
         fixed_.bends.push_back(!fixed_.marks[i].end && bends(i));
+        if (fixed_.bends[i]) {
+            fixed_.inside.push_back(i);
+        }
     }
 }
 
@@ -70,7 +73,7 @@ BallContact::Place BallContact::place(Edge edge, const Ball& u) const {
     return at;
 }
 
-Ball BallContact::pressure(Edge edge, const formula::Exact& u) const {
+Ball BallContact::pressure(Edge edge, const Exact& u) const {
     Place at = place(edge, constant(u.expr()));
     if (const auto& distance_of_edge = known(edge)) {
         // x is known exactly: exact algebra decides whether it lies on a knot, and gives its
@@ -87,9 +90,9 @@ Ball BallContact::pressure(Edge edge, const formula::Exact& u) const {
                                                             : Rational(*exact - *distance);
                 at.offsets[i] = Ball(offset, bits_);
             } else if (contains_zero(at.offsets[i])) {
-                const formula::Expr& a = distance_of_edge->expr();
-                const formula::Expr x = edge == Edge::right ? a - u.expr() : u.expr() - a;
-                const formula::Expr offset = profile_.knots()[i].expr() - x;
+                const Expr& a = distance_of_edge->expr();
+                const Expr x = edge == Edge::right ? a - u.expr() : u.expr() - a;
+                const Expr offset = profile_.knots()[i].expr() - x;
                 if (certainly_zero(offset)) {
                     at.offsets[i] = Ball(0, bits_);
                 }
@@ -125,8 +128,8 @@ Ball BallContact::pressure(const Place& at, bool least) const {
            fixed_.factor;
 }
 
-Ball enclosed_pressure(const Profile& profile, const formula::Exact& contact_modulus,
-                       const Load& load, Edge edge, const formula::Exact& u, unsigned digits) {
+Ball enclosed_pressure(const Profile& profile, const Exact& contact_modulus, const Load& load,
+                       Edge edge, const Exact& u, unsigned digits) {
     const long wanted = static_cast<long>(static_cast<double>(digits + 2) * 3.3219281) + 2;
     return escalate(
         [&](long bits) {
@@ -209,15 +212,9 @@ std::vector<Ball> BallContact::force_derivatives(std::size_t count) const {
 }
 
 std::vector<Ball> BallContact::right_expansion(std::size_t terms) const {
-    const auto series = [&](const BallSeries& s) {
-        std::vector<Ball> c;
-        for (std::size_t k = 0; k < terms; ++k) {
-            c.push_back(s[k]);
-        }
-        return series::Series<Ball>(std::move(c));
-    };
     // docs/expansions.md, "The right edge"
-    const LawSeries<Ball> law{series(total_rate_series(terms)), series(left_edge_series(terms))};
+    const LawSeries<Ball> law{series::Series<Ball>(total_rate_series(terms).coefficients()),
+                              series::Series<Ball>(left_edge_series(terms).coefficients())};
     return coefficients_of(right_edge_brackets(law, a_), Ball(a_ + b_));
 }
 
@@ -311,11 +308,8 @@ Ball BallContact::reach(Edge edge) const {
         // docs/extents.md: the majorant of a power law holds for rho < a/(m + 4)
         return a_ / (power_->exponent + 4);
     }
-    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
-        const Mark<Ball>& m = fixed_.marks[i];
-        if (fixed_.bends[i]) {
-            least = min(least, edge == Edge::right ? m.right : m.left);
-        }
+    for (const std::size_t i : fixed_.inside) {
+        least = min(least, edge == Edge::right ? fixed_.marks[i].right : fixed_.marks[i].left);
     }
     return least;
 }
@@ -340,10 +334,7 @@ Ball BallContact::majorant(Edge edge, const Ball& rho) const {
     const Ball other = D - rho;
     const Ball w_x = Field<Ball>::root(rho * other);
     Ball sum(0, bits_);
-    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
-        if (!fixed_.bends[i]) {
-            continue;
-        }
+    for (const std::size_t i : fixed_.inside) {
         const Mark<Ball>& v = fixed_.marks[i];
         const Ball distance = right ? v.right : v.left;
         const Ball offset = right ? rho - distance : distance - rho;
@@ -358,7 +349,7 @@ Ball BallContact::majorant(Edge edge, const Ball& rho) const {
     return modulus_ / (pi * 2) * (sum + abs(fixed_.arc) * sqrt(D) * 2);
 }
 
-std::vector<Ball> enclosed_expansion(const Profile& profile, const formula::Exact& contact_modulus,
+std::vector<Ball> enclosed_expansion(const Profile& profile, const Exact& contact_modulus,
                                      const Load& load, Edge edge, std::size_t terms,
                                      unsigned digits) {
     const long wanted = static_cast<long>(static_cast<double>(digits + 2) * 3.3219281) + 2;

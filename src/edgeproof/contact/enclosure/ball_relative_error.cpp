@@ -31,7 +31,7 @@ Rational middle(const Rational& lo, const Rational& hi) {
 }
 
 RelativeError::RelativeError(const ProvedContact& contact, Edge edge, std::size_t n,
-                             const formula::Exact& tolerance)
+                             const Exact& tolerance)
     : contact_(contact), edge_(edge), c_(contact.expansion(edge, n)), bits_(contact.bits()),
       tolerance_(enclosed_constant(tolerance, bits_)) {
     // Enough terms that the remainder is small compared with the tolerance without many halvings.

@@ -27,8 +27,7 @@ enum class Side { below, within, above, unknown };
 class RelativeError {
 public:
     /// Throws BudgetError if the contact does not enclose the expansion.
-    RelativeError(const ProvedContact& contact, Edge edge, std::size_t n,
-                  const formula::Exact& tolerance);
+    RelativeError(const ProvedContact& contact, Edge edge, std::size_t n, const Exact& tolerance);
 
     [[nodiscard]] long bits() const { return bits_; }
     [[nodiscard]] std::size_t cost() const { return contact_.cost(); }

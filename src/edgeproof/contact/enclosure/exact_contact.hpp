@@ -2,7 +2,6 @@
 #pragma once
 #include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/law/linear_measure.hpp"
-#include "edgeproof/contact/law/load.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/formula/exact/exact_number.hpp"
@@ -13,6 +12,26 @@
 #include <vector>
 
 namespace edgeproof::contact {
+
+/// Both edges of a contact -b < x < a as exact numbers (lengths).
+struct ExactEdges {
+    Exact a;
+    Exact b;
+};
+
+/// The exact edges of the contact, where one of them lies on a knot, or where g' is odd in the
+/// whole contact; no number of bits can prove either. `near_a` and `near_b`, which are known to
+/// most of their bits, suggest candidates, and exact algebra (formula/exact/identity.hpp) proves
+/// that they satisfy the consistency condition (moore-hills EQ20) and carry the load (moore-hills
+/// EQ22). Returns nothing if no edge is near a knot, or if there is no such proof: then it is not
+/// known whether an edge lies on a knot. Lengths in one unit; forces in the unit of contact_modulus
+/// times length.
+[[nodiscard]] std::optional<ExactEdges> exact_edges(const Profile& profile,
+                                                    const Exact& contact_modulus, const Load& load,
+                                                    const Ball& near_a, const Ball& near_b);
+
+/// True if g'(-x) = -g'(x) for 0 < x < a is proved.
+[[nodiscard]] bool odd_within(const Profile& profile, const Expr& a);
 
 /// The rational number with the smallest denominator in a ball; nothing for a ball that is not
 /// finite.
@@ -31,40 +50,40 @@ public:
     /// `near_a` and `near_b` enclose the edges (lengths). An edge that is not given is guessed from
     /// its ball, and accepted only if the exact equations hold for the guess; their solution is
     /// unique.
-    ExactContact(const Profile& profile, const formula::Exact& contact_modulus, const Load& load,
+    ExactContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
                  const Ball& near_a, const Ball& near_b);
 
-    [[nodiscard]] const formula::ExactNumber& a() const { return a_; }
-    [[nodiscard]] const formula::ExactNumber& b() const { return b_; }
-    [[nodiscard]] formula::ExactNumber length() const { return a_ + b_; }
-    [[nodiscard]] formula::ExactNumber force() const;
-    [[nodiscard]] formula::ExactNumber moment() const;
-    [[nodiscard]] formula::ExactNumber pressure(Edge edge, const formula::ExactNumber& u) const;
+    [[nodiscard]] const ExactNumber& a() const { return a_; }
+    [[nodiscard]] const ExactNumber& b() const { return b_; }
+    [[nodiscard]] ExactNumber length() const { return a_ + b_; }
+    [[nodiscard]] ExactNumber force() const;
+    [[nodiscard]] ExactNumber moment() const;
+    [[nodiscard]] ExactNumber pressure(Edge edge, const ExactNumber& u) const;
     /// c_0 ... c_{terms-1} of a symmetric profile; unknown for other profiles and for more than 40
     /// terms.
-    [[nodiscard]] std::vector<formula::ExactNumber> expansion(Edge edge, std::size_t terms) const;
+    [[nodiscard]] std::vector<ExactNumber> expansion(Edge edge, std::size_t terms) const;
 
 private:
     /// For a power law of a rational exponent: 0 if c_k vanishes, else unknown.
-    [[nodiscard]] std::vector<formula::ExactNumber> vanishing_coefficients(std::size_t terms) const;
+    [[nodiscard]] std::vector<ExactNumber> vanishing_coefficients(std::size_t terms) const;
     void read_power_law();
     void place_knots();
     void find_edges(const Load& load, const Ball& near_a, const Ball& near_b);
     [[nodiscard]] bool balanced() const;
     [[nodiscard]] bool bends(std::size_t knot) const;
-    template <class Kernel> [[nodiscard]] formula::ExactNumber over_measure() const;
+    template <class Kernel> [[nodiscard]] ExactNumber over_measure() const;
 
     Profile profile_;
-    formula::ExactNumber modulus_;
+    ExactNumber modulus_;
     bool power_law_ = false;
     std::optional<Rational> exponent_; ///< of the power law
     std::optional<unsigned> whole_exponent_;
-    formula::ExactNumber power_factor_; ///< P = power_factor a^(m+1)
-    LinearSlope<formula::ExactNumber> slope_;
-    std::vector<Mark<formula::ExactNumber>> marks_; ///< the marks of the knots
+    ExactNumber power_factor_; ///< P = power_factor a^(m+1)
+    LinearSlope<ExactNumber> slope_;
+    std::vector<Mark<ExactNumber>> marks_; ///< the marks of the knots
     bool placed_ = false; ///< true if it is decided for all knots whether they are inside
-    formula::ExactNumber a_;
-    formula::ExactNumber b_;
+    ExactNumber a_;
+    ExactNumber b_;
 };
 
 } // namespace edgeproof::contact

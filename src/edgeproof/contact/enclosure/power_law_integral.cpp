@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/power_law_integral.hpp"
 
-#include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -37,10 +37,10 @@ void to_next_term(Ball& x, const Ball& first, const std::optional<Rational>& n, 
 }
 
 /// m - 2 steps, if m is rational.
-std::optional<Rational> less(const formula::Exact& m, long steps) {
+std::optional<Rational> less(const Exact& m, long steps) {
     return m.is_rational() ? std::optional(Rational(m.rational() - 2 * steps)) : std::nullopt;
 }
-long steps_down(const formula::Exact& m, double about_m) {
+long steps_down(const Exact& m, double about_m) {
     if (!m.is_rational()) {
         return static_cast<long>(about_m / 2);
     }
@@ -64,7 +64,7 @@ PowerLawIntegral::Exponent::Exponent(Ball enclosed, std::optional<Rational> exac
     few_words = under <= 64;
 }
 
-PowerLawIntegral::PowerLawIntegral(const formula::Exact& m, const Ball& enclosed_m)
+PowerLawIntegral::PowerLawIntegral(const Exact& m, const Ball& enclosed_m)
     : whole_(enclosed_m, less(m, 0)), about_m_(approximate(enclosed_m)),
       steps_(about_m_ > most_m ? 0 : steps_down(m, about_m_)),
       left_(enclosed_m - 2 * steps_, less(m, steps_)), apex_factor_(0, enclosed_m.bits()),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/formula/exact/exact.hpp"
+#include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/elementary/ratio_series.hpp"
 
@@ -15,7 +15,7 @@ namespace edgeproof::contact {
 class PowerLawIntegral {
 public:
     /// `enclosed_m` encloses m at the greatest precision that will be used.
-    PowerLawIntegral(const formula::Exact& m, const Ball& enclosed_m);
+    PowerLawIntegral(const Exact& m, const Ball& enclosed_m);
 
     /// I_m(q). `y` is 1 - q^2, an argument of its own so that it keeps its digits near the edge.
     ///

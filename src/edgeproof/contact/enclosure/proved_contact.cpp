@@ -8,12 +8,12 @@
 
 namespace edgeproof::contact {
 
-bool certainly_zero(const formula::Expr& e) { return decided_sign(e) == 0; }
+bool certainly_zero(const Expr& e) { return decided_sign(e) == 0; }
 
 ProvedContact::ProvedContact(const Profile& profile, const Ball& modulus, long bits)
     : profile_(profile), bits_(bits), modulus_(modulus),
       slope_(linear_slope<Ball>(
-          profile, [bits](const formula::Expr& e) { return formula::enclosed_constant(e, bits); })),
+          profile, [bits](const Expr& e) { return formula::enclosed_constant(e, bits); })),
       on_edge_(profile.knots().size()) {}
 
 bool ProvedContact::edge_may_be_on_knot() const {
@@ -38,7 +38,7 @@ std::vector<Ball> ProvedContact::corners(Edge edge) const {
 
 void ProvedContact::find_knots_on_edges() {
     for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
-        const formula::Expr knot = profile_.knots()[i].expr();
+        const Expr knot = profile_.knots()[i].expr();
         if (known_a_ && overlaps(slope_.knots[i], constant(known_a_->expr())) &&
             certainly_zero(known_a_->expr() - knot)) {
             on_edge_[i] = Edge::right;

@@ -32,8 +32,8 @@ public:
     /// E* (stress).
     [[nodiscard]] const Ball& modulus() const { return modulus_; }
     /// The distance of an edge from the origin (length), if it is given, or proved by exact algebra
-    /// (exact_edges.hpp).
-    [[nodiscard]] std::optional<formula::Exact> known(Edge edge) const {
+    /// (exact_contact.hpp).
+    [[nodiscard]] std::optional<Exact> known(Edge edge) const {
         return edge == Edge::right || profile_.symmetric() ? known_a_ : known_b_;
     }
     /// True for a profile whose contacts all have b = a.
@@ -47,7 +47,7 @@ public:
     /// The moment of p about the origin (moore-hills EQ22).
     [[nodiscard]] virtual Ball moment() const = 0;
     /// p at a distance from an edge that is known exactly.
-    [[nodiscard]] virtual Ball pressure(Edge edge, const formula::Exact& u) const = 0;
+    [[nodiscard]] virtual Ball pressure(Edge edge, const Exact& u) const = 0;
     /// p at the distance u from an edge. Not finite if the ball of x contains a corner.
     [[nodiscard]] virtual Ball pressure(Edge edge, const Ball& u) const = 0;
     /// A ball whose lower end is a lower bound of the pressure over u; finite also if the ball of x
@@ -84,7 +84,7 @@ protected:
     [[nodiscard]] virtual bool inside(std::size_t knot) const = 0;
     /// False at a knot where the formula of g' does not change (the origin of a parabola).
     [[nodiscard]] virtual bool bends(std::size_t) const { return true; }
-    [[nodiscard]] Ball constant(const formula::Expr& e) const {
+    [[nodiscard]] Ball constant(const Expr& e) const {
         return formula::enclosed_constant(e, bits_);
     }
     /// Finds the knots that are exactly a known edge.
@@ -100,13 +100,13 @@ protected:
     LinearSlope<Ball> slope_; ///< for a slope that is not piecewise linear only its knots
     /// The edge on which a knot lies exactly, if this is known; balls cannot decide it.
     std::vector<std::optional<Edge>> on_edge_;
-    std::optional<formula::Exact> known_a_;
-    std::optional<formula::Exact> known_b_;
+    std::optional<Exact> known_a_;
+    std::optional<Exact> known_b_;
     Ball a_;
     Ball b_;
 };
 
 /// True if a constant is proved to be zero.
-[[nodiscard]] bool certainly_zero(const formula::Expr& e);
+[[nodiscard]] bool certainly_zero(const Expr& e);
 
 } // namespace edgeproof::contact

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/law/point.hpp"
+#include "edgeproof/contact/law/kernels.hpp"
 #include "edgeproof/quadrature/near_singularity.hpp"
 
 /// Puts a traction back into the equations that it must satisfy: its resultant and its principal

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/law/point.hpp"
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/contact/law/kernels.hpp"
 
 #include <cmath>
 #include <cstddef>

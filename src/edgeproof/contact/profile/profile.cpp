@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/profile/profile.hpp"
-#include "edgeproof/contact/profile/profile_checks.hpp"
-#include "edgeproof/contact/profile/slope_from_knot.hpp"
+#include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/require.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -11,12 +9,11 @@
 namespace edgeproof::contact {
 namespace {
 
-const formula::Expr symbol_x =
-    formula::Expr::symbol("x"); // NOLINT: Expr is immutable and needs no other source
-const formula::Expr number_zero = formula::Expr::number(0); // NOLINT
+const Expr symbol_x = Expr::symbol("x");  // NOLINT: Expr is immutable and needs no other source
+const Expr number_zero = Expr::number(0); // NOLINT
 
 /// -e(-x): the slope of the mirror image.
-formula::Expr mirrored(const formula::Expr& e) {
+Expr mirrored(const Expr& e) {
     const auto linear = as_linear(e, "x");
     if (linear) {
         const Rational* at_origin = linear->at_origin.rational();
@@ -30,8 +27,7 @@ formula::Expr mirrored(const formula::Expr& e) {
 
 } // namespace
 
-Profile Profile::assemble(Kind kind, std::vector<formula::Exact> knots,
-                          std::vector<formula::Expr> slopes) {
+Profile Profile::assemble(Kind kind, std::vector<Exact> knots, std::vector<Expr> slopes) {
     Profile p;
     p.kind_ = kind;
     // The origin is a knot even where g' is smooth: the consistency condition has one integral for
@@ -41,12 +37,12 @@ Profile Profile::assemble(Kind kind, std::vector<formula::Exact> knots,
         ++at;
     }
     if (at == knots.size() || knots[at].sign() != 0) {
-        knots.insert(knots.begin() + static_cast<std::ptrdiff_t>(at), formula::Exact(number_zero));
+        knots.insert(knots.begin() + static_cast<std::ptrdiff_t>(at), Exact(number_zero));
         slopes.insert(slopes.begin() + static_cast<std::ptrdiff_t>(at), slopes[at]);
     }
     p.origin_ = at;
     p.knots_ = std::move(knots);
-    for (const formula::Expr& slope : slopes) {
+    for (const Expr& slope : slopes) {
         p.pieces_.push_back({slope, as_linear(slope, "x")});
     }
     p.find_forms_at_knots();
@@ -71,12 +67,12 @@ void Profile::find_forms_at_knots() {
 
 void Profile::continue_outer_pieces() {
     const auto line_from = [](const RisingLimit& end) {
-        const formula::Expr at = end.at.expr();
-        const formula::Expr rate = formula::Expr::number(end.rate);
+        const Expr at = end.at.expr();
+        const Expr rate = Expr::number(end.rate);
         return substitute(end.slope, "x", at) - rate * at + rate * symbol_x;
     };
     const auto add = [&](Edge edge, const RisingLimit& end) {
-        const formula::Expr line = line_from(end);
+        const Expr line = line_from(end);
         const SlopePiece piece{line, as_linear(line, "x")};
         if (edge == Edge::right) {
             right_limit_ = end.at;
@@ -104,14 +100,14 @@ void Profile::continue_outer_pieces() {
     }
 }
 
-Profile Profile::power_law(const formula::Exact& C, const formula::Exact& m) {
+Profile Profile::power_law(const Exact& C, const Exact& m) {
     require(C.sign() > 0, "the power-law constant C = " + C.text() + " is not positive",
             "give C > 0");
     require(m.sign() >= 0, "the power-law exponent m = " + m.text() + " is negative",
             "give m >= 0 (0: a wedge, 1: Hertz)");
-    const formula::Expr& c = C.expr();
+    const Expr& c = C.expr();
     const Rational* exponent = m.expr().rational();
-    std::vector<formula::Expr> slopes;
+    std::vector<Expr> slopes;
     // moore-hills EQ10
     if (exponent != nullptr && *exponent == 0) {
         slopes = {-c, c};
@@ -120,66 +116,65 @@ Profile Profile::power_law(const formula::Exact& C, const formula::Exact& m) {
     } else {
         slopes = {-(c * pow(-symbol_x, m.expr())), c * pow(symbol_x, m.expr())};
     }
-    Profile p = assemble(Kind::power_law, {formula::Exact(number_zero)}, std::move(slopes));
+    Profile p = assemble(Kind::power_law, {Exact(number_zero)}, std::move(slopes));
     p.corner_[0] = exponent != nullptr && *exponent == 0;
     p.symmetric_ = true;
     p.parameters_ = {{"C", C}, {"m", m}};
     return p;
 }
 
-Profile Profile::flat_and_rounded(const formula::Exact& t, const formula::Exact& R) {
+Profile Profile::flat_and_rounded(const Exact& t, const Exact& R) {
     require(t.sign() >= 0, "the half-length of the flat t = " + t.text() + " is negative",
             "give t >= 0");
     require(R.sign() > 0, "the radius R = " + R.text() + " is not positive", "give R > 0");
-    const formula::Expr& T = t.expr();
-    const formula::Expr& r = R.expr();
+    const Expr& T = t.expr();
+    const Expr& r = R.expr();
     // moore-hills EQ16
     Profile p = t.sign() == 0 ? assemble(Kind::flat_and_rounded, {}, {symbol_x / r})
-                              : assemble(Kind::flat_and_rounded, {formula::Exact(-T), t},
+                              : assemble(Kind::flat_and_rounded, {Exact(-T), t},
                                          {(symbol_x + T) / r, number_zero, (symbol_x - T) / r});
     p.symmetric_ = true;
     p.parameters_ = {{"t", t}, {"R", R}};
     return p;
 }
 
-Profile Profile::tilted_wedge(const formula::Exact& phi, const formula::Exact& alpha) {
+Profile Profile::tilted_wedge(const Exact& phi, const Exact& alpha) {
     require(phi.sign() > 0, "the wedge angle phi = " + phi.text() + " is not positive",
             "give phi > 0 (the half-angle is pi/2 - phi)");
-    const formula::Expr& f = phi.expr();
-    const formula::Expr& al = alpha.expr();
-    require(formula::Exact(f - al).sign() > 0 && formula::Exact(f + al).sign() > 0,
+    const Expr& f = phi.expr();
+    const Expr& al = alpha.expr();
+    require(Exact(f - al).sign() > 0 && Exact(f + al).sign() > 0,
             "the tilt alpha = " + alpha.text() + " is not smaller than phi = " + phi.text(),
             "give |alpha| < phi: beyond, one face of the wedge lifts off");
     // moore-hills EQ26
-    Profile p = assemble(Kind::tilted_wedge, {formula::Exact(number_zero)}, {-(f + al), f - al});
+    Profile p = assemble(Kind::tilted_wedge, {Exact(number_zero)}, {-(f + al), f - al});
     p.corner_[0] = true;
     p.symmetric_ = alpha.sign() == 0;
     p.parameters_ = {{"phi", phi}, {"alpha", alpha}};
     return p;
 }
 
-Profile Profile::tilted_flat_and_rounded(const formula::Exact& alpha, const formula::Exact& t,
-                                         const formula::Exact& R) {
+Profile Profile::tilted_flat_and_rounded(const Exact& alpha, const Exact& t, const Exact& R) {
     require(alpha.sign() >= 0, "the tilt alpha = " + alpha.text() + " is negative",
             "give alpha >= 0, clockwise; mirror the scene for the other sense");
     require(t.sign() >= 0, "the half-length of the flat t = " + t.text() + " is negative",
             "give t >= 0");
     require(R.sign() > 0, "the radius R = " + R.text() + " is not positive", "give R > 0");
-    const formula::Expr& al = alpha.expr();
-    const formula::Expr& r = R.expr();
-    const formula::Expr two_t = formula::Expr::number(2) * t.expr();
-    std::vector<formula::Exact> knots;
-    std::vector<formula::Expr> slopes;
+    const Expr& al = alpha.expr();
+    const Expr& r = R.expr();
+    const Expr two_t = Expr::number(2) * t.expr();
+    std::vector<Exact> knots;
+    std::vector<Expr> slopes;
     if (t.sign() == 0) {
         slopes = {symbol_x / r};
     } else if (alpha.sign() == 0) {
         // The minimum of an upright punch is the whole flat; the paper's frame (moore-hills EQ33)
         // then has its origin at the right end of the flat.
-        knots = {formula::Exact(-two_t), formula::Exact(number_zero)};
+        knots = {Exact(-two_t), Exact(number_zero)};
         slopes = {(symbol_x + two_t) / r, number_zero, symbol_x / r};
     } else {
         // moore-hills EQ33
-        knots = {formula::Exact(-(al * r) - two_t), formula::Exact(-(al * r))};
+        knots = {Exact(-(al * r) - two_t), Exact(-(al * r))};
         slopes = {(symbol_x + two_t) / r, -al, symbol_x / r};
     }
     Profile p = assemble(Kind::tilted_flat_and_rounded, std::move(knots), std::move(slopes));
@@ -187,8 +182,7 @@ Profile Profile::tilted_flat_and_rounded(const formula::Exact& alpha, const form
     return p;
 }
 
-Profile Profile::piecewise(const std::vector<formula::Exact>& knots,
-                           const std::vector<formula::Expr>& slopes) {
+Profile Profile::piecewise(const std::vector<Exact>& knots, const std::vector<Expr>& slopes) {
     require(slopes.size() == knots.size() + 1,
             "a piecewise profile with " + std::to_string(knots.size()) + " knots has " +
                 std::to_string(slopes.size()) + " pieces",
@@ -199,8 +193,8 @@ Profile Profile::piecewise(const std::vector<formula::Exact>& knots,
     return p;
 }
 
-Profile Profile::piecewise_symmetric(const std::vector<formula::Exact>& knots,
-                                     const std::vector<formula::Expr>& slopes) {
+Profile Profile::piecewise_symmetric(const std::vector<Exact>& knots,
+                                     const std::vector<Expr>& slopes) {
     require(slopes.size() == knots.size() + 1,
             "a symmetric piecewise profile with " + std::to_string(knots.size()) +
                 " knots in x > 0 has " + std::to_string(slopes.size()) + " pieces",
@@ -208,8 +202,8 @@ Profile Profile::piecewise_symmetric(const std::vector<formula::Exact>& knots,
     require(knots.empty() || knots.front().sign() > 0,
             "a symmetric piecewise profile has a knot at or left of the origin",
             "give knots x > 0 only; the origin is always one");
-    std::vector<formula::Exact> all;
-    std::vector<formula::Expr> both;
+    std::vector<Exact> all;
+    std::vector<Expr> both;
     for (std::size_t i = knots.size(); i-- > 0;) {
         all.emplace_back(-knots[i].expr());
     }
@@ -261,13 +255,13 @@ Profile Profile::reflected() const {
         p.corner_.push_back(corner_[i]);
     }
     for (std::size_t i = pieces_.size(); i-- > 0;) {
-        const formula::Expr slope = mirrored(pieces_[i].slope);
+        const Expr slope = mirrored(pieces_[i].slope);
         p.pieces_.push_back({slope, as_linear(slope, "x")});
     }
     p.origin_ = knots_.size() - 1 - origin_;
     p.find_forms_at_knots();
-    const auto mirrored_place = [](const std::optional<formula::Exact>& x) {
-        return x ? std::optional(formula::Exact(-x->expr())) : std::nullopt;
+    const auto mirrored_place = [](const std::optional<Exact>& x) {
+        return x ? std::optional(Exact(-x->expr())) : std::nullopt;
     };
     p.left_limit_ = mirrored_place(right_limit_);
     p.right_limit_ = mirrored_place(left_limit_);
@@ -277,42 +271,42 @@ Profile Profile::reflected() const {
 namespace {
 
 using Linear = SlopePiece::Linear;
-using Kind = formula::Expr::Kind;
+using Kind = Expr::Kind;
 
-bool is_literal_zero(const formula::Expr& e) {
+bool is_literal_zero(const Expr& e) {
     const Rational* q = e.rational();
     return q != nullptr && *q == 0;
 }
-bool is_literal_one(const formula::Expr& e) {
+bool is_literal_one(const Expr& e) {
     const Rational* q = e.rational();
     return q != nullptr && *q == 1;
 }
 
 // Sums with 0 and products with 0 and 1 are simplified, so that the pieces of the common profiles
 // stay readable and constants are recognised.
-formula::Expr plus(const formula::Expr& x, const formula::Expr& y) {
+Expr plus(const Expr& x, const Expr& y) {
     return is_literal_zero(x) ? y : is_literal_zero(y) ? x : x + y;
 }
-formula::Expr minus(const formula::Expr& x, const formula::Expr& y) {
+Expr minus(const Expr& x, const Expr& y) {
     return is_literal_zero(y) ? x : is_literal_zero(x) ? -y : x - y;
 }
-formula::Expr times(const formula::Expr& x, const formula::Expr& y) {
+Expr times(const Expr& x, const Expr& y) {
     if (is_literal_zero(x) || is_literal_zero(y)) {
-        return formula::Expr::number(0);
+        return Expr::number(0);
     }
     return is_literal_one(x) ? y : is_literal_one(y) ? x : x * y;
 }
 
 } // namespace
 
-std::optional<Linear> as_linear(const formula::Expr& e, std::string_view x) {
-    const formula::Expr zero = formula::Expr::number(0);
+std::optional<Linear> as_linear(const Expr& e, std::string_view x) {
+    const Expr zero = Expr::number(0);
     if (!free_symbols(e).contains(std::string(x))) {
         return Linear{e, zero};
     }
     switch (e.kind()) {
     case Kind::symbol:
-        return Linear{zero, formula::Expr::number(1)};
+        return Linear{zero, Expr::number(1)};
     case Kind::neg: {
         const auto f = as_linear(e.arg(0), x);
         if (!f) {
@@ -337,7 +331,7 @@ std::optional<Linear> as_linear(const formula::Expr& e, std::string_view x) {
             return {};
         }
         const Linear& form = is_literal_zero(f->rate) ? *g : *f;
-        const formula::Expr& factor = is_literal_zero(f->rate) ? f->at_origin : g->at_origin;
+        const Expr& factor = is_literal_zero(f->rate) ? f->at_origin : g->at_origin;
         return Linear{times(form.at_origin, factor), times(form.rate, factor)};
     }
     case Kind::div: {
@@ -346,9 +340,7 @@ std::optional<Linear> as_linear(const formula::Expr& e, std::string_view x) {
         if (!f || !g || !is_literal_zero(g->rate)) {
             return {};
         }
-        const auto over = [&](const formula::Expr& c) {
-            return is_literal_zero(c) ? c : c / g->at_origin;
-        };
+        const auto over = [&](const Expr& c) { return is_literal_zero(c) ? c : c / g->at_origin; };
         return Linear{over(f->at_origin), over(f->rate)};
     }
     default:

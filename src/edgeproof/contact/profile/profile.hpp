@@ -13,19 +13,19 @@ namespace edgeproof::contact {
 
 /// One analytic piece of g'.
 struct SlopePiece {
-    formula::Expr slope; ///< g' as an expression in x alone (constants are exact)
+    Expr slope; ///< g' as an expression in x alone (constants are exact)
 
     /// g' = at_origin + rate x. Present if `slope` has this form.
     struct Linear {
-        formula::Expr at_origin; ///< dimensionless
-        formula::Expr rate;      ///< 1/length
+        Expr at_origin; ///< dimensionless
+        Expr rate;      ///< 1/length
     };
     std::optional<Linear> linear;
 
     /// `slope` as a function of the distance from the knot at its left or right end
-    /// (slope_from_knot.hpp). Present where this form keeps digits that x loses.
-    std::optional<formula::Expr> from_left = {};
-    std::optional<formula::Expr> from_right = {};
+    /// (slope.hpp). Present where this form keeps digits that x loses.
+    std::optional<Expr> from_left = {};
+    std::optional<Expr> from_right = {};
 };
 
 /// The slope g'(x) of the gap between the bodies (dimensionless). It does not decrease, it is
@@ -44,28 +44,26 @@ public:
 
     /// g' = C sgn(x) |x|^m, m >= 0, C > 0 (moore-hills EQ10). C: 1/length^m; m: dimensionless.
     /// Throws InputError outside that domain, as all these functions do.
-    [[nodiscard]] static Profile power_law(const formula::Exact& C, const formula::Exact& m);
+    [[nodiscard]] static Profile power_law(const Exact& C, const Exact& m);
     /// A flat of length 2t between arcs of radius R, t >= 0, R > 0 (moore-hills EQ16). t, R:
     /// lengths.
-    [[nodiscard]] static Profile flat_and_rounded(const formula::Exact& t, const formula::Exact& R);
+    [[nodiscard]] static Profile flat_and_rounded(const Exact& t, const Exact& R);
     /// A wedge of half-angle pi/2 - phi, tilted clockwise by alpha, |alpha| < phi (moore-hills
     /// EQ26). phi, alpha: slopes, dimensionless.
-    [[nodiscard]] static Profile tilted_wedge(const formula::Exact& phi,
-                                              const formula::Exact& alpha);
+    [[nodiscard]] static Profile tilted_wedge(const Exact& phi, const Exact& alpha);
     /// A flat of length 2t between arcs of radius R, tilted clockwise by alpha >= 0, with the
     /// origin at the minimum (moore-hills EQ33). alpha: slope, dimensionless; t, R: lengths.
-    [[nodiscard]] static Profile tilted_flat_and_rounded(const formula::Exact& alpha,
-                                                         const formula::Exact& t,
-                                                         const formula::Exact& R);
+    [[nodiscard]] static Profile tilted_flat_and_rounded(const Exact& alpha, const Exact& t,
+                                                         const Exact& R);
     /// A profile given by the user: `slopes[i]` (in x) holds between knots[i-1] and knots[i]
     /// (lengths). Throws an InputError that names the place where the knots do not ascend, g'
     /// decreases, or the minimum is not at 0.
     /// The two outer pieces need to rise, and to have a value, only as far as the contact reaches.
-    [[nodiscard]] static Profile piecewise(const std::vector<formula::Exact>& knots,
-                                           const std::vector<formula::Expr>& slopes);
+    [[nodiscard]] static Profile piecewise(const std::vector<Exact>& knots,
+                                           const std::vector<Expr>& slopes);
     /// A profile given by the user for x > 0 only and continued by g'(-x) = -g'(x).
-    [[nodiscard]] static Profile piecewise_symmetric(const std::vector<formula::Exact>& knots,
-                                                     const std::vector<formula::Expr>& slopes);
+    [[nodiscard]] static Profile piecewise_symmetric(const std::vector<Exact>& knots,
+                                                     const std::vector<Expr>& slopes);
 
     [[nodiscard]] Kind kind() const noexcept { return kind_; }
     /// The name of the kind in a scene file: "power-law", "flat-and-rounded", ...
@@ -87,12 +85,12 @@ public:
     }
     [[nodiscard]] bool axisymmetric() const noexcept { return axisymmetric_; }
     /// The parameters by their names in the paper (m, C, t, R, phi, alpha).
-    [[nodiscard]] const std::map<std::string, formula::Exact>& parameters() const noexcept {
+    [[nodiscard]] const std::map<std::string, Exact>& parameters() const noexcept {
         return parameters_;
     }
     /// The knots in ascending order; `pieces()[i]` ends at `knots()[i]` and `pieces()[i+1]` begins
     /// there.
-    [[nodiscard]] const std::vector<formula::Exact>& knots() const noexcept { return knots_; }
+    [[nodiscard]] const std::vector<Exact>& knots() const noexcept { return knots_; }
     [[nodiscard]] const std::vector<SlopePiece>& pieces() const noexcept { return pieces_; }
     /// The index of the origin among the knots.
     [[nodiscard]] std::size_t origin() const noexcept { return origin_; }
@@ -100,7 +98,7 @@ public:
     /// distance from the last knot; empty if there is no such limit. Beyond it the given slope ends
     /// or decreases, and g' continues as a straight line so that contacts can be searched for. A
     /// contact that reaches this place is refused (NormalContact).
-    [[nodiscard]] const std::optional<formula::Exact>& rises_to(Edge edge) const noexcept {
+    [[nodiscard]] const std::optional<Exact>& rises_to(Edge edge) const noexcept {
         return edge == Edge::right ? right_limit_ : left_limit_;
     }
     /// True if g' itself jumps at a knot (a corner); false if g' only bends there.
@@ -112,23 +110,21 @@ private:
     Profile() = default;
     void find_forms_at_knots();
     void continue_outer_pieces();
-    static Profile assemble(Kind kind, std::vector<formula::Exact> knots,
-                            std::vector<formula::Expr> slopes);
+    static Profile assemble(Kind kind, std::vector<Exact> knots, std::vector<Expr> slopes);
 
     Kind kind_ = Kind::piecewise;
     bool symmetric_ = false;
     bool axisymmetric_ = false;
-    std::map<std::string, formula::Exact> parameters_;
-    std::vector<formula::Exact> knots_;
+    std::map<std::string, Exact> parameters_;
+    std::vector<Exact> knots_;
     std::vector<SlopePiece> pieces_;
     std::vector<bool> corner_;
     std::size_t origin_ = 0;
-    std::optional<formula::Exact> left_limit_;
-    std::optional<formula::Exact> right_limit_;
+    std::optional<Exact> left_limit_;
+    std::optional<Exact> right_limit_;
 };
 
 /// Returns a + b x with a, b free of `x` if the expression tree has that form, else nothing.
-[[nodiscard]] std::optional<SlopePiece::Linear> as_linear(const formula::Expr& e,
-                                                          std::string_view x);
+[[nodiscard]] std::optional<SlopePiece::Linear> as_linear(const Expr& e, std::string_view x);
 
 } // namespace edgeproof::contact

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/profile/profile_checks.hpp"
+#include "edgeproof/contact/profile/profile.hpp"
 
 #include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/exact_rational.hpp"
+#include "edgeproof/precision/rational.hpp"
 
 #include <string>
 
@@ -19,9 +19,9 @@ std::string short_text(const Real& x) { return x.str(8); }
 
 /// The sign of an exact constant; a constant that 4096 bits do not separate from zero counts as
 /// zero.
-int sign_or_zero(const formula::Expr& e) {
+int sign_or_zero(const Expr& e) {
     try {
-        return formula::Exact(e).sign();
+        return Exact(e).sign();
     } catch (const Error&) {
         return 0;
     }
@@ -41,7 +41,7 @@ std::vector<bool> checked_corners(const Profile& profile) {
     // and not its mirror image. The origin is the middle knot.
     const std::size_t first = profile.symmetric() ? knots.size() / 2 : 0;
     for (std::size_t i = first; i + 1 < knots.size(); ++i) {
-        if (formula::Exact(knots[i + 1].expr() - knots[i].expr()).sign() <= 0) {
+        if (Exact(knots[i + 1].expr() - knots[i].expr()).sign() <= 0) {
             throw InputError("knots do not ascend: " + knots[i].text() + " is followed by " +
                                  knots[i + 1].text(),
                              "list knots from left to right, each once");
@@ -50,7 +50,7 @@ std::vector<bool> checked_corners(const Profile& profile) {
     const SlopeIn<Real> slope(profile);
     std::vector<bool> corner(knots.size(), false);
     for (std::size_t i = first; i < knots.size(); ++i) {
-        const formula::Expr at = knots[i].expr();
+        const Expr at = knots[i].expr();
         const int jump = sign_or_zero(substitute(profile.pieces()[i + 1].slope, "x", at) -
                                       substitute(profile.pieces()[i].slope, "x", at));
         if (jump < 0) {
@@ -61,7 +61,7 @@ std::vector<bool> checked_corners(const Profile& profile) {
             corner[knots.size() - 1 - i] = corner[i];
         }
     }
-    const formula::Expr zero = formula::Expr::number(0);
+    const Expr zero = Expr::number(0);
     const std::size_t o = profile.origin();
     if (sign_or_zero(substitute(profile.pieces()[o].slope, "x", zero)) > 0 ||
         sign_or_zero(substitute(profile.pieces()[o + 1].slope, "x", zero)) < 0) {
@@ -207,12 +207,11 @@ std::optional<RisingLimit> rising_limit(const Profile& profile, Edge edge) {
         return std::nullopt; // beyond the range of binary64 (an exponential): it still rises
     }
     const double rate = steep.convert_to<double>();
-    const formula::Expr knot =
-        right ? profile.knots().back().expr() : profile.knots().front().expr();
+    const Expr knot = right ? profile.knots().back().expr() : profile.knots().front().expr();
     const Rational* q = knot.rational();
     const Rational moved = right ? away : Rational(-away);
-    return RisingLimit{q != nullptr ? formula::Exact::of(Rational(*q + moved))
-                                    : formula::Exact(knot + formula::Expr::number(moved)),
+    return RisingLimit{q != nullptr ? Exact::of(Rational(*q + moved))
+                                    : Exact(knot + Expr::number(moved)),
                        exact_rational(rate > 0 ? rate : 1), piece.slope};
 }
 
@@ -226,8 +225,8 @@ void check_reach(const Profile& profile, const Ball& a, const Ball& b) {
         const Ball left_over = right ? enclosed_constant(*limit, a.bits()) - a
                                      : -b - enclosed_constant(*limit, b.bits());
         if (!certainly_positive(left_over)) {
-            const formula::Expr& slope = right ? profile.pieces()[profile.pieces().size() - 2].slope
-                                               : profile.pieces()[1].slope;
+            const Expr& slope = right ? profile.pieces()[profile.pieces().size() - 2].slope
+                                      : profile.pieces()[1].slope;
             const PrecisionScope scope(check_digits);
             throw InputError(
                 "the contact would reach x = " +

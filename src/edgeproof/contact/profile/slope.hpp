@@ -2,11 +2,12 @@
 #pragma once
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
+#include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
+#include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/series/divided_difference.hpp"
 #include "edgeproof/series/functions.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -35,10 +36,10 @@ public:
         bool linear = false;
         T at_origin{}; ///< g' = at_origin + rate x if linear
         T rate{};
-        formula::Expr expression;
-        std::optional<formula::Expr>
+        Expr expression;
+        std::optional<Expr>
             from_left; ///< in the distance from the knot at the left end (profile.hpp)
-        std::optional<formula::Expr> from_right;
+        std::optional<Expr> from_right;
     };
     /// A place on a piece that is near the knot at one end of it; the distance from this knot has
     /// more digits than x.
@@ -58,8 +59,8 @@ public:
             p.from_right = piece.from_right;
             if (piece.linear) {
                 p.linear = true;
-                p.at_origin = formula::Exact(piece.linear->at_origin).template to<T>();
-                p.rate = formula::Exact(piece.linear->rate).template to<T>();
+                p.at_origin = Exact(piece.linear->at_origin).template to<T>();
+                p.rate = Exact(piece.linear->rate).template to<T>();
             }
             pieces_.push_back(std::move(p));
         }
@@ -102,7 +103,7 @@ public:
     }
     /// value() of a piece that begins or ends at the knot of `place`.
     [[nodiscard]] T value(std::size_t piece, const T& x, const NearKnot& place) const {
-        const formula::Expr* form = form_at(piece, place.knot);
+        const Expr* form = form_at(piece, place.knot);
         const auto lift = [](const T& c) { return c; };
         return form == nullptr
                    ? value(piece, x)
@@ -112,13 +113,13 @@ public:
     /// knot.
     template <class U>
     [[nodiscard]] U rate(std::size_t piece, const U& x, std::size_t knot, const U& away) const {
-        const formula::Expr* form = form_at(piece, knot);
+        const Expr* form = form_at(piece, knot);
         return form == nullptr ? rate(piece, x) : rate_of(*form, away);
     }
     /// quotient() of a piece that begins or ends at the knot of `place`, which gives s - knot.
     [[nodiscard]] T quotient(std::size_t piece, const T& x, const T& s, const T& delta,
                              const NearKnot& place) const {
-        const formula::Expr* form = form_at(piece, place.knot);
+        const Expr* form = form_at(piece, place.knot);
         if (form == nullptr) {
             return quotient(piece, x, s, delta);
         }
@@ -135,18 +136,17 @@ public:
 
 private:
     /// The form in the distance from the knot; null if the form in x is as accurate.
-    [[nodiscard]] const formula::Expr* form_at(std::size_t piece, std::size_t knot) const {
+    [[nodiscard]] const Expr* form_at(std::size_t piece, std::size_t knot) const {
         const auto& form = piece == knot ? pieces_[piece].from_right : pieces_[piece].from_left;
         return form ? &*form : nullptr;
     }
-    [[nodiscard]] static T quotient_of(const formula::Expr& g, const T& x, const T& s,
-                                       const T& delta) {
+    [[nodiscard]] static T quotient_of(const Expr& g, const T& x, const T& s, const T& delta) {
         using D = series::DividedDifference<T>;
         const auto lift = [&](const T& c) { return D::constant(c, delta); };
         const D at{x, s, T(1), delta};
         return evaluate<D>(g, SlopeEnvironment<D, T, decltype(lift)>(at, lift)).q;
     }
-    template <class U> [[nodiscard]] static U rate_of(const formula::Expr& g, const U& x);
+    template <class U> [[nodiscard]] static U rate_of(const Expr& g, const U& x);
 
     std::size_t origin_;
     std::vector<T> knots_;
@@ -163,9 +163,7 @@ template <Arithmetic T> template <class U> U SlopeIn<T>::rate(std::size_t piece,
     }
 }
 
-template <Arithmetic T>
-template <class U>
-U SlopeIn<T>::rate_of(const formula::Expr& g, const U& x) {
+template <Arithmetic T> template <class U> U SlopeIn<T>::rate_of(const Expr& g, const U& x) {
     if constexpr (std::same_as<U, T>) {
         // Two terms of the Taylor series at x: the second is g''.
         using S = series::Series<T>;
@@ -189,5 +187,56 @@ U SlopeIn<T>::rate_of(const formula::Expr& g, const U& x) {
         return result;
     }
 }
+
+/// Returns a slope g'(x) as a function of the distance x - knot; the symbol of the distance is x
+/// again. Parts that are linear in x and vanish at the knot lose their constant exactly. So (x -
+/// 1/5)^(3/2) keeps its digits at any distance from 1/5.
+[[nodiscard]] Expr slope_from_knot(const Expr& slope, const Expr& knot);
+
+/// Returns the same function with polynomials of rational coefficients multiplied out. Returns
+/// nothing where no part of the slope vanishes at the knot, or where the knot is 0: then x itself
+/// has all digits.
+[[nodiscard]] std::optional<Expr> slope_near_zero(const Expr& slope, const Expr& knot);
+
+/// A slope near a knot that is a branch point of it, written without the branch point. With
+/// w^root = |x - knot|, (x - knot)^(3/2) becomes w^3 for root = 2 (docs/curved-slopes.md, "What is
+/// integrated").
+struct SlopeAtRoot {
+    Expr slope;    ///< as a function of w >= 0; the symbol is called x
+    long root = 1; ///< the least common denominator of the exponents of x - knot
+};
+
+/// Returns this form for the side to the right or to the left of the knot. Returns nothing if no
+/// power of a multiple of x - knot has a rational exponent that is not an integer, or if the common
+/// denominator is greater than 24.
+[[nodiscard]] std::optional<SlopeAtRoot> slope_at_root(const Expr& slope, const Expr& knot,
+                                                       bool to_the_right);
+
+/// Checks a profile given by the user: the knots ascend, g' does not decrease, g' <= 0 left of the
+/// origin and g' >= 0 right of it. Returns which knots are corners. Throws an InputError that names
+/// the place.
+/// On a piece between two knots that is not linear, g' is only *sampled* here (64 points); the
+/// contact proves that it rises for every value that is called proved (curved_slope.hpp).
+/// Linear pieces and all knots are decided exactly. rising_limit checks the outer pieces.
+[[nodiscard]] std::vector<bool> checked_corners(const Profile& profile);
+
+/// The place where an outer piece stops rising.
+struct RisingLimit {
+    Exact at;      ///< the place, moved back by a millionth of its distance from the last knot
+    Rational rate; ///< the rate of the straight line that continues g', > 0, 1/length
+    Expr slope;    ///< the slope of the piece
+};
+
+/// Returns the place where the outermost piece on a side stops rising or stops having a value. The
+/// piece is sampled at distances of 2^-30 to 2^30 from its knot. Returns nothing if neither
+/// happens, or if the piece is linear. Throws InputError if it happens at the knot.
+[[nodiscard]] std::optional<RisingLimit> rising_limit(const Profile& profile, Edge edge);
+
+/// Throws InputError if the contact reaches a place beyond which the profile does not rise. `a` and
+/// `b` are enclosures of the edges.
+void check_reach(const Profile& profile, const Ball& a, const Ball& b);
+
+/// Throws InputError if 64 samples of a piece inside the contact -b < x < a show that g' decreases.
+void sample_slope(const Profile& profile, const SlopeIn<Real>& slope, const Real& a, const Real& b);
 
 } // namespace edgeproof::contact

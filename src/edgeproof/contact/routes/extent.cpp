@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/routes/extent.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/require.hpp"
 #include "edgeproof/roots/bracketed_root.hpp"
-#include "edgeproof/roots/extremum.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 namespace edgeproof::contact {
@@ -94,13 +91,12 @@ private:
 } // namespace
 
 Extents within_tolerance(const NormalContact& contact, Edge edge, std::size_t n,
-                         const formula::Exact& tolerance, const ExtentRange& range) {
+                         const Exact& tolerance, const ExtentRange& range) {
     require(tolerance.sign() > 0, "a tolerance of " + tolerance.text() + " is never reached",
             "give a tolerance > 0, such as 1/100");
     require(n > 0, "an approximation of 0 terms", "ask for 1 term or more");
-    require(range.from.sign() >= 0 &&
-                formula::Exact(range.to.expr() - range.from.expr()).sign() > 0 &&
-                formula::Exact(formula::Expr::number(1) - range.to.expr()).sign() >= 0,
+    require(range.from.sign() >= 0 && Exact(range.to.expr() - range.from.expr()).sign() > 0 &&
+                Exact(Expr::number(1) - range.to.expr()).sign() >= 0,
             "the range " + range.from.text() + " ... " + range.to.text() +
                 " of the contact does not ascend within 0 ... 1",
             "give 0 <= from < to <= 1");
@@ -245,8 +241,7 @@ std::vector<Landmark> landmarks(const NormalContact& contact, Edge edge) {
 }
 
 ErrorScan::ErrorScan(const SignedError& error, const SignedError& fine,
-                     const std::vector<Landmark>& marks, const formula::Exact& tolerance, Real from,
-                     Real to)
+                     const std::vector<Landmark>& marks, const Exact& tolerance, Real from, Real to)
     : error_(error), fine_(fine), exact_tolerance_(tolerance), tolerance_(tolerance.to<Real>()),
       from_(std::move(from)), to_(std::move(to)) {
     place(marks);

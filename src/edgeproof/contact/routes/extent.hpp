@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/law/load.hpp"
+#include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"
 
 #include <cstddef>
@@ -33,8 +33,7 @@ struct Extents {
 /// `tolerance` is relative (dimensionless), `range` in fractions of the contact's length. Throws
 /// InputError for a tolerance <= 0, n = 0, or a range that is not 0 <= from < to <= 1.
 [[nodiscard]] Extents within_tolerance(const NormalContact& contact, Edge edge, std::size_t n,
-                                       const formula::Exact& tolerance,
-                                       const ExtentRange& range = {});
+                                       const Exact& tolerance, const ExtentRange& range = {});
 
 [[nodiscard]] Real power_of_ten(int k);
 
@@ -86,7 +85,7 @@ public:
     /// `error` has fewer digits than `fine`, which decides where `error` does not separate an
     /// extremum from the tolerance.
     ErrorScan(const SignedError& error, const SignedError& fine, const std::vector<Landmark>& marks,
-              const formula::Exact& tolerance, Real from, Real to);
+              const Exact& tolerance, Real from, Real to);
     [[nodiscard]] const std::vector<ErrorSample>& samples() const { return samples_; }
 
 private:
@@ -106,7 +105,7 @@ private:
 
     const SignedError& error_;
     const SignedError& fine_;
-    formula::Exact exact_tolerance_;
+    Exact exact_tolerance_;
     Real tolerance_;
     Real from_;
     Real to_;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/law/contact_law.hpp"
-#include "edgeproof/contact/law/load.hpp"
-#include "edgeproof/contact/law/work.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/contact/routes/pressure_routes.hpp"
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +13,42 @@
 #include <vector>
 
 namespace edgeproof::contact {
+
+/// The number of steps of each kind in a computation. A plan predicts the counts, and the mechanics
+/// counts each step where it is done. The object is passed as an argument, is never global, and
+/// belongs to one thread.
+struct Counts {
+    std::size_t tilts = 0;            ///< tilts solved for from P and M
+    std::size_t load_inversions = 0;  ///< contacts whose size was solved for from P
+    std::size_t consistency = 0;      ///< contacts whose other edge was solved for
+    std::size_t expansions = 0;       ///< edges at which p was expanded
+    std::size_t closed_forms = 0;     ///< pressures in closed form
+    std::size_t quadratures = 0;      ///< pressures by quadrature
+    std::size_t shear_points = 0;     ///< shear tractions
+    std::size_t shear_expansions = 0; ///< edges at which q was expanded
+    std::size_t resultants = 0;       ///< forces and moments
+    std::size_t extents = 0;          ///< edges and numbers of terms whose extent was searched for
+    std::size_t stick_zones = 0;      ///< stick zones solved
+    std::size_t slip_sizes = 0;       ///< edges at which the size of the slip zone was computed
+    std::size_t stresses = 0;         ///< points at which the stresses were computed
+    std::size_t displacements = 0;    ///< places at which the gap and the slip were computed
+
+    friend bool operator==(const Counts&, const Counts&) = default;
+};
+
+/// The counts, and numbers that depend on the cancelled digits and cannot be predicted.
+struct Work {
+    Counts counts;
+    std::size_t raised = 0;      ///< contacts solved again at a higher precision
+    std::size_t evaluations = 0; ///< evaluations of the integrands of pressures
+};
+
+/// Counts a step, if the work is counted.
+inline void count(Work* work, std::size_t Counts::*step) {
+    if (work != nullptr) {
+        ++(work->counts.*step);
+    }
+}
 
 /// The method by which a pressure was computed.
 enum class Route {
@@ -43,16 +78,16 @@ class NormalContact {
 public:
     /// Throws InputError if the load is not positive, DomainError if no contact carries it. The
     /// steps of the computation are counted in `work`, if given; it must outlive the contact.
-    NormalContact(Profile profile, formula::Exact contact_modulus, Load load, unsigned digits,
+    NormalContact(Profile profile, Exact contact_modulus, Load load, unsigned digits,
                   Work* work = nullptr);
     ~NormalContact();
     NormalContact(NormalContact&&) noexcept;
     NormalContact& operator=(NormalContact&&) noexcept;
 
-    [[nodiscard]] const Profile& profile() const noexcept;
-    [[nodiscard]] unsigned digits() const noexcept;
-    [[nodiscard]] const formula::Exact& contact_modulus() const noexcept;
-    [[nodiscard]] const Load& load() const noexcept;
+    [[nodiscard]] const Profile& profile() const noexcept { return profile_; }
+    [[nodiscard]] unsigned digits() const noexcept { return digits_; }
+    [[nodiscard]] const Exact& contact_modulus() const noexcept { return modulus_; }
+    [[nodiscard]] const Load& load() const noexcept { return load_; }
 
     [[nodiscard]] Real a() const; ///< right edge, a length
     [[nodiscard]] Real b() const; ///< distance of the left edge from the origin
@@ -75,7 +110,7 @@ public:
     /// roundoff; a nearer point counts as on the knot.
     [[nodiscard]] Estimated pressure(Edge edge, const Real& u,
                                      Route route = Route::automatic) const;
-    [[nodiscard]] Estimated pressure(Edge edge, const formula::Exact& u,
+    [[nodiscard]] Estimated pressure(Edge edge, const Exact& u,
                                      Route route = Route::automatic) const;
     /// c_0 ... c_{terms-1} at an edge (moore-hills EQ04, to any order), in pressure/length^(k+1/2).
     [[nodiscard]] std::vector<Real> expansion(Edge edge, std::size_t terms) const;
@@ -101,7 +136,7 @@ private:
     [[nodiscard]] Estimated pressure_at(Edge edge, const Real& u, Route route,
                                         const Look& found) const;
     Profile profile_;
-    formula::Exact modulus_;
+    Exact modulus_;
     Load load_;
     unsigned digits_;
     unsigned base_working_ = 0;

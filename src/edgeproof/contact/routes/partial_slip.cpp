@@ -71,7 +71,7 @@ PartialSlip::Asked PartialSlip::asked(const NormalContact& contact) const {
 template <class F>
 Real PartialSlip::over_zone(const Asked& at, Edge edge, const Real& d, const F& kernel) {
     std::vector<Real> cuts{Real(0)};
-    for (const formula::Exact& knot : at.contact.profile().knots()) {
+    for (const Exact& knot : at.contact.profile().knots()) {
         const Real v = knot.to<Real>();
         const Real u = edge == Edge::right ? Real(at.contact.a() - v) : Real(at.contact.b() + v);
         if (u > 0 && u < d) {
@@ -186,7 +186,7 @@ bool PartialSlip::sticks(Edge edge, const Real& u) const {
     return u > size(edge) && D - u > size(opposite(edge));
 }
 
-Real PartialSlip::traction(Edge edge, const formula::Exact& u) const {
+Real PartialSlip::traction(Edge edge, const Exact& u) const {
     const PrecisionScope scope(contact_.digits() + 2 * slip_guard_digits);
     const Real from = u.to<Real>();
     const Real f = shear_.friction->to<Real>() * shear_.Q.sign();
@@ -224,7 +224,7 @@ std::vector<Real> knots_passed(const ContactLaw<Real>& law, const Profile& profi
                                const Real& from, const Real& to) {
     std::vector<Real> cuts{from, to};
     const Real far = law.left_edge(to);
-    for (const formula::Exact& knot : profile.knots()) {
+    for (const Exact& knot : profile.knots()) {
         const Real v = knot.to<Real>();
         if (v > from && v < to) {
             cuts.push_back(v);
@@ -242,8 +242,7 @@ std::vector<Real> knots_passed(const ContactLaw<Real>& law, const Profile& profi
 
 } // namespace
 
-Real cycle_energy(const NormalContact& contact, const PartialSlip& slip,
-                  const formula::Exact& friction) {
+Real cycle_energy(const NormalContact& contact, const PartialSlip& slip, const Exact& friction) {
     constexpr unsigned guard = 10;
     // P - L and L - L_s are of the order of tau P. Near a knot that an edge passes, the rates
     // behave like a root of the edge's distance from the knot, at a corner like the inverse of a

@@ -5,7 +5,6 @@
 #include "edgeproof/contact/routes/shear_traction.hpp"
 
 #include <cstddef>
-#include <memory>
 
 namespace edgeproof::contact {
 
@@ -31,7 +30,7 @@ public:
     /// True if the point at the distance u from the edge lies in the stick zone.
     [[nodiscard]] bool sticks(Edge edge, const Real& u) const;
     /// q (a stress) at the distance u from the edge.
-    [[nodiscard]] Real traction(Edge edge, const formula::Exact& u) const;
+    [[nodiscard]] Real traction(Edge edge, const Exact& u) const;
     /// The series of both sizes in powers of load_ratio() (slip_series.hpp).
     [[nodiscard]] SlipSeries<Real> series(std::size_t terms) const;
 
@@ -71,6 +70,6 @@ private:
 /// The unit is that of a force. This is an estimate. Throws BudgetError if the quadrature does not
 /// converge.
 [[nodiscard]] Real cycle_energy(const NormalContact& contact, const PartialSlip& slip,
-                                const formula::Exact& friction);
+                                const Exact& friction);
 
 } // namespace edgeproof::contact

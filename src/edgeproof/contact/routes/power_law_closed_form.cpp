@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/routes/power_law_closed_form.hpp"
-#include "edgeproof/contact/law/logarithmic_pressure.hpp"
+#include "edgeproof/contact/law/linear_measure.hpp"
 #include "edgeproof/contact/routes/pressure_routes.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -31,7 +30,7 @@ bool below_roundoff(const Real& x, const Real& sum, long bits) {
 
 } // namespace
 
-PowerLawIntegralInReal::PowerLawIntegralInReal(const formula::Exact& m, unsigned target_digits)
+PowerLawIntegralInReal::PowerLawIntegralInReal(const Exact& m, unsigned target_digits)
     : m_(m.to<Real>()), about_m_(static_cast<double>(m_)), target_digits_(target_digits) {
     if (!(m_ > 0)) {
         throw DomainError("the exponent of a power law in closed form is not positive");
@@ -178,7 +177,7 @@ PowerLawIntegralInReal::Value PowerLawIntegralInReal::operator()(const Real& q, 
     return found;
 }
 
-PowerLawPressure::PowerLawPressure(const formula::Exact& m, const ContactLaw<Real>& law,
+PowerLawPressure::PowerLawPressure(const Exact& m, const ContactLaw<Real>& law,
                                    const Extent<Real>& e, unsigned target_digits)
     : a_(e.a), factor_(law.force_rate(e) / pi<Real>()), integral_(m, target_digits) {}
 

@@ -85,9 +85,7 @@ template <class At> EstimatedTraction ShearTraction::escalated(const At& at) con
 }
 
 EstimatedTraction ShearTraction::similar_to(const Estimated& pressure) const {
-    if (work_ != nullptr) {
-        ++work_->counts.shear_points;
-    }
+    count(work_, &Counts::shear_points);
     const PrecisionScope scope(pressure.working_digits);
     // q = (Q/P) p (docs/shear.md, "P and Q in proportion").
     const Real q = spec_.Q.to<Real>() / force() * pressure.value;
@@ -95,9 +93,7 @@ EstimatedTraction ShearTraction::similar_to(const Estimated& pressure) const {
 }
 
 std::vector<EstimatedTraction> ShearTraction::similar_to(const std::vector<Real>& c) const {
-    if (work_ != nullptr) {
-        ++work_->counts.shear_expansions;
-    }
+    count(work_, &Counts::shear_expansions);
     const unsigned working = contact_.a().precision();
     const PrecisionScope scope(working);
     const Real factor = spec_.Q.to<Real>() / force();
@@ -110,13 +106,11 @@ std::vector<EstimatedTraction> ShearTraction::similar_to(const std::vector<Real>
     return s;
 }
 
-EstimatedTraction ShearTraction::traction(Edge edge, const formula::Exact& u) const {
+EstimatedTraction ShearTraction::traction(Edge edge, const Exact& u) const {
     if (spec_.path == LoadingPath::together) {
         return similar_to(contact_.pressure(edge, u));
     }
-    if (work_ != nullptr) {
-        ++work_->counts.shear_points;
-    }
+    count(work_, &Counts::shear_points);
     return escalated([&](const NormalContact& contact) {
         const Extent<Real> e{contact.a(), contact.b()};
         const Point<Real> at = point_at(e, edge, u.to<Real>());
@@ -136,16 +130,14 @@ EstimatedTraction ShearTraction::traction(Edge edge, const formula::Exact& u) co
 EstimatedTraction ShearTraction::traction(Edge edge, const Real& u) const {
     Rational exact;
     mpfr_get_q(exact.backend().data(), u.backend().data());
-    return traction(edge, formula::Exact::of(exact));
+    return traction(edge, Exact::of(exact));
 }
 
 std::vector<EstimatedTraction> ShearTraction::expansion(Edge edge, std::size_t terms) const {
     if (spec_.path == LoadingPath::together) {
         return similar_to(contact_.expansion(edge, terms));
     }
-    if (work_ != nullptr) {
-        ++work_->counts.shear_expansions;
-    }
+    count(work_, &Counts::shear_expansions);
     std::vector<EstimatedTraction> s;
     for (std::size_t k = 0; k < terms; ++k) {
         s.push_back(escalated([&](const NormalContact& contact) {

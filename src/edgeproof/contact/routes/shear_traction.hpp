@@ -18,14 +18,14 @@ enum class LoadingPath {
 
 /// The shear load of a contact as exact numbers; signs as in shear.hpp.
 struct ShearSpec {
-    formula::Exact Q;            ///< force per unit length
-    formula::Exact bulk_tension; ///< sigma_0, a stress
+    Exact Q;            ///< force per unit length
+    Exact bulk_tension; ///< sigma_0, a stress
     LoadingPath path = LoadingPath::normal_first;
     /// The coefficient of friction; without one nothing slips.
-    std::optional<formula::Exact> friction = {};
+    std::optional<Exact> friction = {};
     /// The bulk stress of body A; that of body B is bulk_A + bulk_tension. Only stresses depend on
     /// it.
-    formula::Exact bulk_A = {};
+    Exact bulk_A = {};
 };
 
 /// A value with its absolute error, estimated from the digits that cancelled; not a proved bound.
@@ -49,10 +49,9 @@ public:
     /// bulk tension on the path `together`, where q = (Q/P) p holds only without one.
     ShearTraction(const NormalContact& contact, ShearSpec spec, Work* work = nullptr);
 
-    [[nodiscard]] const ShearSpec& spec() const noexcept { return spec_; }
     /// q (a stress) at the distance u from an edge. Throws DomainError for u outside (0, a + b), as
     /// NormalContact::pressure does.
-    [[nodiscard]] EstimatedTraction traction(Edge edge, const formula::Exact& u) const;
+    [[nodiscard]] EstimatedTraction traction(Edge edge, const Exact& u) const;
     [[nodiscard]] EstimatedTraction traction(Edge edge, const Real& u) const;
     /// The coefficients of u^(k-1/2) (normal_first) or u^(k+1/2) (together), k < terms, in
     /// stress/length^(k-1/2) or stress/length^(k+1/2).
@@ -60,10 +59,6 @@ public:
     /// The same on the path `together`, from a known pressure or known coefficients of p.
     [[nodiscard]] EstimatedTraction similar_to(const Estimated& pressure) const;
     [[nodiscard]] std::vector<EstimatedTraction> similar_to(const std::vector<Real>& c) const;
-    /// Twice the exponent of u in the first term of the expansion: -1 or 1.
-    [[nodiscard]] int leading_half_powers() const noexcept {
-        return spec_.path == LoadingPath::together ? 1 : -1;
-    }
 
 private:
     [[nodiscard]] const Real& force() const;

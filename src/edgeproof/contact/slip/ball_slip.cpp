@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/slip/ball_slip.hpp"
-#include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/precision/ball/ball_series.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace edgeproof::contact {

@@ -31,7 +31,7 @@ struct SlipReachSearch::Place {
 /// proved").
 class SlipReachSearch::Error {
 public:
-    Error(const BallSlip& slip, Edge edge, std::size_t n, const formula::Exact& tolerance)
+    Error(const BallSlip& slip, Edge edge, std::size_t n, const Exact& tolerance)
         : slip_(slip), edge_(edge), n_(n), bits_(slip.zones().bits()),
           tolerance_(formula::enclosed_constant(tolerance, bits_)) {
         const SlipSeries<Ball> all = slip.series(n);
@@ -98,7 +98,7 @@ private:
     std::vector<Ball> kappa_;
 };
 
-SlipReachSearch::SlipReachSearch(Slip slip, Edge edge, std::size_t n, formula::Exact tolerance)
+SlipReachSearch::SlipReachSearch(Slip slip, Edge edge, std::size_t n, Exact tolerance)
     : slip_(std::move(slip)), edge_(edge), n_(n), tolerance_(std::move(tolerance)) {}
 
 void SlipReachSearch::count(std::size_t cost) {

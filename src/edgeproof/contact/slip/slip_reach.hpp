@@ -8,8 +8,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
-#include <vector>
 
 namespace edgeproof::contact {
 
@@ -33,7 +31,7 @@ public:
     /// @param edge the edge
     /// @param n number of terms
     /// @param tolerance relative tolerance
-    SlipReachSearch(Slip slip, Edge edge, std::size_t n, formula::Exact tolerance);
+    SlipReachSearch(Slip slip, Edge edge, std::size_t n, Exact tolerance);
     /// Throws BudgetError where the budget or `bits` do not suffice.
     [[nodiscard]] EnclosedReach at(long bits);
 
@@ -53,7 +51,7 @@ private:
     Slip slip_;
     Edge edge_;
     std::size_t n_;
-    formula::Exact tolerance_;
+    Exact tolerance_;
     std::size_t zones_ = 0;
     bool scanned_ = false;
     bool leaves_ = true;

@@ -21,9 +21,7 @@ Ball turn_of(const ZoneSolver& zones, const ZoneValues& v, const Ball& tilt) {
 
 class LinearZones : public ZoneSolver {
 public:
-    explicit LinearZones(const BallContact& contact) : contact_(contact) {}
-    [[nodiscard]] long bits() const override { return contact_.bits(); }
-    [[nodiscard]] const Ball& modulus() const override { return contact_.modulus(); }
+    explicit LinearZones(const BallContact& contact) : ZoneSolver(contact), contact_(contact) {}
     [[nodiscard]] ZoneValues values(const BallZone& zone) const override {
         const BallContact c = contact_.between(zone.a, zone.b);
         return {c.zone_force(), c.zone_mean_slope(), c.zone_rate(Edge::right),
@@ -44,10 +42,8 @@ private:
 class PowerLawZones : public ZoneSolver {
 public:
     explicit PowerLawZones(const BallContact& contact)
-        : contact_(contact), force_(contact.force()), rate_(contact.force_rate()),
-          power_(rate_ * contact.a() / force_) {}
-    [[nodiscard]] long bits() const override { return contact_.bits(); }
-    [[nodiscard]] const Ball& modulus() const override { return contact_.modulus(); }
+        : ZoneSolver(contact), contact_(contact), force_(contact.force()),
+          rate_(contact.force_rate()), power_(rate_ * contact.a() / force_) {}
     [[nodiscard]] ZoneValues values(const BallZone& zone) const override {
         const Ball part = zone.a / contact_.a();
         // dP/da = P'(a) (zone.a/a)^m.

@@ -39,16 +39,18 @@ struct ZoneValues {
 /// monotone in a and in b.
 class ZoneSolver {
 public:
-    ZoneSolver() = default;
+    /// For the profile of a contact, at its precision.
+    explicit ZoneSolver(const ProvedContact& contact)
+        : bits_(contact.bits()), modulus_(contact.modulus()) {}
     virtual ~ZoneSolver() = default;
     ZoneSolver(const ZoneSolver&) = delete;
     ZoneSolver(ZoneSolver&&) = delete;
     ZoneSolver& operator=(const ZoneSolver&) = delete;
     ZoneSolver& operator=(ZoneSolver&&) = delete;
 
-    [[nodiscard]] virtual long bits() const = 0;
+    [[nodiscard]] long bits() const { return bits_; }
     /// E* (stress).
-    [[nodiscard]] virtual const Ball& modulus() const = 0;
+    [[nodiscard]] const Ball& modulus() const { return modulus_; }
     /// Returns the integrals over `zone` (length).
     [[nodiscard]] virtual ZoneValues values(const BallZone& zone) const = 0;
     /// Returns the pressure (stress) of that contact at the distance `u` inwards from an edge of
@@ -73,6 +75,10 @@ public:
     [[nodiscard]] virtual BallZone core() const { return {Ball(0, bits()), Ball(0, bits())}; }
     /// See ProvedContact::cost.
     [[nodiscard]] virtual std::size_t cost() const { return 1; }
+
+private:
+    long bits_;
+    Ball modulus_;
 };
 
 /// Returns the solver for piecewise linear slopes, or for power laws without a tilt, in closed

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/stress/axisymmetric_stress.hpp"
 
-#include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/enclosure/isolate_zero.hpp"
 #include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -53,11 +52,11 @@ Ball AxisymmetricStress::on_axis_below(const Ball& S) const {
         return rate_ / exponent_ * pow(S / contact_.a(), exponent_);
     }
     const AxisymmetricContact part = of_revolution_->with_radius(S);
-    return part.pressure_at(formula::Exact()) * Ball::pi(S.bits()) / contact_.modulus();
+    return part.pressure_at(Exact()) * Ball::pi(S.bits()) / contact_.modulus();
 }
 
 // docs/axisymmetric.md, "Stresses": with A = F_1 and B = z^2 F_2.
-StressState AxisymmetricStress::on_axis(const formula::Exact& z) const {
+StressState AxisymmetricStress::on_axis(const Exact& z) const {
     const long bits = contact_.bits();
     if (z.sign() == 0 && apex_) {
         throw DomainError("the stress is infinite at the apex of the profile");
@@ -74,7 +73,7 @@ StressState AxisymmetricStress::on_axis(const formula::Exact& z) const {
 }
 
 // docs/axisymmetric.md, "Inside the body", with tau = z + i s and R^2 = r^2 + tau^2
-StressState AxisymmetricStress::inside(const formula::Exact& r, const formula::Exact& z) const {
+StressState AxisymmetricStress::inside(const Exact& r, const Exact& z) const {
     const long bits = contact_.bits();
     const Ball radius = ball_of(r, bits);
     const Ball depth = ball_of(z, bits);
@@ -105,7 +104,7 @@ StressState AxisymmetricStress::inside(const formula::Exact& r, const formula::E
 }
 
 // The force inside r is P - 2 E* times the integral of h'(s) sqrt(s^2 - r^2) over r < s < a.
-StressState AxisymmetricStress::on_surface(const formula::Exact& r) const {
+StressState AxisymmetricStress::on_surface(const Exact& r) const {
     const long bits = contact_.bits();
     const Ball radius = ball_of(r, bits);
     const Ball beyond = radius - contact_.a();

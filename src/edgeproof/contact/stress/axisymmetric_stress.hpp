@@ -4,7 +4,6 @@
 #include "edgeproof/contact/stress/plane_stress.hpp"
 
 #include <cstddef>
-#include <optional>
 
 namespace edgeproof::contact {
 
@@ -20,12 +19,12 @@ public:
     AxisymmetricStress(const ProvedContact& contact, const Ball& force, const Ball& poisson);
 
     /// At the depth z >= 0 (length) on the axis. Throws DomainError at a corner of the profile.
-    [[nodiscard]] StressState on_axis(const formula::Exact& z) const;
+    [[nodiscard]] StressState on_axis(const Exact& z) const;
     /// At the radius r > 0 (length) on the surface. Throws DomainError at a corner.
-    [[nodiscard]] StressState on_surface(const formula::Exact& r) const;
+    [[nodiscard]] StressState on_surface(const Exact& r) const;
 
     /// At the radius r > 0 and the depth z > 0 (lengths).
-    [[nodiscard]] StressState inside(const formula::Exact& r, const formula::Exact& z) const;
+    [[nodiscard]] StressState inside(const Exact& r, const Exact& z) const;
 
     /// The greatest tau_max on the axis and its depth, by branch and bound: both are proved.
     struct Greatest {

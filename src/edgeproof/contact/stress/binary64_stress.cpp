@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/stress/binary64_stress.hpp"
 
-#include "edgeproof/precision/double_word/double_word_ball.hpp"
+#include "edgeproof/precision/double_word/double_word.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -79,14 +79,12 @@ Binary64Stress::Binary64Stress(const StressField& field,
                   number_of(load.shear * modulus),
                   {}};
         const LinearSlope<Ball>& slope = contact.slope();
-        for (std::size_t i = 0; i < slope.knots.size(); ++i) {
-            if (contact.bends_inside(i)) {
-                const Mark<Ball>& v = contact.knot_marks()[i];
-                part.knots.push_back({to_double_word(slope.knots[i]), number_of(v.w),
-                                      number_of(v.y / half), number_of(v.w / half),
-                                      number_of(slope.jump(i)), number_of(slope.rate_drop(i)),
-                                      slope.has_corner(i)});
-            }
+        for (const std::size_t i : contact.bends_inside()) {
+            const Mark<Ball>& v = contact.knot_marks()[i];
+            part.knots.push_back({to_double_word(slope.knots[i]), number_of(v.w),
+                                  number_of(v.y / half), number_of(v.w / half),
+                                  number_of(slope.jump(i)), number_of(slope.rate_drop(i)),
+                                  slope.has_corner(i)});
         }
         parts_.push_back(std::move(part));
     }

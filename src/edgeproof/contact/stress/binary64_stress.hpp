@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/law/shear.hpp"
-#include "edgeproof/contact/stress/stress_field.hpp"
+#include "edgeproof/contact/stress/plane_stress.hpp"
 #include "edgeproof/precision/double_word/binary64_ball.hpp"
 #include "edgeproof/precision/double_word/double_word.hpp"
 

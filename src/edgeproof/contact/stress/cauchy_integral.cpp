@@ -64,10 +64,7 @@ CauchyIntegral linear(const BallContact& contact, const Box& zeta) {
     Box value = at.omega * arc;
     Box by_root = -(at.omega * arc); // W times the derivative, without the terms in k
     Box derivative(zeta.bits());
-    for (std::size_t i = 0; i < slope.knots.size(); ++i) {
-        if (!contact.bends_inside(i)) {
-            continue;
-        }
+    for (const std::size_t i : contact.bends_inside()) {
         const Mark<Ball>& v = contact.knot_marks()[i];
         const Box offset = slope.knots[i] - zeta;
         const Box k = kernel(at, v);
@@ -134,10 +131,7 @@ CauchyDerivatives linear_derivatives(const BallContact& contact, const Box& zeta
     const Box arc = at.omega * (contact.arc() * at.half);
     Box by_root = -arc;
     CauchyDerivatives sum{arc, Box(bits), Box(bits), Box(bits)};
-    for (std::size_t i = 0; i < slope.knots.size(); ++i) {
-        if (!contact.bends_inside(i)) {
-            continue;
-        }
+    for (const std::size_t i : contact.bends_inside()) {
         const Mark<Ball>& v = contact.knot_marks()[i];
         const Ball drop = slope.rate_drop(i);
         const Box offset = slope.knots[i] - zeta;
@@ -169,10 +163,7 @@ CauchyBounds linear_bounds(const BallContact& contact, const Box& zeta) {
     Box value = at.omega * (contact.arc() * at.half);
     Box by_root = -value;
     Box with_depth(zeta.bits());
-    for (std::size_t i = 0; i < slope.knots.size(); ++i) {
-        if (!contact.bends_inside(i)) {
-            continue;
-        }
+    for (const std::size_t i : contact.bends_inside()) {
         const Mark<Ball>& v = contact.knot_marks()[i];
         const Ball drop = slope.rate_drop(i);
         const Box offset = slope.knots[i] - zeta;

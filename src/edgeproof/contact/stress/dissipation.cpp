@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/stress/dissipation.hpp"
 
-#include "edgeproof/contact/stress/gap_integral.hpp"
+#include "edgeproof/contact/stress/surface_gap.hpp"
 #include "edgeproof/precision/error.hpp"
 
-#include <array>
 #include <cstddef>
 
 namespace edgeproof::contact {

@@ -8,7 +8,6 @@
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace edgeproof::contact {
@@ -149,7 +148,7 @@ void EdgeStress::add_stick(const ShearLoad<Ball>& load, const Ball& length) {
 }
 
 // docs/stress.md, "Near an edge": with h = j/2 and the angle phi from the free surface
-std::vector<Ball> EdgeStress::along(StressComponent component, const formula::Exact& angle) const {
+std::vector<Ball> EdgeStress::along(StressComponent component, const Exact& angle) const {
     std::optional<Rational> exact; // phi/pi
     if (angle.is_rational()) {
         exact = Rational(1 - angle.rational() / 180);
@@ -247,9 +246,8 @@ std::optional<Ball> least_zero(const std::vector<Ball>& g, const Rest& rest, con
 
 } // namespace
 
-RayExtent ray_extent(const EdgeStress& series, StressComponent component,
-                     const formula::Exact& angle, std::size_t n, const formula::Exact& tolerance,
-                     long accuracy) {
+RayExtent ray_extent(const EdgeStress& series, StressComponent component, const Exact& angle,
+                     std::size_t n, const Exact& tolerance, long accuracy) {
     std::vector<Ball> k = series.along(component, angle);
     const long bits = k.front().bits();
     const Ball root = sqrt(series.radius());

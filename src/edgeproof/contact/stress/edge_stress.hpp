@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/stress/stress_field.hpp"
+#include "edgeproof/contact/stress/plane_stress.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
 
 #include <cstddef>
@@ -37,8 +37,7 @@ public:
     /// @param component of the stress
     /// @param angle in degrees, between the ray and the surface of the contact: 0 along the
     /// contact, 90 downwards, 180 along the free surface
-    [[nodiscard]] std::vector<Ball> along(StressComponent component,
-                                          const formula::Exact& angle) const;
+    [[nodiscard]] std::vector<Ball> along(StressComponent component, const Exact& angle) const;
     /// A bound (stress) of the sum of |K_j| r^(j/2) from the entry n on, for y = sqrt(r/radius) <
     /// 1, divided by y^(first + `divisor`).
     [[nodiscard]] Ball rest(std::size_t n, std::size_t divisor, const Ball& y) const;
@@ -71,7 +70,7 @@ struct RayExtent {
 /// 2^-accuracy. Throws BudgetError where the bits do not decide, or if the error touches the
 /// tolerance.
 [[nodiscard]] RayExtent ray_extent(const EdgeStress& series, StressComponent component,
-                                   const formula::Exact& angle, std::size_t n,
-                                   const formula::Exact& tolerance, long accuracy);
+                                   const Exact& angle, std::size_t n, const Exact& tolerance,
+                                   long accuracy);
 
 } // namespace edgeproof::contact

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/stress/gap_integral.hpp"
+#include "edgeproof/contact/stress/surface_gap.hpp"
 
-#include "edgeproof/contact/enclosure/ball_marks.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/enclosure/rigorous_integral.hpp"
-#include "edgeproof/contact/law/logarithmic_pressure.hpp"
-#include "edgeproof/contact/stress/linear_gap.hpp"
+#include "edgeproof/contact/law/linear_measure.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace edgeproof::contact {
@@ -194,10 +192,7 @@ private:
         const std::size_t next = passed < knots_.size() ? knots_[passed].index : slope.knots.size();
         const Box w = at.cosine * root_ * at.root_left;
         Box sum = w * outer_.arc();
-        for (std::size_t i = 0; i < slope.knots.size(); ++i) {
-            if (!outer_.bends_inside(i)) {
-                continue;
-            }
+        for (const std::size_t i : outer_.bends_inside()) {
             const Mark<Ball>& v = outer_.knot_marks()[i];
             const Box offset = narrower(at.inwards - v.right,
                                         Box(slope.knots[i] - inner_.a()) - at.beyond); // v - x
@@ -222,10 +217,7 @@ private:
         const Ball rate = abs(at.sine.real() * at.cosine.real()) * width_ * Ball::pi(bits_);
         const Ball dx = rate * (to - from);
         Ball sum = w * abs(outer_.arc()) * dx;
-        for (std::size_t i = 0; i < slope.knots.size(); ++i) {
-            if (!outer_.bends_inside(i)) {
-                continue;
-            }
+        for (const std::size_t i : outer_.bends_inside()) {
             const Mark<Ball>& v = outer_.knot_marks()[i];
             const Ball offset = inwards - v.right;
             const BallGreen green = ball_green(v, inwards, left, w, length, offset);

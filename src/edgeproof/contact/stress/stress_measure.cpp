@@ -5,6 +5,7 @@
 #include <utility>
 
 namespace edgeproof::contact {
+
 namespace {
 
 /// Re(conj(x) y).
@@ -79,6 +80,12 @@ std::optional<EdgeForm> edge_form(const BallContact& contact, const Ball& radius
 }
 
 } // namespace
+
+Ball square(const Ball& x) {
+    Ball r(0, x.bits());
+    arb_sqr(r.data(), x.data(), x.bits());
+    return r;
+}
 
 struct StressMeasure::Sums {
     Box D;

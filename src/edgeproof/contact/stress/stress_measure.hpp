@@ -1,13 +1,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/stress/plane_jet.hpp"
-#include "edgeproof/contact/stress/stress_field.hpp"
+#include "edgeproof/contact/stress/plane_stress.hpp"
+#include "edgeproof/precision/ball/ball.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace edgeproof::contact {
+
+[[nodiscard]] Ball square(const Ball& x);
+
+/// A function of x and z with its first and second derivatives.
+struct PlaneJet {
+    Ball value;
+    std::array<Ball, 2> first;  ///< by x, by z
+    std::array<Ball, 3> second; ///< by xx, xz, zz
+    [[nodiscard]] bool is_finite() const {
+        const auto finite = [](const Ball& x) { return x.is_finite(); };
+        return value.is_finite() && std::ranges::all_of(first, finite) &&
+               std::ranges::all_of(second, finite);
+    }
+    /// True if the function is proved to be strictly concave.
+    [[nodiscard]] bool concave() const {
+        return certainly_negative(second[0]) &&
+               certainly_positive(second[0] * second[2] - square(second[1]));
+    }
+};
+
+[[nodiscard]] inline PlaneJet square(const PlaneJet& f) {
+    const auto& [x, z] = f.first;
+    const auto& [xx, xz, zz] = f.second;
+    const Ball& v = f.value;
+    return {square(v),
+            {v * x * 2, v * z * 2},
+            {(square(x) + v * xx) * 2, (x * z + v * xz) * 2, (square(z) + v * zz) * 2}};
+}
+
+/// The root of a function, whose value is `size`. Its derivatives follow by the chain rule, as
+/// Krawczyk's operator needs them (docs/stress.md, "The greatest values").
+[[nodiscard]] inline PlaneJet root(const PlaneJet& f, const Ball& size) {
+    const Ball twice = size * 2;
+    const Ball x = f.first[0] / twice;
+    const Ball z = f.first[1] / twice;
+    return {size,
+            {x, z},
+            {f.second[0] / twice - square(x) / size, f.second[1] / twice - x * z / size,
+             f.second[2] / twice - square(z) / size}};
+}
+
+/// by f + with g.
+[[nodiscard]] inline PlaneJet sum(const Ball& by, const PlaneJet& f, const Ball& with,
+                                  const PlaneJet& g) {
+    PlaneJet r{by * f.value + with * g.value, {}, {}};
+    for (std::size_t i = 0; i < r.first.size(); ++i) {
+        r.first[i] = by * f.first[i] + with * g.first[i];
+    }
+    for (std::size_t i = 0; i < r.second.size(); ++i) {
+        r.second[i] = by * f.second[i] + with * g.second[i];
+    }
+    return r;
+}
 
 /// The quantity whose greatest value is searched for: the greatest shear stress in the plane, the
 /// equivalent stresses of von Mises and Tresca in plane strain, the greatest principal stress in

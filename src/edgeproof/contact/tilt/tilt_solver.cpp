@@ -15,15 +15,15 @@ namespace {
 constexpr unsigned rough_digits = 14;
 constexpr int most_decades = 1000;
 
-formula::Expr number(long k) { return formula::Expr::number(Rational(k)); }
+Expr number(long k) { return Expr::number(Rational(k)); }
 
 /// A decimal within the relative distance 10^-digits of v, as an exact number.
-formula::Exact decimal(const Real& v, unsigned digits) {
-    return formula::Exact::of(
+Exact decimal(const Real& v, unsigned digits) {
+    return Exact::of(
         parse_decimal(v.str(static_cast<std::streamsize>(digits), std::ios_base::scientific)));
 }
 
-int sign_or_zero(const formula::Exact& x, bool& certain) {
+int sign_or_zero(const Exact& x, bool& certain) {
     try {
         return x.sign();
     } catch (const BudgetError&) {
@@ -36,15 +36,15 @@ int sign_or_zero(const formula::Exact& x, bool& certain) {
 /// its range, and y the difference of the moment from its value there. Neither loses digits when
 /// both are small.
 struct Branch {
-    formula::Exact v_end;                                        ///< v lies between 0 and v_end
-    std::function<formula::Exact(const formula::Exact& v)> tilt; ///< alpha(v)
-    formula::Exact moment_at_zero;                               ///< y = sense (M - this)
+    Exact v_end;                               ///< v lies between 0 and v_end
+    std::function<Exact(const Exact& v)> tilt; ///< alpha(v)
+    Exact moment_at_zero;                      ///< y = sense (M - this)
     int sense;
 };
 
 class Solver {
 public:
-    Solver(const TiltedPunch& punch, const formula::Exact& modulus, const formula::Exact& P)
+    Solver(const TiltedPunch& punch, const Exact& modulus, const Exact& P)
         : punch_(punch), modulus_(modulus), P_(P) {}
 
     /// y at v to `wanted` digits; the working precision grows by the digits that cancel.
@@ -76,7 +76,7 @@ public:
     }
 
     /// The v (a slope) at which y is `target` (a moment per unit length), to `digits` digits.
-    [[nodiscard]] Real solve(const Branch& branch, const formula::Exact& target, unsigned digits) {
+    [[nodiscard]] Real solve(const Branch& branch, const Exact& target, unsigned digits) {
         const Real rough = [&] {
             const PrecisionScope scope(rough_digits + 30);
             const Real end = log(branch.v_end.to<Real>());
@@ -115,8 +115,7 @@ public:
 private:
     using RealFunction = std::function<Real(const Real& log_v)>;
     /// ln(y/target) as a function of ln(v), to `digits` digits.
-    [[nodiscard]] RealFunction gap(const Branch& branch, const formula::Exact& target,
-                                   unsigned digits) {
+    [[nodiscard]] RealFunction gap(const Branch& branch, const Exact& target, unsigned digits) {
         return [this, &branch, digits, log_target = Real(log(target.to<Real>()))](const Real& x) {
             return Real(log(y(branch, Real(exp(x)), digits)) - log_target);
         };
@@ -130,17 +129,17 @@ private:
     }
 
     const TiltedPunch& punch_;
-    const formula::Exact& modulus_;
-    const formula::Exact& P_;
+    const Exact& modulus_;
+    const Exact& P_;
     std::size_t contacts_ = 0;
 };
 
 /// Decides which of two branches that meet in the middle of the range contains the solution, and
 /// solves for the tilt.
 SolvedTilt solve_on(Solver& solver, const TiltedPunch& punch, const Branch& near, const Branch& far,
-                    const formula::Exact& M, unsigned digits) {
+                    const Exact& M, unsigned digits) {
     const auto target = [&](const Branch& b) {
-        return formula::Exact(number(b.sense) * (M.expr() - b.moment_at_zero.expr()));
+        return Exact(number(b.sense) * (M.expr() - b.moment_at_zero.expr()));
     };
     const bool is_near = [&] {
         const PrecisionScope scope(rough_digits + 30);
@@ -150,49 +149,47 @@ SolvedTilt solve_on(Solver& solver, const TiltedPunch& punch, const Branch& near
     const Branch& branch = is_near ? near : far;
     const unsigned full = digits + 15;
     const Real v = solver.solve(branch, target(branch), full);
-    const formula::Exact found = decimal(v, full + 5);
-    const formula::Exact alpha = branch.tilt(found);
+    const Exact found = decimal(v, full + 5);
+    const Exact alpha = branch.tilt(found);
     const auto neighbour = [found, tilt = branch.tilt](unsigned k, int sense) {
         const Rational part(sense, pow(Integer(10), k));
-        return tilt(formula::Exact::of(Rational(found.rational() * (1 + part))));
+        return tilt(Exact::of(Rational(found.rational() * (1 + part))));
     };
     return {alpha, punch.at(alpha), solver.contacts(), neighbour};
 }
 
-SolvedTilt tilt_of_wedge(const TiltedPunch& punch, const formula::Exact& modulus,
-                         const formula::Exact& P, const formula::Exact& M, unsigned digits) {
+SolvedTilt tilt_of_wedge(const TiltedPunch& punch, const Exact& modulus, const Exact& P,
+                         const Exact& M, unsigned digits) {
     const int sense = M.sign();
     if (sense == 0) {
-        const formula::Exact upright = formula::Exact::of(Rational(0));
+        const Exact upright = Exact::of(Rational(0));
         return {upright, punch.at(upright), 0, {}, true};
     }
-    const formula::Exact zero;
-    const formula::Exact half(punch.phi.expr() / number(2));
-    const Branch near{
-        half,
-        [sense](const formula::Exact& v) { return sense > 0 ? v : formula::Exact(-v.expr()); },
-        zero, sense};
+    const Exact zero;
+    const Exact half(punch.phi.expr() / number(2));
+    const Branch near{half, [sense](const Exact& v) { return sense > 0 ? v : Exact(-v.expr()); },
+                      zero, sense};
     const Branch far{half,
-                     [sense, phi = punch.phi](const formula::Exact& v) {
-                         return sense > 0 ? formula::Exact(phi.expr() - v.expr())
-                                          : formula::Exact(v.expr() - phi.expr());
+                     [sense, phi = punch.phi](const Exact& v) {
+                         return sense > 0 ? Exact(phi.expr() - v.expr())
+                                          : Exact(v.expr() - phi.expr());
                      },
                      zero, sense};
     Solver solver(punch, modulus, P);
     return solve_on(solver, punch, near, far, M, digits);
 }
 
-SolvedTilt tilt_of_punch(const TiltedPunch& punch, const formula::Exact& modulus,
-                         const formula::Exact& P, const formula::Exact& M, unsigned digits) {
+SolvedTilt tilt_of_punch(const TiltedPunch& punch, const Exact& modulus, const Exact& P,
+                         const Exact& M, unsigned digits) {
     if (punch.t.sign() == 0) {
         throw InputError("with t = 0 every tilt has the same moment, 0",
                          "give alpha, or P alone with kind = \"power-law\", m = \"1\"");
     }
-    const formula::Exact upright(-(punch.t.expr() * P.expr()));
+    const Exact upright(-(punch.t.expr() * P.expr()));
     bool certain = true;
-    const int above = sign_or_zero(formula::Exact(M.expr() - upright.expr()), certain);
+    const int above = sign_or_zero(Exact(M.expr() - upright.expr()), certain);
     if (above == 0) {
-        const formula::Exact alpha = formula::Exact::of(Rational(0));
+        const Exact alpha = Exact::of(Rational(0));
         return {alpha, punch.at(alpha), 0, {}, certain};
     }
     if (above < 0) {
@@ -209,32 +206,30 @@ SolvedTilt tilt_of_punch(const TiltedPunch& punch, const formula::Exact& modulus
     }
     // The tilt from which on the contact lies within one arc: there P = pi E* c^2/(4 R) (Hertz,
     // docs/mechanics.md) with c = alpha R.
-    const formula::Expr lift = formula::Expr::call(
-        "sqrt", {number(4) * P.expr() / (formula::Expr::pi() * modulus.expr() * punch.R.expr())});
-    const formula::Exact half(lift / number(2));
-    const Branch near{half, [](const formula::Exact& v) { return v; }, upright, 1};
-    const Branch far{half,
-                     [lift](const formula::Exact& v) { return formula::Exact(lift - v.expr()); },
-                     formula::Exact(), -1};
+    const Expr lift =
+        Expr::call("sqrt", {number(4) * P.expr() / (Expr::pi() * modulus.expr() * punch.R.expr())});
+    const Exact half(lift / number(2));
+    const Branch near{half, [](const Exact& v) { return v; }, upright, 1};
+    const Branch far{half, [lift](const Exact& v) { return Exact(lift - v.expr()); }, Exact(), -1};
     Solver solver(punch, modulus, P);
     return solve_on(solver, punch, near, far, M, digits);
 }
 
 } // namespace
 
-TiltedPunch TiltedPunch::wedge(formula::Exact phi) {
+TiltedPunch TiltedPunch::wedge(Exact phi) {
     return {Profile::Kind::tilted_wedge, std::move(phi), {}, {}};
 }
-TiltedPunch TiltedPunch::flat_and_rounded(formula::Exact t, formula::Exact R) {
+TiltedPunch TiltedPunch::flat_and_rounded(Exact t, Exact R) {
     return {Profile::Kind::tilted_flat_and_rounded, {}, std::move(t), std::move(R)};
 }
-Profile TiltedPunch::at(const formula::Exact& alpha) const {
+Profile TiltedPunch::at(const Exact& alpha) const {
     return kind == Profile::Kind::tilted_wedge ? Profile::tilted_wedge(phi, alpha)
                                                : Profile::tilted_flat_and_rounded(alpha, t, R);
 }
 
-SolvedTilt solve_tilt(const TiltedPunch& punch, const formula::Exact& contact_modulus,
-                      const formula::Exact& P, const formula::Exact& M, unsigned digits) {
+SolvedTilt solve_tilt(const TiltedPunch& punch, const Exact& contact_modulus, const Exact& P,
+                      const Exact& M, unsigned digits) {
     if (P.sign() <= 0) {
         throw InputError("the normal force P = " + P.text() + " is not positive", "give P > 0");
     }
@@ -242,7 +237,7 @@ SolvedTilt solve_tilt(const TiltedPunch& punch, const formula::Exact& contact_mo
         throw InputError("the contact modulus " + contact_modulus.text() + " is not positive",
                          "give E* > 0");
     }
-    (void)punch.at(formula::Exact::of(Rational(0))); // the parameters themselves
+    (void)punch.at(Exact::of(Rational(0))); // the parameters themselves
     return punch.kind == Profile::Kind::tilted_wedge
                ? tilt_of_wedge(punch, contact_modulus, P, M, digits)
                : tilt_of_punch(punch, contact_modulus, P, M, digits);
@@ -255,8 +250,8 @@ constexpr int fewest_tilt_digits = 6;
 
 } // namespace
 
-EnclosedTilt enclose_tilt(const TiltedPunch& punch, const formula::Exact& contact_modulus,
-                          const formula::Exact& P, const formula::Exact& M, long bits) {
+EnclosedTilt enclose_tilt(const TiltedPunch& punch, const Exact& contact_modulus, const Exact& P,
+                          const Exact& M, long bits) {
     const auto digits = static_cast<unsigned>(bits * 3 / 10) - lost_digits;
     SolvedTilt found = solve_tilt(punch, contact_modulus, P, M, digits);
     if (!found.neighbour) {
@@ -268,15 +263,14 @@ EnclosedTilt enclose_tilt(const TiltedPunch& punch, const formula::Exact& contac
     const Load load = Load::force(P);
     const Ball moment = enclosed_constant(M, bits);
     // M(alpha) increases with alpha (docs/mechanics.md, "Profiles").
-    const auto too_small =
-        [&](const formula::Exact& alpha) { // positive if the tilt is greater than alpha
-            return moment - BallContact(punch.at(alpha), contact_modulus, load, bits).moment();
-        };
+    const auto too_small = [&](const Exact& alpha) { // positive if the tilt is greater than alpha
+        return moment - BallContact(punch.at(alpha), contact_modulus, load, bits).moment();
+    };
     const int step = static_cast<int>(digits) / 8 + 1;
     for (int k = static_cast<int>(digits); k >= fewest_tilt_digits; k -= step) {
-        formula::Exact lo = found.neighbour(static_cast<unsigned>(k), -1);
-        formula::Exact hi = found.neighbour(static_cast<unsigned>(k), 1);
-        if (formula::Exact(hi.expr() - lo.expr()).sign() < 0) {
+        Exact lo = found.neighbour(static_cast<unsigned>(k), -1);
+        Exact hi = found.neighbour(static_cast<unsigned>(k), 1);
+        if (Exact(hi.expr() - lo.expr()).sign() < 0) {
             std::swap(lo, hi);
         }
         if (certainly_positive(too_small(lo)) && certainly_negative(too_small(hi))) {

@@ -5,30 +5,29 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 
 namespace edgeproof::contact {
 
 /// A punch whose tilt is not given. phi: slope; t, R: lengths.
 struct TiltedPunch {
     Profile::Kind kind; ///< tilted_wedge or tilted_flat_and_rounded
-    formula::Exact phi; ///< the slope of the wedge's faces
-    formula::Exact t;   ///< the half-length of the flat of a flat-and-rounded punch
-    formula::Exact R;   ///< the radius of a flat-and-rounded punch
-    [[nodiscard]] static TiltedPunch wedge(formula::Exact phi);
-    [[nodiscard]] static TiltedPunch flat_and_rounded(formula::Exact t, formula::Exact R);
-    [[nodiscard]] Profile at(const formula::Exact& alpha) const;
+    Exact phi;          ///< the slope of the wedge's faces
+    Exact t;            ///< the half-length of the flat of a flat-and-rounded punch
+    Exact R;            ///< the radius of a flat-and-rounded punch
+    [[nodiscard]] static TiltedPunch wedge(Exact phi);
+    [[nodiscard]] static TiltedPunch flat_and_rounded(Exact t, Exact R);
+    [[nodiscard]] Profile at(const Exact& alpha) const;
 };
 
 /// The tilt found, as an exact constant: a decimal, or the largest tilt less a decimal. The contact
 /// of `profile` under P has the given moment to the given digits.
 struct SolvedTilt {
-    formula::Exact alpha;
+    Exact alpha;
     Profile profile;
     std::size_t contacts = 0; ///< number of contacts solved
     /// Returns the tilt with its distance from the nearer end of its range changed by the factor
     /// 1 + sense 10^-k. Empty for the exact tilt 0.
-    std::function<formula::Exact(unsigned k, int sense)> neighbour = {};
+    std::function<Exact(unsigned k, int sense)> neighbour = {};
     bool certain = true; ///< false: the tilt is 0 only as far as the digits show
 };
 
@@ -51,9 +50,8 @@ struct SolvedTilt {
 /// it is upright, and from alpha = sqrt(4P/(pi E* R)) on the contact lies within one arc, where
 /// M = 0 for every tilt. Throws InputError otherwise, for P <= 0, and for t = 0; BudgetError for an
 /// M within 1e-1000 of the ends of its range.
-[[nodiscard]] SolvedTilt solve_tilt(const TiltedPunch& punch, const formula::Exact& contact_modulus,
-                                    const formula::Exact& P, const formula::Exact& M,
-                                    unsigned digits);
+[[nodiscard]] SolvedTilt solve_tilt(const TiltedPunch& punch, const Exact& contact_modulus,
+                                    const Exact& P, const Exact& M, unsigned digits);
 
 /// A tilt enclosed by a ball (a slope, dimensionless), and the profile of a tilt in or near it.
 struct EnclosedTilt {
@@ -66,9 +64,7 @@ struct EnclosedTilt {
 /// two exact tilts, and M(alpha) is monotone, since dM/dalpha > 0 (tilt_solver.hpp). The trial
 /// tilts come from solve_tilt, which proves nothing. The units are those of solve_tilt. Throws
 /// InputError as solve_tilt does, and BudgetError if these bits do not decide the signs.
-[[nodiscard]] EnclosedTilt enclose_tilt(const TiltedPunch& punch,
-                                        const formula::Exact& contact_modulus,
-                                        const formula::Exact& P, const formula::Exact& M,
-                                        long bits);
+[[nodiscard]] EnclosedTilt enclose_tilt(const TiltedPunch& punch, const Exact& contact_modulus,
+                                        const Exact& P, const Exact& M, long bits);
 
 } // namespace edgeproof::contact

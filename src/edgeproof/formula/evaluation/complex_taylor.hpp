@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/formula/expr.hpp"
-#include "edgeproof/precision/ball/acb_include.hpp"
+#include "edgeproof/precision/ball/acb_values.hpp"
 
 namespace edgeproof::formula {
 

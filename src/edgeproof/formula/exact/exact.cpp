@@ -4,13 +4,17 @@
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/formula/parse.hpp"
+#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <cstdlib>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace edgeproof::formula {
+
 namespace {
 
 Real value_at(const Expr& e, unsigned digits) {
@@ -27,22 +31,6 @@ template <class T> mpfr_prec_t bits_of_arithmetic() {
     } else {
         return std::numeric_limits<T>::digits;
     }
-}
-
-/// Returns q truncated after `bits` bits, with the last bit set to 1 if anything was truncated
-/// (rounding to odd). Rounding this to a shorter format gives the same as rounding q.
-Real sticky(const Rational& q, mpfr_prec_t bits) {
-    Real x;
-    mpfr_set_prec(x.backend().data(), bits);
-    const int cut = mpfr_set_q(x.backend().data(), q.backend().data(), MPFR_RNDZ);
-    if (cut != 0 && mpfr_min_prec(x.backend().data()) < bits) {
-        if (q > 0) {
-            mpfr_nextabove(x.backend().data());
-        } else {
-            mpfr_nextbelow(x.backend().data());
-        }
-    }
-    return x;
 }
 
 /// Throws Error if e has no value: if it contains a name or an integral, or has no real value
@@ -136,7 +124,7 @@ const Rational& Exact::rational() const {
 template <Arithmetic T> T Exact::to() const {
     const mpfr_prec_t bits = bits_of_arithmetic<T>();
     if (is_rational()) {
-        const Real x = sticky(rational(), bits + 2);
+        const Real x = rounded_to_odd(rational(), bits + 2);
         const T y = rounded_to<T>(x);
         check_range(y, x);
         return y;
@@ -176,6 +164,36 @@ int Exact::sign() const {
     }
     throw BudgetError(std::to_string(most_bits) + " bits do not distinguish '" +
                       shortened(text_, most_shown) + "' from zero");
+}
+
+std::optional<Ball> enclose(const Expr& constant, long bits) {
+    const Ball ball = enclosed_constant(constant, bits);
+    return ball.is_finite() ? std::optional(ball.with_bits(bits + 2)) : std::nullopt;
+}
+
+Ball BallConstants::symbol(std::string_view name) {
+    throw Error("the constant has a variable " + std::string(name));
+}
+
+Ball enclosed_constant(const Expr& e, long bits) { return evaluate<Ball>(e, BallConstants{bits}); }
+
+Ball enclosed_constant(const Exact& x, long bits) { return enclosed_constant(x.expr(), bits); }
+
+Ball ball_of(const Exact& x, long bits) {
+    if (x.is_rational()) {
+        return Ball(x.rational(), bits);
+    }
+    const auto e = enclose(x.expr(), bits);
+    if (!e) {
+        throw BudgetError("'" + x.text() + "' cannot be enclosed");
+    }
+    return Ball::from_interval(e->lower(), e->upper(), bits);
+}
+
+long bits_for(unsigned digits) { return static_cast<long>(digits) * 10 / 3 + 16; }
+
+std::optional<Rational> rational_of(const Exact& x) {
+    return x.is_rational() ? std::optional(x.rational()) : std::nullopt;
 }
 
 } // namespace edgeproof::formula

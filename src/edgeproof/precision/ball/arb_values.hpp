@@ -1,10 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/precision/ball/arb_include.hpp"
 #include "edgeproof/precision/rational.hpp"
 
 #include <flint/fmpq.h>
 #include <flint/fmpz.h>
+
+/// Arb's headers: separate with FLINT 2.9, part of FLINT from version 3 on.
+#ifdef EDGEPROOF_ARB_IN_FLINT
+#include <mpfr.h> // first: with it, <flint/arf.h> declares conversions to and from mpfr_t
+
+#include <flint/arb.h>
+#include <flint/arb_hypgeom.h>
+#include <flint/arb_poly.h>
+#include <flint/arf.h>
+#include <flint/mag.h>
+#else
+#include <arb.h>
+#include <arb_hypgeom.h>
+#include <arb_poly.h>
+#include <arf.h>
+#include <mag.h>
+#endif
 
 namespace edgeproof {
 
@@ -38,36 +54,18 @@ private:
     Struct x_;
 };
 
-template <> struct FlintType<arb_struct> {
-    static void init(arb_ptr x) { arb_init(x); }
-    static void clear(arb_ptr x) { arb_clear(x); }
-    static void set(arb_ptr x, arb_srcptr y) { arb_set(x, y); }
-    static void swap(arb_ptr x, arb_ptr y) { arb_swap(x, y); }
-};
-template <> struct FlintType<arf_struct> {
-    static void init(arf_ptr x) { arf_init(x); }
-    static void clear(arf_ptr x) { arf_clear(x); }
-    static void set(arf_ptr x, arf_srcptr y) { arf_set(x, y); }
-    static void swap(arf_ptr x, arf_ptr y) { arf_swap(x, y); }
-};
-template <> struct FlintType<mag_struct> {
-    static void init(mag_ptr x) { mag_init(x); }
-    static void clear(mag_ptr x) { mag_clear(x); }
-    static void set(mag_ptr x, mag_srcptr y) { mag_set(x, y); }
-    static void swap(mag_ptr x, mag_ptr y) { mag_swap(x, y); }
-};
-template <> struct FlintType<fmpz> {
-    static void init(fmpz* x) { fmpz_init(x); }
-    static void clear(fmpz* x) { fmpz_clear(x); }
-    static void set(fmpz* x, const fmpz* y) { fmpz_set(x, y); }
-    static void swap(fmpz* x, fmpz* y) { fmpz_swap(x, y); }
-};
-template <> struct FlintType<fmpq> {
-    static void init(fmpq* x) { fmpq_init(x); }
-    static void clear(fmpq* x) { fmpq_clear(x); }
-    static void set(fmpq* x, const fmpq* y) { fmpq_set(x, y); }
-    static void swap(fmpq* x, fmpq* y) { fmpq_swap(x, y); }
-};
+#define EDGEPROOF_FLINT_TYPE(Struct, name)                                                         \
+    template <> struct FlintType<Struct> {                                                         \
+        static void init(Struct* x) { name##_init(x); }                                            \
+        static void clear(Struct* x) { name##_clear(x); }                                          \
+        static void set(Struct* x, const Struct* y) { name##_set(x, y); }                          \
+        static void swap(Struct* x, Struct* y) { name##_swap(x, y); }                              \
+    };
+EDGEPROOF_FLINT_TYPE(arb_struct, arb)
+EDGEPROOF_FLINT_TYPE(arf_struct, arf)
+EDGEPROOF_FLINT_TYPE(mag_struct, mag)
+EDGEPROOF_FLINT_TYPE(fmpz, fmpz)
+EDGEPROOF_FLINT_TYPE(fmpq, fmpq)
 
 using ArbValue = FlintValue<arb_struct>;
 using ArfValue = FlintValue<arf_struct>;

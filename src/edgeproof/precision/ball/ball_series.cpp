@@ -37,6 +37,14 @@ Ball BallSeries::operator[](std::size_t k) const {
     return c;
 }
 
+std::vector<Ball> BallSeries::coefficients() const {
+    std::vector<Ball> list;
+    for (std::size_t k = 0; k < order_; ++k) {
+        list.push_back((*this)[k]);
+    }
+    return list;
+}
+
 void BallSeries::set(std::size_t k, const Ball& c) {
     arb_poly_set_coeff_arb(poly_, static_cast<slong>(k), c.data());
 }

@@ -21,6 +21,7 @@ public:
     [[nodiscard]] std::size_t order() const noexcept { return order_; }
     [[nodiscard]] long bits() const noexcept { return bits_; }
     [[nodiscard]] Ball operator[](std::size_t k) const;
+    [[nodiscard]] std::vector<Ball> coefficients() const;
     void set(std::size_t k, const Ball& c);
     /// The series with fewer terms, or with more terms that are exactly 0 (as a start for Newton's
     /// method).

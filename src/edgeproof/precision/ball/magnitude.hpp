@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/precision/ball/acb_include.hpp"
+#include "edgeproof/precision/ball/acb_values.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
 namespace edgeproof {

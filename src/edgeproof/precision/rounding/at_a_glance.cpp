@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/precision/rounding/at_a_glance.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <array>
 #include <charconv>

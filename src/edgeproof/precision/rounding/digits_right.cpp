@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/precision/rounding/digits_right.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
 

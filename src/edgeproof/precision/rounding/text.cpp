@@ -2,15 +2,16 @@
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/rounding/at_a_glance.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ostream>
 
 namespace edgeproof {
+
 namespace {
 
 constexpr long max_exponent = 100000;
@@ -356,10 +357,7 @@ std::optional<double> nearest_binary64(const Ball& x) {
     return {};
 }
 
-double nearest_binary64(const Rational& q) {
-    // Truncated far behind the last bit of every binary64, with the last bit set to 1 if anything
-    // was truncated: this rounds like q, and is half-way between two binary64 only if q is.
-    constexpr mpfr_prec_t bits = 80;
+Real rounded_to_odd(const Rational& q, long bits) {
     Real x;
     mpfr_set_prec(x.backend().data(), bits);
     if (mpfr_set_q(x.backend().data(), q.backend().data(), MPFR_RNDZ) != 0 &&
@@ -370,13 +368,36 @@ double nearest_binary64(const Rational& q) {
             mpfr_nextbelow(x.backend().data());
         }
     }
-    return mpfr_get_d(x.backend().data(), MPFR_RNDN);
+    return x;
+}
+
+double nearest_binary64(const Rational& q) {
+    constexpr long bits = 80; // far behind the last bit of every binary64
+    return mpfr_get_d(rounded_to_odd(q, bits).backend().data(), MPFR_RNDN);
 }
 
 std::string hexadecimal(double x) {
     std::array<char, 64> buffer{};
     const int n = std::snprintf(buffer.data(), buffer.size(), "%a", x);
     return {buffer.data(), static_cast<std::size_t>(n)};
+}
+
+std::ostream& operator<<(std::ostream& out, const Ball& x) {
+    constexpr unsigned digits_of_ends = 2;
+    constexpr long bits_beyond = 16;
+    if (!x.is_finite()) {
+        return out << "nan";
+    }
+    const auto digits = static_cast<unsigned>(std::max<std::streamsize>(out.precision(), 1));
+    const Rounded r = round_ball(x, digits);
+    if (r.text.empty() || r.digits == 0) {
+        if (contains_zero(x) && x.is_exact()) {
+            return out << "0 +/- 0";
+        }
+        return out << round_ball(x, digits_of_ends, Rounding::enclosure).text;
+    }
+    const Ball error = abs(Ball(x - r.lower.enclosure(x.bits() + bits_beyond)));
+    return out << r.text << " +/- " << bound_text(error.upper());
 }
 
 } // namespace edgeproof

@@ -4,6 +4,7 @@
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/real.hpp"
 
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -79,10 +80,54 @@ struct Rounded {
 /// subnormals; beyond the range infinities as IEEE 754 rounds to them).
 [[nodiscard]] std::optional<double> nearest_binary64(const Ball& x);
 
+/// Returns q truncated after `bits` bits, with the last bit set to 1 if anything was truncated
+/// (rounding to odd). Rounding this to a shorter format gives the same as rounding q.
+[[nodiscard]] Real rounded_to_odd(const Rational& q, long bits);
+
 /// Returns the binary64 nearest to q, ties to even (subnormals and infinities as above).
 [[nodiscard]] double nearest_binary64(const Rational& q);
 
 /// Returns a binary64 as C's %a writes it: exact.
 [[nodiscard]] std::string hexadecimal(double x);
+
+/// Prints a ball as "0.785398 +/- 1.7e-07": its number, rounded correctly to as many significant
+/// digits as the precision of the stream (std::setprecision; 6 by default), or to those that are
+/// certain, and the bound of |that number - x| for every x in the ball, rounded up. A ball without
+/// a certain digit is printed as "[lower, upper]", one that is not finite as "nan".
+std::ostream& operator<<(std::ostream& out, const Ball& x);
+
+/// The largest number of digits that is counted, also for a relative error of 0.
+constexpr unsigned most_digits_right = 1000;
+
+/// Returns -log10 |x/exact - 1| for the number of the ball that is worst for x, limited by the bits
+/// of both. 0 for negative values, for a NaN, and if the ball contains zero and x is not zero.
+[[nodiscard]] double digits_reached(const Real& x, const Ball& exact);
+/// The same rounded down; 0 for less than one digit.
+[[nodiscard]] unsigned digits_right(const Real& x, const Ball& exact);
+/// Returns -log10 of the relative radius of the ball, rounded down.
+[[nodiscard]] unsigned digits_proved(const Ball& x);
+
+/// A number in decimal, and a bound of its distance from every number in a ball.
+struct SeenAtAGlance {
+    Decimal value;
+    /// bound_text() of that bound; empty if it was not decided.
+    std::string bound;
+};
+
+/// The result of round_ball() where all digits are certain, found by one multiplication and without
+/// the text of either end. A result is proved; without a result the question is open.
+[[nodiscard]] std::optional<SeenAtAGlance> rounded_at_a_glance(const Ball& x, unsigned digits,
+                                                               Rounding mode);
+
+/// The result of nearest_binary64(), found with a few more bits than binary64 has. Without a result
+/// the question is open.
+[[nodiscard]] std::optional<double> binary64_at_a_glance(const Ball& x);
+
+/// Returns bound_text() of near * 10^place if that is the same text for every number within a part
+/// in 10^11 of it; else empty.
+[[nodiscard]] std::string bound_at_a_glance(double near, long place = 0);
+
+/// Lays out a decimal as to_decimal() does.
+[[nodiscard]] std::string layout(const Decimal& d, unsigned digits);
 
 } // namespace edgeproof

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/report/tables/agreement_report.hpp"
-#include "edgeproof/scene/design/run_design.hpp"
+#include "edgeproof/scene/design/design_file.hpp"
 
 #include <filesystem>
 

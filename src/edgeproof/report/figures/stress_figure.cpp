@@ -3,7 +3,7 @@
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/scene/binary64_stresses.hpp"
+#include "edgeproof/scene/binary64_values.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>

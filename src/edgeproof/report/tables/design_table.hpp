@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/audit/relations/relations.hpp"
 #include "edgeproof/report/tables/table.hpp"
-#include "edgeproof/scene/design/run_design.hpp"
+#include "edgeproof/scene/design/design_file.hpp"
 
 namespace edgeproof::report {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/text/program_line.hpp"
 
-#include "edgeproof/precision/ball/arb_include.hpp"
+#include "edgeproof/precision/ball/arb_values.hpp"
 
 #include <boost/version.hpp>
 #include <fmt/format.h>

@@ -11,7 +11,6 @@ namespace edgeproof::scene {
 namespace {
 
 using contact::ParametricSlope;
-using formula::Expr;
 
 /// The numbers of a design scene as formulas in its parameters.
 class DesignFormulas {
@@ -175,7 +174,7 @@ std::size_t knots_before_origin(const std::vector<Expr>& knots,
         for (const DesignScene::Parameter& p : parameters) {
             knot = substitute(knot, p.name, Expr::number(upper ? p.range.to : p.range.from));
         }
-        before += formula::Exact(knot).sign() < 0 ? 1 : 0;
+        before += Exact(knot).sign() < 0 ? 1 : 0;
     }
     return before;
 }
@@ -305,7 +304,7 @@ std::vector<std::unique_ptr<contact::ErrorFamily>> DesignScene::errors(std::stri
             "P and Q grow together: q = (Q/P) p, whose relative error is that of the pressure";
         return all;
     }
-    for (const contact::Edge edge : edges) {
+    for (const Edge edge : edges) {
         question.edge = edge;
         if (shear) {
             if (!length) {

@@ -20,7 +20,7 @@ constexpr long most_design_terms = 12;
 constexpr std::size_t most_design_parameters = 2;
 
 Rational rational_at(const io::TomlSection& section, std::string_view key) {
-    const formula::Exact x = section.exact(key);
+    const Exact x = section.exact(key);
     if (!x.is_rational()) {
         section.reject(key, std::string(key) + " = " + x.text() + " is not rational",
                        "give a decimal or a quotient");
@@ -76,9 +76,9 @@ void read_parameters(const io::TomlSection& top, std::size_t line, DesignScene& 
     }
 }
 
-std::vector<contact::Edge> edges_named(const std::string& edge) {
+std::vector<Edge> edges_named(const std::string& edge) {
     if (edge == "both") {
-        return {contact::Edge::right, contact::Edge::left};
+        return {Edge::right, Edge::left};
     }
     if (const auto one = edge_named(edge)) {
         return {*one};
@@ -96,8 +96,8 @@ DesignObjective objective_named(const std::string& maximise) {
     return static_cast<DesignObjective>(name - names.begin());
 }
 
-formula::Exact tolerance_below_1(const std::string& text) {
-    formula::Exact tolerance = parse_tolerance(text);
+Exact tolerance_below_1(const std::string& text) {
+    Exact tolerance = parse_tolerance(text);
     if (!tolerance.is_rational() || tolerance.rational() >= 1) {
         throw InputError("the tolerance is not a rational number below 1",
                          "write 1%, 0.01 or 1/100");
@@ -235,7 +235,7 @@ Scene DesignScene::at(const std::vector<Rational>& values) const {
     };
     Scene scene = scene_of(top_->changed({"profile", "load", "shear"}, change));
     if (scene.round && scene.round->law && !scene.shear &&
-        scene.round->load.kind == contact::Load::Kind::right_edge) {
+        scene.round->load.kind == Load::Kind::right_edge) {
         scene.round.reset(); // the plane contact has the same pressure (docs/axisymmetric.md)
     }
     require_plane(scene, "design");
@@ -244,7 +244,7 @@ Scene DesignScene::at(const std::vector<Rational>& values) const {
     scene.ask.edges = edges;
     scene.ask.terms = {terms};
     scene.ask.tolerance = tolerance;
-    scene.ask.part = {formula::Exact(), formula::Exact::of(part)};
+    scene.ask.part = {Exact(), Exact::of(part)};
     const bool slip = objective == DesignObjective::slip_load;
     scene.ask.quantities = {slip ? QuantityGroup::slip : QuantityGroup::extent};
     return scene;

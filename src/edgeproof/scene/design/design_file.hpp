@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/design/design.hpp"
+#include "edgeproof/contact/design/best_reach.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace edgeproof::scene {
@@ -44,8 +44,8 @@ public:
     DesignObjective objective = DesignObjective::first_exit;
     bool shear = false; ///< of the shear traction instead of the pressure
     std::size_t terms = 1;
-    formula::Exact tolerance;
-    std::vector<contact::Edge> edges{contact::Edge::right};
+    Exact tolerance;
+    std::vector<Edge> edges{Edge::right};
     contact::ReachUnit unit = contact::ReachUnit::fraction;
     Rational part = 1; ///< the part considered, as a fraction of a + b
 
@@ -73,5 +73,28 @@ private:
 /// Replaces names in a formula by their values in parentheses.
 [[nodiscard]] std::string with_names_replaced(std::string_view formula,
                                               const std::map<std::string, std::string>& values);
+
+inline constexpr unsigned most_design_digits = 1000;
+
+struct DesignResult {
+    contact::BestReach best;
+    /// Empty if everything is proved; otherwise the reason why the result is an estimate.
+    std::string missing;
+    [[nodiscard]] bool proved() const { return best.proved && missing.empty(); }
+    /// The reach for the printed values, proved if `best` is proved.
+    std::optional<Ball> printed_reach;
+    std::optional<Ball> falls_short; ///< 1 - printed_reach/best
+    /// For one parameter: samples of value and reach (or measure), for a picture.
+    std::vector<std::pair<double, double>> curve;
+};
+
+struct DesignRunOptions {
+    contact::DesignOptions search;
+    bool curve = false;
+};
+
+/// Throws InputError, with the line, for a value that does not make a valid scene; BudgetError if
+/// no reach is found; Interrupted.
+[[nodiscard]] DesignResult run_design(const DesignScene& design, const DesignRunOptions& options);
 
 } // namespace edgeproof::scene

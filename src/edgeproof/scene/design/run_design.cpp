@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/scene/design/run_design.hpp"
+#include "edgeproof/scene/design/design_file.hpp"
 
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -38,10 +38,10 @@ public:
             }
             scene.ask.digits.count = estimate_digits;
             const Plan plan = make_plan(scene);
-            contact::Work work;
+            Work work;
             const auto route = make_route(scene, plan, work);
             double least = std::numeric_limits<double>::infinity();
-            for (const contact::Edge edge : design_.edges) {
+            for (const Edge edge : design_.edges) {
                 const std::vector<Row> rows = extent(*route, scene, edge);
                 const bool fraction = design_.unit == contact::ReachUnit::fraction;
                 const Quantity quantity =
@@ -61,14 +61,13 @@ public:
 private:
     /// Searches for a first exit near the edge before the whole part: most exits lie there, and the
     /// rest of the contact takes long.
-    [[nodiscard]] std::vector<Row> extent(ValueRoute& route, Scene& scene,
-                                          contact::Edge edge) const {
+    [[nodiscard]] std::vector<Row> extent(ValueRoute& route, Scene& scene, Edge edge) const {
         const AskedValue asked{Quantity::extent, design_.terms, edge};
-        const formula::Exact whole = scene.ask.part.to;
+        const Exact whole = scene.ask.part.to;
         if (design_.objective == DesignObjective::first_exit) {
             for (const long share : {8L, 2L}) {
                 if (Rational(1, share) < design_.part) {
-                    scene.ask.part.to = formula::Exact::of(Rational(1, share));
+                    scene.ask.part.to = Exact::of(Rational(1, share));
                     std::vector<Row> rows = route.search(asked);
                     scene.ask.part.to = whole;
                     if (rows.front().reached) {

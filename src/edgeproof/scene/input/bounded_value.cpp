@@ -2,12 +2,14 @@
 #include "edgeproof/scene/input/bounded_value.hpp"
 
 #include "edgeproof/formula/exact/enclosure.hpp"
-#include "edgeproof/precision/rounding/at_a_glance.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
+#include <ostream>
 #include <utility>
 
 namespace edgeproof::scene {
+
 namespace {
 
 constexpr long bits_beyond = 16;
@@ -128,7 +130,7 @@ PrintedValue printed(const BoundedValue& x, const Digits& digits) {
     return p;
 }
 
-std::string decimal_text(const formula::Exact& x, const Digits& digits) {
+std::string decimal_text(const Exact& x, const Digits& digits) {
     if (digits.exact) {
         return x.text();
     }
@@ -153,6 +155,17 @@ std::string decimal_text(const formula::Exact& x, const Digits& digits) {
 BoundedValue estimated(const Real& value, const Real& error, std::string route) {
     const long bits = mpfr_get_prec(value.backend().data());
     return {Ball::around(value, error, bits), false, std::move(route)};
+}
+
+std::ostream& operator<<(std::ostream& out, const BoundedValue& x) {
+    if (x.exactly) { // the ball of a rational number is wider than the number
+        const auto digits = static_cast<unsigned>(std::max<std::streamsize>(out.precision(), 1));
+        const PrintedValue p = printed(x, {digits});
+        out << p.text << " +/- " << p.bound;
+    } else {
+        out << x.value;
+    }
+    return out << " (" << x.how() << ')';
 }
 
 } // namespace edgeproof::scene

@@ -5,10 +5,13 @@
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <array>
+#include <iosfwd>
 #include <optional>
 #include <string>
 
 namespace edgeproof::scene {
+
+using formula::Exact;
 
 /// A value with a limit of its error and the name of its route. If `proved`, the ball is an
 /// enclosure; otherwise its radius is the route's own error estimate.
@@ -59,9 +62,13 @@ struct PrintedValue {
 
 /// Formats an exact number that is in no text of the user, such as a point of a range: its decimal,
 /// if that has no more digits than requested, else rounded; with `exact`, its own text.
-[[nodiscard]] std::string decimal_text(const formula::Exact& x, const Digits& digits);
+[[nodiscard]] std::string decimal_text(const Exact& x, const Digits& digits);
 
 /// Returns a ball with an estimated absolute error.
 [[nodiscard]] BoundedValue estimated(const Real& value, const Real& error, std::string route);
+
+/// Prints a value like a ball, followed by its route: "0.785398 +/- 1.7e-07 (closed-form)". For an
+/// estimate, the error is the route's own estimate: "(singular-integral (estimate))".
+std::ostream& operator<<(std::ostream& out, const BoundedValue& x);
 
 } // namespace edgeproof::scene

@@ -9,11 +9,13 @@
 
 namespace edgeproof::scene {
 
+using formula::Exact;
+
 /// The loads at the end of a step; they grow linearly from those at its beginning.
 struct LoadStep {
-    formula::Exact P;
-    formula::Exact Q;
-    formula::Exact bulk_tension;
+    Exact P;
+    Exact Q;
+    Exact bulk_tension;
     std::size_t line = 0;
 };
 
@@ -23,17 +25,17 @@ struct LoadStep {
 /// where p(x; L) is the pressure of the same profile under the force L, and |ratio_j| <= f.
 struct LoadHistory {
     struct Layer {
-        formula::Exact force; ///< at which the layer ends; the last one is P
-        formula::Exact ratio; ///< dq/dp in the layer
+        Exact force; ///< at which the layer ends; the last one is P
+        Exact ratio; ///< dq/dp in the layer
     };
     std::vector<Layer> layers; ///< by ascending force
     /// The contact under this force is the zone that stuck in the last step; empty if nothing
     /// slipped in it.
-    std::optional<formula::Exact> stick = {};
+    std::optional<Exact> stick = {};
     /// The places that came into contact while P rose, for the last time, from the force of the
     /// entry before to `force`.
     struct Entry {
-        formula::Exact force;
+        Exact force;
         /// The change of dq/dp since then, up to `force`. Nothing if the edges slipped as P rose:
         /// it then depends on the place.
         std::optional<std::vector<Layer>> change;
@@ -42,12 +44,12 @@ struct LoadHistory {
     /// A part of a step in which one zone slips in one direction: that outside the contact under
     /// the force `inner`. `inner` and P change linearly in time.
     struct Phase {
-        formula::Exact inner_from;
-        formula::Exact inner_to;
-        formula::Exact force_from; ///< P
-        formula::Exact force_to;
-        formula::Exact change;            ///< |dQ -+ f dP|
-        std::vector<formula::Exact> cuts; ///< these forces, ascending, without repetition
+        Exact inner_from;
+        Exact inner_to;
+        Exact force_from; ///< P
+        Exact force_to;
+        Exact change;            ///< |dQ -+ f dP|
+        std::vector<Exact> cuts; ///< these forces, ascending, without repetition
     };
     std::vector<Phase> step; ///< the phases of the last step
     /// The phases of the last pass of the steps that are repeated (`cycles`). Nothing if the last
@@ -62,7 +64,7 @@ struct LoadHistory {
 /// number of steps that are repeated, 0 if there are none; all passes end with the last step.
 /// Throws InputError, with the line of the step, where the contact opens or slides.
 [[nodiscard]] LoadHistory history_after(const std::vector<LoadStep>& steps, std::size_t count,
-                                        std::size_t pass, const formula::Exact& friction,
+                                        std::size_t pass, const Exact& friction,
                                         const std::string& file);
 
 } // namespace edgeproof::scene

@@ -24,16 +24,16 @@ struct EdgesInBalls {
     [[nodiscard]] Ball symbol(std::string_view name) const { return name == "a" ? a : b; }
 };
 
-bool constant(const formula::Expr& e) { return formula::free_symbols(e).empty(); }
+bool constant(const Expr& e) { return formula::free_symbols(e).empty(); }
 
 /// Returns the value of an expression without names, with a short text if it is rational.
-formula::Exact number_of(const formula::Expr& e) {
-    return e.rational() != nullptr ? formula::Exact::of(*e.rational()) : formula::Exact(e);
+Exact number_of(const Expr& e) {
+    return e.rational() != nullptr ? Exact::of(*e.rational()) : Exact(e);
 }
 
 } // namespace
 
-std::optional<Distance::Linear> Distance::linear(const formula::Expr& e) {
+std::optional<Distance::Linear> Distance::linear(const Expr& e) {
     const auto in_a = contact::as_linear(e, "a");
     if (!in_a || !constant(in_a->rate)) {
         return {};
@@ -45,7 +45,7 @@ std::optional<Distance::Linear> Distance::linear(const formula::Expr& e) {
     return Linear{in_a->rate, in_b->rate, in_b->at_origin};
 }
 
-Distance::Distance(formula::Expr u, formula::Expr x) {
+Distance::Distance(Expr u, Expr x) {
     if (constant(u)) {
         number_ = number_of(u);
     }
@@ -67,27 +67,26 @@ Ball Distance::x_enclosure(const Ball& a, const Ball& b, long bits) const {
                : formula::evaluate<Ball>(formulas_->x, EdgesInBalls{a, b, {bits}});
 }
 
-formula::ExactNumber Distance::exactly(const formula::ExactNumber& a,
-                                       const formula::ExactNumber& b) const {
+ExactNumber Distance::exactly(const ExactNumber& a, const ExactNumber& b) const {
     if (number_) {
-        return formula::ExactNumber::of(number_->expr());
+        return ExactNumber::of(number_->expr());
     }
     if (!formulas_->linear) {
-        return formula::ExactNumber::unknown();
+        return ExactNumber::unknown();
     }
-    const auto part = [](const formula::Expr& factor, const formula::ExactNumber& edge) {
-        const formula::ExactNumber k = formula::ExactNumber::of(factor);
+    const auto part = [](const Expr& factor, const ExactNumber& edge) {
+        const ExactNumber k = ExactNumber::of(factor);
         return k.is_zero() ? k : k * edge;
     };
     const Linear& u = *formulas_->linear;
-    return part(u.of_a, a) + part(u.of_b, b) + formula::ExactNumber::of(u.rest);
+    return part(u.of_a, a) + part(u.of_b, b) + ExactNumber::of(u.rest);
 }
 
-Place::Place(std::string text, From from, formula::Expr value, const Names& names)
+Place::Place(std::string text, From from, Expr value, const Names& names)
     : text_(std::move(text)), from_(from), value_(std::move(value)) {
     const auto edge = [&](std::string_view name) {
         const auto known = names.find(name);
-        return known == names.end() ? formula::Expr::symbol(name) : known->second;
+        return known == names.end() ? Expr::symbol(name) : known->second;
     };
     a_ = edge("a");
     b_ = edge("b");
@@ -103,14 +102,13 @@ Place Place::parse(std::string_view text, From from, const Names& names) {
     for (const auto& [name, value] : names) {
         known.insert(name);
     }
-    formula::Expr value =
+    Expr value =
         formula::parse(percent ? text.substr(0, text.size() - 1) : text, formula::Symbols(known));
     if (formula::has_binder(value)) {
         throw InputError("an integral or a sum is no place", "write a formula such as \"a/2\"");
     }
     if (percent) {
-        value = value / formula::Expr::number(Rational(100)) *
-                (formula::Expr::symbol("a") + formula::Expr::symbol("b"));
+        value = value / Expr::number(Rational(100)) * (Expr::symbol("a") + Expr::symbol("b"));
     }
     const bool plain = constant(value);
     // The name a is replaced last: where b = a, the name b is replaced by a.
@@ -128,12 +126,12 @@ Place Place::parse(std::string_view text, From from, const Names& names) {
     return place;
 }
 
-std::optional<formula::Exact> Place::number() const {
+std::optional<Exact> Place::number() const {
     return constant(value_) ? std::optional(number_of(value_)) : std::nullopt;
 }
 
-Distance Place::distance(contact::Edge edge) const {
-    const bool right = edge == contact::Edge::right;
+Distance Place::distance(Edge edge) const {
+    const bool right = edge == Edge::right;
     if (from_ == From::origin) {
         return {right ? a_ - value_ : value_ + b_, value_};
     }

@@ -13,21 +13,26 @@
 
 namespace edgeproof::scene {
 
+using contact::Edge;
+using formula::Exact;
+using formula::ExactNumber;
+using formula::Expr;
+
 /// The distance of a point from an edge: an exact number, or a formula in a and b, the distances of
 /// the edges from the origin. If a and b are solved for, the distance is only as accurate as they
 /// are.
 class Distance {
 public:
-    Distance(formula::Exact u) : number_(std::move(u)) {} // NOLINT: most distances are numbers
+    Distance(Exact u) : number_(std::move(u)) {} // NOLINT: most distances are numbers
     /// The distance of the point x, both as formulas in a and b. Throws DomainError for a formula
     /// without a real value.
-    Distance(formula::Expr u, formula::Expr x);
+    Distance(Expr u, Expr x);
 
     /// The distance, if it is a number.
-    [[nodiscard]] const std::optional<formula::Exact>& number() const { return number_; }
+    [[nodiscard]] const std::optional<Exact>& number() const { return number_; }
     /// The coordinate x, if it is a number although the distance is not.
-    [[nodiscard]] const std::optional<formula::Exact>& x() const {
-        static const std::optional<formula::Exact> none;
+    [[nodiscard]] const std::optional<Exact>& x() const {
+        static const std::optional<Exact> none;
         return formulas_ ? formulas_->known_x : none;
     }
 
@@ -35,8 +40,7 @@ public:
     [[nodiscard]] Ball enclosure(const Ball& a, const Ball& b, long bits) const;
     [[nodiscard]] Ball x_enclosure(const Ball& a, const Ball& b, long bits) const;
     /// The distance in exact arithmetic; unknown if the formula is not linear in a and b.
-    [[nodiscard]] formula::ExactNumber exactly(const formula::ExactNumber& a,
-                                               const formula::ExactNumber& b) const;
+    [[nodiscard]] ExactNumber exactly(const ExactNumber& a, const ExactNumber& b) const;
 
     /// Compares the formulas as they are written.
     friend bool operator==(const Distance& s, const Distance& t) {
@@ -48,19 +52,19 @@ public:
 private:
     /// The formula of_a a + of_b b + rest.
     struct Linear {
-        formula::Expr of_a;
-        formula::Expr of_b;
-        formula::Expr rest;
+        Expr of_a;
+        Expr of_b;
+        Expr rest;
     };
-    [[nodiscard]] static std::optional<Linear> linear(const formula::Expr& e);
+    [[nodiscard]] static std::optional<Linear> linear(const Expr& e);
 
     struct Formulas {
-        formula::Expr u;
-        formula::Expr x;
+        Expr u;
+        Expr x;
         std::optional<Linear> linear;
-        std::optional<formula::Exact> known_x;
+        std::optional<Exact> known_x;
     };
-    std::optional<formula::Exact> number_;
+    std::optional<Exact> number_;
     std::shared_ptr<const Formulas> formulas_; ///< null: the distance is a number
 };
 
@@ -70,7 +74,7 @@ class Place {
 public:
     enum class From { edge, origin };
     /// The values of a scene's names; a and b are included if they are given.
-    using Names = std::map<std::string, formula::Expr, std::less<>>;
+    using Names = std::map<std::string, Expr, std::less<>>;
 
     /// Throws InputError for a text that is not a formula in these names, a and b.
     [[nodiscard]] static Place parse(std::string_view text, From from, const Names& names);
@@ -78,19 +82,19 @@ public:
     /// For example "a/2", "x = t + 1/10".
     [[nodiscard]] const std::string& text() const { return text_; }
     /// The distance from the edge, or x, if it depends on neither a nor b.
-    [[nodiscard]] std::optional<formula::Exact> number() const;
+    [[nodiscard]] std::optional<Exact> number() const;
     [[nodiscard]] From from() const { return from_; }
     /// True if the text has no names.
     [[nodiscard]] bool is_number() const { return plain_; }
-    [[nodiscard]] Distance distance(contact::Edge edge) const;
+    [[nodiscard]] Distance distance(Edge edge) const;
 
 private:
-    Place(std::string text, From from, formula::Expr value, const Names& names);
+    Place(std::string text, From from, Expr value, const Names& names);
     std::string text_;
     From from_;
-    formula::Expr value_;
-    formula::Expr a_; ///< the value of a, or the symbol a
-    formula::Expr b_;
+    Expr value_;
+    Expr a_; ///< the value of a, or the symbol a
+    Expr b_;
     bool plain_ = false;
 };
 

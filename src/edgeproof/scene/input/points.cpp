@@ -20,16 +20,15 @@ Rational power_of_ten(std::size_t k) {
 
 } // namespace
 
-PointRange::PointRange(formula::Exact from, formula::Exact to, std::size_t per_decade)
+PointRange::PointRange(Exact from, Exact to, std::size_t per_decade)
     : from_(std::move(from)), to_(std::move(to)), per_decade_(per_decade) {
-    if (formula::Exact(to_.expr() - from_.expr()).sign() <= 0) {
+    if (Exact(to_.expr() - from_.expr()).sign() <= 0) {
         throw InputError("the points from " + from_.text() + " to " + to_.text() + " do not ascend",
                          "give from < to");
     }
 }
 
-PointRange PointRange::geometric(const formula::Exact& from, const formula::Exact& to,
-                                 std::size_t per_decade) {
+PointRange PointRange::geometric(const Exact& from, const Exact& to, std::size_t per_decade) {
     if (from.sign() <= 0) {
         throw InputError("the points begin at " + from.text() + ", which is not positive",
                          "give from > 0");
@@ -53,8 +52,7 @@ PointRange PointRange::geometric(const formula::Exact& from, const formula::Exac
     return range;
 }
 
-PointRange PointRange::even(const formula::Exact& from, const formula::Exact& to,
-                            std::size_t count) {
+PointRange PointRange::even(const Exact& from, const Exact& to, std::size_t count) {
     PointRange range(from, to, 0);
     if (count < 2 || count > most_points) {
         throw InputError(std::to_string(count) + " evenly spaced points",
@@ -75,25 +73,25 @@ Real PointRange::between(std::size_t k) const {
            pow(Real(10), Real(static_cast<unsigned>(k)) / static_cast<unsigned>(per_decade_));
 }
 
-formula::Exact PointRange::at(std::size_t k) const {
+Exact PointRange::at(std::size_t k) const {
     if (k == 0 || k + 1 == size_) {
         return k == 0 ? from_ : to_;
     }
     if (per_decade_ > 0) {
         if (k % per_decade_ == 0 && from_.is_rational()) {
-            return formula::Exact::of(from_.rational() * power_of_ten(k / per_decade_));
+            return Exact::of(from_.rational() * power_of_ten(k / per_decade_));
         }
         const PrecisionScope scope(digits_of_ratios);
-        return formula::Exact::parse(to_decimal(between(k), point_digits));
+        return Exact::parse(to_decimal(between(k), point_digits));
     }
     const std::size_t n = size_ - 1;
     if (whole_) { // a single fraction to reduce
-        return formula::Exact::of(Rational(Integer(whole_->lower * (n - k) + whole_->upper * k),
-                                           Integer(whole_->under * n)));
+        return Exact::of(Rational(Integer(whole_->lower * (n - k) + whole_->upper * k),
+                                  Integer(whole_->under * n)));
     }
-    return formula::Exact(from_.expr() + (to_.expr() - from_.expr()) *
-                                             formula::Expr::number(Rational(static_cast<long>(k),
-                                                                            static_cast<long>(n))));
+    return Exact(from_.expr() +
+                 (to_.expr() - from_.expr()) *
+                     formula::Expr::number(Rational(static_cast<long>(k), static_cast<long>(n))));
 }
 
 std::string PointRange::text() const {
@@ -101,8 +99,8 @@ std::string PointRange::text() const {
            std::to_string(size_);
 }
 
-std::vector<formula::Exact> PointRange::all() const {
-    std::vector<formula::Exact> points;
+std::vector<Exact> PointRange::all() const {
+    std::vector<Exact> points;
     points.reserve(size_);
     for (std::size_t k = 0; k < size_; ++k) {
         points.push_back(at(k));

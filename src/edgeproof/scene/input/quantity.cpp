@@ -243,8 +243,7 @@ std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
                                     : "curved slopes"),
                     "give a power law or a piecewise linear g'"};
     }
-    if (scene.ask.route != contact::Route::automatic &&
-        scene.ask.route != contact::Route::closed_form) {
+    if (scene.ask.route != Route::automatic && scene.ask.route != Route::closed_form) {
         return Lack{std::string(group.name) + " has no route " + route_name(scene.ask.route),
                     "write route = \"automatic\""};
     }
@@ -261,12 +260,10 @@ std::string group_name(QuantityGroup group) {
     return std::string(group_rows()[static_cast<std::size_t>(group)].name);
 }
 
-std::string edge_name(contact::Edge edge) {
-    return edge == contact::Edge::right ? "right" : "left";
-}
+std::string edge_name(Edge edge) { return edge == Edge::right ? "right" : "left"; }
 
-std::optional<contact::Edge> edge_named(std::string_view name) {
-    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+std::optional<Edge> edge_named(std::string_view name) {
+    for (const Edge edge : {Edge::right, Edge::left}) {
         if (name == edge_name(edge)) {
             return edge;
         }

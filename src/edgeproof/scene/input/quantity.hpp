@@ -101,18 +101,18 @@ enum class QuantityGroup {
 enum class Body { A, B };
 /// A point of a body: x from the origin, z >= 0 the depth into that body (lengths).
 struct BodyPoint {
-    formula::Exact x;
-    formula::Exact z;
+    Exact x;
+    Exact z;
     Body body = Body::A;
     friend bool operator==(const BodyPoint&, const BodyPoint&) = default;
 };
 
 struct AskedValue {
     Quantity quantity = Quantity::p;
-    std::size_t k = 0;                            ///< order of a coefficient; number of terms
-    contact::Edge edge = contact::Edge::right;    ///< unless Place::contact
-    std::optional<formula::Exact> u = {};         ///< for Place::point
-    std::optional<formula::Exact> tolerance = {}; ///< if the row has `tolerance`
+    std::size_t k = 0;                   ///< order of a coefficient; number of terms
+    Edge edge = Edge::right;             ///< unless Place::contact
+    std::optional<Exact> u = {};         ///< for Place::point
+    std::optional<Exact> tolerance = {}; ///< if the row has `tolerance`
     std::optional<Distance> place = {}; ///< used instead of u, if the distance depends on the edges
     std::size_t j = 0;                  ///< the index of a crossing
     std::optional<BodyPoint> in_body = {};  ///< for Place::body; of Place::surface the body
@@ -166,15 +166,15 @@ struct QuantityRow {
     // the bits do not suffice. Without an exact form, no number of bits may decide the rounding of
     // a value on a limit; such a value is printed as its enclosure.
     Ball (*ball)(BallLevel&, const AskedValue&) = nullptr;
-    formula::ExactNumber (*exact)(ExactValues&, const AskedValue&) = nullptr;
+    ExactNumber (*exact)(ExactValues&, const AskedValue&) = nullptr;
     BoundedValue (*real)(RealLevel&, const AskedValue&) = nullptr;
     /// The name of the route of a value in balls; `route_by` if it depends on the scene.
     const char* route = "";
     const char* (*route_by)(const Scene&, const Plan&) = nullptr;
     /// The value, if the scene gives it; otherwise null.
-    const formula::Exact* (*given)(const Scene&) = nullptr;
+    const Exact* (*given)(const Scene&) = nullptr;
     /// The edge whose distance from the origin the quantity is.
-    std::optional<contact::Edge> distance_of = {};
+    std::optional<Edge> distance_of = {};
     bool cancels_little = false; ///< fewer bits suffice at first
     /// The value comes from a search (ValueRoute::extent, ValueRoute::slip_terms) instead of an
     /// evaluator.
@@ -251,7 +251,7 @@ struct GroupRow {
 [[nodiscard]] std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group);
 [[nodiscard]] std::string group_name(QuantityGroup group);
 
-[[nodiscard]] std::string edge_name(contact::Edge edge);
-[[nodiscard]] std::optional<contact::Edge> edge_named(std::string_view name);
+[[nodiscard]] std::string edge_name(Edge edge);
+[[nodiscard]] std::optional<Edge> edge_named(std::string_view name);
 
 } // namespace edgeproof::scene

@@ -53,11 +53,10 @@ void read_edges(const io::TomlSection& ask, Ask& result) {
     }
 }
 
-contact::Route route_of(const io::TomlSection& ask) {
+Route route_of(const io::TomlSection& ask) {
     const std::string name = ask.text("route");
-    for (const contact::Route route :
-         {contact::Route::automatic, contact::Route::closed_form, contact::Route::singular_integral,
-          contact::Route::barber_mossakovskii}) {
+    for (const Route route : {Route::automatic, Route::closed_form, Route::singular_integral,
+                              Route::barber_mossakovskii}) {
         if (name == route_name(route)) {
             return route;
         }
@@ -96,16 +95,14 @@ public:
 
     [[nodiscard]] AskedPoint point(const io::TomlSection::Written& item) const {
         if (from_ == Place::From::edge && !has_names(item.text)) {
-            return inside(
-                {with_line(item, [&] { return formula::Exact::parse(item.text); }), item.line});
+            return inside({with_line(item, [&] { return Exact::parse(item.text); }), item.line});
         }
         const Place place = with_line(item, [&] { return Place::parse(item.text, from_, names_); });
         const auto number = with_line(item, [&] { return place.number(); });
-        return from_ == Place::From::edge && number
-                   ? inside({*number, item.line, {}, item.text})
-                   : AskedPoint{formula::Exact(), item.line, place};
+        return from_ == Place::From::edge && number ? inside({*number, item.line, {}, item.text})
+                                                    : AskedPoint{Exact(), item.line, place};
     }
-    [[nodiscard]] formula::Exact number(std::string_view end) const {
+    [[nodiscard]] Exact number(std::string_view end) const {
         const io::TomlSection::Written item = section_.numbers_written(end).at(0);
         if (!has_names(item.text)) {
             return section_.exact(end);
@@ -167,8 +164,8 @@ void read_range(const io::TomlSection& ask, std::string_view key, Place::From fr
     }
     const PlaceReader reader(range, by_x ? "x" : "from", from, names);
     io::at_place(ask.file(), line, [&] {
-        const formula::Exact begin = reader.number("from");
-        const formula::Exact end = reader.number("to");
+        const Exact begin = reader.number("from");
+        const Exact end = reader.number("to");
         if (!by_x) {
             (void)reader.inside({begin, line});
         }
@@ -176,12 +173,11 @@ void read_range(const io::TomlSection& ask, std::string_view key, Place::From fr
             range.has("per_decade")
                 ? PointRange::geometric(begin, end, range.count("per_decade", 1, 10'000))
                 : PointRange::even(begin, end, range.count("points", 2, 100'000));
-        const std::vector<formula::Exact> all = points_between.all();
+        const std::vector<Exact> all = points_between.all();
         for (std::size_t i = 0; i < all.size(); ++i) {
-            const formula::Exact& u = all[i];
-            points.push_back(
-                by_x ? AskedPoint{formula::Exact(), line, Place::parse(u.text(), from, names)}
-                     : AskedPoint{u, line});
+            const Exact& u = all[i];
+            points.push_back(by_x ? AskedPoint{Exact(), line, Place::parse(u.text(), from, names)}
+                                  : AskedPoint{u, line});
             points.back().computed = i > 0 && i + 1 < all.size();
         }
     });
@@ -228,25 +224,25 @@ Place::Names names_of(const Scene& scene) {
             names.insert_or_assign(name, value.expr());
         }
     }
-    if (scene.load.kind == contact::Load::Kind::right_edge && scene.steps.empty() &&
+    if (scene.load.kind == Load::Kind::right_edge && scene.steps.empty() &&
         (!scene.round || scene.load.value.is_rational())) {
         names.insert_or_assign("a", scene.load.value.expr());
     }
     if (scene.symmetric()) {
         const auto a = names.find("a");
-        names.insert_or_assign("b", a != names.end() ? a->second : formula::Expr::symbol("a"));
+        names.insert_or_assign("b", a != names.end() ? a->second : Expr::symbol("a"));
     }
     return names;
 }
 
-int sign_of(const io::TomlSection& section, std::string_view key, const formula::Exact& value) {
+int sign_of(const io::TomlSection& section, std::string_view key, const Exact& value) {
     return io::at_place(
         section.file(), section.line(key), [&] { return value.sign(); },
         "write " + std::string(key) + " as a simpler number, or 0 where it is zero");
 }
 
-void require_positive(const io::TomlSection& section, std::string_view key,
-                      const formula::Exact& value, const std::string& instead) {
+void require_positive(const io::TomlSection& section, std::string_view key, const Exact& value,
+                      const std::string& instead) {
     if (sign_of(section, key, value) <= 0) {
         section.reject(key, std::string(key) + " = " + value.text() + " is not positive", instead);
     }
@@ -287,19 +283,17 @@ void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene&
         const Place::Names names = names_of(profile, scene);
         result.reference = PlaceReader(ask, "reference", Place::From::origin, names)
                                .point(ask.numbers_written("reference").at(0))
-                               .distance(contact::Edge::right);
+                               .distance(Edge::right);
     }
     if (ask.has("process_zone")) {
-        const formula::Exact zone = ask.exact("process_zone");
+        const Exact zone = ask.exact("process_zone");
         require_positive(ask, "process_zone", zone,
                          "give the length of the process zone, or leave it out");
         result.process_zone = zone;
     }
     if (ask.has("part")) {
         const auto part = ask.exacts("part");
-        const auto sign = [&](const formula::Expr& e) {
-            return sign_of(ask, "part", formula::Exact(e));
-        };
+        const auto sign = [&](const Expr& e) { return sign_of(ask, "part", Exact(e)); };
         if (part.size() != 2 || sign(part[0].value.expr()) < 0 ||
             sign(part[1].value.expr() - part[0].value.expr()) <= 0 ||
             sign(whole(1) - part[1].value.expr()) < 0) {
@@ -314,7 +308,7 @@ void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene&
     }
     if (ask.has("route")) {
         result.route = route_of(ask);
-        if (result.route == contact::Route::closed_form && scene.profile &&
+        if (result.route == Route::closed_form && scene.profile &&
             !contact::BallContact::has_closed_form(*scene.profile)) {
             ask.reject("route",
                        scene.round ? "only a power law has its pressure in closed form as an "
@@ -364,11 +358,11 @@ std::size_t Ask::most_terms() const {
     return terms.empty() ? 0 : *std::max_element(terms.begin(), terms.end());
 }
 
-formula::Exact parse_tolerance(std::string_view text) {
+Exact parse_tolerance(std::string_view text) {
     const bool percent = !text.empty() && text.back() == '%';
-    const formula::Exact given = [&] {
+    const Exact given = [&] {
         try {
-            return formula::Exact::parse(percent ? text.substr(0, text.size() - 1) : text);
+            return Exact::parse(percent ? text.substr(0, text.size() - 1) : text);
         } catch (const InputError& error) {
             throw InputError("tolerance \"" + std::string(text) + "\": " + error.problem(),
                              "write it as 1%, 0.01 or 1/100");
@@ -378,9 +372,9 @@ formula::Exact parse_tolerance(std::string_view text) {
         throw InputError("a tolerance of " + std::string(text) + " is not positive",
                          "give a tolerance > 0, such as 1%");
     }
-    const formula::Exact tolerance = percent ? formula::Exact(given.expr() / whole(100)) : given;
-    static const formula::Expr least = formula::Expr::number(parse_decimal("1e-60"));
-    static const formula::Expr most = formula::Expr::number(parse_decimal("1e6"));
+    const Exact tolerance = percent ? Exact(given.expr() / whole(100)) : given;
+    static const Expr least = Expr::number(parse_decimal("1e-60"));
+    static const Expr most = Expr::number(parse_decimal("1e6"));
     if (is_less(tolerance.expr(), least) || is_less(most, tolerance.expr())) {
         throw InputError("a tolerance of " + std::string(text) + " is out of range",
                          "give one from 1e-60 to 1e6, such as 1%");

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/scene/input/readers.hpp"
 
 #include <string>
 #include <utility>
 
 namespace edgeproof::scene {
+
 namespace {
 
-void check_poisson(const io::TomlSection& load, const char* key, const formula::Exact& nu) {
-    if (sign_of(load, key, formula::Exact(nu.expr() + whole(1))) <= 0 ||
-        sign_of(load, key, formula::Exact(whole(1) - whole(2) * nu.expr())) < 0) {
+void check_poisson(const io::TomlSection& load, const char* key, const Exact& nu) {
+    if (sign_of(load, key, Exact(nu.expr() + whole(1))) <= 0 ||
+        sign_of(load, key, Exact(whole(1) - whole(2) * nu.expr())) < 0) {
         load.reject(key, std::string(key) + " = " + nu.text() + " is no Poisson's ratio",
                     "give -1 < nu <= 1/2");
     }
 }
 
-formula::Exact modulus_of_bodies(const io::TomlSection& load, Scene& scene) {
+Exact modulus_of_bodies(const io::TomlSection& load, Scene& scene) {
     const auto body = [&](const char* E_key, const char* nu_key) {
-        const formula::Exact E = contact_constant(load, E_key);
-        const formula::Exact nu = contact_constant(load, nu_key);
+        const Exact E = contact_constant(load, E_key);
+        const Exact nu = contact_constant(load, nu_key);
         require_positive(load, E_key, E, "give Young's modulus > 0");
         check_poisson(load, nu_key, nu);
         return std::pair{E, nu};
@@ -26,17 +28,17 @@ formula::Exact modulus_of_bodies(const io::TomlSection& load, Scene& scene) {
     const auto [E1, nu1] = body("E1", "nu1");
     const auto [E2, nu2] = body("E2", "nu2");
     scene.bodies = Bodies{E1, nu1, E2, nu2};
-    return formula::Exact(composite_modulus(E1.expr(), nu1.expr(), E2.expr(), nu2.expr()));
+    return Exact(composite_modulus(E1.expr(), nu1.expr(), E2.expr(), nu2.expr()));
 }
 
-formula::Exact read_modulus(const io::TomlSection& load, Scene& scene) {
+Exact read_modulus(const io::TomlSection& load, Scene& scene) {
     const bool by_bodies = load.has("E1") || load.has("nu1") || load.has("E2") || load.has("nu2");
     if (load.has("contact_modulus")) {
         if (by_bodies) {
             load.reject("contact_modulus", "the contact modulus is given twice",
                         "give contact_modulus, or E1, nu1, E2 and nu2");
         }
-        formula::Exact modulus = contact_constant(load, "contact_modulus");
+        Exact modulus = contact_constant(load, "contact_modulus");
         require_positive(load, "contact_modulus", modulus, "give E* > 0");
         if (load.has("nu")) {
             scene.nu = contact_constant(load, "nu");
@@ -53,6 +55,65 @@ formula::Exact read_modulus(const io::TomlSection& load, Scene& scene) {
                     "add contact_modulus = \"...\" (E*), or E1, nu1, E2 and nu2");
     }
     return modulus_of_bodies(load, scene);
+}
+
+void read_friction(const io::TomlSection& shear, ShearSpec& spec, Scene& scene) {
+    spec.friction = contact_constant(shear, "friction");
+    scene.friction_line = shear.line("friction");
+    scene.tension_line = shear.line(shear.has("bulk_tension") ? "bulk_tension" : "friction");
+    require_positive(shear, "friction", *spec.friction,
+                     "give a coefficient of friction > 0, or leave it out: nothing slips then");
+    if (spec.path == contact::LoadingPath::together) {
+        shear.reject("friction", "P and Q grow together: nothing slips as long as |Q| < f P",
+                     "leave friction out, or write path = \"normal-first\"");
+    }
+    if (sign_of(shear, "Q", spec.Q) == 0) {
+        shear.reject("friction",
+                     "without a shear force Q the two edges slip in opposite directions, outwards",
+                     "give Q that is not zero, or leave friction out: nothing slips then");
+    }
+    // Slip zones of unequal size under steep flanks need integrals that take too much work.
+    if (scene.profile && scene.profile->kind() == Profile::Kind::power_law &&
+        spec.bulk_tension.sign() != 0 &&
+        is_less(whole(1000), scene.profile->parameters().at("m").expr())) {
+        shear.reject("friction", "slip under a bulk tension is not found for an exponent m > 1000",
+                     "leave friction or the bulk tension out, or give a lower m");
+    }
+}
+
+/// Bodies of different materials couple q to p, unless Dundurs' beta is 0: (1 - 2 nu)(1 + nu)/E is
+/// the same for both (J. Dundurs, J. Appl. Mech. 36, 650, 1969), decided symbolically.
+void check_materials(const io::TomlSection& shear, const ShearSpec& spec, const Scene& scene) {
+    if (!scene.bodies) {
+        return;
+    }
+    const auto& [E1, nu1, E2, nu2] = *scene.bodies;
+    if (contact::certainly_zero(E1.expr() - E2.expr()) &&
+        contact::certainly_zero(nu1.expr() - nu2.expr())) {
+        return;
+    }
+    const auto dilation = [](const Exact& E, const Exact& nu) {
+        return (whole(1) - whole(2) * nu.expr()) * (whole(1) + nu.expr()) / E.expr();
+    };
+    if (!contact::certainly_zero(dilation(E1, nu1) - dilation(E2, nu2))) {
+        shear.reject(shear.line(),
+                     "bodies of different materials couple the shear to the pressure: "
+                     "(1 - 2 nu)(1 + nu)/E is not the same in both",
+                     "give both bodies the same E and nu, or nu = \"1/2\", or leave [shear] out");
+    }
+    if (spec.bulk_tension.sign() != 0) {
+        shear.reject(
+            "bulk_tension",
+            "a bulk tension strains bodies of different stiffness differently, so that the "
+            "difference of their tensions does not determine the mismatch",
+            "give both bodies the same E and nu, or bulk_tension = \"0\"");
+    }
+}
+
+[[noreturn]] void refuse_round_shear(const io::TomlSection& section, std::size_t line,
+                                     const char* instead) {
+    section.reject(line, "of the shear of axisymmetric contacts only partial slip is computed",
+                   instead);
 }
 
 } // namespace
@@ -79,20 +140,19 @@ void read_load(const io::TomlSection& load, Scene& scene) {
             load.reject("M", "M is given in addition to the steps",
                         "leave it out: the tilt alpha is given in [profile], and keeps its value");
         }
-        scene.load = contact::Load::force(scene.steps.back().P);
+        scene.load = Load::force(scene.steps.back().P);
         return;
     }
     if (given.empty()) {
         load.reject(load.line(), "neither a nor P is given",
                     "give one of a = \"...\" and P = \"...\"");
     }
-    const formula::Exact value = contact_constant(load, given);
+    const Exact value = contact_constant(load, given);
     require_positive(load, given, value, "give " + given + " > 0");
-    scene.load = given == "P"       ? contact::Load::force(value)
-                 : given == "delta" ? contact::Load::approach(value)
-                 : given == "a"
-                     ? contact::Load::right_edge(value)
-                     : contact::Load::right_edge(formula::Exact(value.expr() / whole(2)));
+    scene.load = given == "P"       ? Load::force(value)
+                 : given == "delta" ? Load::approach(value)
+                 : given == "a"     ? Load::right_edge(value)
+                                    : Load::right_edge(Exact(value.expr() / whole(2)));
     scene.load_line = load.line(given);
     if (load.has("M")) {
         if (given != "P") {
@@ -109,16 +169,84 @@ void check_reach(const io::TomlSection& load, const Scene& scene) {
                     "the width is given, but the edges are at different distances from the origin",
                     "give a (the right edge) or P");
     }
-    if (scene.load.kind != contact::Load::Kind::right_edge || !scene.profile ||
-        scene.profile->kind() != contact::Profile::Kind::flat_and_rounded) {
+    if (scene.load.kind != Load::Kind::right_edge || !scene.profile ||
+        scene.profile->kind() != Profile::Kind::flat_and_rounded) {
         return;
     }
-    const formula::Exact& t = scene.profile->parameters().at("t");
-    if (sign_of(load, "a", formula::Exact(scene.load.value.expr() - t.expr())) <= 0) {
+    const Exact& t = scene.profile->parameters().at("t");
+    if (sign_of(load, "a", Exact(scene.load.value.expr() - t.expr())) <= 0) {
         load.reject(load.has("a") ? "a" : "width",
                     "the half-width a = " + scene.load.value.text() +
                         " does not reach beyond the flat, t = " + t.text(),
                     "give a > t: under any load the whole flat is in contact");
+    }
+}
+
+void read_shear(const io::TomlSection& shear, Scene& scene) {
+    shear.allow({"Q", "bulk_tension", "bulk_A", "path", "friction"});
+    if (!shear.has("Q") && !shear.has("bulk_tension")) {
+        shear.reject(shear.line(), "the shear section has no load",
+                     "add Q = \"...\" or bulk_tension = \"...\", or leave [shear] out");
+    }
+    const auto or_zero = [&](const char* key) {
+        return shear.has(key) ? contact_constant(shear, key) : Exact();
+    };
+    ShearSpec spec;
+    spec.Q = or_zero("Q");
+    spec.bulk_tension = or_zero("bulk_tension");
+    spec.bulk_A = or_zero("bulk_A");
+    if (sign_of(shear, "Q", spec.Q) == 0 &&
+        sign_of(shear, "bulk_tension", spec.bulk_tension) == 0) {
+        shear.reject(shear.line(), "the shear section has no load: Q and bulk_tension are zero",
+                     "give one that is not, or leave [shear] out");
+    }
+    if (shear.has("path")) {
+        const std::string path = shear.text("path");
+        if (path == "together") {
+            spec.path = contact::LoadingPath::together;
+        } else if (path != "normal-first") {
+            shear.reject("path", "unknown path '" + path + "'",
+                         "write normal-first (P held, then Q) or together (P and Q in proportion)");
+        }
+    }
+    if (spec.path == contact::LoadingPath::together && spec.bulk_tension.sign() != 0) {
+        shear.reject("bulk_tension", "P and Q grow together under a bulk tension",
+                     "give bulk_tension = \"0\": only then is q = (Q/P) p");
+    }
+    if (scene.round &&
+        (!shear.has("friction") || spec.bulk_tension.sign() != 0 || spec.bulk_A.sign() != 0)) {
+        refuse_round_shear(shear, shear.line(),
+                           "give Q and friction without bulk stresses, or leave [shear] out");
+    }
+    if (shear.has("friction")) {
+        read_friction(shear, spec, scene);
+    }
+    check_materials(shear, spec, scene);
+    scene.shear = spec;
+}
+
+void read_shear_of_steps(const io::TomlSection& top, Scene& scene) {
+    for (const LoadStep& step : scene.steps) {
+        if (scene.round && step.bulk_tension.sign() != 0) {
+            refuse_round_shear(top, step.line, "leave bulk_tension out of the step");
+        }
+    }
+    if (top.has("shear")) {
+        const io::TomlSection shear = top.section("shear");
+        shear.allow({"friction", "bulk_A"});
+        ShearSpec spec;
+        spec.bulk_A = shear.has("bulk_A") ? contact_constant(shear, "bulk_A") : spec.bulk_A;
+        if (shear.has("friction")) {
+            spec.friction = contact_constant(shear, "friction");
+            scene.friction_line = scene.tension_line = shear.line("friction");
+            require_positive(shear, "friction", *spec.friction,
+                             "give a coefficient of friction > 0");
+        }
+        if (scene.round && spec.bulk_A.sign() != 0) {
+            refuse_round_shear(shear, shear.line("bulk_A"), "leave bulk_A out");
+        }
+        check_materials(shear, spec, scene);
+        scene.shear = spec;
     }
 }
 

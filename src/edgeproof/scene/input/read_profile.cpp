@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/curved/curved_body.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/io/error_place.hpp"
@@ -11,19 +12,18 @@
 #include <array>
 #include <functional>
 #include <string>
-#include <utility>
 
 namespace edgeproof::scene {
+
 namespace {
 
 /// Two cylinders or spheres, or one on a flat: g' = x/R with 1/R = 1/R1 + 1/R2 (`johnson1985`,
 /// section 4.2). A negative radius is that of a hollow; the sum of the curvatures must be positive.
-contact::Profile read_round_bodies(const io::TomlSection& section, bool two,
-                                   std::optional<Radii>& radii) {
+Profile read_round_bodies(const io::TomlSection& section, bool two, std::optional<Radii>& radii) {
     section.allow(two ? std::vector<std::string_view>{"kind", "geometry", "R", "R1", "R2"}
                       : std::vector<std::string_view>{"kind", "geometry", "R"});
     const auto curvature = [&](std::string_view key) {
-        const formula::Exact R = contact_constant(section, key);
+        const Exact R = contact_constant(section, key);
         if (io::at_place(section.file(), section.line(key), [&] { return R.sign(); }) == 0) {
             section.reject(key, std::string(key) + " is zero",
                            "give a radius; a flat body is left out");
@@ -40,24 +40,24 @@ contact::Profile read_round_bodies(const io::TomlSection& section, bool two,
         section.reject(section.line(), "there is no radius",
                        two ? "add R = \"...\", or R1 and R2 of the two bodies" : "add R = \"...\"");
     }
-    formula::Expr sum = curvature(first);
+    Expr sum = curvature(first);
     if (section.has("R1") && section.has("R2")) {
         sum = sum + curvature("R2");
         radii = Radii{contact_constant(section, "R1"), contact_constant(section, "R2")};
     }
-    const formula::Exact C(sum);
+    const Exact C(sum);
     if (io::at_place(section.file(), section.line(first), [&] { return C.sign(); }) <= 0) {
         section.reject(
             first, "the bodies do not separate outside the contact: 1/R1 + 1/R2 is not positive",
             "give a positive radius, or a hollow with a larger radius than the body in it");
     }
-    return contact::Profile::power_law(C, formula::Exact(whole(1)));
+    return Profile::power_law(C, Exact(whole(1)));
 }
 
 /// Below this range, the pressure at the apex agrees with that of a wedge to more digits than any
 /// search can resolve; above it, the flanks are practically vertical.
-void check_exponent(const formula::Exact& m) {
-    static const formula::Expr least = formula::Expr::number(parse_decimal("1e-10"));
+void check_exponent(const Exact& m) {
+    static const Expr least = Expr::number(parse_decimal("1e-10"));
     if (m.sign() > 0 && (is_less(m.expr(), least) || is_less(whole(1'000'000), m.expr()))) {
         throw InputError("the power-law exponent m = " + m.text() + " is out of range",
                          "give 0 (a wedge), or a number from 1e-10 to 1000000");
@@ -90,17 +90,17 @@ auto located(const io::TomlSection& section, const std::vector<std::string_view>
     }
 }
 
-contact::Profile read_piecewise(const io::TomlSection& section) {
+Profile read_piecewise(const io::TomlSection& section) {
     section.allow({"kind", "geometry", "knots", "slopes", "symmetric"});
     const bool symmetric = section.has("symmetric") && section.flag("symmetric");
-    std::vector<formula::Exact> knots;
+    std::vector<Exact> knots;
     if (section.has("knots")) {
         for (const auto& item : section.exacts("knots")) {
             check_size(section, "knots", item.value.expr(), item.value.text());
             knots.push_back(item.value);
         }
     }
-    std::vector<formula::Expr> slopes;
+    std::vector<Expr> slopes;
     for (const std::string& text : section.texts("slopes")) {
         try {
             slopes.push_back(parse(text, formula::Symbols{"x"}));
@@ -111,27 +111,27 @@ contact::Profile read_piecewise(const io::TomlSection& section) {
         check_size(section, "slopes", slopes.back(), text);
     }
     return located(section, {}, [&] {
-        return symmetric ? contact::Profile::piecewise_symmetric(knots, slopes)
-                         : contact::Profile::piecewise(knots, slopes);
+        return symmetric ? Profile::piecewise_symmetric(knots, slopes)
+                         : Profile::piecewise(knots, slopes);
     });
 }
 
-using Get = std::function<formula::Exact(std::string_view key)>;
+using Get = std::function<Exact(std::string_view key)>;
 
 /// A wedge, or a cone: g' = phi.
-contact::Profile wedge(const Get& get) {
-    const formula::Exact phi = get("phi");
+Profile wedge(const Get& get) {
+    const Exact phi = get("phi");
     if (phi.sign() <= 0) {
         throw InputError("the slope phi = " + phi.text() + " is not positive", "give phi > 0");
     }
-    return contact::Profile::power_law(phi, formula::Exact(whole(0)));
+    return Profile::power_law(phi, Exact(whole(0)));
 }
 
 /// A kind of profile that is made of a few numbers.
 struct ProfileKind {
     std::string_view name;
     std::vector<std::string_view> parameters;
-    contact::Profile (*profile)(const Get&);
+    Profile (*profile)(const Get&);
     contact::TiltedPunch (*punch)(const Get&) = nullptr; ///< if the tilt can be solved for
 };
 
@@ -141,21 +141,21 @@ const std::vector<ProfileKind>& profile_kinds() {
          {"m", "C"},
          [](const Get& get) {
              check_exponent(get("m"));
-             return contact::Profile::power_law(get("C"), get("m"));
+             return Profile::power_law(get("C"), get("m"));
          }},
         {"wedge", {"phi"}, wedge},
         {"cone", {"phi"}, wedge},
         {"flat-and-rounded",
          {"t", "R"},
-         [](const Get& get) { return contact::Profile::flat_and_rounded(get("t"), get("R")); }},
+         [](const Get& get) { return Profile::flat_and_rounded(get("t"), get("R")); }},
         {"tilted-wedge",
          {"phi", "alpha"},
-         [](const Get& get) { return contact::Profile::tilted_wedge(get("phi"), get("alpha")); },
+         [](const Get& get) { return Profile::tilted_wedge(get("phi"), get("alpha")); },
          [](const Get& get) { return contact::TiltedPunch::wedge(get("phi")); }},
         {"tilted-flat-and-rounded",
          {"alpha", "t", "R"},
          [](const Get& get) {
-             return contact::Profile::tilted_flat_and_rounded(get("alpha"), get("t"), get("R"));
+             return Profile::tilted_flat_and_rounded(get("alpha"), get("t"), get("R"));
          },
          [](const Get& get) { return contact::TiltedPunch::flat_and_rounded(get("t"), get("R")); }},
     };
@@ -213,9 +213,9 @@ void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scen
     const Get get = [&](std::string_view name) {
         const bool half = by_width && name == "t";
         const std::string_view key = half ? "flat_width" : name;
-        formula::Exact value = contact_constant(section, key);
+        Exact value = contact_constant(section, key);
         (void)sign_of(section, key, value); // every parameter is compared with zero
-        return half ? formula::Exact(value.expr() / whole(2)) : value;
+        return half ? Exact(value.expr() / whole(2)) : value;
     };
     std::vector<std::string_view> keys{"kind", "geometry"};
     keys.insert(keys.end(), parameters.begin(), parameters.end());
@@ -223,7 +223,7 @@ void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scen
     located(section, parameters, [&] {
         if (tilt_unknown) {
             scene.punch = row->punch(get);
-            (void)scene.punch->at(formula::Exact());
+            (void)scene.punch->at(Exact());
         } else {
             scene.profile = row->profile(get);
         }
@@ -244,7 +244,7 @@ const Rational& smallest_size() {
     return q;
 }
 
-bool numbers_in_range(const formula::Expr& e) {
+bool numbers_in_range(const Expr& e) {
     if (const Rational* q = e.rational()) {
         const Rational size = abs(*q);
         return size == 0 || (smallest_size() <= size && size <= largest_size());
@@ -253,7 +253,7 @@ bool numbers_in_range(const formula::Expr& e) {
 }
 
 /// False only where the value is proved to be beyond the range.
-bool value_in_range(const formula::Expr& e) {
+bool value_in_range(const Expr& e) {
     const auto x = formula::enclose(e, bits_of_size);
     if (!x) {
         return true;
@@ -268,7 +268,7 @@ bool value_in_range(const formula::Expr& e) {
 
 } // namespace
 
-void check_size(const io::TomlSection& section, std::string_view key, const formula::Expr& e,
+void check_size(const io::TomlSection& section, std::string_view key, const Expr& e,
                 std::string_view text) {
     if (!numbers_in_range(e) ||
         (formula::free_symbols(e).empty() && !formula::has_binder(e) && !value_in_range(e))) {
@@ -279,10 +279,105 @@ void check_size(const io::TomlSection& section, std::string_view key, const form
     }
 }
 
-formula::Exact contact_constant(const io::TomlSection& section, std::string_view key) {
-    formula::Exact value = section.exact(key);
+Exact contact_constant(const io::TomlSection& section, std::string_view key) {
+    Exact value = section.exact(key);
     check_size(section, key, value.expr(), value.text());
     return value;
+}
+
+bool is_axisymmetric(const io::TomlSection& profile) {
+    const std::string kind = profile.text("kind");
+    const bool of_revolution = kind == "sphere" || kind == "cone";
+    if (!profile.has("geometry")) {
+        return of_revolution;
+    }
+    const std::string geometry = profile.text("geometry");
+    if (of_revolution && geometry == "plane") {
+        profile.reject("geometry", "a " + kind + " is axisymmetric",
+                       kind == "sphere" ? "write kind = \"hertz\" for cylinders"
+                                        : "write kind = \"wedge\" for a plane contact");
+    }
+    if (geometry != "plane" && geometry != "axisymmetric") {
+        profile.reject("geometry", "unknown geometry '" + geometry + "'",
+                       "write plane or axisymmetric");
+    }
+    return geometry == "axisymmetric";
+}
+
+void require_axisymmetric(const io::TomlSection& profile, const Scene& scene) {
+    if (!scene.profile || !scene.profile->symmetric()) {
+        profile.reject("geometry",
+                       "only power laws and symmetric slopes are computed as axisymmetric contacts",
+                       "write kind = \"sphere\", cone, power-law, "
+                       "flat-and-rounded, or piecewise with symmetric = true");
+    }
+    if (scene.profile->kind() == Profile::Kind::power_law || scene.profile->piecewise_linear()) {
+        return;
+    }
+    if (!contact::CurvedBody::handles(*scene.profile)) {
+        profile.reject("geometry",
+                       "g' of the axisymmetric contact has a function beyond the rigorous "
+                       "integration",
+                       "write g' without abs and hypot, in more pieces if necessary");
+    }
+    if (const auto v = contact::CurvedBody::not_analytic_at(*scene.profile)) {
+        profile.reject("geometry",
+                       "g' is not analytic at r = " + v->text() +
+                           ", so that the axisymmetric contact is not computed",
+                       "write pieces that are analytic up to their ends; a power of r alone is "
+                       "kind = \"power-law\"");
+    }
+}
+
+void revolve(Scene& scene) {
+    scene.round = Axisymmetric{*scene.profile, scene.load};
+    Axisymmetric& round = *scene.round;
+    const Exact given = scene.load.value;
+    if (scene.load.kind == Load::Kind::force) {
+        round.force = given;
+    } else if (scene.load.kind == Load::Kind::approach) {
+        round.approach = given;
+    }
+    if (scene.profile->kind() != Profile::Kind::power_law) {
+        scene.profile = scene.profile->revolved();
+        return;
+    }
+    round.law = contact::AxisymmetricPowerLaw::of(*scene.profile);
+    scene.profile = round.law->plane();
+    const Exact a = round.force      ? round.law->radius(scene.contact_modulus, given)
+                    : round.approach ? round.law->radius_at(given)
+                                     : given;
+    if (!round.force) {
+        round.force = round.law->force(scene.contact_modulus, a);
+    }
+    if (!round.approach) {
+        round.approach = round.law->approach(a);
+    }
+    scene.load = Load::right_edge(a);
+}
+
+void change_given(Scene& scene, const std::function<void(Scene&)>& change) {
+    if (!scene.round) {
+        change(scene);
+        return;
+    }
+    scene.profile = scene.round->profile;
+    scene.load = scene.round->load;
+    change(scene);
+    revolve(scene);
+}
+
+const char* Axisymmetric::size_from() const {
+    return load.kind == Load::Kind::force      ? "from P"
+           : load.kind == Load::Kind::approach ? "from delta"
+                                               : "given";
+}
+
+std::string Axisymmetric::load_text() const {
+    return (load.kind == Load::Kind::force      ? "P = "
+            : load.kind == Load::Kind::approach ? "delta = "
+                                                : "a = ") +
+           load.value.text();
 }
 
 } // namespace edgeproof::scene

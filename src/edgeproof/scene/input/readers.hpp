@@ -45,36 +45,31 @@ void require_axisymmetric(const io::TomlSection& profile, const Scene& scene);
 /// Sets the quantities of a scene that does not name them: all for which it gives the data.
 void default_quantities(Ask& ask, bool shear, bool friction);
 
-[[nodiscard]] inline formula::Expr whole(long k) { return formula::Expr::number(Rational(k)); }
+[[nodiscard]] inline Expr whole(long k) { return Expr::number(Rational(k)); }
 
 /// E* of 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
-[[nodiscard]] inline formula::Expr composite_modulus(const formula::Expr& E1,
-                                                     const formula::Expr& nu1,
-                                                     const formula::Expr& E2,
-                                                     const formula::Expr& nu2) {
+[[nodiscard]] inline Expr composite_modulus(const Expr& E1, const Expr& nu1, const Expr& E2,
+                                            const Expr& nu2) {
     return whole(1) / ((whole(1) - nu1 * nu1) / E1 + (whole(1) - nu2 * nu2) / E2);
 }
 
 /// True if x < y, for constants.
-[[nodiscard]] inline bool is_less(const formula::Expr& x, const formula::Expr& y) {
-    return formula::Exact(x - y).sign() < 0;
-}
+[[nodiscard]] inline bool is_less(const Expr& x, const Expr& y) { return Exact(x - y).sign() < 0; }
 
 /// Returns the sign of the value of a key, or of a value derived from it.
-[[nodiscard]] int sign_of(const io::TomlSection& section, std::string_view key,
-                          const formula::Exact& value);
+[[nodiscard]] int sign_of(const io::TomlSection& section, std::string_view key, const Exact& value);
 
 /// Refuses the value of a key unless it is positive.
-void require_positive(const io::TomlSection& section, std::string_view key,
-                      const formula::Exact& value, const std::string& instead);
+void require_positive(const io::TomlSection& section, std::string_view key, const Exact& value,
+                      const std::string& instead);
 
 /// Throws InputError, with the line of the key, unless every number of the expression and its value
 /// (where it has no names) are 0 or between 1e-10000 and 1e10000 in size: the range of what defines
 /// a contact. Beyond it, searches and integrals take endless work. `text`: as it is written.
-void check_size(const io::TomlSection& section, std::string_view key, const formula::Expr& e,
+void check_size(const io::TomlSection& section, std::string_view key, const Expr& e,
                 std::string_view text);
 
 /// The constant of a key of [profile], [load] or [shear], of a size within that range.
-[[nodiscard]] formula::Exact contact_constant(const io::TomlSection& section, std::string_view key);
+[[nodiscard]] Exact contact_constant(const io::TomlSection& section, std::string_view key);
 
 } // namespace edgeproof::scene

@@ -5,13 +5,52 @@
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/input/file_kind.hpp"
 #include "edgeproof/scene/input/readers.hpp"
 
+#include <algorithm>
+#include <array>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace edgeproof::scene {
+
 namespace {
+
+/// The rows are in the order of FileKind.
+struct KindOfFile {
+    std::array<std::string_view, 3> marks; ///< sections that no other kind has; the rest is empty
+    std::string_view name;
+    std::string_view wanted;
+    std::string_view commands;
+};
+
+constexpr std::array file_kinds{
+    KindOfFile{{"profile", "load", "ask"},
+               "a scene",
+               "a scene (TOML with [profile] and [load])",
+               "edgeproof pressure, expand, extent or explain"},
+    KindOfFile{{"scenes"},
+               "a recipe",
+               "a recipe (TOML with [scenes.NAME])",
+               "edgeproof table, points or check --exec"},
+    KindOfFile{{"ledger", "claim", "family"},
+               "a ledger",
+               "a ledger (TOML with [ledger], [[family]] and [[claim]])",
+               "edgeproof verify, mutate or check --ledger"},
+    KindOfFile{{"cases"},
+               "a file of hard cases",
+               "a file of hard cases (TOML with [cases.NAME])",
+               "edgeproof bounds hard-cases"},
+};
+static_assert(file_kinds.size() == static_cast<std::size_t>(FileKind::hard_cases) + 1);
+
+/// The first section of a file that only this kind has; empty if there is none.
+std::string_view mark_in(const io::TomlSection& top, const KindOfFile& kind) {
+    const auto mark = std::ranges::find_if(
+        kind.marks, [&](std::string_view m) { return !m.empty() && top.has(m); });
+    return mark == kind.marks.end() ? std::string_view() : *mark;
+}
 
 constexpr int shown_digits = 8;
 
@@ -66,7 +105,76 @@ void read_asked_instead(const std::vector<io::TomlEntry>& asked, const io::TomlS
     }
 }
 
+std::string toml_string(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        out += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+    }
+    return out + "\"";
+}
+
+std::vector<std::string> texts_of(const io::TomlEntry& entry) {
+    if (const auto* text = std::get_if<std::string>(&entry.value)) {
+        return {*text};
+    }
+    const auto* list = std::get_if<std::vector<std::string>>(&entry.value);
+    return list != nullptr ? *list : std::vector<std::string>();
+}
+
+/// Refuses control characters, tab and newline included.
+void check_characters(const std::string& key, const std::string& text) {
+    if (std::any_of(text.begin(), text.end(),
+                    [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; })) {
+        throw InputError(key + " holds a control character", "write a number or a word");
+    }
+}
+
+std::string toml_entry(const io::TomlEntry& entry) {
+    if (const auto* yes = std::get_if<bool>(&entry.value)) {
+        return *yes ? "true" : "false";
+    }
+    std::string list;
+    for (const std::string& text : texts_of(entry)) {
+        list += (list.empty() ? "" : ", ") + toml_string(text);
+    }
+    return std::holds_alternative<std::string>(entry.value) ? list : "[" + list + "]";
+}
+
+/// Returns the tables that are not empty, with their headers.
+std::vector<io::TomlTable> tables_of(const SceneEntries& entries) {
+    std::vector<io::TomlTable> tables{
+        {"profile", 0, entries.profile}, {"load", 0, entries.load}, {"shear", 0, entries.shear}};
+    for (const SceneEntries::Section& step : entries.steps) {
+        tables.push_back({"[[step]]", 0, step});
+    }
+    tables.push_back({"ask", 0, entries.ask});
+    std::erase_if(tables, [](const io::TomlTable& table) { return table.entries.empty(); });
+    return tables;
+}
+
 } // namespace
+
+std::optional<FileKind> file_kind(const io::TomlSection& top) {
+    for (std::size_t i = 0; i < file_kinds.size(); ++i) {
+        if (!mark_in(top, file_kinds[i]).empty()) {
+            return static_cast<FileKind>(i);
+        }
+    }
+    return std::nullopt;
+}
+
+void expect_file_kind(const io::TomlSection& top, FileKind expected) {
+    const KindOfFile& right = file_kinds.at(static_cast<std::size_t>(expected));
+    const auto found = file_kind(top);
+    if (!found || !mark_in(top, right).empty()) {
+        return;
+    }
+    const KindOfFile& other = file_kinds.at(static_cast<std::size_t>(*found));
+    top.reject(mark_in(top, other),
+               "this is " + std::string(other.name) + ", not " + std::string(right.name),
+               "give " + std::string(right.wanted) + ", or give this file to " +
+                   std::string(other.commands));
+}
 
 Scene read_contact(const io::TomlSection& top) {
     Scene scene;
@@ -124,7 +232,7 @@ void require_plane(const Scene& scene, const std::string& command) {
 }
 
 void refuse_sliding(const Scene& scene, const Real& force) {
-    const contact::ShearSpec& shear = *scene.shear;
+    const ShearSpec& shear = *scene.shear;
     const Real most = force * shear.friction->to<Real>();
     throw InputError("the contact slides: Q = " + shear.Q.text() +
                          ", but f P = " + most.str(shown_digits),
@@ -132,7 +240,7 @@ void refuse_sliding(const Scene& scene, const Real& force) {
         .at(scene.file, scene.friction_line);
 }
 
-void refuse_tension(const Scene& scene, contact::Edge edge, bool reached, const Real& least,
+void refuse_tension(const Scene& scene, Edge edge, bool reached, const Real& least,
                     const Real& most) {
     throw InputError("bulk_tension = " + scene.shear->bulk_tension.text() +
                          " moves the stick zone " + (reached ? "to the " : "beyond the ") +
@@ -142,6 +250,40 @@ void refuse_tension(const Scene& scene, contact::Edge edge, bool reached, const 
                      "give a bulk_tension between " + least.str(shown_digits) + " and " +
                          most.str(shown_digits) + ", the bounds for this Q")
         .at(scene.file, scene.tension_line);
+}
+
+std::string scene_text(const SceneEntries& entries) {
+    std::string text;
+    if (!entries.title.empty()) {
+        text += "title = " + toml_string(entries.title) + "\n";
+    }
+    for (const io::TomlTable& table : tables_of(entries)) {
+        const bool listed = table.name.starts_with("[[");
+        text += (text.empty() ? "" : "\n") + (listed ? table.name : "[" + table.name + "]") + "\n";
+        for (const io::TomlEntry& entry : table.entries) {
+            text += entry.key + " = " + toml_entry(entry) + "\n";
+        }
+    }
+    return text;
+}
+
+Scene make_scene(const SceneEntries& entries) {
+    check_characters("title", entries.title);
+    const std::vector<io::TomlTable> tables = tables_of(entries);
+    for (const io::TomlTable& table : tables) {
+        for (const io::TomlEntry& entry : table.entries) {
+            for (const std::string& text : texts_of(entry)) {
+                check_characters(entry.key, text);
+            }
+        }
+    }
+    try {
+        Scene scene = scene_of(io::TomlSection::made(tables, ""));
+        scene.title = entries.title;
+        return scene;
+    } catch (const InputError& error) {
+        throw InputError(error.problem(), error.instead()); // without the line 0
+    }
 }
 
 } // namespace edgeproof::scene

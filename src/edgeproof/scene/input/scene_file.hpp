@@ -24,14 +24,31 @@
 
 namespace edgeproof::scene {
 
+using contact::Counts;
+using contact::Load;
+using contact::Profile;
+using contact::Route;
+using contact::ShearSpec;
+using contact::Work;
+
+/// The kinds of TOML files that the program reads.
+enum class FileKind { scene, recipe, ledger, hard_cases };
+
+/// Returns the kind of a file by its sections; nothing if they do not decide.
+[[nodiscard]] std::optional<FileKind> file_kind(const io::TomlSection& top);
+
+/// Throws InputError if the file is certainly of another kind (a scene given for a recipe). The
+/// message names both kinds and the commands that take the file.
+void expect_file_kind(const io::TomlSection& top, FileKind expected);
+
 struct AskedPoint {
-    formula::Exact u; ///< the distance from the edge, unless `place` gives it
+    Exact u; ///< the distance from the edge, unless `place` gives it
     std::size_t line = 0;
     std::optional<Place> place = {};
     std::string written = {}; ///< as the scene writes it, if that is not a plain number
     bool computed = false;    ///< a point between the ends of a range
 
-    [[nodiscard]] Distance distance(contact::Edge edge) const {
+    [[nodiscard]] Distance distance(Edge edge) const {
         return place ? place->distance(edge) : Distance(u);
     }
     /// The text of the request: "1e-3", "a/2", "x = 0".
@@ -45,19 +62,19 @@ struct AskedPoint {
                          : decimal_text(u, digits);
     }
     /// The distance `number` of the point: as it is written, if that is a plain number u.
-    [[nodiscard]] std::string u_text(const formula::Exact& number, const Digits& digits) const {
+    [[nodiscard]] std::string u_text(const Exact& number, const Digits& digits) const {
         const bool plain = !computed && written.empty() && !place;
         return plain ? number.text() : decimal_text(number, digits);
     }
     /// The same for a point given by its place x.
-    [[nodiscard]] std::string x_text(const formula::Exact& number, const Digits& digits) const {
+    [[nodiscard]] std::string x_text(const Exact& number, const Digits& digits) const {
         const bool plain = !computed && place && place->is_number();
         return plain ? number.text() : decimal_text(number, digits);
     }
 };
 
 struct Ask {
-    std::vector<contact::Edge> edges{contact::Edge::right};
+    std::vector<Edge> edges{Edge::right};
     bool edges_given = false;       ///< by the file, so that they override a command's default
     std::vector<std::size_t> terms; ///< numbers of terms, in the order of the request
     std::vector<AskedPoint> u;      ///< in the order of the request; those of x come last
@@ -67,10 +84,10 @@ struct Ask {
     std::optional<Distance> reference;
     Body surface_of = Body::A;
     std::set<QuantityGroup> quantities;
-    std::optional<formula::Exact> tolerance;
-    std::optional<formula::Exact> process_zone; ///< a length from the edge
-    contact::ExtentRange part;                  ///< the part over which extents are measured
-    contact::Route route = contact::Route::automatic;
+    std::optional<Exact> tolerance;
+    std::optional<Exact> process_zone; ///< a length from the edge
+    contact::ExtentRange part;         ///< the part over which extents are measured
+    Route route = Route::automatic;
     Digits digits;
 
     [[nodiscard]] bool wants(QuantityGroup group) const { return quantities.contains(group); }
@@ -79,27 +96,27 @@ struct Ask {
 };
 
 struct Bodies {
-    formula::Exact E1;
-    formula::Exact nu1;
-    formula::Exact E2;
-    formula::Exact nu2;
+    Exact E1;
+    Exact nu1;
+    Exact E2;
+    Exact nu2;
 };
 
 /// The radii of two bodies that touch; a negative one is that of a hollow.
 struct Radii {
-    formula::Exact R1;
-    formula::Exact R2;
+    Exact R1;
+    Exact R2;
 };
 
 /// The data of an axisymmetric contact that the plane contact with the same pressure does not have
 /// (docs/axisymmetric.md). The force and the approach are those of a power law, or as given; those
 /// of other profiles are computed with the contact.
 struct Axisymmetric {
-    contact::Profile profile; ///< as the scene gives it
-    contact::Load load;       ///< the same
+    Profile profile; ///< as the scene gives it
+    Load load;       ///< the same
     std::optional<contact::AxisymmetricPowerLaw> law = {};
-    std::optional<formula::Exact> force = {};    ///< P, the total force
-    std::optional<formula::Exact> approach = {}; ///< delta (length)
+    std::optional<Exact> force = {};    ///< P, the total force
+    std::optional<Exact> approach = {}; ///< delta (length)
 
     /// The route of a: "given", "from P" or "from delta".
     [[nodiscard]] const char* size_from() const;
@@ -113,15 +130,15 @@ struct Scene {
     std::string file;
     std::string title;
     /// The profile, or (for a load of P and M) the punch whose tilt is to be found.
-    std::optional<contact::Profile> profile;
+    std::optional<Profile> profile;
     std::optional<contact::TiltedPunch> punch;
     std::optional<Radii> radii; ///< if the profile follows from both
-    formula::Exact contact_modulus;
-    std::optional<Bodies> bodies;         ///< if contact_modulus follows from them
-    std::optional<formula::Exact> nu;     ///< Poisson's ratio of both, if it is given alone
-    contact::Load load;                   ///< a or P
-    std::optional<formula::Exact> moment; ///< M, with `punch`
-    std::optional<contact::ShearSpec> shear;
+    Exact contact_modulus;
+    std::optional<Bodies> bodies; ///< if contact_modulus follows from them
+    std::optional<Exact> nu;      ///< Poisson's ratio of both, if it is given alone
+    Load load;                    ///< a or P
+    std::optional<Exact> moment;  ///< M, with `punch`
+    std::optional<ShearSpec> shear;
     /// If the scene is axisymmetric, with x for r. The profile and the load of a power law are then
     /// those of the plane contact that has the same edge a and the same pressure.
     std::optional<Axisymmetric> round;
@@ -146,7 +163,7 @@ struct Scene {
         return shear && shear->path == contact::LoadingPath::together;
     }
     /// Poisson's ratio of a body, if it is given.
-    [[nodiscard]] std::optional<formula::Exact> poisson(Body body) const {
+    [[nodiscard]] std::optional<Exact> poisson(Body body) const {
         return !bodies ? nu : body == Body::A ? bodies->nu1 : bodies->nu2;
     }
     /// True if the routes in Real do not compute the scene: axisymmetric profiles that are no power
@@ -159,10 +176,8 @@ struct Scene {
         return profile && profile->axisymmetric() && !profile->piecewise_linear();
     }
     /// The profile and the load as the scene gives them, also of an axisymmetric power law.
-    [[nodiscard]] const contact::Profile& given_profile() const {
-        return round ? round->profile : *profile;
-    }
-    [[nodiscard]] const contact::Load& given_load() const { return round ? round->load : load; }
+    [[nodiscard]] const Profile& given_profile() const { return round ? round->profile : *profile; }
+    [[nodiscard]] const Load& given_load() const { return round ? round->load : load; }
     /// True if b = a without solving.
     [[nodiscard]] bool symmetric() const { return profile && profile->symmetric(); }
     /// The same contact under the same normal load, without a shear load and its history.
@@ -199,7 +214,7 @@ void change_steps(Scene& scene, const std::function<void(LoadStep&)>& change);
 [[nodiscard]] Scene read_contact(const io::TomlSection& top);
 
 /// Reads a tolerance exactly: "1%", "0.01", "1/100". Throws InputError unless it is positive.
-[[nodiscard]] formula::Exact parse_tolerance(std::string_view text);
+[[nodiscard]] Exact parse_tolerance(std::string_view text);
 
 /// A scene that is not read from a file: the keys of a scene file (docs/file-formats.md), section
 /// by section. A section without entries is left out.
@@ -236,7 +251,7 @@ void require_plane(const Scene& scene, const std::string& command);
 [[noreturn]] void refuse_sliding(const Scene& scene, const Real& force);
 /// Refuses a scene whose stick zone would extend beyond an edge (or reaches it: `reached`), with
 /// the line of the bulk tension: sigma_0 has to lie between the two limits.
-[[noreturn]] void refuse_tension(const Scene& scene, contact::Edge edge, bool reached,
-                                 const Real& least, const Real& most);
+[[noreturn]] void refuse_tension(const Scene& scene, Edge edge, bool reached, const Real& least,
+                                 const Real& most);
 
 } // namespace edgeproof::scene

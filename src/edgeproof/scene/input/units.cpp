@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/input/units.hpp"
 
-#include "edgeproof/precision/rounding/text.hpp"
-
 #include <array>
 #include <utility>
 

@@ -5,14 +5,12 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace edgeproof::scene {
 namespace {
 
-using formula::Expr;
-using Parameters = std::map<std::string, formula::Exact>;
+using Parameters = std::map<std::string, Exact>;
 
 constexpr std::string_view modulus_advice =
     "contact_modulus is E* with 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2: both bodies deform, in "
@@ -49,7 +47,7 @@ public:
     explicit Catalogue(const Scene& scene) : scene_(scene) {
         if (scene.profile) {
             parameters_ = scene.given_profile().parameters();
-        } else if (scene.punch->kind == contact::Profile::Kind::tilted_wedge) {
+        } else if (scene.punch->kind == Profile::Kind::tilted_wedge) {
             parameters_ = {{"phi", scene.punch->phi}};
         } else {
             parameters_ = {{"t", scene.punch->t}, {"R", scene.punch->R}};
@@ -64,12 +62,10 @@ public:
     }
     [[nodiscard]] std::vector<SceneMistake> of_shear() && {
         const auto times = [&](std::string_view name, const char* what, std::string_view advice,
-                               formula::Exact contact::ShearSpec::*of, const Expr& k) {
-            add(name, what, advice, [of, k](Scene& s) {
-                (*s.shear).*of = formula::Exact(((*s.shear).*of).expr() * k);
-            });
+                               Exact ShearSpec::*of, const Expr& k) {
+            add(name, what, advice,
+                [of, k](Scene& s) { (*s.shear).*of = Exact(((*s.shear).*of).expr() * k); });
         };
-        using contact::ShearSpec;
         if (scene_.history) {
             history();
         } else if (scene_.shear->Q.sign() != 0) {
@@ -81,11 +77,10 @@ public:
             times("half-tension", "half of the bulk tension", tension_advice, tension, half);
             times("half-tension", "twice the bulk tension", tension_advice, tension, two);
             add("no-tension", "no bulk tension", tension_advice,
-                [](Scene& s) { s.shear->bulk_tension = formula::Exact(); });
+                [](Scene& s) { s.shear->bulk_tension = Exact(); });
             add("sign-of-tension", "the bulk tension of the wrong sign relative to Q",
-                tension_advice, [](Scene& s) {
-                    s.shear->bulk_tension = formula::Exact(-s.shear->bulk_tension.expr());
-                });
+                tension_advice,
+                [](Scene& s) { s.shear->bulk_tension = Exact(-s.shear->bulk_tension.expr()); });
         }
         if (scene_.shear->friction) {
             add("no-slip", "full stick, without friction", friction_advice, [](Scene& s) {
@@ -102,8 +97,7 @@ private:
     void history() {
         const auto times = [&](const char* what, const Expr& k) {
             add("half-shear-force", what, shear_advice, [k](Scene& s) {
-                change_steps(s,
-                             [&](LoadStep& step) { step.Q = formula::Exact(step.Q.expr() * k); });
+                change_steps(s, [&](LoadStep& step) { step.Q = Exact(step.Q.expr() * k); });
             });
         };
         times("half of Q", half);
@@ -130,8 +124,7 @@ private:
     }
 
     void modulus(std::string_view name, const char* what, const Expr& value) {
-        add(name, what, modulus_advice,
-            [value](Scene& s) { s.contact_modulus = formula::Exact(value); });
+        add(name, what, modulus_advice, [value](Scene& s) { s.contact_modulus = Exact(value); });
     }
     void moduli() {
         if (!scene_.bodies) {
@@ -188,9 +181,8 @@ private:
                  const std::function<Expr(std::string_view, const Expr&)>& change) {
         add(name, std::move(what), advice, [parameters = parameters_, change](Scene& s) {
             const auto get = [&](const char* key) {
-                return formula::Exact(change(key, parameters.at(key).expr()));
+                return Exact(change(key, parameters.at(key).expr()));
             };
-            using contact::Profile;
             if (s.punch) {
                 s.punch = s.punch->kind == Profile::Kind::tilted_wedge
                               ? contact::TiltedPunch::wedge(get("phi"))
@@ -225,7 +217,7 @@ private:
     }
     void sizes() {
         const bool circle = scene_.profile &&
-                            scene_.given_profile().kind() == contact::Profile::Kind::power_law &&
+                            scene_.given_profile().kind() == Profile::Kind::power_law &&
                             contact::certainly_zero(parameters_.at("m").expr() - integer(1));
         if (circle) {
             parameter("radius-as-diameter", "half the radius", radius_advice, "C", two);
@@ -293,11 +285,11 @@ private:
     }
 
     void forces_of_steps() {
-        std::vector<formula::Exact> seen{scene_.load.value};
+        std::vector<Exact> seen{scene_.load.value};
         for (std::size_t k = 1; k <= scene_.steps.size() && seen.size() <= most_other_steps; ++k) {
-            const formula::Exact P = scene_.steps[k - 1].P;
-            const bool known = std::ranges::any_of(seen, [&](const formula::Exact& other) {
-                return formula::Exact(P.expr() - other.expr()).sign() == 0;
+            const Exact P = scene_.steps[k - 1].P;
+            const bool known = std::ranges::any_of(seen, [&](const Exact& other) {
+                return Exact(P.expr() - other.expr()).sign() == 0;
             });
             if (known || P.sign() <= 0) {
                 continue;
@@ -308,7 +300,7 @@ private:
                     if (s.history) {
                         set_step(s, k);
                     } else {
-                        s.load = contact::Load::force(P);
+                        s.load = Load::force(P);
                     }
                 });
         }
@@ -319,15 +311,14 @@ private:
                               const Expr& times) {
             add(name, what, advice, [times](Scene& s) {
                 if (s.history) {
-                    change_steps(
-                        s, [&](LoadStep& step) { step.P = formula::Exact(step.P.expr() * times); });
+                    change_steps(s, [&](LoadStep& step) { step.P = Exact(step.P.expr() * times); });
                 } else {
-                    s.load.value = formula::Exact(s.load.value.expr() * times);
+                    s.load.value = Exact(s.load.value.expr() * times);
                 }
             });
         };
-        const contact::Load::Kind given = scene_.given_load().kind;
-        if (given == contact::Load::Kind::force) {
+        const Load::Kind given = scene_.given_load().kind;
+        if (given == Load::Kind::force) {
             const auto advice = scene_.round ? round_force_advice : force_advice;
             load("half-force", "half of P", advice, half);
             load("half-force", "twice P", advice, two);
@@ -337,14 +328,14 @@ private:
                 load("force-per-radian", "P divided by 2 pi", advice, integer(1) / turn);
                 load("force-per-radian", "2 pi P", advice, turn);
             }
-        } else if (given == contact::Load::Kind::approach) {
+        } else if (given == Load::Kind::approach) {
             load("half-approach", "half of delta", approach_advice, half);
             load("half-approach", "twice delta", approach_advice, two);
         } else {
             load("full-width-for-half", "the width of the contact instead of a", width_advice, two);
             load("full-width-for-half", "a quarter of the width instead of a", width_advice, half);
         }
-        if (scene_.round && given != contact::Load::Kind::approach) {
+        if (scene_.round && given != Load::Kind::approach) {
             list_.push_back({"plane-for-axisymmetric", "the plane contact of the same profile",
                              "the bodies are bodies of revolution", [](Scene& s) {
                                  s.profile = s.round->profile;
@@ -355,7 +346,7 @@ private:
         if (scene_.moment) {
             const auto moment = [&](std::string_view name, const char* what, const Expr& times) {
                 add(name, what, moment_advice,
-                    [times](Scene& s) { s.moment = formula::Exact(s.moment->expr() * times); });
+                    [times](Scene& s) { s.moment = Exact(s.moment->expr() * times); });
             };
             moment("sign-of-moment", "M with the wrong sign", integer(-1));
             moment("half-moment", "half of M", half);

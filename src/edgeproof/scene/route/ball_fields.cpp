@@ -1,14 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/curved/curved_body.hpp"
-#include "edgeproof/contact/curved/slope_monotonicity.hpp"
-#include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/contact/curved/curved_slope.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/stress/surface_gap.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/route/ball_level.hpp"
 
+#include <cstddef>
 #include <utility>
 
 namespace edgeproof::scene {
+
+namespace {
+
+/// The compliances of a body in plane strain (1/stress).
+struct Compliances {
+    Ball along;  ///< (1 - nu^2)/E
+    Ball across; ///< (1 + nu)(1 - 2 nu)/E
+};
+
+Compliances compliances_of(const Scene& scene, Body body, long bits) {
+    const Ball nu = ball_of(*scene.poisson(body), bits);
+    const Ball along =
+        scene.bodies ? (1 - nu) * (1 + nu) /
+                           ball_of(body == Body::A ? scene.bodies->E1 : scene.bodies->E2, bits)
+                     : 1 / (ball_of(scene.contact_modulus, bits) * 2); // equal bodies
+    return {along, along * (1 - nu * 2) / (1 - nu)};
+}
+
+} // namespace
 
 const contact::TractionParts* BallLevel::traction_parts() {
     if (!traction_parts_ && slip() != nullptr && !slip()->sliding()) {
@@ -18,7 +38,7 @@ const contact::TractionParts* BallLevel::traction_parts() {
     return traction_parts_ ? &*traction_parts_ : nullptr;
 }
 
-const std::vector<contact::BallContact>* BallLevel::part_contacts() {
+const std::vector<BallContact>* BallLevel::part_contacts() {
     const contact::TractionParts* const parts = traction_parts();
     return parts == nullptr ? nullptr : parts->closed();
 }
@@ -55,7 +75,7 @@ Ball BallLevel::bulk_stress(Body body) const {
 }
 
 std::optional<contact::StressField> BallLevel::stress_field(Body body) {
-    const contact::BallContact& whole = *contact_->closed_form();
+    const BallContact& whole = *contact_->closed_form();
     contact::StressField field{.parts = {{whole, Ball(1, bits_), Ball(0, bits_)}},
                                .bulk = bulk_stress(body)};
     field.mirrored = scene_.symmetric();
@@ -91,7 +111,7 @@ const contact::StressState& BallLevel::stress(const AskedValue& at) {
     }
     if (scene_.round) {
         const contact::AxisymmetricStress field = axisymmetric_stress(point.body);
-        const formula::Exact r = point.x.sign() < 0 ? formula::Exact(-point.x.expr()) : point.x;
+        const Exact r = point.x.sign() < 0 ? Exact(-point.x.expr()) : point.x;
         contact::StressState state = r.sign() == 0         ? field.on_axis(point.z)
                                      : point.z.sign() == 0 ? field.on_surface(r)
                                                            : field.inside(r, point.z);
@@ -130,7 +150,7 @@ Ball BallLevel::gap(const AskedValue& at) {
     if (certainly_negative(right) && certainly_negative(left)) {
         throw DomainError("the place lies inside the contact");
     }
-    const contact::BallContact* const form = contact_->closed_form();
+    const BallContact* const form = contact_->closed_form();
     if (scene_.round) {
         if (scene_.curved_body() && monotonicity_of_slope(*scene_.profile, abs(x), abs(x)).kind !=
                                         contact::SlopeMonotonicity::Kind::rises) {
@@ -147,7 +167,7 @@ Ball BallLevel::gap(const AskedValue& at) {
 
 const std::vector<BallLevel::SlipSince>* BallLevel::slip_since_contact() {
     if (!slip_since_ && slip() != nullptr) {
-        const auto zone_of = [this](const formula::Exact& force) {
+        const auto zone_of = [this](const Exact& force) {
             return zones_->zone(ball_of(force, bits_), Ball(0, bits_), {a(), b()});
         };
         std::vector<SlipSince> list;
@@ -240,7 +260,7 @@ Ball BallLevel::round_slip(const Ball& r) {
     if (certainly_negative(beyond)) {
         return {0, bits_};
     }
-    const contact::BallContact* const form = contact_->closed_form();
+    const BallContact* const form = contact_->closed_form();
     return part.ratio * tangential_ratio() *
            (form != nullptr
                 ? axisymmetric_gap(form->between(part.zone.a, part.zone.b),
@@ -249,7 +269,7 @@ Ball BallLevel::round_slip(const Ball& r) {
 }
 
 std::optional<Ball> BallLevel::power_of_growth() const {
-    using Kind = contact::Profile::Kind;
+    using Kind = Profile::Kind;
     const Kind kind = scene_.profile->kind();
     if (kind == Kind::tilted_wedge) {
         return Ball(1, bits_);
@@ -260,17 +280,16 @@ std::optional<Ball> BallLevel::power_of_growth() const {
 }
 
 // docs/histories.md, "The energy"
-contact::GrowthIntegral BallLevel::growth(const contact::ProvedContact& widest) const {
+contact::GrowthIntegral BallLevel::growth(const ProvedContact& widest) const {
     if (const auto power = power_of_growth()) {
         return contact::similar_growth(*power);
     }
-    if (const contact::BallContact* const form = widest.closed_form()) {
+    if (const BallContact* const form = widest.closed_form()) {
         return growth_of(*form);
     }
     // Only its integrals of g' are used, and not its radius.
     const auto body = std::make_shared<const contact::CurvedBody>(
-        *scene_.profile, scene_.contact_modulus, contact::Load::right_edge(formula::Exact::of(1)),
-        bits_);
+        *scene_.profile, scene_.contact_modulus, Load::right_edge(Exact::of(1)), bits_);
     return [body](const contact::PhaseWeight& weight, const contact::SlipPhase::Cut& from,
                   const contact::SlipPhase::Cut& to) {
         return body->over_plane_widths(from.zone.a, to.zone.a,
@@ -280,32 +299,32 @@ contact::GrowthIntegral BallLevel::growth(const contact::ProvedContact& widest) 
 
 Ball BallLevel::energy_of(const std::vector<LoadHistory::Phase>& phases) const {
     const Ball friction = ball_of(*scene_.shear->friction, bits_);
-    std::optional<formula::Exact> most; // of the forces: P may have been greater
+    std::optional<Exact> most; // of the forces: P may have been greater
     for (const LoadHistory::Phase& phase : phases) {
-        const formula::Exact& force = phase.cuts.back();
-        most = most && formula::Exact(force.expr() - most->expr()).sign() <= 0 ? most : force;
+        const Exact& force = phase.cuts.back();
+        most = most && Exact(force.expr() - most->expr()).sign() <= 0 ? most : force;
     }
     if (!most) {
         return {0, bits_};
     }
     // The energies of a power law or a wedge need no zones.
-    std::unique_ptr<contact::ProvedContact> widest;
+    std::unique_ptr<ProvedContact> widest;
     std::unique_ptr<contact::ZoneSolver> zones;
     if (!power_of_growth()) {
         widest = contact::proved_contact(*scene_.profile, scene_.contact_modulus,
-                                         contact::Load::force(*most), bits_);
+                                         Load::force(*most), bits_);
         zones = zone_solver(*widest, *scene_.profile, scene_.contact_modulus, false);
     }
     std::vector<contact::SlipPhase> list;
     for (const LoadHistory::Phase& phase : phases) {
-        const auto number = [&](const formula::Exact& x) { return ball_of(x, bits_); };
+        const auto number = [&](const Exact& x) { return ball_of(x, bits_); };
         list.push_back({number(phase.inner_from),
                         number(phase.inner_to),
                         number(phase.force_from),
                         number(phase.force_to),
                         number(phase.change),
                         {}});
-        for (const formula::Exact& cut : phase.cuts) {
+        for (const Exact& cut : phase.cuts) {
             const Ball force = number(cut);
             list.back().cuts.push_back(
                 {force, zones ? zones->zone(force, Ball(0, bits_), {widest->a(), widest->b()})
@@ -318,9 +337,9 @@ Ball BallLevel::energy_of(const std::vector<LoadHistory::Phase>& phases) const {
 
 // docs/axisymmetric.md, "The energy of a cycle"
 Ball BallLevel::tangential_ratio() const {
-    const auto number = [&](const formula::Exact& x) { return ball_of(x, bits_); };
+    const auto number = [&](const Exact& x) { return ball_of(x, bits_); };
     if (scene_.bodies) {
-        const auto compliance = [&](const formula::Exact& E, const formula::Exact& nu) {
+        const auto compliance = [&](const Exact& E, const Exact& nu) {
             return (2 - number(nu)) * (1 + number(nu)) / (number(E) * 2);
         };
         const Bodies& bodies = *scene_.bodies;
@@ -331,17 +350,86 @@ Ball BallLevel::tangential_ratio() const {
     return (2 - nu) / ((1 - nu) * 2);
 }
 
-Ball BallLevel::round_cycle_energy(const contact::BallSlip& slip) const {
+Ball BallLevel::round_cycle_energy(const BallSlip& slip) const {
     const Ball factor = slip.friction() * slip.friction() * tangential_ratio() * 8;
     if (!scene_.round->law) {
         return factor * of_revolution().loop_integral(slip.stick().a, slip.load_ratio());
     }
-    const Ball m = ball_of(formula::Exact(scene_.round->law->m), bits_);
+    const Ball m = ball_of(Exact(scene_.round->law->m), bits_);
     const Ball power = (m + 2) / (m + 1); // P is proportional to delta^power
     const Ball tau = slip.load_ratio();
     const Ball left = pow(1 - tau, 1 / power);
     return factor * whole_force() * approach() *
            ((1 - tau / 2) * (1 - left) - (1 - (1 - tau) * left) / (power + 1));
+}
+
+contact::SurfacePotential BallLevel::shear_potential(const contact::SurfacePotential& p,
+                                                     const Ball& x) {
+    if (!scene_.shear) {
+        return p * Ball(0, bits_);
+    }
+    if (scene_.together()) {
+        return p * shear_ratio();
+    }
+    if (!scene_.slips()) {
+        return surface_potential(contact::Extent<Ball>{a(), b()}, load(), x);
+    }
+    const auto* const zones = part_contacts();
+    if (zones == nullptr) {
+        return {not_known(), not_known()};
+    }
+    contact::SurfacePotential sum = p * slip()->whole_ratio();
+    for (std::size_t i = 0; i < zones->size(); ++i) {
+        sum = sum + surface_potential((*zones)[i], x) * slip()->parts()[i].ratio;
+    }
+    return sum;
+}
+
+// docs/stress.md, "The displacements"
+BallLevel::Potentials BallLevel::potentials(const AskedValue& at) {
+    const auto place = [&](const Distance& distance) {
+        return distance.x_enclosure(a(), b(), bits_);
+    };
+    const Ball x = place(*at.place);
+    const Ball from = place(*at.reference);
+    const BallContact& form = *contact_->closed_form();
+    const contact::SurfacePotential p = surface_potential(form, x);
+    const contact::SurfacePotential p_from = surface_potential(form, from);
+    const Ball side(at.in_body->body == Body::A ? 1 : -1, bits_); // B carries -q
+    return {p - p_from, (shear_potential(p, x) - shear_potential(p_from, from)) * side, x - from};
+}
+
+// johnson1985, eqs. 2.25a and 2.25b, integrated; the bulk stress strains the surface evenly.
+Ball BallLevel::ux(const AskedValue& at) {
+    const Potentials of = potentials(at);
+    const Compliances body = compliances_of(scene_, at.in_body->body, bits_);
+    return body.across * of.p.carried - body.along * of.q.lift * 2 / Ball::pi(bits_) +
+           body.along * bulk_stress(at.in_body->body) * of.distance;
+}
+
+Ball BallLevel::uz(const AskedValue& at) {
+    const Potentials of = potentials(at);
+    const Compliances body = compliances_of(scene_, at.in_body->body, bits_);
+    return -(body.along * of.p.lift * 2 / Ball::pi(bits_)) - body.across * of.q.carried;
+}
+
+Ball BallLevel::surface_slope(const AskedValue& at) {
+    const Box zeta(at.place->x_enclosure(a(), b(), bits_), Ball(0, bits_));
+    const contact::CauchyIntegral p = contact::pressure_integral(*contact_, zeta);
+    const contact::CauchyIntegral q = shear_integral(p, zeta);
+    const Compliances body = compliances_of(scene_, at.in_body->body, bits_);
+    const Ball side(at.in_body->body == Body::A ? 1 : -1, bits_);
+    return -(body.along * p.value.real() * 2 + side * body.across * q.value.imaginary()) /
+           Ball::pi(bits_);
+}
+
+// docs/partial-slip.md, "The energy of a cycle": 4 f p times the slip.
+Ball BallLevel::dissipation(const AskedValue& at) {
+    const Ball slipped = abs(slip_displacement(at));
+    const Box zeta(at.place->x_enclosure(a(), b(), bits_), Ball(0, bits_));
+    const contact::CauchyIntegral p = contact::pressure_integral(*contact_, zeta);
+    return -(ball_of(*scene_.shear->friction, bits_) * p.value.imaginary() * slipped) * 4 /
+           Ball::pi(bits_);
 }
 
 } // namespace edgeproof::scene

@@ -3,19 +3,17 @@
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
-#include "edgeproof/contact/curved/proved_tractions.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/stress/axisymmetric_stress.hpp"
 #include "edgeproof/contact/stress/dissipation.hpp"
 #include "edgeproof/contact/stress/plane_stress.hpp"
-#include "edgeproof/contact/stress/stress_field.hpp"
-#include "edgeproof/contact/stress/surface_potential.hpp"
+#include "edgeproof/contact/stress/surface_gap.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/scene/route/plan.hpp"
-#include "edgeproof/scene/route/terms.hpp"
+#include "edgeproof/scene/route/value_route.hpp"
 
 #include <cstddef>
 #include <map>
@@ -25,6 +23,10 @@
 #include <vector>
 
 namespace edgeproof::scene {
+
+using contact::BallContact;
+using contact::BallSlip;
+using contact::ProvedContact;
 
 /// True if BallLevel::cycle_energy encloses the energy: the tilt of the profile is given.
 [[nodiscard]] inline bool encloses_cycle_energy(const Scene& scene) {
@@ -41,15 +43,14 @@ public:
         if (scene.punch) {
             tilt_ = enclose_tilt(*scene.punch, scene.contact_modulus, scene.load.value,
                                  *scene.moment, bits);
+            contact_ = tilt_->exactly_zero
+                           ? std::make_unique<BallContact>(tilt_->near, scene.contact_modulus,
+                                                           scene.load, bits)
+                           : std::make_unique<BallContact>(tilt_->near, tilt_->alpha,
+                                                           scene.contact_modulus, scene.load, bits);
+        } else if (edges && BallContact::has_closed_form(*scene.profile)) {
             contact_ =
-                tilt_->exactly_zero
-                    ? std::make_unique<contact::BallContact>(tilt_->near, scene.contact_modulus,
-                                                             scene.load, bits)
-                    : std::make_unique<contact::BallContact>(
-                          tilt_->near, tilt_->alpha, scene.contact_modulus, scene.load, bits);
-        } else if (edges && contact::BallContact::has_closed_form(*scene.profile)) {
-            contact_ = std::make_unique<contact::BallContact>(*scene.profile, scene.contact_modulus,
-                                                              *edges, bits);
+                std::make_unique<BallContact>(*scene.profile, scene.contact_modulus, *edges, bits);
         } else {
             contact_ =
                 contact::proved_contact(*scene.profile, scene.contact_modulus, scene.load, bits);
@@ -57,7 +58,7 @@ public:
     }
 
     [[nodiscard]] long bits() const { return bits_; }
-    [[nodiscard]] const contact::ProvedContact& contact() const { return *contact_; }
+    [[nodiscard]] const ProvedContact& contact() const { return *contact_; }
     [[nodiscard]] const Ball& a() const { return contact_->a(); }
     [[nodiscard]] const Ball& b() const { return contact_->b(); }
     /// The tilt of a scene in which it is solved for.
@@ -78,7 +79,7 @@ public:
     [[nodiscard]] Ball stiffness() const { return contact_->modulus() * a() * 2; }
     [[nodiscard]] Ball moment() const { return contact_->moment(); }
     /// Keeps the last value if it is used more than once.
-    [[nodiscard]] Ball p(contact::Edge edge, const Distance& u) {
+    [[nodiscard]] Ball p(Edge edge, const Distance& u) {
         if (plan_.terms == 0 && !scene_.shear) {
             return pressure(edge, u);
         }
@@ -87,9 +88,9 @@ public:
         }
         return last_->p;
     }
-    [[nodiscard]] Ball q(contact::Edge edge, const Distance& u) {
+    [[nodiscard]] Ball q(Edge edge, const Distance& u) {
         if (scene_.slips()) {
-            const contact::BallSlip* s = slip();
+            const BallSlip* s = slip();
             return s != nullptr ? s->traction(edge, distance(u), p(edge, u)) : not_known();
         }
         return scene_.together() ? shear_ratio() * p(edge, u)
@@ -97,23 +98,23 @@ public:
     }
     [[nodiscard]] static Distance place(const AskedValue& asked) { return asked.distance(); }
     [[nodiscard]] Ball distance(const Distance& u) const { return u.enclosure(a(), b(), bits_); }
-    [[nodiscard]] Ball u(contact::Edge /*edge*/, const Distance& u) const { return distance(u); }
+    [[nodiscard]] Ball u(Edge /*edge*/, const Distance& u) const { return distance(u); }
     /// The coordinate x of a point.
-    [[nodiscard]] Ball x(contact::Edge edge, const Distance& u) const {
+    [[nodiscard]] Ball x(Edge edge, const Distance& u) const {
         if (!u.number()) {
             return u.x_enclosure(a(), b(), bits_);
         }
-        return edge == contact::Edge::right ? a() - distance(u) : distance(u) - b();
+        return edge == Edge::right ? a() - distance(u) : distance(u) - b();
     }
     /// Throws DomainError if a corner inside the contact makes the pressure infinite.
     [[nodiscard]] Ball peak() const {
-        for (const Ball& corner : contact().corners(contact::Edge::right)) {
+        for (const Ball& corner : contact().corners(Edge::right)) {
             refuse_infinite_peak(Ball(a() - corner).midpoint());
         }
         if (peaks_in_the_middle(scene_)) {
-            const contact::BallContact* const closed = contact_->closed_form();
+            const BallContact* const closed = contact_->closed_form();
             if (closed->piecewise_linear()) { // m = 1
-                return closed->pressure(contact::Edge::right, a());
+                return closed->pressure(Edge::right, a());
             }
             return closed->pressure_factor() / ball_of(scene_.profile->parameters().at("m"), bits_);
         }
@@ -123,14 +124,14 @@ public:
             return not_known();
         }
     }
-    [[nodiscard]] const std::vector<Ball>& c(contact::Edge edge) {
+    [[nodiscard]] const std::vector<Ball>& c(Edge edge) {
         auto& c = c_[edge];
         if (c.empty()) {
             c = contact_->expansion(edge, plan_.terms);
         }
         return c;
     }
-    [[nodiscard]] const std::vector<Ball>& s(contact::Edge edge) {
+    [[nodiscard]] const std::vector<Ball>& s(Edge edge) {
         auto& s = s_[edge];
         if (s.empty() && scene_.together()) {
             for (const Ball& x : c(edge)) {
@@ -142,7 +143,7 @@ public:
         return s;
     }
     /// Null if these bits do not isolate the stick zone.
-    [[nodiscard]] const contact::BallSlip* slip() {
+    [[nodiscard]] const BallSlip* slip() {
         if (!std::exchange(slip_tried_, true)) {
             make_slip({});
             if (!slip_) {
@@ -153,25 +154,25 @@ public:
         }
         return slip_ ? &*slip_ : nullptr;
     }
-    [[nodiscard]] Ball slip_size(contact::Edge edge) {
-        return of_slip([&](const contact::BallSlip& slip) { return slip.size(edge); });
+    [[nodiscard]] Ball slip_size(Edge edge) {
+        return of_slip([&](const BallSlip& slip) { return slip.size(edge); });
     }
     [[nodiscard]] Ball load_ratio() {
-        return of_slip([](const contact::BallSlip& slip) { return slip.load_ratio(); });
+        return of_slip([](const BallSlip& slip) { return slip.load_ratio(); });
     }
     /// The bulk tension with which the stick zone reaches an edge of the contact: the edge towards
     /// which Q acts, or the other one.
-    template <contact::Edge ahead> [[nodiscard]] Ball tension_limit() {
-        const contact::Edge edge = scene_.shear->Q.sign() > 0 ? ahead : opposite(ahead);
-        return of_slip([&](const contact::BallSlip& slip) { return slip.tension_limit(edge); });
+    template <Edge ahead> [[nodiscard]] Ball tension_limit() {
+        const Edge edge = scene_.shear->Q.sign() > 0 ? ahead : opposite(ahead);
+        return of_slip([&](const BallSlip& slip) { return slip.tension_limit(edge); });
     }
     /// The distance of an edge of the stick zone from the origin.
-    template <contact::Edge edge> [[nodiscard]] Ball stick_edge() {
-        return of_slip([](const contact::BallSlip& slip) { return slip.stick().at(edge); });
+    template <Edge edge> [[nodiscard]] Ball stick_edge() {
+        return of_slip([](const BallSlip& slip) { return slip.stick().at(edge); });
     }
     /// Only for scenes with encloses_cycle_energy().
     [[nodiscard]] Ball cycle_energy() {
-        return of_slip([&](const contact::BallSlip& slip) {
+        return of_slip([&](const BallSlip& slip) {
             const auto power = power_of_growth();
             return scene_.round     ? round_cycle_energy(slip)
                    : scene_.history ? energy_of(*scene_.history->pass)
@@ -181,19 +182,18 @@ public:
     }
     /// The energy of the last step of a load history, as cycle_energy().
     [[nodiscard]] Ball step_energy() {
-        return of_slip(
-            [&](const contact::BallSlip& /*slip*/) { return energy_of(scene_.history->step); });
+        return of_slip([&](const BallSlip& /*slip*/) { return energy_of(scene_.history->step); });
     }
     /// kappa_1, ..., at an edge; balls that are not finite if there is no slip zone.
-    [[nodiscard]] const std::vector<Ball>& slip_series(contact::Edge edge, std::size_t terms) {
+    [[nodiscard]] const std::vector<Ball>& slip_series(Edge edge, std::size_t terms) {
         if (!slip_series_) {
-            const contact::BallSlip* s = slip();
+            const BallSlip* s = slip();
             slip_series_ = s != nullptr
                                ? s->series(terms)
                                : contact::SlipSeries<Ball>{std::vector<Ball>(terms, not_known()),
                                                            std::vector<Ball>(terms, not_known())};
         }
-        return edge == contact::Edge::right ? slip_series_->right : slip_series_->left;
+        return edge == Edge::right ? slip_series_->right : slip_series_->left;
     }
     [[nodiscard]] Ball not_known() const {
         Ball x(0, bits_);
@@ -202,8 +202,7 @@ public:
     }
     /// 1 - (the sum of n terms)/p, or the same for q. If that cancels completely, the error is
     /// computed from the omitted terms.
-    [[nodiscard]] Ball relative_error(contact::Edge edge, const Distance& u, std::size_t n,
-                                      bool shear) {
+    [[nodiscard]] Ball relative_error(Edge edge, const Distance& u, std::size_t n, bool shear) {
         const Ball value = shear ? q(edge, u) : p(edge, u);
         const Ball difference = 1 - sum(edge, u, n, shear) / value;
         if (!difference.is_finite() || !contains_zero(difference)) {
@@ -234,7 +233,7 @@ public:
     [[nodiscard]] contact::AxisymmetricStress axisymmetric_stress(Body body) const;
     /// Throws DomainError inside the contact.
     [[nodiscard]] Ball gap(const AskedValue& at);
-    // Values at a place of the surface of a body (ball_surface.cpp).
+    // Values at a place of the surface of a body (ball_fields.cpp).
     [[nodiscard]] Ball ux(const AskedValue& at);
     [[nodiscard]] Ball uz(const AskedValue& at);
     [[nodiscard]] Ball surface_slope(const AskedValue& at);
@@ -243,12 +242,12 @@ public:
     /// u_A - u_B since the place came into contact. Throws DomainError outside the contact.
     [[nodiscard]] Ball slip_displacement(const AskedValue& at);
     /// The sum of n terms of p, or of q.
-    [[nodiscard]] Ball sum(contact::Edge edge, const Distance& u, std::size_t n, bool shear) {
+    [[nodiscard]] Ball sum(Edge edge, const Distance& u, std::size_t n, bool shear) {
         return sum_of_terms(shear ? s(edge) : c(edge), n, distance(u), singular(shear));
     }
 
 private:
-    [[nodiscard]] Ball round_cycle_energy(const contact::BallSlip& slip) const;
+    [[nodiscard]] Ball round_cycle_energy(const BallSlip& slip) const;
     /// E*/E_t of an axisymmetric scene with a Poisson's ratio.
     [[nodiscard]] Ball tangential_ratio() const;
     /// The slip at the radius r in the contact of an axisymmetric scene with friction.
@@ -258,7 +257,7 @@ private:
     [[nodiscard]] std::optional<Ball> power_of_growth() const;
     /// The integral over the contacts of the scene's profile up to `widest`, for energies. It
     /// refers to `widest`.
-    [[nodiscard]] contact::GrowthIntegral growth(const contact::ProvedContact& widest) const;
+    [[nodiscard]] contact::GrowthIntegral growth(const ProvedContact& widest) const;
     /// The energy of phases of a load history.
     [[nodiscard]] Ball energy_of(const std::vector<LoadHistory::Phase>& phases) const;
     /// Keeps the last value.
@@ -283,13 +282,13 @@ private:
     [[nodiscard]] const contact::TractionParts* traction_parts();
     /// The zones of the parts of q as contacts, with the tilt of the corrective problem; null if
     /// these bits do not isolate them, or if they have no closed forms.
-    [[nodiscard]] const std::vector<contact::BallContact>* part_contacts();
+    [[nodiscard]] const std::vector<BallContact>* part_contacts();
     /// The slip of the places inside a zone, and outside that of the entry before, since they came
     /// into contact: the sum of the ratios times the gaps of the contacts. Without parts it is not
     /// computed.
     struct SlipSince {
         contact::BallZone zone;
-        std::optional<std::vector<std::pair<Ball, contact::BallContact>>> parts;
+        std::optional<std::vector<std::pair<Ball, BallContact>>> parts;
     };
     /// The entries of a load history; null if these bits do not isolate their zones.
     [[nodiscard]] const std::vector<SlipSince>* slip_since_contact();
@@ -304,8 +303,8 @@ private:
         }
     }
     /// The series of p/sqrt(u) at an edge.
-    [[nodiscard]] BoundedSeries p_series(contact::Edge edge) const {
-        const contact::ProvedContact& pressure = contact();
+    [[nodiscard]] BoundedSeries p_series(Edge edge) const {
+        const ProvedContact& pressure = contact();
         const Ball radius = Ball(pressure.reach(edge).lower(), bits_) / 2;
         return {[&pressure, edge](std::size_t n) { return pressure.expansion(edge, n); },
                 certainly_positive(radius) ? pressure.majorant(edge, radius) : not_known(), radius};
@@ -313,7 +312,7 @@ private:
     /// The series of q sqrt(u) under full stick, or of q/sqrt(u) if q is proportional to p. In the
     /// first case q = (Q/pi +- sigma_0 (L - 2u)/8)/sqrt(u (L - u)), and the coefficients of (1 -
     /// u/L)^(-1/2) lie between 0 and 1.
-    [[nodiscard]] BoundedSeries q_series(contact::Edge edge) {
+    [[nodiscard]] BoundedSeries q_series(Edge edge) {
         if (scene_.together()) {
             BoundedSeries series = p_series(edge);
             const Ball ratio = shear_ratio();
@@ -341,7 +340,7 @@ private:
         return dynamic_cast<const contact::RoundContact&>(*contact_);
     }
     void make_slip(const std::optional<contact::BallZone>& stick) {
-        const contact::ShearSpec& shear = *scene_.shear;
+        const ShearSpec& shear = *scene_.shear;
         try {
             if (!zones_ && scene_.round && contact_->closed_form() != nullptr) {
                 zones_ = axisymmetric_zones(*contact_->closed_form(), whole_force());
@@ -360,9 +359,8 @@ private:
                 return;
             }
             slip_.emplace(contact(), *zones_,
-                          scene_.load.kind == contact::Load::Kind::force
-                              ? ball_of(scene_.load.value, bits_)
-                              : whole_force(),
+                          scene_.load.kind == Load::Kind::force ? ball_of(scene_.load.value, bits_)
+                                                                : whole_force(),
                           load(), ball_of(*shear.friction, bits_), stick);
         } catch (const BudgetError&) {
             slip_.reset();
@@ -373,31 +371,29 @@ private:
     /// The contact under P - |Q|/f, if that is an exact number: then edges on corners can be
     /// proved, which no number of bits decides.
     [[nodiscard]] std::optional<contact::BallZone> exact_stick() const {
-        const contact::ShearSpec& shear = *scene_.shear;
+        const ShearSpec& shear = *scene_.shear;
         if (contact_->closed_form() == nullptr || scene_.round || scene_.history || tilt_ ||
-            shear.bulk_tension.sign() != 0 || scene_.load.kind != contact::Load::Kind::force) {
+            shear.bulk_tension.sign() != 0 || scene_.load.kind != Load::Kind::force) {
             return {};
         }
         try {
-            const formula::Expr Q = shear.Q.sign() > 0 ? shear.Q.expr() : -shear.Q.expr();
-            const contact::BallContact inner(
+            const Expr Q = shear.Q.sign() > 0 ? shear.Q.expr() : -shear.Q.expr();
+            const BallContact inner(
                 *scene_.profile, scene_.contact_modulus,
-                contact::Load::force(
-                    formula::Exact(scene_.load.value.expr() - Q / shear.friction->expr())),
-                bits_);
+                Load::force(Exact(scene_.load.value.expr() - Q / shear.friction->expr())), bits_);
             return contact::BallZone{inner.a(), inner.b()};
         } catch (const Error&) {
             return {};
         }
     }
-    [[nodiscard]] Ball pressure(contact::Edge edge, const Distance& u) const {
+    [[nodiscard]] Ball pressure(Edge edge, const Distance& u) const {
         if (const auto& number = u.number()) {
             return contact_->pressure(edge, *number);
         }
         return contact().pressure(edge, distance(u));
     }
     struct Last {
-        contact::Edge edge;
+        Edge edge;
         Distance u;
         Ball p;
     };
@@ -417,18 +413,18 @@ private:
     const Plan& plan_;
     long bits_;
     std::optional<contact::EnclosedTilt> tilt_;
-    std::unique_ptr<contact::ProvedContact> contact_;
+    std::unique_ptr<ProvedContact> contact_;
     bool slip_tried_ = false;
     std::unique_ptr<contact::ZoneSolver> zones_;
-    std::optional<contact::BallSlip> slip_;
+    std::optional<BallSlip> slip_;
     std::optional<contact::SlipSeries<Ball>> slip_series_;
     std::optional<Last> last_;
     std::optional<std::pair<BodyPoint, contact::StressState>> last_stress_;
     std::optional<contact::TractionParts> traction_parts_;
     std::optional<std::vector<SlipSince>> slip_since_;
     std::optional<Ball> ratio_;
-    std::map<contact::Edge, std::vector<Ball>> c_;
-    std::map<contact::Edge, std::vector<Ball>> s_;
+    std::map<Edge, std::vector<Ball>> c_;
+    std::map<Edge, std::vector<Ball>> s_;
 };
 
 } // namespace edgeproof::scene

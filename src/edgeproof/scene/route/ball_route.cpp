@@ -1,44 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/route/ball_route.hpp"
 
-#include "edgeproof/contact/curved/slope_monotonicity.hpp"
-#include "edgeproof/contact/profile/profile_checks.hpp"
+#include "edgeproof/contact/curved/curved_slope.hpp"
+#include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace edgeproof::scene {
+
 namespace {
 
 /// The fewest bits of a ball around a known place. Such a value is printed from its exact form, so
 /// that a ball of any width suffices.
 constexpr long least_bits_of_a_place = 128;
 
+/// A value within 1e-400 of zero on the contact's own scale, not known to cancel, is left
+/// undecided.
+constexpr long zero_bits = 1330;
+constexpr long most_lost_bits = 1L << 17;
+/// A value that is still infinite at this number of bits is left to the routes in Real, which
+/// refuse it.
+constexpr long least_last_bits = 1L << 14;
+
 } // namespace
 
-BallRoute::BallRoute(const Scene& scene, const Plan& plan, contact::Work& work)
+BallRoute::BallRoute(const Scene& scene, const Plan& plan, Work& work)
     : scene_(scene), plan_(plan), work_(work) {
     if (auto length = refine([](BallLevel& level) { return level.length(); },
                              [](ExactValues& exact) { return exact.length(); },
                              {plan.digits.count, Rounding::nearest, false}, plan.narrow_bits)) {
         length_ = std::move(length->value);
     }
-    const bool by_force = scene.load.kind != contact::Load::Kind::right_edge;
+    const bool by_force = scene.load.kind != Load::Kind::right_edge;
     if (const auto given = by_force ? std::nullopt : rational_of(scene.load.value)) {
-        known_[contact::Edge::right] = *given;
+        known_[Edge::right] = *given;
         if (scene.symmetric()) {
-            known_[contact::Edge::left] = *given;
+            known_[Edge::left] = *given;
         }
     }
     if (length_) {
         if (by_force) {
-            know(contact::Edge::right);
+            know(Edge::right);
         }
-        know(contact::Edge::left);
+        know(Edge::left);
     }
     if (known_.size() == 2) {
-        known_length_ = known_.at(contact::Edge::right) + known_.at(contact::Edge::left);
+        known_length_ = known_.at(Edge::right) + known_.at(Edge::left);
     }
     work.counts.consistency += scene.symmetric() ? 0 : 1;
     work.counts.tilts += scene.punch ? 1 : 0;
@@ -88,7 +98,7 @@ BoundedValue BallRoute::value(const AskedValue& asked) {
                             integrated ? "rigorous integration" : row.route_in(scene_, plan_),
                             std::move(exactly)};
     };
-    const formula::Exact* given = row.given != nullptr ? row.given(scene_) : nullptr;
+    const Exact* given = row.given != nullptr ? row.given(scene_) : nullptr;
     if (const auto q = given != nullptr ? rational_of(*given) : std::nullopt) {
         return proved(Ball(*q, plan_.bits), q); // an enclosure would never round down or up
     }
@@ -144,12 +154,12 @@ std::vector<Row> BallRoute::search(const AskedValue& asked) {
     return rows;
 }
 
-std::optional<Rational> BallRoute::known(contact::Edge edge) const {
+std::optional<Rational> BallRoute::known(Edge edge) const {
     const auto found = known_.find(edge);
     return found == known_.end() ? std::nullopt : std::optional(found->second);
 }
 
-void BallRoute::know(contact::Edge edge) {
+void BallRoute::know(Edge edge) {
     if (const auto exact = at_level(length_->bits())->contact().known(edge)) {
         if (const auto rational = rational_of(*exact)) {
             known_[edge] = *rational;
@@ -157,7 +167,7 @@ void BallRoute::know(contact::Edge edge) {
     }
 }
 
-void BallRoute::refuse_outside(contact::Edge edge, const Distance& u) {
+void BallRoute::refuse_outside(Edge edge, const Distance& u) {
     if (!u.number()) {
         if (length_) {
             refuse_outside_by_edges(edge, u);
@@ -174,7 +184,7 @@ void BallRoute::refuse_outside(contact::Edge edge, const Distance& u) {
     }
 }
 
-void BallRoute::refuse_outside_by_edges(contact::Edge edge, const Distance& u) {
+void BallRoute::refuse_outside_by_edges(Edge edge, const Distance& u) {
     refuse_corner_at(u);
     bool outside = false;
     for (long bits = plan_.bits; bits <= 8 * plan_.bits; bits *= 2) {
@@ -210,19 +220,19 @@ void BallRoute::refuse_corner_at(const Distance& u) const {
     }
 }
 
-void BallRoute::refuse_known_corner(contact::Edge edge, const Distance& u) {
+void BallRoute::refuse_known_corner(Edge edge, const Distance& u) {
     const auto from = length_ ? at_level(length_->bits())->contact().known(edge) : std::nullopt;
     for (std::size_t i = 0; from && u.number() && i < scene_.profile->knots().size(); ++i) {
-        const formula::Expr inside = from->expr() - u.number()->expr();
-        const formula::Expr& v = scene_.profile->knots()[i].expr();
+        const Expr inside = from->expr() - u.number()->expr();
+        const Expr& v = scene_.profile->knots()[i].expr();
         if (scene_.profile->has_corner(i) &&
-            contact::certainly_zero(edge == contact::Edge::right ? inside - v : inside + v)) {
+            contact::certainly_zero(edge == Edge::right ? inside - v : inside + v)) {
             throw DomainError("the pressure is infinite at a corner of the profile");
         }
     }
 }
 
-std::optional<Rational> BallRoute::known_x(contact::Edge edge, const Distance& u) const {
+std::optional<Rational> BallRoute::known_x(Edge edge, const Distance& u) const {
     if (const auto given = u.x() ? rational_of(*u.x()) : std::nullopt) {
         return given;
     }
@@ -231,11 +241,11 @@ std::optional<Rational> BallRoute::known_x(contact::Edge edge, const Distance& u
     if (!from || distance == nullptr) {
         return {};
     }
-    return edge == contact::Edge::right ? Rational(*from - *distance) : Rational(*distance - *from);
+    return edge == Edge::right ? Rational(*from - *distance) : Rational(*distance - *from);
 }
 
 void BallRoute::count(const AskedValue& asked) {
-    contact::Counts& counts = work_.counts;
+    Counts& counts = work_.counts;
     const bool of_shear = row_of(asked.quantity).needs == QuantityRow::Needs::shear;
     const bool similar = of_shear && scene_.together();
     if (similar && !std::exchange(ratio_counted_, true)) {
@@ -299,10 +309,10 @@ ValueRoute& BallRoute::others() {
     return *others_;
 }
 
-std::unique_ptr<ValueRoute> make_route(const Scene& scene, const Plan& plan, contact::Work& work) {
+std::unique_ptr<ValueRoute> make_route(const Scene& scene, const Plan& plan, Work& work) {
     if (plan.proved) {
         try {
-            const contact::Work before = work;
+            const Work before = work;
             auto route = std::make_unique<BallRoute>(scene, plan, work);
             if (route->slope_rises()) {
                 return route;
@@ -313,7 +323,7 @@ std::unique_ptr<ValueRoute> make_route(const Scene& scene, const Plan& plan, con
         }
     }
     if (scene.only_in_balls() || scene.ask.wants(QuantityGroup::stress)) {
-        if (scene.ask.route != contact::Route::automatic) {
+        if (scene.ask.route != Route::automatic) {
             throw InputError("this contact is computed in balls only, not by the route " +
                                  route_name(scene.ask.route),
                              "write route = \"automatic\"")
@@ -322,6 +332,85 @@ std::unique_ptr<ValueRoute> make_route(const Scene& scene, const Plan& plan, con
         throw BudgetError("this contact is computed in balls only, and they do not enclose it");
     }
     return make_real_route(scene, plan, work);
+}
+
+long BallRoute::last_bits() const {
+    const long curved = 8 * plan_.bits; // integrals cost more
+    return closed() ? std::max(least_last_bits, curved) : curved;
+}
+
+std::optional<BallRoute::Found> BallRoute::refine(const InBalls& f, const Exactly& exactly,
+                                                  const Digits& digits, long first, long lost) {
+    std::optional<Found> best;
+    bool looked = exactly == nullptr;
+    const long zero_from =
+        plan_.bits + zero_bits + std::min(std::max(lost, lost_bits_), most_lost_bits);
+    const long last = closed() ? std::max(last_bits(), 2 * zero_from) : last_bits();
+    for (long bits = first; bits <= last; bits = bits < plan_.bits ? plan_.bits : 2 * bits) {
+        BallLevel* level = at_level(bits);
+        if (level == nullptr) {
+            continue;
+        }
+        Ball x = f(*level);
+        if (!x.is_finite()) {
+            if (level->contact().edge_may_be_on_knot() && bits >= plan_.bits + zero_bits) {
+                break; // no number of bits separates the edge from the knot
+            }
+            continue;
+        }
+        best = Found{std::move(x)};
+        const bool all_digits = has_digits(best->value, digits);
+        if (!looked && may_be_a_limit(best->value, digits, all_digits)) {
+            looked = true;
+            best->exactly = exact_value(exactly, *level, best->value);
+        }
+        if (best->exactly || all_digits || (contains_zero(best->value) && bits >= zero_from)) {
+            break;
+        }
+    }
+    return best;
+}
+
+std::optional<Rational> BallRoute::exact_value(const Exactly& exactly, const BallLevel& level,
+                                               const Ball& near) {
+    ExactValues* exact = exact_values(level);
+    if (exact == nullptr) {
+        return {};
+    }
+    try {
+        auto q = exactly(*exact).rational();
+        return q && contains(near, *q) ? q : std::nullopt;
+    } catch (const DomainError&) { // the exact form does not have this series
+        return {};
+    }
+}
+
+ExactValues* BallRoute::exact_values(const BallLevel& level) {
+    const bool of_revolution = scene_.profile && scene_.profile->axisymmetric();
+    if (!exact_ && !of_revolution && (!scene_.punch || level.tilt().exactly_zero)) {
+        exact_.emplace(scene_, scene_.punch ? level.tilt().near : *scene_.profile, level.a(),
+                       level.b(), plan_.terms);
+    }
+    return exact_ ? &*exact_ : nullptr;
+}
+
+BallLevel* BallRoute::at_level(long bits) {
+    if (const auto made = levels_.find(bits); made != levels_.end()) {
+        return made->second.get();
+    }
+    work_.raised += bits > plan_.bits ? 1 : 0;
+    auto& slot = levels_[bits];
+    try {
+        slot = std::make_unique<BallLevel>(scene_, plan_, edges_, bits);
+        const auto a = slot->contact().known(Edge::right);
+        const auto b = slot->contact().known(Edge::left);
+        if (a && b && !scene_.symmetric()) {
+            edges_ = contact::ExactEdges{*a, *b};
+        }
+    } catch (const BudgetError&) {
+    } catch (const DomainError&) {
+    }
+    return slot.get();
 }
 
 } // namespace edgeproof::scene

@@ -16,27 +16,26 @@
 namespace edgeproof::scene {
 
 /// Computes a scene's values in balls of more and more bits until they can be printed. Its parts:
-///   ball_refinement.cpp  the levels of bits, and the exact forms
-///   ball_route.cpp       single values, the places of edges and points, the work
-///   ball_extents.cpp     extents
-///   ball_slips.cpp       partial slip
+///   ball_route.cpp     single values, the places of edges and points, the work; the levels of
+///                      bits, and the exact forms
+///   ball_searches.cpp  extents, partial slip
 class BallRoute : public ValueRoute {
 public:
     /// Keeps references to all three arguments.
-    BallRoute(const Scene& scene, const Plan& plan, contact::Work& work);
+    BallRoute(const Scene& scene, const Plan& plan, Work& work);
 
     /// True if g' is proved not to decrease in the contact; all proofs for a curved profile depend
     /// on this. Throws InputError if g' is proved to decrease.
     [[nodiscard]] bool slope_rises();
 
     BoundedValue value(const AskedValue& asked) override;
-    contact::SlipState state(contact::Edge edge, const Distance& u) override;
+    contact::SlipState state(Edge edge, const Distance& u) override;
     std::vector<Row> search(const AskedValue& asked) override;
     bool in_proportion() override;
 
 private:
     using InBalls = std::function<Ball(BallLevel&)>;
-    using Exactly = std::function<formula::ExactNumber(ExactValues&)>;
+    using Exactly = std::function<ExactNumber(ExactValues&)>;
 
     /// A value, and its exact value if that is a rational number and was searched for.
     struct Found {
@@ -58,23 +57,23 @@ private:
     /// Null if these bits do not isolate the edges.
     [[nodiscard]] BallLevel* at_level(long bits);
     [[nodiscard]] long last_bits() const;
-    [[nodiscard]] bool closed() const { return plan_.route == contact::Route::closed_form; }
+    [[nodiscard]] bool closed() const { return plan_.route == Route::closed_form; }
 
     /// The distance of an edge from the origin, if it is known to be a rational number.
-    [[nodiscard]] std::optional<Rational> known(contact::Edge edge) const;
+    [[nodiscard]] std::optional<Rational> known(Edge edge) const;
     /// Stores that distance.
-    void know(contact::Edge edge);
+    void know(Edge edge);
     /// Throws DomainError for a point outside the contact, and for a place given by the edges that
     /// many bits do not separate from a corner.
-    void refuse_outside(contact::Edge edge, const Distance& u);
-    void refuse_outside_by_edges(contact::Edge edge, const Distance& u);
+    void refuse_outside(Edge edge, const Distance& u);
+    void refuse_outside_by_edges(Edge edge, const Distance& u);
     /// If x is a number, exact algebra decides.
     void refuse_corner_at(const Distance& u) const;
     /// The same for a distance from an edge that is known exactly.
-    void refuse_known_corner(contact::Edge edge, const Distance& u);
+    void refuse_known_corner(Edge edge, const Distance& u);
     /// The coordinate x of the point u, which is inside the contact, if it is known to be a
     /// rational number.
-    [[nodiscard]] std::optional<Rational> known_x(contact::Edge edge, const Distance& u) const;
+    [[nodiscard]] std::optional<Rational> known_x(Edge edge, const Distance& u) const;
 
     /// Counts the work of a value.
     void count(const AskedValue& asked);
@@ -114,7 +113,7 @@ private:
 
     const Scene& scene_;
     const Plan& plan_;
-    contact::Work& work_;
+    Work& work_;
     std::map<long, std::unique_ptr<BallLevel>> levels_;
     std::optional<contact::ExactEdges> edges_; ///< if a level proved them
     std::optional<ExactValues> exact_;
@@ -122,16 +121,16 @@ private:
 
     std::optional<Ball> length_; ///< a + b; empty if no number of bits isolates the edges
     std::optional<Rational> known_length_;
-    std::map<contact::Edge, Rational> known_;
+    std::map<Edge, Rational> known_;
 
     bool slip_checked_ = false;
     BallLevel* slip_level_ = nullptr; ///< a level that encloses the slip
 
-    std::set<std::pair<contact::Edge, bool>> expanded_;
+    std::set<std::pair<Edge, bool>> expanded_;
     bool ratio_counted_ = false;
     /// The place of the last pressure, for q.
-    std::optional<std::pair<contact::Edge, Distance>> pressed_;
-    contact::Work work_of_others_;
+    std::optional<std::pair<Edge, Distance>> pressed_;
+    Work work_of_others_;
     std::unique_ptr<ValueRoute> others_;
 };
 

@@ -4,7 +4,7 @@
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 #include "edgeproof/scene/route/plan.hpp"
-#include "edgeproof/scene/route/terms.hpp"
+#include "edgeproof/scene/route/value_route.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -18,11 +18,11 @@ namespace edgeproof::scene {
 /// unknown. Keeps a reference to the scene.
 class ExactValues {
 public:
-    using Number = formula::ExactNumber;
+    using Number = ExactNumber;
 
     /// The profile is the scene's, or that with a tilt known to be zero. The balls enclose the
     /// edges. `terms`: the number of coefficients to compute at once.
-    ExactValues(const Scene& scene, const contact::Profile& profile, const Ball& a, const Ball& b,
+    ExactValues(const Scene& scene, const Profile& profile, const Ball& a, const Ball& b,
                 std::size_t terms)
         : scene_(scene), contact_(profile, scene.contact_modulus, scene.load, a, b), terms_(terms) {
     }
@@ -45,39 +45,36 @@ public:
     }
     /// The tilt, where it is solved for: exact values exist only if it is known to be zero.
     [[nodiscard]] Number alpha() const { return 0; } // NOLINT: called like the other members
-    [[nodiscard]] Number u(contact::Edge /*edge*/, const Number& u) const { return u; } // NOLINT
+    [[nodiscard]] Number u(Edge /*edge*/, const Number& u) const { return u; } // NOLINT
     /// The greatest pressure, if it is known to be at the origin.
     [[nodiscard]] Number peak() const {
-        return peaks_in_the_middle(scene_) ? p(contact::Edge::right, a()) : Number::unknown();
+        return peaks_in_the_middle(scene_) ? p(Edge::right, a()) : Number::unknown();
     }
-    [[nodiscard]] Number x(contact::Edge edge, const Number& u) const {
-        return edge == contact::Edge::right ? a() - u : u - b();
+    [[nodiscard]] Number x(Edge edge, const Number& u) const {
+        return edge == Edge::right ? a() - u : u - b();
     }
-    [[nodiscard]] Number p(contact::Edge edge, const Number& u) const {
-        return contact_.pressure(edge, u);
-    }
-    [[nodiscard]] Number q(contact::Edge edge, const Number& u) const {
+    [[nodiscard]] Number p(Edge edge, const Number& u) const { return contact_.pressure(edge, u); }
+    [[nodiscard]] Number q(Edge edge, const Number& u) const {
         return scene_.slips()      ? Number::unknown()
                : scene_.together() ? load().Q / force() * p(edge, u)
                                    : full_stick_traction(length(), load(), edge, u);
     }
     /// c_k of p, or s_k of q.
-    [[nodiscard]] Number coefficient(contact::Edge edge, std::size_t k, bool shear) {
+    [[nodiscard]] Number coefficient(Edge edge, std::size_t k, bool shear) {
         return terms(edge, std::max(k + 1, terms_), shear).at(k);
     }
     /// The sum of n terms of p, or of q.
-    [[nodiscard]] Number sum(contact::Edge edge, const Number& u, std::size_t n, bool shear) {
+    [[nodiscard]] Number sum(Edge edge, const Number& u, std::size_t n, bool shear) {
         return sum_of_terms(terms(edge, n, shear), n, u, shear && !scene_.together());
     }
     /// 1 - sum/value, with its sign.
-    [[nodiscard]] Number relative_error(contact::Edge edge, const Number& u, std::size_t n,
-                                        bool shear) {
+    [[nodiscard]] Number relative_error(Edge edge, const Number& u, std::size_t n, bool shear) {
         return Number(1) - sum(edge, u, n, shear) / (shear ? q(edge, u) : p(edge, u));
     }
 
 private:
     /// At least n coefficients of p, or of q.
-    [[nodiscard]] const std::vector<Number>& terms(contact::Edge edge, std::size_t n, bool shear) {
+    [[nodiscard]] const std::vector<Number>& terms(Edge edge, std::size_t n, bool shear) {
         std::vector<Number>& known = known_terms_[{edge, shear}];
         if (known.size() >= n) {
             return known;
@@ -104,7 +101,7 @@ private:
     const Scene& scene_;
     contact::ExactContact contact_;
     std::size_t terms_;
-    std::map<std::pair<contact::Edge, bool>, std::vector<Number>> known_terms_;
+    std::map<std::pair<Edge, bool>, std::vector<Number>> known_terms_;
 };
 
 } // namespace edgeproof::scene

@@ -107,8 +107,6 @@ public:
     }
 
 private:
-    using Counts = contact::Counts;
-
     void add(const char* name, bool on, std::string why, std::size_t Counts::*counter = nullptr,
              std::size_t count = 0) {
         if (on && counter != nullptr) {
@@ -120,15 +118,15 @@ private:
     void precision() {
         const bool has_form =
             !scene_.profile || contact::BallContact::has_closed_form(*scene_.profile);
-        const bool automatic = ask_.route == contact::Route::automatic;
+        const bool automatic = ask_.route == Route::automatic;
         plan_.route = !automatic ? ask_.route
-                      : has_form ? contact::Route::closed_form
-                                 : contact::Route::singular_integral;
+                      : has_form ? Route::closed_form
+                                 : Route::singular_integral;
         const long bits = formula::bits_for(ask_.digits.count);
         plan_.bits = bits + 96;
         plan_.narrow_bits = has_form ? std::min(whole_words(bits + 40), plan_.bits)
                                      : plan_.bits; // an integral costs more than fewer bits save
-        closed_ = plan_.route == contact::Route::closed_form;
+        closed_ = plan_.route == Route::closed_form;
         const bool integrated = scene_.profile && automatic && !closed_ &&
                                 contact::IntegratedContact::handles(*scene_.profile);
         plan_.proved = closed_ || integrated;
@@ -145,23 +143,22 @@ private:
         add("tilt", tilt,
             tilt ? "P and M are given, the tilt is not" : "the tilt is given, or none",
             &Counts::tilts, 1);
-        const contact::Load::Kind load = scene_.load.kind;
-        const bool force = load != contact::Load::Kind::right_edge;
+        const Load::Kind load = scene_.load.kind;
+        const bool force = load != Load::Kind::right_edge;
         add("size from force", force,
-            scene_.round && scene_.round->law &&
-                    scene_.round->load.kind != contact::Load::Kind::right_edge
+            scene_.round && scene_.round->law && scene_.round->load.kind != Load::Kind::right_edge
                 ? scene_.round->load_text() + "; a is in closed form"
-            : load == contact::Load::Kind::force    ? "P is given"
-            : load == contact::Load::Kind::approach ? "delta is given"
-                                                    : "a is given",
+            : load == Load::Kind::force    ? "P is given"
+            : load == Load::Kind::approach ? "delta is given"
+                                           : "a is given",
             &Counts::load_inversions, 1);
         const bool consistency = !scene_.symmetric();
         add("consistency", consistency,
             consistency ? "b is not a: the profile is not symmetric" : "b = a: symmetric",
             &Counts::consistency, 1);
-        for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+        for (const Edge edge : {Edge::right, Edge::left}) {
             const bool asked = std::ranges::find(ask_.edges, edge) != ask_.edges.end();
-            add(edge == contact::Edge::right ? "right edge" : "left edge", asked,
+            add(edge == Edge::right ? "right edge" : "left edge", asked,
                 !asked                       ? "not asked"
                 : !plan_.mirrored            ? "asked"
                 : edge == ask_.edges.front() ? "asked; the other one is its mirror image"
@@ -273,12 +270,11 @@ Plan make_plan(const Scene& scene) {
 }
 
 bool peaks_in_the_middle(const Scene& scene) {
-    if (!scene.profile || scene.profile->kind() != contact::Profile::Kind::power_law) {
+    if (!scene.profile || scene.profile->kind() != Profile::Kind::power_law) {
         return false;
     }
-    const formula::Exact& m = scene.profile->parameters().at("m");
-    return m.sign() > 0 &&
-           formula::Exact(m.expr() - formula::Expr::number(Rational(1))).sign() <= 0;
+    const Exact& m = scene.profile->parameters().at("m");
+    return m.sign() > 0 && Exact(m.expr() - Expr::number(Rational(1))).sign() <= 0;
 }
 
 void refuse_infinite_peak(const Real& x) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/law/work.hpp"
+#include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
 #include <cstddef>
@@ -12,8 +12,8 @@ namespace edgeproof::scene {
 struct Effect {
     std::string name;
     bool on = false;
-    std::string why;                       ///< the reason why it is on or off
-    std::size_t contact::Counts::*counter; ///< of the effect; null: it is part of another
+    std::string why;              ///< the reason why it is on or off
+    std::size_t Counts::*counter; ///< of the effect; null: it is part of another
 };
 
 /// The effects that a scene needs, and no others. In a symmetric scene no consistency equation is
@@ -27,12 +27,12 @@ struct Plan {
     long bits = 256;              ///< initial bits of the balls
     long narrow_bits = 232;       ///< for values that cancel little: edges, places, pressures
     unsigned working_digits = 70; ///< of the routes in Real, at first; raised as needed
-    contact::Route route = contact::Route::closed_form;
-    std::vector<contact::Edge> edges; ///< in the order of the request
-    bool mirrored = false;            ///< p at the second edge is copied from the first
-    std::size_t points = 0;           ///< at each edge
-    std::size_t terms = 0;            ///< of the expansions; 0: none
-    bool pressure = false;            ///< requested, or needed since q is similar to it
+    Route route = Route::closed_form;
+    std::vector<Edge> edges; ///< in the order of the request
+    bool mirrored = false;   ///< p at the second edge is copied from the first
+    std::size_t points = 0;  ///< at each edge
+    std::size_t terms = 0;   ///< of the expansions; 0: none
+    bool pressure = false;   ///< requested, or needed since q is similar to it
     bool print_pressure = false;
     bool expand_pressure = false;
     bool shear = false;
@@ -44,13 +44,11 @@ struct Plan {
     bool peak = false;         ///< the greatest pressure
     bool stress = false;       ///< stresses at points of the bodies
     bool displacement = false; ///< the gap outside the contact, and the slip inside
-    contact::Counts counts;    ///< predicted counts
+    Counts counts;             ///< predicted counts
     std::vector<Effect> effects;
 
     /// True if p at this edge is computed, not copied.
-    [[nodiscard]] bool computes(contact::Edge edge) const {
-        return !mirrored || edge == edges.front();
-    }
+    [[nodiscard]] bool computes(Edge edge) const { return !mirrored || edge == edges.front(); }
     /// The digits of a relative error: 20, or fewer if fewer are requested.
     [[nodiscard]] Digits error_digits() const {
         return {digits.count < 20 ? digits.count : 20, digits.rounding, false};

@@ -17,9 +17,8 @@ namespace {
 using Def = QuantityRow;
 using Needs = QuantityRow::Needs;
 using Group = QuantityGroup;
-using formula::ExactNumber;
 
-bool is_force_given(const Scene& s) { return s.load.kind == contact::Load::Kind::force; }
+bool is_force_given(const Scene& s) { return s.load.kind == Load::Kind::force; }
 const char* by_load(const Scene& s, const Plan& /*plan*/) {
     return s.round ? s.round->size_from() : is_force_given(s) ? "from P" : "given";
 }
@@ -204,7 +203,7 @@ const char* way_of_integral(const Scene& s, const Plan& /*plan*/) {
     return s.curved_body() ? "rigorous integration" : "closed-form";
 }
 const char* way_of_stress(const Scene& s, const Plan& plan) {
-    const bool integrated = plan.route != contact::Route::closed_form || (s.round && !s.round->law);
+    const bool integrated = plan.route != Route::closed_form || (s.round && !s.round->law);
     return integrated  ? "rigorous integration"
            : !s.shear  ? "closed-form"
            : s.slips() ? "superposition"
@@ -240,7 +239,7 @@ constexpr auto quantity_table = std::to_array<Def>({
     at_point<&BallLevel::p, &ExactValues::p, &RealLevel::p>(Quantity::p, "p", "pressure",
                                                             Group::pressure, units::stress)
         .by([](const Scene& scene, const Plan& plan) {
-            return plan.route == contact::Route::closed_form        ? "closed-form"
+            return plan.route == Route::closed_form                 ? "closed-form"
                    : scene.profile && scene.profile->axisymmetric() ? "Abel integral"
                                                                     : "singular-integral";
         })
@@ -260,14 +259,14 @@ constexpr auto quantity_table = std::to_array<Def>({
     of_contact<&BallLevel::a, &ExactValues::a, &RealLevel::a>(Quantity::a, "a", "right-edge",
                                                               Group::contact, units::length)
         .by(by_load)
-        .with(&Def::distance_of, std::optional(contact::Edge::right))
+        .with(&Def::distance_of, std::optional(Edge::right))
         .with(&Def::cancels_little, true),
     of_contact<&BallLevel::b, &ExactValues::b, &RealLevel::b>(Quantity::b, "b", "left-edge",
                                                               Group::contact, units::length)
         .by([](const Scene& s, const Plan& plan) {
             return s.symmetric() ? by_load(s, plan) : "consistency";
         })
-        .with(&Def::distance_of, std::optional(contact::Edge::left))
+        .with(&Def::distance_of, std::optional(Edge::left))
         .with(&Def::cancels_little, true),
     of_contact<&BallLevel::whole_force, &ExactValues::whole_force, &RealLevel::force>(
         Quantity::P, "P", "load", Group::contact, units::force)
@@ -280,15 +279,14 @@ constexpr auto quantity_table = std::to_array<Def>({
         .with(
             &Def::given,
             +[](const Scene& s)
-                -> const formula::Exact* { return is_force_given(s) ? &s.load.value : nullptr; }),
+                -> const Exact* { return is_force_given(s) ? &s.load.value : nullptr; }),
     of_contact<&BallLevel::moment, &ExactValues::moment, &RealLevel::moment>(
         Quantity::M, "M", "moment", Group::contact, units::moment)
         .needing(Needs::plane)
         .by([](const Scene& s, const Plan& /*plan*/) { return s.moment ? "given" : "contact-law"; })
         .with(
             &Def::given,
-            +[](const Scene& s)
-                -> const formula::Exact* { return s.moment ? &*s.moment : nullptr; }),
+            +[](const Scene& s) -> const Exact* { return s.moment ? &*s.moment : nullptr; }),
     of_contact<&BallLevel::alpha, &ExactValues::alpha, &RealLevel::alpha>(
         Quantity::alpha, "alpha", "tilt", Group::contact, units::number)
         .needing(Needs::unknown_tilt)
@@ -300,13 +298,11 @@ constexpr auto quantity_table = std::to_array<Def>({
         .needing(Needs::friction)
         .explained("size of the slip zone")
         .by("stick zone"),
-    of_stick<&BallLevel::stick_edge<contact::Edge::right>,
-             &RealLevel::stick_edge<contact::Edge::right>>(Quantity::stick_a, "stick_a",
-                                                           "stick-right-edge", units::length)
+    of_stick<&BallLevel::stick_edge<Edge::right>, &RealLevel::stick_edge<Edge::right>>(
+        Quantity::stick_a, "stick_a", "stick-right-edge", units::length)
         .explained("right edge of the stick zone"),
-    of_stick<&BallLevel::stick_edge<contact::Edge::left>,
-             &RealLevel::stick_edge<contact::Edge::left>>(Quantity::stick_b, "stick_b",
-                                                          "stick-left-edge", units::length)
+    of_stick<&BallLevel::stick_edge<Edge::left>, &RealLevel::stick_edge<Edge::left>>(
+        Quantity::stick_b, "stick_b", "stick-left-edge", units::length)
         .explained("left edge of the stick zone"),
     row(Quantity::residual, "", "residual", Group::pressure, Def::Place::point, units::number)
         .with_index(Def::Index::terms),
@@ -346,11 +342,11 @@ constexpr auto quantity_table = std::to_array<Def>({
     searched(Quantity::crossing, "", "crossing", Group::extent, units::length),
     of_stick<&BallLevel::load_ratio, &RealLevel::load_ratio>(Quantity::load_ratio, "", "load-ratio",
                                                              units::number),
-    of_stick<&BallLevel::tension_limit<contact::Edge::right>, nullptr>(
-        Quantity::least_tension, "", "least-bulk-tension", units::stress)
+    of_stick<&BallLevel::tension_limit<Edge::right>, nullptr>(Quantity::least_tension, "",
+                                                              "least-bulk-tension", units::stress)
         .with(&Def::may_be_missing, true),
-    of_stick<&BallLevel::tension_limit<contact::Edge::left>, nullptr>(
-        Quantity::most_tension, "", "most-bulk-tension", units::stress)
+    of_stick<&BallLevel::tension_limit<Edge::left>, nullptr>(Quantity::most_tension, "",
+                                                             "most-bulk-tension", units::stress)
         .with(&Def::may_be_missing, true),
     searched(Quantity::slip_terms, "", "slip-zone-by-terms", Group::slip, units::length),
     searched(Quantity::slip_rel, "", "relative-error-of-slip-zone", Group::slip, units::number),

@@ -4,9 +4,9 @@
 #include "edgeproof/contact/routes/partial_slip.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/roots/extremum.hpp"
+#include "edgeproof/roots/bracketed_root.hpp"
 #include "edgeproof/scene/route/plan.hpp"
-#include "edgeproof/scene/route/terms.hpp"
+#include "edgeproof/scene/route/value_route.hpp"
 
 #include <algorithm>
 
@@ -17,8 +17,8 @@ constexpr const char* slip_route = "pressures in the slip zones";
 
 } // namespace
 
-RealLevel::RealLevel(const contact::Profile& profile, const std::optional<formula::Exact>& alpha,
-                     const Scene& scene, const Plan& plan, unsigned digits, contact::Work* work)
+RealLevel::RealLevel(const Profile& profile, const std::optional<Exact>& alpha, const Scene& scene,
+                     const Plan& plan, unsigned digits, Work* work)
     : scene_(scene), plan_(plan), digits_(digits), alpha_(alpha),
       contact_(profile, scene.contact_modulus, scene.load, digits, work) {
     if (scene.shear) {
@@ -33,21 +33,21 @@ BoundedValue RealLevel::sound(const Real& x, const char* route) const {
     return estimated(x, Real(abs(x) * unit()), route);
 }
 
-BoundedValue RealLevel::given(const formula::Exact& x) const {
+BoundedValue RealLevel::given(const Exact& x) const {
     return {ball_of(x, bits()), true, "given", rational_of(x)};
 }
 
 BoundedValue RealLevel::a() const {
-    return scene_.load.kind == contact::Load::Kind::force ? sound(contact_.a(), "from P")
-                                                          : given(scene_.load.value);
+    return scene_.load.kind == Load::Kind::force ? sound(contact_.a(), "from P")
+                                                 : given(scene_.load.value);
 }
 
 BoundedValue RealLevel::b() const {
     return scene_.symmetric() ? a() : sound(contact_.b(), "consistency");
 }
 
-BoundedValue RealLevel::distance(contact::Edge edge) const {
-    return sound(edge == contact::Edge::right ? contact_.a() : contact_.b(), "");
+BoundedValue RealLevel::distance(Edge edge) const {
+    return sound(edge == Edge::right ? contact_.a() : contact_.b(), "");
 }
 
 BoundedValue RealLevel::force() const {
@@ -55,8 +55,8 @@ BoundedValue RealLevel::force() const {
     if (scene_.round) {
         return given(*scene_.round->force);
     }
-    return scene_.load.kind == contact::Load::Kind::force ? given(scene_.load.value)
-                                                          : sound(P, "contact-law");
+    return scene_.load.kind == Load::Kind::force ? given(scene_.load.value)
+                                                 : sound(P, "contact-law");
 }
 
 BoundedValue RealLevel::moment() const {
@@ -69,7 +69,7 @@ BoundedValue RealLevel::alpha() const {
     return sound(alpha_->to<Real>(), "tilt");
 }
 
-RealLevel::Last& RealLevel::at(contact::Edge edge, const formula::Exact& u) {
+RealLevel::Last& RealLevel::at(Edge edge, const Exact& u) {
     const auto is_here = [&](const std::optional<Last>& last) {
         return last && last->edge == edge && last->u == u;
     };
@@ -83,13 +83,12 @@ RealLevel::Last& RealLevel::at(contact::Edge edge, const formula::Exact& u) {
 }
 
 /// If the closed form of a power law has no value in balls, its value in Real is not used either.
-contact::Route RealLevel::route() const {
-    return plan_.proved && !contact_.profile().piecewise_linear()
-               ? contact::Route::singular_integral
-               : plan_.route;
+Route RealLevel::route() const {
+    return plan_.proved && !contact_.profile().piecewise_linear() ? Route::singular_integral
+                                                                  : plan_.route;
 }
 
-const contact::Estimated& RealLevel::pressure(contact::Edge edge, const formula::Exact& u) {
+const contact::Estimated& RealLevel::pressure(Edge edge, const Exact& u) {
     Last& last = at(edge, u);
     if (!last.p) {
         last.p = contact_.pressure(edge, u, route());
@@ -97,13 +96,13 @@ const contact::Estimated& RealLevel::pressure(contact::Edge edge, const formula:
     return *last.p;
 }
 
-BoundedValue RealLevel::p(contact::Edge edge, const formula::Exact& u) {
+BoundedValue RealLevel::p(Edge edge, const Exact& u) {
     const contact::Estimated& p = pressure(edge, u);
     const PrecisionScope scope(p.working_digits);
     return estimated(p.value, Real(abs(p.value) * p.estimate), route_name(p.route));
 }
 
-BoundedValue RealLevel::q(contact::Edge edge, const formula::Exact& u) {
+BoundedValue RealLevel::q(Edge edge, const Exact& u) {
     if (scene_.slips()) {
         const Real q = slip().traction(edge, u);
         const PrecisionScope scope(q.precision());
@@ -118,7 +117,7 @@ BoundedValue RealLevel::q(contact::Edge edge, const formula::Exact& u) {
 }
 
 BoundedValue RealLevel::peak() {
-    const contact::Profile& profile = contact_.profile();
+    const Profile& profile = contact_.profile();
     const PrecisionScope scope(contact_.a().precision());
     for (std::size_t i = 0; i < profile.knots().size(); ++i) {
         const Real x = profile.knots()[i].to<Real>();
@@ -127,9 +126,7 @@ BoundedValue RealLevel::peak() {
         }
     }
     const Real length = contact_.a() + contact_.b();
-    const auto at = [&](const Real& u) {
-        return contact_.pressure(contact::Edge::right, u, route()).value;
-    };
+    const auto at = [&](const Real& u) { return contact_.pressure(Edge::right, u, route()).value; };
     constexpr unsigned places = 64;
     unsigned best = 1;
     Real most = 0;
@@ -158,7 +155,7 @@ BoundedValue RealLevel::peak() {
 const contact::PartialSlip& RealLevel::slip() {
     if (!slip_) {
         try {
-            uncounted_.emplace(contact::Profile(contact_.profile()), contact_.contact_modulus(),
+            uncounted_.emplace(Profile(contact_.profile()), contact_.contact_modulus(),
                                contact_.load(), digits_);
             slip_.emplace(*uncounted_, *scene_.shear);
         } catch (const InputError& error) {
@@ -178,16 +175,16 @@ BoundedValue RealLevel::load_ratio() {
     return sound(zones.load_ratio(), "contact-law");
 }
 
-BoundedValue RealLevel::slip_size(contact::Edge edge) {
+BoundedValue RealLevel::slip_size(Edge edge) {
     const PrecisionScope scope(contact_.a().precision());
     const Real d = slip().size(edge);
     return estimated(d, Real(d * slip().estimate()), slip_route);
 }
 
-BoundedValue RealLevel::stick_edge(contact::Edge edge) {
+BoundedValue RealLevel::stick_edge(Edge edge) {
     const PrecisionScope scope(contact_.a().precision());
     const Real d = slip().size(edge);
-    const Real from = edge == contact::Edge::right ? contact_.a() : contact_.b();
+    const Real from = edge == Edge::right ? contact_.a() : contact_.b();
     return estimated(Real(from - d), Real(d * slip().estimate()), slip_route);
 }
 
@@ -198,7 +195,7 @@ BoundedValue RealLevel::cycle_energy() {
     return estimated(W, Real(W * zones.estimate()), "Mindlin's loop");
 }
 
-const std::vector<BoundedValue>& RealLevel::c(contact::Edge edge) {
+const std::vector<BoundedValue>& RealLevel::c(Edge edge) {
     auto& c = c_[edge];
     if (c.empty()) {
         raw_c_[edge] = contact_.expansion(edge, plan_.terms);
@@ -215,7 +212,7 @@ const std::vector<BoundedValue>& RealLevel::c(contact::Edge edge) {
     return c;
 }
 
-const std::vector<BoundedValue>& RealLevel::s(contact::Edge edge) {
+const std::vector<BoundedValue>& RealLevel::s(Edge edge) {
     auto& s = s_[edge];
     const bool similar = scene_.together();
     if (s.empty()) {
@@ -230,15 +227,13 @@ const std::vector<BoundedValue>& RealLevel::s(contact::Edge edge) {
     return s;
 }
 
-BoundedValue RealLevel::sum(contact::Edge edge, const formula::Exact& u, std::size_t n,
-                            bool shear) {
+BoundedValue RealLevel::sum(Edge edge, const Exact& u, std::size_t n, bool shear) {
     return {sum_of_terms(shear ? s(edge) : c(edge), n, ball_of(u, bits()),
                          shear && !scene_.together(), &BoundedValue::value),
             false, series_name()};
 }
 
-BoundedValue RealLevel::relative_error(contact::Edge edge, const formula::Exact& u, std::size_t n,
-                                       bool shear) {
+BoundedValue RealLevel::relative_error(Edge edge, const Exact& u, std::size_t n, bool shear) {
     const Ball value = (shear ? q(edge, u) : p(edge, u)).value;
     return {1 - sum(edge, u, n, shear).value / value, false, series_name()};
 }

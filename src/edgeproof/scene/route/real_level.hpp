@@ -22,8 +22,8 @@ inline constexpr unsigned kept_digits = 8;
 class RealLevel {
 public:
     /// Keeps references to the scene and the plan. `alpha`: the tilt, if it was solved for.
-    RealLevel(const contact::Profile& profile, const std::optional<formula::Exact>& alpha,
-              const Scene& scene, const Plan& plan, unsigned digits, contact::Work* work);
+    RealLevel(const Profile& profile, const std::optional<Exact>& alpha, const Scene& scene,
+              const Plan& plan, unsigned digits, Work* work);
     RealLevel(const RealLevel&) = delete; // shear_ refers to contact_
     RealLevel& operator=(const RealLevel&) = delete;
 
@@ -35,18 +35,18 @@ public:
     [[nodiscard]] BoundedValue a() const;
     [[nodiscard]] BoundedValue b() const;
     /// The distance of an edge from the origin, as it was solved for.
-    [[nodiscard]] BoundedValue distance(contact::Edge edge) const;
+    [[nodiscard]] BoundedValue distance(Edge edge) const;
     [[nodiscard]] BoundedValue force() const;
     [[nodiscard]] BoundedValue approach() const { return given(*scene_.round->approach); }
     /// Only for power laws, whose a is a given number.
     [[nodiscard]] BoundedValue stiffness() const {
-        return given(formula::Exact(formula::Expr::number(Rational(2)) *
-                                    scene_.contact_modulus.expr() * scene_.load.value.expr()));
+        return given(Exact(Expr::number(Rational(2)) * scene_.contact_modulus.expr() *
+                           scene_.load.value.expr()));
     }
     [[nodiscard]] BoundedValue moment() const;
     [[nodiscard]] BoundedValue alpha() const;
-    [[nodiscard]] BoundedValue p(contact::Edge edge, const formula::Exact& u);
-    [[nodiscard]] BoundedValue q(contact::Edge edge, const formula::Exact& u);
+    [[nodiscard]] BoundedValue p(Edge edge, const Exact& u);
+    [[nodiscard]] BoundedValue q(Edge edge, const Exact& u);
     /// The greatest pressure, an estimate: the highest of many places is refined. Throws
     /// DomainError if a corner inside the contact makes the pressure infinite.
     [[nodiscard]] BoundedValue peak();
@@ -54,51 +54,47 @@ public:
     [[nodiscard]] const contact::PartialSlip& slip();
     /// |Q|/(f P).
     [[nodiscard]] BoundedValue load_ratio();
-    [[nodiscard]] BoundedValue slip_size(contact::Edge edge);
-    template <contact::Edge edge> [[nodiscard]] BoundedValue stick_edge() {
-        return stick_edge(edge);
-    }
+    [[nodiscard]] BoundedValue slip_size(Edge edge);
+    template <Edge edge> [[nodiscard]] BoundedValue stick_edge() { return stick_edge(edge); }
     [[nodiscard]] BoundedValue cycle_energy();
-    [[nodiscard]] const std::vector<BoundedValue>& c(contact::Edge edge);
-    [[nodiscard]] const std::vector<BoundedValue>& s(contact::Edge edge);
-    [[nodiscard]] static const formula::Exact& place(const AskedValue& asked) { return *asked.u; }
+    [[nodiscard]] const std::vector<BoundedValue>& c(Edge edge);
+    [[nodiscard]] const std::vector<BoundedValue>& s(Edge edge);
+    [[nodiscard]] static const Exact& place(const AskedValue& asked) { return *asked.u; }
     /// The sum of n terms of p, or of q.
-    [[nodiscard]] BoundedValue sum(contact::Edge edge, const formula::Exact& u, std::size_t n,
-                                   bool shear);
+    [[nodiscard]] BoundedValue sum(Edge edge, const Exact& u, std::size_t n, bool shear);
     /// 1 - sum/value, with its sign.
-    [[nodiscard]] BoundedValue relative_error(contact::Edge edge, const formula::Exact& u,
-                                              std::size_t n, bool shear);
+    [[nodiscard]] BoundedValue relative_error(Edge edge, const Exact& u, std::size_t n, bool shear);
 
 private:
     /// The values at the last two points, kept for other quantities and approximations there: a
     /// place that depends on the edges is evaluated at both ends of its error interval.
     struct Last {
-        contact::Edge edge;
-        formula::Exact u;
+        Edge edge;
+        Exact u;
         std::optional<contact::Estimated> p = {};
         std::optional<contact::EstimatedTraction> q = {};
     };
-    [[nodiscard]] Last& at(contact::Edge edge, const formula::Exact& u);
-    [[nodiscard]] const contact::Estimated& pressure(contact::Edge edge, const formula::Exact& u);
-    [[nodiscard]] BoundedValue stick_edge(contact::Edge edge);
+    [[nodiscard]] Last& at(Edge edge, const Exact& u);
+    [[nodiscard]] const contact::Estimated& pressure(Edge edge, const Exact& u);
+    [[nodiscard]] BoundedValue stick_edge(Edge edge);
     /// A value that the scene gives.
-    [[nodiscard]] BoundedValue given(const formula::Exact& x) const;
-    [[nodiscard]] contact::Route route() const;
+    [[nodiscard]] BoundedValue given(const Exact& x) const;
+    [[nodiscard]] Route route() const;
     [[nodiscard]] Real unit() const;
     [[nodiscard]] std::string series_name() const;
 
     const Scene& scene_;
     const Plan& plan_;
     unsigned digits_;
-    std::optional<formula::Exact> alpha_;
+    std::optional<Exact> alpha_;
     contact::NormalContact contact_;
     std::optional<contact::ShearTraction> shear_;
     std::optional<contact::NormalContact> uncounted_; ///< its work is not counted here
     std::optional<contact::PartialSlip> slip_;
     std::array<std::optional<Last>, 2> last_; ///< the latest first
-    std::map<contact::Edge, std::vector<Real>> raw_c_;
-    std::map<contact::Edge, std::vector<BoundedValue>> c_;
-    std::map<contact::Edge, std::vector<BoundedValue>> s_;
+    std::map<Edge, std::vector<Real>> raw_c_;
+    std::map<Edge, std::vector<BoundedValue>> c_;
+    std::map<Edge, std::vector<BoundedValue>> s_;
 };
 
 } // namespace edgeproof::scene

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
 
 namespace edgeproof::scene {
 namespace {
@@ -16,7 +15,7 @@ constexpr unsigned most_extra = 4000;
 
 class RealRoute : public ValueRoute {
 public:
-    RealRoute(const Scene& scene, const Plan& plan, contact::Work& work)
+    RealRoute(const Scene& scene, const Plan& plan, Work& work)
         : scene_(scene), plan_(plan), work_(work) {
         if (scene.punch) {
             const contact::SolvedTilt tilt =
@@ -56,8 +55,8 @@ public:
         return evaluated(row, asked, *levels_[0]);
     }
 
-    contact::SlipState state(contact::Edge edge, const Distance& u) override {
-        const formula::Exact at = u.number() ? *u.number() : by_edges(u).near;
+    contact::SlipState state(Edge edge, const Distance& u) override {
+        const Exact at = u.number() ? *u.number() : by_edges(u).near;
         return levels_[0]->slip().sticks(edge, at.to<Real>()) ? contact::SlipState::stick
                                                               : contact::SlipState::slip;
     }
@@ -84,7 +83,7 @@ private:
         if (!slip_series_) {
             slip_series_ = s.series(scene_.ask.most_terms());
         }
-        const bool right = asked.edge == contact::Edge::right;
+        const bool right = asked.edge == Edge::right;
         const Real size = contact::slip_sum(right ? slip_series_->right : slip_series_->left,
                                             asked.k, s.load_ratio());
         return slip_rows(asked, level.sound(size, "series"),
@@ -116,50 +115,48 @@ private:
     }
     /// A distance that depends on the edges: a number near it, and the end of its error interval.
     struct ByEdges {
-        formula::Exact near;
-        formula::Exact end;
+        Exact near;
+        Exact end;
         BoundedValue u;
         BoundedValue x;
     };
     [[nodiscard]] ByEdges by_edges(const Distance& u) const {
         const RealLevel& level = *levels_.at(0);
-        const Ball a = level.distance(contact::Edge::right).value;
-        const Ball b = level.distance(contact::Edge::left).value;
+        const Ball a = level.distance(Edge::right).value;
+        const Ball b = level.distance(Edge::left).value;
         const Ball from = u.enclosure(a, b, level.bits());
         if (!certainly_positive(from)) {
             throw DomainError("the point lies outside the contact");
         }
         const Rational near = contact::exact_value(from.midpoint());
-        return {formula::Exact::of(near),
-                formula::Exact::of(near + contact::exact_value(from.radius())),
+        return {Exact::of(near),
+                Exact::of(near + contact::exact_value(from.radius())),
                 {from, false, "given"},
                 {u.x_enclosure(a, b, level.bits()), u.x().has_value(), "given"}};
     }
-    void check_inside(const formula::Exact& u) const {
+    void check_inside(const Exact& u) const {
         const RealLevel& level = *levels_.at(0);
-        if (!certainly_less(ball_of(u, level.bits()),
-                            Ball(level.distance(contact::Edge::right).value +
-                                 level.distance(contact::Edge::left).value))) {
+        if (!certainly_less(ball_of(u, level.bits()), Ball(level.distance(Edge::right).value +
+                                                           level.distance(Edge::left).value))) {
             throw DomainError("the point lies outside the contact");
         }
     }
     /// The coordinate x, exact if the edge is given.
-    [[nodiscard]] BoundedValue place_inside(contact::Edge edge, const formula::Exact& u) const {
+    [[nodiscard]] BoundedValue place_inside(Edge edge, const Exact& u) const {
         const RealLevel& level = *levels_.at(0);
-        const bool given = scene_.load.kind == contact::Load::Kind::right_edge &&
-                           (edge == contact::Edge::right || scene_.symmetric());
+        const bool given = scene_.load.kind == Load::Kind::right_edge &&
+                           (edge == Edge::right || scene_.symmetric());
         if (given) {
-            const formula::Expr& a = scene_.load.value.expr();
-            const formula::Exact x(edge == contact::Edge::right ? a - u.expr() : u.expr() - a);
+            const Expr& a = scene_.load.value.expr();
+            const Exact x(edge == Edge::right ? a - u.expr() : u.expr() - a);
             return {ball_of(x, level.bits()), true, "given", rational_of(x)};
         }
         const Ball from_edge = ball_of(u, level.bits());
         BoundedValue x = level.distance(edge);
-        x.value = edge == contact::Edge::right ? x.value - from_edge : from_edge - x.value;
+        x.value = edge == Edge::right ? x.value - from_edge : from_edge - x.value;
         return x;
     }
-    [[nodiscard]] BoundedValue at_number(const QuantityRow& row, AskedValue asked,
-                                         const formula::Exact& u) {
+    [[nodiscard]] BoundedValue at_number(const QuantityRow& row, AskedValue asked, const Exact& u) {
         check_inside(u);
         if (asked.quantity == Quantity::x) {
             return place_inside(asked.edge, u);
@@ -216,17 +213,16 @@ private:
 
     const Scene& scene_;
     const Plan& plan_;
-    contact::Work& work_;
-    std::optional<formula::Exact> alpha_;
-    std::optional<contact::Profile> profile_;
+    Work& work_;
+    std::optional<Exact> alpha_;
+    std::optional<Profile> profile_;
     std::map<unsigned, std::unique_ptr<RealLevel>> levels_;
     std::optional<contact::SlipSeries<Real>> slip_series_;
 };
 
 } // namespace
 
-std::unique_ptr<ValueRoute> make_real_route(const Scene& scene, const Plan& plan,
-                                            contact::Work& work) {
+std::unique_ptr<ValueRoute> make_real_route(const Scene& scene, const Plan& plan, Work& work) {
     try {
         return std::make_unique<RealRoute>(scene, plan, work);
     } catch (const InputError& error) {

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/law/work.hpp"
+#include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
+#include "edgeproof/precision/ball/ball.hpp"
+#include "edgeproof/precision/ball/magnitude.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/route/plan.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,6 +20,51 @@
 #include <vector>
 
 namespace edgeproof::scene {
+
+/// The sum of the first n terms of an expansion at the distance u from its edge, by Horner's rule.
+/// The first term is c_0 sqrt(u), or c_0/sqrt(u) if it is `singular`. `value` returns the number in
+/// an element of `c`.
+template <class T, class C, class Value = std::identity>
+[[nodiscard]] T sum_of_terms(const C& c, std::size_t n, const T& u, bool singular,
+                             const Value& value = {}) {
+    T total = std::invoke(value, c[n - 1]);
+    for (std::size_t k = n - 1; k-- > 0;) {
+        total = total * u + std::invoke(value, c[k]);
+    }
+    return singular ? T(total / sqrt(u)) : T(total * sqrt(u));
+}
+
+/// A power series in u whose coefficients are enclosed, with |c_k| <= most/radius^k for all k.
+struct BoundedSeries {
+    std::function<std::vector<Ball>(std::size_t)> coefficients; ///< the first n coefficients
+    Ball most;
+    Ball radius;
+};
+
+/// Returns the sum of c_k u^k over all k >= n, without a difference of nearly equal numbers: enough
+/// terms for the bits of u, and a bound of the others. The result is not finite unless u is less
+/// than a 16th of the radius.
+[[nodiscard]] inline Ball omitted_terms(const BoundedSeries& series, std::size_t n, const Ball& u) {
+    const long bits = u.bits();
+    const Ball part = u / series.radius;
+    const Ball limit(Rational(1, 16), bits);
+    if (!series.most.is_finite() || !part.is_finite() || !certainly_less(abs(part), limit)) {
+        Ball unknown(0, bits);
+        arb_indeterminate(unknown.data());
+        return unknown;
+    }
+    // Each term is at most a 16th of the term before.
+    const std::size_t smallness = static_cast<std::size_t>(
+        std::max<slong>(4, -arf_abs_bound_lt_2exp_si(arb_midref(part.data()))));
+    const std::size_t count = n + static_cast<std::size_t>(bits) / smallness + 2;
+    const std::vector<Ball> c = series.coefficients(count);
+    Ball sum =
+        Magnitude(series.most * pow_int(part, static_cast<long>(count)) / (1 - part)).ball(bits);
+    for (std::size_t k = count; k-- > n;) {
+        sum += c[k] * pow_int(u, static_cast<long>(k));
+    }
+    return sum;
+}
 
 /// One asked value with its result.
 struct Row {
@@ -38,7 +87,7 @@ public:
 
     [[nodiscard]] auto begin() const { return rows_.begin(); }
     [[nodiscard]] auto end() const { return rows_.end(); }
-    [[nodiscard]] contact::Edge edge() const { return rows_.front().asked.edge; }
+    [[nodiscard]] Edge edge() const { return rows_.front().asked.edge; }
     [[nodiscard]] std::size_t point() const { return rows_.front().point; }
     /// Null if there is no such row.
     [[nodiscard]] const Row* find(Quantity quantity, std::size_t k = 0, std::size_t j = 0) const;
@@ -74,7 +123,7 @@ public:
     /// would extend beyond it.
     [[nodiscard]] virtual BoundedValue value(const AskedValue& asked) = 0;
     /// For a scene with friction.
-    [[nodiscard]] virtual contact::SlipState state(contact::Edge edge, const Distance& u) = 0;
+    [[nodiscard]] virtual contact::SlipState state(Edge edge, const Distance& u) = 0;
     /// The rows of a search for a quantity with `searched`, with the edge and the number of terms
     /// of `asked`. Extents: the first exit, the measure, both as fractions of a + b, and all
     /// crossings, for the tolerance of the scene. Slip zones: the size by these terms, the error,
@@ -88,13 +137,13 @@ public:
     [[nodiscard]] const Row& searched(const AskedValue& asked);
 
 private:
-    std::map<std::tuple<QuantityGroup, contact::Edge, std::size_t>, std::vector<Row>> searched_;
+    std::map<std::tuple<QuantityGroup, Edge, std::size_t>, std::vector<Row>> searched_;
 };
 
 /// Makes a route in Real with estimated errors (NormalContact, ShearTraction). Keeps references to
 /// all three arguments. Throws InputError, with the line of the load, if no contact carries it.
 [[nodiscard]] std::unique_ptr<ValueRoute> make_real_route(const Scene& scene, const Plan& plan,
-                                                          contact::Work& work);
+                                                          Work& work);
 
 /// Makes the route of a plan: that in Real, or for a plan with `proved` one in balls with proved
 /// values (BallContact, shear.hpp): more and more bits until each value rounds correctly. A value
@@ -103,6 +152,6 @@ private:
 /// to rise in the contact. Throws InputError, with the line of the profile, if g' is proved to
 /// fall.
 [[nodiscard]] std::unique_ptr<ValueRoute> make_route(const Scene& scene, const Plan& plan,
-                                                     contact::Work& work);
+                                                     Work& work);
 
 } // namespace edgeproof::scene

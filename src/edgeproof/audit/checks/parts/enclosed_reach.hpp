@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/ledger/judgement.hpp"
-#include "edgeproof/contact/design/design.hpp"
+#include "edgeproof/contact/design/best_reach.hpp"
 #include "edgeproof/contact/enclosure/ball_extent.hpp"
 
 #include <optional>

@@ -3,7 +3,7 @@
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/parts/decimal_fit.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/roots/extremum.hpp"
+#include "edgeproof/roots/bracketed_root.hpp"
 
 #include <algorithm>
 

@@ -3,7 +3,6 @@
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/roots/bracketed_root.hpp"
-#include "edgeproof/roots/extremum.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,6 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/roots/bracketed_root.hpp"
-#include "edgeproof/roots/extremum.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include "edgeproof/conformance/causes/corruption.hpp"
 #include "edgeproof/conformance/causes/self_test.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
-#include "edgeproof/precision/exact_rational.hpp"
+#include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/report/tables/agreement_report.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"

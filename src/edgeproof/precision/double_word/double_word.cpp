@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/precision/double_word/double_word_ball.hpp"
+#include "edgeproof/precision/double_word/double_word.hpp"
 
 #include "edgeproof/precision/ball/arb_values.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/enclosure/ball_marks.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
 
 #include "edgeproof/contact/enclosure/ball_values.hpp"
-#include "edgeproof/contact/law/logarithmic_pressure.hpp"
+#include "edgeproof/contact/law/linear_measure.hpp"
 
 namespace edgeproof::contact {
 

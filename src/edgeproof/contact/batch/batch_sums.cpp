@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/batch/real_power.hpp"
+#include "edgeproof/contact/batch/batch_sums.hpp"
 
 #include "edgeproof/precision/ball/ball.hpp"
 
@@ -14,7 +14,7 @@ constexpr long largest_by_root = 4096;
 
 } // namespace
 
-RealPower::RealPower(const formula::Exact& exponent) : exponent_(exponent.to<Real>()) {
+RealPower::RealPower(const Exact& exponent) : exponent_(exponent.to<Real>()) {
     if (!exponent.is_rational()) {
         return;
     }

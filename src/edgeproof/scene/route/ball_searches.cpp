@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/slip/slip_reach.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/identity.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
+#include "edgeproof/scene/route/ball_route.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace edgeproof::scene {
+
+namespace {
+
+ExactNumber exact_number(const Exact& x) { return ExactNumber::of(x.expr()); }
+
+/// The most bits used to separate a place from an edge of the stick zone.
+constexpr long most_state_bits = 1330;
+
+} // namespace
+
+std::vector<Row> BallRoute::extent(const AskedValue& asked) {
+    contact::BallExtentSearch search(
+        [&](long bits) -> const ProvedContact& {
+            BallLevel* level = at_level(bits);
+            if (level == nullptr) {
+                throw BudgetError("too few bits to enclose the edges");
+            }
+            return level->contact();
+        },
+        asked.edge, asked.k, *asked.tolerance, scene_.ask.part);
+    const auto done = [&](const Ball& x, const std::optional<Rational>& q) {
+        return q || has_digits(x, plan_.digits);
+    };
+    std::optional<contact::EnclosedExtents> best;
+    ExactExtents exact;
+    for (long bits = plan_.bits; bits <= last_bits(); bits *= 2) {
+        try {
+            best = search.at(bits);
+        } catch (const BudgetError&) {
+            if (search.evaluations() > contact::BallExtentSearch::most_evaluations) {
+                break;
+            }
+            continue;
+        }
+        exact = exact_extents(asked, *best, *at_level(bits));
+        if (done(best->first_exit, exact.first_exit) && done(best->measure, exact.measure) &&
+            std::ranges::equal(best->crossings, exact.crossings, done)) {
+            break;
+        }
+    }
+    if (!best) {
+        return {};
+    }
+    const auto proved = [](const Ball& x, const std::optional<Rational>& q) {
+        return BoundedValue{x, true, "sign changes", q};
+    };
+    const auto fraction = [&](const Ball& x, const std::optional<Rational>& q) {
+        return proved(x / best->length, q && exact.length
+                                            ? std::optional(Rational(*q / *exact.length))
+                                            : std::nullopt);
+    };
+    std::vector<BoundedValue> crossings;
+    std::ranges::transform(best->crossings, exact.crossings, std::back_inserter(crossings), proved);
+    return extent_rows(
+        asked,
+        {proved(best->first_exit, exact.first_exit), fraction(best->first_exit, exact.first_exit),
+         proved(best->measure, exact.measure), fraction(best->measure, exact.measure)},
+        crossings, best->leaves);
+}
+
+BallRoute::ExactExtents BallRoute::exact_extents(const AskedValue& asked,
+                                                 const contact::EnclosedExtents& found,
+                                                 const BallLevel& level) {
+    ExactExtents result;
+    result.crossings.resize(found.crossings.size());
+    const auto part = [&](const Exact& fraction) {
+        return exact_value([&](ExactValues& e) { return e.length() * exact_number(fraction); },
+                           level, found.length * ball_of(fraction, found.length.bits()));
+    };
+    result.length = part(Exact::of(Rational(1)));
+    if (!result.length) {
+        return result;
+    }
+    bool all = true;
+    for (std::size_t k = 0; k < found.crossings.size(); ++k) {
+        result.crossings[k] =
+            found.single[k] ? exact_crossing(asked, found.crossings[k], level) : std::nullopt;
+        all = all && result.crossings[k];
+    }
+    const auto start = part(scene_.ask.part.from);
+    const auto end = part(scene_.ask.part.to);
+    result.first_exit = !found.starts_within ? start
+                        : !found.leaves      ? end
+                                             : result.crossings.front();
+    if (!all || !start || !end) {
+        return result;
+    }
+    Rational measure = 0;
+    Rational entered = *start;
+    bool within = found.starts_within;
+    for (const auto& u : result.crossings) {
+        measure += within ? Rational(*u - entered) : Rational(0);
+        entered = *u;
+        within = !within;
+    }
+    measure += within ? Rational(*end - entered) : Rational(0);
+    if (contains(found.measure, measure)) {
+        result.measure = measure;
+    }
+    return result;
+}
+
+std::optional<Rational> BallRoute::exact_crossing(const AskedValue& asked, const Ball& u,
+                                                  const BallLevel& level) {
+    const auto q = may_be_a_limit(u, plan_.digits, has_digits(u, plan_.digits))
+                       ? contact::simplest_rational(u)
+                       : std::nullopt;
+    if (!q || *q <= 0) {
+        return {};
+    }
+    const ExactNumber tolerance = exact_number(*asked.tolerance);
+    const auto off = [&](ExactValues& e) {
+        const ExactNumber error = e.relative_error(asked.edge, ExactNumber(*q), asked.k, false);
+        return error == tolerance || error == -tolerance ? ExactNumber(*q) : ExactNumber::unknown();
+    };
+    return exact_value(off, level, u);
+}
+
+void BallRoute::check_slip() {
+    if (std::exchange(slip_checked_, true)) {
+        return;
+    }
+    const ShearSpec& shear = *scene_.shear;
+    if (scene_.load.kind == Load::Kind::force && !scene_.history) {
+        // Balls cannot decide a load exactly on the limit.
+        const Expr Q = shear.Q.sign() > 0 ? shear.Q.expr() : -shear.Q.expr();
+        const auto sign =
+            formula::decided_sign(scene_.load.value.expr() * shear.friction->expr() - Q);
+        if (sign && *sign <= 0) {
+            refuse_sliding(scene_, scene_.load.value.to<Real>());
+        }
+    }
+    bool looked = false;
+    const auto refuse = [&](const BallSlip& slip, Edge edge, bool reached) {
+        const Real one = slip.tension_limit(Edge::right).midpoint();
+        const Real other = slip.tension_limit(Edge::left).midpoint();
+        refuse_tension(scene_, edge, reached, std::min(one, other), std::max(one, other));
+    };
+    for (long bits = plan_.bits; bits <= last_bits(); bits *= 2) {
+        BallLevel* level = at_level(bits);
+        const BallSlip* slip = level != nullptr ? level->slip() : nullptr;
+        if (slip == nullptr) {
+            if (level != nullptr && !std::exchange(looked, true)) {
+                refuse_exactly_sliding(*level);
+            }
+            continue;
+        }
+        if (slip->sliding()) {
+            refuse_sliding(scene_, level->whole_force().midpoint());
+        }
+        const Ball right = slip->size(Edge::right);
+        const Ball left = slip->size(Edge::left);
+        if (certainly_negative(right) || certainly_negative(left)) {
+            refuse(*slip, certainly_negative(right) ? Edge::right : Edge::left, false);
+        }
+        slip_level_ = level;
+        lost_bits_ = lost_by(0);
+        if (scene_.history && !scene_.history->stick) {
+            return; // nothing slipped in the last step
+        }
+        if (certainly_positive(right) && certainly_positive(left)) {
+            return;
+        }
+    }
+    if (slip_level_ != nullptr && shear.bulk_tension.sign() != 0) {
+        // The bits do not separate the size of a slip zone from 0.
+        const BallSlip& slip = *slip_level_->slip();
+        const bool right = !certainly_positive(slip.size(Edge::right));
+        refuse(slip, right ? Edge::right : Edge::left, true);
+    }
+}
+
+void BallRoute::refuse_exactly_sliding(const BallLevel& level) {
+    const ShearSpec& shear = *scene_.shear;
+    const auto left = [&](ExactValues& exact) {
+        const ExactNumber Q = ExactNumber::of(shear.Q.expr());
+        return ExactNumber::of(shear.friction->expr()) * exact.whole_force() -
+               (shear.Q.sign() > 0 ? Q : -Q);
+    };
+    const Ball near = ball_of(*shear.friction, level.bits()) * level.whole_force() -
+                      abs(ball_of(shear.Q, level.bits()));
+    const auto zero = exact_value(left, level, near);
+    if (zero && *zero == 0) {
+        refuse_sliding(scene_, level.whole_force().midpoint());
+    }
+}
+
+long BallRoute::lost_by(std::size_t n) const {
+    if (slip_level_ == nullptr) {
+        return 0;
+    }
+    const Ball& ratio = slip_level_->slip()->load_ratio();
+    return static_cast<long>(n + 1) *
+           std::max<long>(0, -arf_abs_bound_lt_2exp_si(arb_midref(ratio.data())));
+}
+
+contact::SlipState BallRoute::state(Edge edge, const Distance& u) {
+    std::optional<contact::SlipState> found;
+    for (long bits = plan_.bits; bits <= last_bits(); bits *= 2) {
+        BallLevel* level = at_level(bits);
+        if (level == nullptr || level->slip() == nullptr) {
+            continue;
+        }
+        found = level->slip()->state(edge, level->distance(u));
+        if (*found != contact::SlipState::undecided || bits >= plan_.bits + most_state_bits) {
+            break;
+        }
+    }
+    return found ? *found : others().state(edge, u);
+}
+
+bool BallRoute::in_proportion() {
+    return slip_level_ == nullptr || (slip_level_->slip()->slips_from_the_first(Edge::right) &&
+                                      slip_level_->slip()->slips_from_the_first(Edge::left));
+}
+
+std::vector<Row> BallRoute::slip_terms(const AskedValue& asked) {
+    const auto of_series = [&](BallLevel& level) {
+        const std::vector<Ball>& series = level.slip_series(asked.edge, scene_.ask.most_terms());
+        return level.slip() == nullptr
+                   ? series.front()
+                   : contact::slip_sum(series, asked.k, level.slip()->load_ratio());
+    };
+    auto size = refine(of_series, nullptr, plan_.digits, plan_.bits);
+    auto error = refine(
+        [&](BallLevel& level) {
+            return abs(Ball(1 - of_series(level) / level.slip_size(asked.edge)));
+        },
+        nullptr, plan_.error_digits(), plan_.bits, lost_by(asked.k));
+    if (!size || !error) {
+        return {};
+    }
+    std::vector<Row> rows = slip_rows(asked, {std::move(size->value), true, "series"},
+                                      {std::move(error->value), true, "series"});
+    if (asked.tolerance && slip_level_ != nullptr && in_proportion()) {
+        find_reach(rows.back());
+    }
+    return rows;
+}
+
+void BallRoute::find_reach(Row& row) {
+    contact::SlipReachSearch search(
+        [&](long bits) -> const BallSlip& {
+            BallLevel* level = at_level(bits);
+            if (level == nullptr || level->slip() == nullptr) {
+                throw BudgetError("too few bits to enclose the stick zone");
+            }
+            return *level->slip();
+        },
+        row.asked.edge, row.asked.k, *row.asked.tolerance);
+    for (long bits = plan_.bits; bits <= last_bits(); bits *= 2) {
+        try {
+            const contact::EnclosedReach reach = search.at(bits);
+            row.reached = reach.leaves;
+            row.value = BoundedValue{reach.ratio, true, "sign changes",
+                                     reach.leaves ? std::nullopt : std::optional(Rational(1))};
+            if (!reach.leaves || has_digits(reach.ratio, plan_.digits)) {
+                return;
+            }
+        } catch (const BudgetError&) {
+            if (search.zones() > contact::SlipReachSearch::most_zones) {
+                return;
+            }
+        }
+    }
+}
+
+} // namespace edgeproof::scene

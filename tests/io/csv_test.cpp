@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/io/csv.hpp"
+#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"
@@ -93,16 +94,56 @@ TEST_CASE("CSV: byte order mark, tabs, semicolons; notes that a spreadsheet has 
     }
 }
 
-TEST_CASE("CSV: UTF-16 and lines that end in CR alone are refused with the cause") {
+TEST_CASE("CSV: UTF-16 without a mark and lines that end in CR alone are refused with the cause") {
     using namespace std::string_literals;
-    for (const std::string& text :
-         {"\xFF\xFEi\0d\0\n\0"s, "\xFE\xFF\0i\0d\0\n"s, "i\0d\0\n\0"s, "\0i\0d\0\n"s}) {
+    for (const std::string& text : {"i\0d\0\n\0"s, "\0i\0d\0\n"s}) {
         CHECK_THROWS_WITH_AS((void)parse_csv(text, "f.csv"),
-                             "f.csv:1: the file is in UTF-16; save it as CSV in UTF-8", InputError);
+                             "f.csv:1: the file is in UTF-16 without a byte order mark; save it as "
+                             "CSV in UTF-8",
+                             InputError);
+    }
+    for (const std::string& text : {"\xFF\xFEi\0d"s, "\xFE\xFF\0i\xD8\0\0\n"s}) { // half of a pair
+        CHECK_THROWS_WITH_AS((void)parse_csv(text, "f.csv"),
+                             "f.csv: the file is in UTF-16 with an incomplete character; save it "
+                             "in UTF-8",
+                             InputError);
     }
     CHECK_THROWS_WITH_AS((void)parse_csv("id,value\r1,2\r", "f.csv"),
                          "f.csv:1: the lines end in CR alone; end them in LF or CR LF", InputError);
     CHECK(parse_csv("id,value\r", "f.csv").header.cells == Cells{"id", "value"});
+}
+
+TEST_CASE("CSV: UTF-16 with a byte order mark is read as the same text in UTF-8, also as a file") {
+    std::u16string text = u"id;value\r\n\u00B5\xD835\xDC65;1,5\r\n";
+    for (int i = 0; i < 200'000; ++i) { // more than one block
+        text += u"n;2\r\n";
+    }
+    const auto file = std::filesystem::temp_directory_path() / "edgeproof-csv-utf16.csv";
+    for (const bool big_endian : {false, true}) {
+        std::string bytes = big_endian ? "\xFE\xFF" : "\xFF\xFE";
+        for (const char16_t c : text) {
+            const char high = static_cast<char>(c >> 8);
+            const char low = static_cast<char>(c & 0xFF);
+            bytes += big_endian ? high : low;
+            bytes += big_endian ? low : high;
+        }
+        write_whole(file, bytes);
+        CsvReader from_file(file, "table");
+        CsvReader from_text(bytes, "f.csv");
+        for (CsvReader* reader : {&from_file, &from_text}) {
+            CHECK(reader->head().header.cells == Cells{"id", "value"});
+            CHECK(reader->head().separator == ';');
+            Csv::Row row;
+            REQUIRE(reader->next(row));
+            CHECK(row.cells == Cells{"\xC2\xB5\xF0\x9D\x91\xA5", "1,5"});
+            std::size_t more = 0;
+            while (reader->next(row)) {
+                more += row.cells == Cells{"n", "2"} ? 1 : 0;
+            }
+            CHECK(more == 200'000);
+        }
+    }
+    std::filesystem::remove(file);
 }
 
 TEST_CASE("CSV: no more rows than requested") {

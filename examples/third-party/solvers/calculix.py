@@ -126,22 +126,22 @@ def slave(kind, quads, under_pad, layer):
     return ["*SURFACE, NAME=SLAVE, TYPE=ELEMENT", *(f"{n + 1}, S5" for n in faces)]
 
 
-def contact_stresses(data):
-    """Pressures by node from the last step of a .dat file."""
+def contact_stresses(data, column=1):
+    """Pressures by node from the last step of a .dat file, or shear tractions (column 2)."""
     *_, last = data.split("contact stress")
     rows = (line.split() for line in last.splitlines()[1:])
-    return {int(row[0]): float(row[1]) for row in rows if len(row) == 4}
+    return {int(row[0]): float(row[column]) for row in rows if len(row) == 4}
 
 
-def contact_stresses_of_frd(data):
-    """Pressures by node from the last CONTACT block of an .frd file."""
+def contact_stresses_of_frd(data, name="CPRESS"):
+    """Pressures by node from the last CONTACT block of an .frd file, or other values of it."""
     *_, last = data.split(" -4  CONTACT")
     names, rows = [], {}
     for line in last.splitlines()[1:]:
         if line.startswith(" -5"):
             names.append(line[5:13].strip())
         elif line.startswith(" -1"):
-            at = 13 + 12 * names.index("CPRESS")
+            at = 13 + 12 * names.index(name)
             rows[int(line[3:13])] = float(line[at:at + 12])
         else:
             break

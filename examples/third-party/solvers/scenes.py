@@ -25,15 +25,16 @@ BODY = [
 
 
 class Scene:
-    """The scene of a file: `gap(x)` of the pad before it is pressed, 0 at its minimum; the load `P`;
-    `e_star`; `centre`, the middle of the flat."""
+    """The scene of a file: `gap(x)` of the pad before it is pressed, 0 at its minimum; the loads `P` and `Q`;
+    `friction`; `e_star`; `centre`, the middle of the flat."""
 
     def __init__(self, file):
         self.file = pathlib.Path(file)
         scene = tomllib.loads(self.file.read_text())
-        profile, load = scene["profile"], scene["load"]
+        profile, load, shear = scene["profile"], scene["load"], scene.get("shear", {})
         self.P, self.e_star = float(load["P"]), float(load["contact_modulus"])
         self.E = self.e_star * (1 - NU**2)
+        self.Q, self.friction = (float(shear.get(key, 0)) for key in ("Q", "friction"))
         self.R = float(profile["R"])
         self.t = float(profile.get("t", 0)) or float(profile.get("flat_width", 0)) / 2
         self.alpha = float(profile.get("alpha", 0))
@@ -99,7 +100,7 @@ def give_up(what):
 
 def main(program, solve, header, options=()):
     """The command line of a program: SCENE --elements N [N ...] [--out FOLDER] and options of its own;
-    what is left is for `edgeproof compare`. `solve(scene, elements, arguments)` gives x and p."""
+    what is left is for `edgeproof compare`. `solve(scene, elements, arguments)` gives x, p and, with friction, q."""
     parser = argparse.ArgumentParser(description=sys.modules["__main__"].__doc__, allow_abbrev=False,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scene")
@@ -121,10 +122,10 @@ def main(program, solve, header, options=()):
     arguments.out.mkdir(parents=True, exist_ok=True)
     files = []
     for elements in arguments.elements:
-        x, p = solve(scene, elements, arguments)
+        x, p, *others = solve(scene, elements, arguments)
         scene.line_of_action = np.sum(x * p) / np.sum(p)
         files.append(arguments.out / f"{program}-{scene.file.stem}-{elements}.csv")
-        rows = [f"{place:.9g},{pressure:.6E}" for place, pressure in zip(x, p)]
+        rows = [",".join([f"{place:.9g}", *(f"{value:.6E}" for value in values)]) for place, *values in zip(x, p, *others)]
         files[-1].write_text("\n".join([header, *rows]) + "\n")
     command = [edgeproof, "compare", scene.file, *files, *of_compare]
     sys.exit(children.run(command).returncode)

@@ -38,13 +38,10 @@ char separator_of(std::string_view line) {
 
 /// Throws for a text that does not consist of lines of ASCII or UTF-8.
 void check_encoding(std::string_view text, const std::string& file) {
-    const auto begins = [&](unsigned char first, unsigned char second) {
-        return text.size() > 1 && static_cast<unsigned char>(text[0]) == first &&
-               static_cast<unsigned char>(text[1]) == second;
-    };
-    if (begins(0xFF, 0xFE) || begins(0xFE, 0xFF) ||
-        text.substr(0, 2).find('\0') != std::string_view::npos) {
-        throw InputError("the file is in UTF-16", "save it as CSV in UTF-8").at(file, 1);
+    if (text.substr(0, 2).find('\0') != std::string_view::npos) {
+        throw InputError("the file is in UTF-16 without a byte order mark",
+                         "save it as CSV in UTF-8")
+            .at(file, 1);
     }
     if (text.find('\n') == std::string_view::npos) {
         const std::size_t end = text.find('\r');
@@ -208,6 +205,10 @@ std::optional<std::size_t> Csv::column(std::string_view name) const {
 CsvReader::CsvReader(std::string_view text, const std::string& file)
     : parser_(std::make_unique<Parser>()) {
     head_.file = file;
+    if (is_utf16(text)) {
+        block_ = utf8_text(std::string(text), file);
+        text = block_;
+    }
     check_encoding(text, file);
     if (text.starts_with(byte_order_mark)) {
         text.remove_prefix(byte_order_mark.size());
@@ -220,9 +221,11 @@ CsvReader::CsvReader(const std::filesystem::path& file, const std::string& what)
     : file_(std::make_unique<TextReader>(file, what)), parser_(std::make_unique<Parser>()) {
     head_.file = input_name(file);
     bool more = true;
-    while (more && block_.find('\n') == std::string::npos) {
+    // All of a text in UTF-16 is read at once, since it is converted as a whole.
+    while (more && (block_.find('\n') == std::string::npos || is_utf16(block_))) {
         more = file_->read(block_, block_bytes);
     }
+    block_ = utf8_text(std::move(block_), head_.file);
     check_encoding(block_, head_.file);
     if (block_.starts_with(byte_order_mark)) {
         block_.erase(0, byte_order_mark.size());

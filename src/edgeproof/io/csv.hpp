@@ -15,9 +15,10 @@ namespace edgeproof::io {
 
 /// Separated values according to RFC 4180 (quoted cells, "" for a quote, either line end), with
 /// notes: lines that begin with #. The separator is the comma; a header without a comma may use
-/// tabs or semicolons, which then apply to the file. A UTF-8 byte order mark is skipped. Blanks
-/// around an unquoted cell or around quotes are ignored; other characters next to the quotes, and
-/// quotes within an unquoted cell, are errors.
+/// tabs or semicolons, which then apply to the file. A UTF-8 byte order mark is skipped, and a text
+/// in UTF-16 with a byte order mark is converted. Blanks around an unquoted cell or around quotes
+/// are ignored; other characters next to the quotes, and quotes within an unquoted cell, are
+/// errors.
 struct Csv {
     struct Row {
         std::size_t line = 0;
@@ -43,11 +44,11 @@ struct CsvReading {
 };
 
 /// Reads rows one by one. A file is read as needed; only one block, or the longest row, is kept in
-/// memory.
+/// memory, but all of a file in UTF-16.
 class CsvReader {
 public:
-    /// Throws InputError for a text without a header line, for a text in UTF-16 or with lines that
-    /// end in CR alone, and as TextReader does.
+    /// Throws InputError for a text without a header line, for a text in UTF-16 without a byte
+    /// order mark or with lines that end in CR alone, and as TextReader and utf8_text() do.
     CsvReader(std::string_view text, const std::string& file);
     CsvReader(const std::filesystem::path& file, const std::string& what);
     ~CsvReader();
@@ -73,8 +74,8 @@ private:
     std::unique_ptr<Parser> parser_;
 };
 
-/// Throws InputError for a text without a header line, for a text in UTF-16 or with lines that end
-/// in CR alone, and for a row that breaks the rules unless such rows are kept.
+/// Throws InputError as CsvReader does, and for a row that breaks the rules unless such rows are
+/// kept.
 [[nodiscard]] Csv parse_csv(std::string_view text, const std::string& file,
                             const CsvReading& reading = {});
 

@@ -43,6 +43,16 @@ private:
 [[nodiscard]] std::string read_text(const std::filesystem::path& file, const std::string& what,
                                     std::size_t most = most_text_bytes);
 
+/// True if the text begins with a byte order mark of UTF-16, of either order.
+[[nodiscard]] bool is_utf16(std::string_view text);
+/// Returns a text in UTF-16 with a byte order mark in UTF-8, without the mark; other texts as they
+/// are. Throws InputError, with the file, if the text ends within a character, or contains half of
+/// a pair.
+[[nodiscard]] std::string utf8_text(std::string text, const std::string& file);
+[[nodiscard]] bool is_utf8(std::string_view text);
+/// Converts a text in Latin-1 (Windows-1252 has the same letters) to UTF-8.
+[[nodiscard]] std::string utf8_from_latin1(std::string_view text);
+
 /// Returns the 64-bit FNV-1a hash (Fowler, Noll, Vo; draft-eastlake-fnv). It detects an edited
 /// table, but not a forged one. With the hash of a text before, returns the hash of both texts
 /// together.

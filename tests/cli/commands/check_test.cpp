@@ -72,6 +72,29 @@ TEST_CASE("check: nan, inf, nothing and garbage fail, each named, and --errors c
     CHECK(has(run(folder, "check a.csv --errors 2").out, "and 3 more"));
 }
 
+TEST_CASE("check: answers in UTF-16; marks between thousands are refused with what to write") {
+    const Folder folder;
+    const std::string text =
+        header + "1" + hertz_cells + "p,right,0.2,0.3\n2" + hertz_cells + "p,right,0.4,0.4\n";
+    std::string bytes = "\xFF\xFE";
+    for (const char c : text) {
+        bytes += {c, '\0'};
+    }
+    folder.write("a.csv", text);
+    folder.write("wide.csv", bytes);
+    const Outcome plain = run(folder, "check a.csv");
+    CHECK(plain.code == 0);
+    CHECK(run(folder, "check wide.csv").out == plain.out);
+    CHECK(run(folder, "check wide.csv --only '*'").code == 0);
+    folder.write("a.csv", header + "1" + hertz_cells + "p,right,0.2,\"1,234.5\"\n2" + hertz_cells +
+                              "p,right,0.4,\"1,234\"\n");
+    const Outcome marks = run(folder, "check a.csv");
+    CHECK(marks.code == 1);
+    CHECK(has(marks.out, "garbage: \"1,234.5\" (a mark between thousands; write 1234.5)\n"));
+    CHECK(has(marks.out, "garbage: \"1,234\" (a mark between thousands, or a decimal one; write "
+                         "1234 or 1.234)\n"));
+}
+
 TEST_CASE("check: text next to a number never passes, and the report is complete") {
     const Folder folder;
     const char* const spoilt[] = {

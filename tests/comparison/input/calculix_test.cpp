@@ -10,6 +10,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -210,20 +211,31 @@ namespace {
 
 /// An .frd file as CalculiX writes it for contact from surface to surface: each node of the model
 /// has a row, of zeros if it is in no face in contact. The surface is y = -x^2/100, there are nodes
-/// below it and of another body above it; the second tangential direction lies along x.
-std::string frd_of_surface_to_surface() {
+/// below it and of another body above it; the second tangential direction lies along x. There are
+/// `planes` of nodes in z, 1/2 apart. `order`: the coordinates of the file, such as "xyz".
+std::string frd_of_surface_to_surface(const std::string& order = "xyz", int planes = 1) {
     std::string nodes;
     std::string contact;
     int number = 0;
     for (int i = -8; i <= 8; ++i) {
         const double x = 0.25 * i;
-        const double y = -x * x / 100;
-        for (const double at : {y, y - 0.25, y - 0.5, 0.0}) {
-            ++number;
-            nodes += fmt::format(" -1{:10d}{:12.5E}{:12.5E}{:12.5E}\n", number, x, at, 0.0);
-            const double p = number % 4 == 1 && std::abs(x) <= 1 ? 10 - 9 * x * x : 0;
-            contact += fmt::format(" -1{:10d}{:12.5E}{:12.5E}{:12.5E}{:12.5E}{:12.5E}{:12.5E}\n",
-                                   number, -p / 1e6, 0.0, p / 1e7, p, 0.0, -p / 10);
+        const double surface = -x * x / 100;
+        for (int plane = 0; plane < planes; ++plane) {
+            int row = 0;
+            for (const double y : {surface, surface - 0.25, surface - 0.5, 0.0}) {
+                ++number;
+                nodes += fmt::format(" -1{:10d}", number);
+                for (const char axis : order) {
+                    nodes += fmt::format("{:12.5E}", axis == 'x'   ? x
+                                                     : axis == 'y' ? y
+                                                                   : 0.5 * plane);
+                }
+                nodes += "\n";
+                const double p = row++ == 0 && std::abs(x) <= 1 ? 10 - 9 * x * x : 0;
+                contact +=
+                    fmt::format(" -1{:10d}{:12.5E}{:12.5E}{:12.5E}{:12.5E}{:12.5E}{:12.5E}\n",
+                                number, -p / 1e6, 0.0, p / 1e7, p, 0.0, -p / 10);
+            }
         }
     }
     std::string components;
@@ -251,6 +263,66 @@ TEST_CASE("CalculiX: contact from surface to surface writes zeros at all other n
         CHECK(table.rows[i].surface[1].has_value() == (p > 0));
     }
     CHECK(table.findings.front().find("CSHEAR2 and CSLIP2 are compared") == 0);
+}
+
+TEST_CASE("CalculiX: the contact may lie along each coordinate, and the normal too") {
+    for (const std::string order : {"xyz", "xzy", "yxz", "zxy", "yzx", "zyx"}) {
+        for (const int planes : {1, 3}) {
+            CAPTURE(order);
+            CAPTURE(planes);
+            const ResultTable table =
+                parse_result(frd_of_surface_to_surface(order, planes), "r.frd");
+            REQUIRE(table.rows.size() == 15);
+            for (std::size_t i = 0; i < table.rows.size(); ++i) {
+                const double x = -1.75 + 0.25 * static_cast<double>(i);
+                CHECK(table.rows[i].x.convert_to<double>() == doctest::Approx(x));
+                CHECK(table.rows[i].p.convert_to<double>() ==
+                      doctest::Approx(std::abs(x) <= 1 ? 10 - 9 * x * x : 0));
+            }
+            const auto says = [&](const std::string& words) {
+                return std::ranges::any_of(table.findings, [&](const std::string& finding) {
+                    return finding.find(words) != std::string::npos;
+                });
+            };
+            const std::size_t along = order.find('x');
+            CHECK(says(fmt::format("x is COORD{}, along which", along + 1)) == (along != 0));
+            CHECK(says(fmt::format("lie in 3 planes: those at COORD{} = 0", order.find('z') + 1)) ==
+                  (planes == 3));
+        }
+    }
+}
+
+TEST_CASE("CalculiX: stress along a contact that does not lie along x is SYY or SZZ") {
+    const auto replaced = [](std::string text, const std::string& from, const std::string& to) {
+        for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+            text.replace(at, from.size(), to);
+        }
+        return text;
+    };
+    // The places of the nodes with the first two coordinates exchanged, and the stresses too.
+    std::string turned;
+    bool nodes = false;
+    const std::string text = calculix_text(".frd");
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        std::string line = text.substr(at, end - at);
+        nodes = line.starts_with("    2C") || (nodes && !line.starts_with(" -3"));
+        if (nodes && line.starts_with(" -1")) {
+            line = line.substr(0, 13) + line.substr(25, 12) + line.substr(13, 12) + line.substr(37);
+        }
+        turned += line + "\n";
+        at = end + 1;
+    }
+    turned = replaced(replaced(replaced(turned, "-5  SXX", "-5  S**"), "-5  SYY", "-5  SXX"),
+                      "-5  S**", "-5  SYY");
+    const ResultTable as_it_is = parse_result(text, "r.frd");
+    const ResultTable along_y = parse_result(turned, "r.frd");
+    REQUIRE(along_y.rows.size() == as_it_is.rows.size());
+    for (std::size_t i = 0; i < along_y.rows.size(); ++i) {
+        CHECK(along_y.rows[i].x == as_it_is.rows[i].x);
+        CHECK(along_y.rows[i].p == as_it_is.rows[i].p);
+        CHECK(along_y.rows[i].surface[2] == as_it_is.rows[i].surface[2]);
+    }
 }
 
 TEST_CASE("CalculiX: output at points inside the faces is refused with what to write") {

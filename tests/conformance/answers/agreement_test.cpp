@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/agreement.hpp"
+#include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/conformance/causes/convention.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -51,6 +52,28 @@ TEST_CASE("which answers are numbers, and how others are classified") {
     for (const char* text : {"0.3 MPa", "3/2", "1,5", "0x", "e5", "None", "1.2.3"}) {
         CAPTURE(text);
         CHECK(state(text) == Answer::State::garbage);
+    }
+}
+
+TEST_CASE("marks between thousands are no part of a number; what they may mean is proposed") {
+    using Readings = std::vector<std::string>;
+    for (const char* text : {"1,234.5", "1.234,5", "1 234.5", "1 234,5", "1'234.5", "1_234.5",
+                             "1\xC2\xA0"
+                             "234,5",
+                             "1\xE2\x80\xAF"
+                             "234.5"}) {
+        CAPTURE(text);
+        CHECK(state(text) == Answer::State::garbage);
+        CHECK(without_thousands(text) == Readings{"1234.5"});
+    }
+    CHECK(without_thousands("-12,345,678") == Readings{"-12345678"});
+    CHECK(without_thousands("1.234.567E-3") == Readings{"1234567E-3"});
+    CHECK(without_thousands("1,234") == Readings{"1234", "1.234"});
+    CHECK(without_thousands("-1,234e5") == Readings{"-1234e5", "-1.234e5"});
+    for (const char* text : {"1,23", "1234,567", "1,2345", "1,234,56", "1,234,567.8.9", "1,234x",
+                             ",123", "1 234 kPa", "nan", "", "1234", "1,234,5.6"}) {
+        CAPTURE(text);
+        CHECK(without_thousands(text).empty());
     }
 }
 
@@ -159,8 +182,9 @@ TEST_CASE(
         CHECK(turned.given[static_cast<std::size_t>(i)].value == i + 1);
     }
     CHECK(faults("h:right:u=0.25:p,0,4\n") ==
-          Faults{"a.csv:2: garbage: 3 cells, not 2: \"h:right:u=0.25:p\" (decimal commas? write "
-                 "points, or separate by semicolons)"});
+          Faults{"a.csv:2: garbage: 3 cells, not 2: \"h:right:u=0.25:p\" (commas in numbers? "
+                 "write decimal points and no marks between thousands, or separate by "
+                 "semicolons)"});
     CHECK(faults("h:right:u=0.25:p,1\nh:right:u=0.25:p,1\n") ==
           Faults{"a.csv:3: h:right:u=0.25:p is answered twice, first in line 2"});
     CHECK(faults("h:right:u=7:p,1\n") == Faults{"a.csv:2: 'h:right:u=7:p' was not asked"});

@@ -220,6 +220,47 @@ TEST_CASE("a dominant cause is named with what remains; what varies is not calle
     CHECK(decimal[0].name == "log10");
 }
 
+TEST_CASE(
+    "a factor with a name is given with what it leaves, up to a tenth, without being a constant") {
+    const auto names = [](const Convention& c) {
+        std::vector<std::string> all = c.equally_likely;
+        all.push_back(c.name);
+        return all;
+    };
+    const auto has = [](const std::vector<std::string>& list, const std::string& name) {
+        return std::find(list.begin(), list.end(), name) != list.end();
+    };
+    for (const auto& [name, factor] :
+         {std::pair{"factor-2", 2.0}, std::pair{"factor-2", 0.5},
+          std::pair{"factor-sqrt-2", std::sqrt(2.0)}, std::pair{"factor-pi", half_turn},
+          std::pair{"factor-pi", 1 / half_turn}, std::pair{"power-of-ten", 0.1}}) {
+        CAPTURE(name);
+        CAPTURE(factor);
+        for (const double rest : {0.005, 0.02, 0.1, -0.1}) {
+            CAPTURE(rest);
+            const auto varying =
+                causes_of_factor([&, f = factor](double u) { return f * (1 + rest * u / 0.75); });
+            REQUIRE(varying.size() == 1);
+            CHECK(has(names(varying[0]), name));
+            CHECK_FALSE(varying[0].name == "factor");
+            const auto constant =
+                causes_of_factor([&, f = factor](double) { return f * (1 + rest); });
+            REQUIRE(constant.size() == 1);
+            CHECK(constant[0].name == "factor");
+            CHECK(has(constant[0].equally_likely, name));
+        }
+    }
+    const auto near_two = causes_of_factor([](double u) { return 2 * (1 + 0.1 * u / 0.75); });
+    CHECK(near_two[0].name == "varying-factor");
+    CHECK(near_two[0].relation == "2.02 to 2.2 times ours");
+    CHECK(near_two[0].also.front() == "2 times ours, and up to 10 % that have another cause");
+    // Factors that do not contain one with a name, and one that is 15 % off sqrt(2).
+    CHECK(causes_of_factor([](double u) { return 1.29 + 0.03 * u / 0.75; }).empty());
+    const auto far = causes_of_factor([](double) { return 1.2; });
+    REQUIRE(far.size() == 1);
+    CHECK(far[0].equally_likely.empty());
+}
+
 TEST_CASE("a function of the value is recognised, and x for u where P is given") {
     std::string text = "id,kind,m,C,P,contact_modulus,quantity,edge,u,value\n";
     // P = pi/4 E* C a^2 with a = 1 and 2.

@@ -1,295 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/input/calculix.hpp"
 
+#include "edgeproof/comparison/input/calculix_files.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
-#include "edgeproof/io/text_file.hpp"
-#include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/precision/message.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
+#include <limits>
 #include <map>
+#include <optional>
+#include <set>
 #include <utility>
 
 namespace edgeproof::comparison {
 namespace {
-
-constexpr std::string_view white_space = " \t\r";
-constexpr std::string_view stress_title = "contact stress (slave node";
-constexpr std::string_view gap_title = "relative contact displacement (slave node";
-constexpr std::string_view face_title = "contact stress (slave element+face";
-
-/// The contact output of a node, in the order of an .frd file.
-enum ContactValue : std::size_t { copen, cslip1, cslip2, cpress, cshear1, cshear2, contact_values };
-
-/// The values of a node, as texts, and the line that has them.
-struct NodeValues {
-    std::vector<std::string> values;
-    std::size_t line = 0;
-};
-using NodeTable = std::map<std::string, NodeValues, std::less<>>; ///< by the number of the node
-
-class Lines {
-public:
-    Lines(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
-
-    bool next() {
-        if (at_ >= text_.size()) {
-            return false;
-        }
-        if (++number_ % 4096 == 0) {
-            check_interruption();
-        }
-        const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-        line_ = text_.substr(at_, end - at_);
-        line_.remove_suffix(line_.ends_with('\r') ? 1 : 0);
-        at_ = end + 1;
-        return true;
-    }
-    [[nodiscard]] std::string_view line() const { return line_; }
-    [[nodiscard]] std::size_t number() const { return number_; }
-    [[noreturn]] void reject(const std::string& problem, const std::string& instead) const {
-        throw InputError(problem, instead).at(file_, number_);
-    }
-    /// A part of the line, without white_space; empty beyond its end.
-    [[nodiscard]] std::string cell(std::size_t from, std::size_t size) const {
-        return from < line_.size() ? std::string(trimmed(line_.substr(from, size), white_space))
-                                   : std::string();
-    }
-    [[nodiscard]] const std::string& file() const { return file_; }
-
-private:
-    std::string_view text_;
-    std::string file_;
-    std::string_view line_;
-    std::size_t at_ = 0;
-    std::size_t number_ = 0;
-};
-
-/// The values of a file at each node; the last step replaces those before.
-struct Contents {
-    NodeTable places;
-    NodeTable contact; ///< contact_values; empty texts without a value
-    NodeTable stress;  ///< SXX
-    std::size_t steps = 0;
-};
-
-/// An .frd file in text: lines of fixed columns, one for a node.
-class FrdReader {
-public:
-    FrdReader(std::string_view text, const std::string& file) : lines_(text, file) {}
-
-    Contents read() {
-        while (lines_.next()) {
-            const std::string_view line = lines_.line();
-            if (line.starts_with("    2C")) {
-                read_block(contents_.places, {0, 1, 2});
-            } else if (line.starts_with("  100C")) {
-                read_result();
-            }
-        }
-        return std::move(contents_);
-    }
-
-private:
-    /// Returns the width of the number of a node from the format in the head of a block.
-    std::size_t node_width() {
-        const std::string format(trimmed(lines_.line().substr(
-            std::min(lines_.line().find_last_not_of(white_space), lines_.line().size()))));
-        if (format != "0" && format != "1") {
-            lines_.reject("the file is not an .frd file in text",
-                          "let CalculiX write it in text (no OUTPUT=BINARY)");
-        }
-        return format == "0" ? 5 : 10;
-    }
-    void read_result() {
-        const std::size_t width = node_width();
-        std::string name;
-        std::vector<std::string> components;
-        while (lines_.next()) {
-            const std::string key = lines_.cell(0, 3);
-            if (key == "-4") {
-                name = lines_.cell(5, 8);
-            } else if (key == "-5") {
-                components.push_back(lines_.cell(5, 8));
-            } else {
-                break;
-            }
-        }
-        const auto indices = [&](std::initializer_list<const char*> wanted) {
-            std::vector<std::size_t> found;
-            for (const char* one : wanted) {
-                const auto at = std::ranges::find(components, one);
-                if (at == components.end()) {
-                    lines_.reject(fmt::format("{} has no {}", name, one),
-                                  "give a file that CalculiX writes");
-                }
-                found.push_back(static_cast<std::size_t>(at - components.begin()));
-            }
-            return found;
-        };
-        NodeTable values;
-        if (name == "CONTACT") {
-            read_rows(values, width,
-                      indices({"COPEN", "CSLIP1", "CSLIP2", "CPRESS", "CSHEAR1", "CSHEAR2"}));
-            contents_.contact = std::move(values);
-            ++contents_.steps;
-        } else if (name == "STRESS") {
-            read_rows(values, width, indices({"SXX"}));
-            contents_.stress = std::move(values);
-        } else {
-            read_rows(values, width, {});
-        }
-    }
-    void read_block(NodeTable& table, const std::vector<std::size_t>& wanted) {
-        const std::size_t width = node_width();
-        if (lines_.next()) {
-            read_rows(table, width, wanted);
-        }
-    }
-    /// Reads the rows from the present line to the end of the block.
-    void read_rows(NodeTable& table, std::size_t width, const std::vector<std::size_t>& wanted) {
-        constexpr std::size_t value_width = 12;
-        constexpr std::size_t values_of_line = 6;
-        do {
-            const std::string key = lines_.cell(0, 3);
-            if (key == "-3") {
-                return;
-            }
-            if (key != "-1" && key != "-2") {
-                lines_.reject("a row of an .frd file begins with -1, -2 or -3",
-                              "give the file as CalculiX writes it");
-            }
-            if (key == "-2" || wanted.empty()) {
-                continue; // more components of the same node, which are not used
-            }
-            NodeValues row{{}, lines_.number()};
-            for (const std::size_t index : wanted) {
-                if (index >= values_of_line) {
-                    lines_.reject("the row has too few values",
-                                  "give the file as CalculiX writes it");
-                }
-                row.values.push_back(number_at(3 + width + value_width * index, value_width));
-            }
-            table.insert_or_assign(lines_.cell(3, width), std::move(row));
-        } while (lines_.next());
-        lines_.reject("the file ends inside a block", "give the whole file");
-    }
-    std::string number_at(std::size_t from, std::size_t size) const {
-        std::string text = lines_.cell(from, size);
-        if (!number_of({text}, Separator::blank)) {
-            lines_.reject("'" + printable(text) + "' is no number",
-                          "give the file as CalculiX writes it");
-        }
-        return text;
-    }
-
-    Lines lines_;
-    Contents contents_;
-};
-
-std::vector<std::string> words_of(std::string_view line) {
-    std::vector<std::string> words;
-    for (Cell& cell : split_row(line, Separator::blank)) {
-        words.push_back(std::move(cell.text));
-    }
-    return words;
-}
-
-/// A .dat file: titles, each followed by rows of a node and its values.
-Contents read_dat(std::string_view text, const std::string& file) {
-    Contents contents;
-    NodeTable gaps;
-    NodeTable* table = nullptr;
-    Lines lines(text, file);
-    while (lines.next()) {
-        const std::vector<std::string> words = words_of(lines.line());
-        if (words.empty()) {
-            continue;
-        }
-        if (!number_of({words[0]}, Separator::blank)) { // a title
-            const bool stress = lines.line().find(stress_title) != std::string_view::npos;
-            const bool gap = lines.line().find(gap_title) != std::string_view::npos;
-            table = stress ? &contents.contact : gap ? &gaps : nullptr;
-            contents.steps += stress ? 1 : 0;
-            if (table != nullptr) {
-                table->clear();
-            }
-        } else if (table != nullptr) {
-            if (words.size() != 4 || !std::ranges::all_of(words, [](const std::string& word) {
-                    return number_of({word}, Separator::blank).has_value();
-                })) {
-                lines.reject("a row of contact output has a node and three numbers",
-                             "give the file as CalculiX writes it");
-            }
-            table->insert_or_assign(words[0],
-                                    NodeValues{{words.begin() + 1, words.end()}, lines.number()});
-        }
-    }
-    for (auto& [node, row] : contents.contact) {
-        const auto gap = gaps.find(node);
-        std::vector<std::string> values =
-            gap != gaps.end() ? gap->second.values : std::vector<std::string>(cpress);
-        values.insert(values.end(), row.values.begin(), row.values.end());
-        row.values = std::move(values);
-    }
-    return contents;
-}
-
-/// The nodes of a deck: the rows after *NODE.
-NodeTable nodes_of_deck(std::string_view text, const std::string& file) {
-    NodeTable nodes;
-    bool in_nodes = false;
-    Lines lines(text, file);
-    while (lines.next()) {
-        const std::string_view line = trimmed(lines.line(), white_space);
-        if (line.empty() || line.starts_with("**")) {
-            continue;
-        }
-        if (line.starts_with('*')) {
-            const std::string keyword = lower_case(line.substr(0, line.find(',')));
-            in_nodes = trimmed(keyword, white_space) == "*node";
-        } else if (in_nodes) {
-            std::vector<std::string> values;
-            for (const Cell& cell : split_row(line, Separator::comma)) {
-                values.push_back(cell.text);
-            }
-            const std::string node = values.empty() ? "" : values.front();
-            values.erase(values.begin(), values.begin() + (values.empty() ? 0 : 1));
-            values.resize(3, "0");
-            for (const std::string& value : values) {
-                if (!number_of({value}, Separator::comma)) {
-                    lines.reject("'" + printable(value) + "' is no coordinate of a node",
-                                 "write number, x, y, z");
-                }
-            }
-            nodes.insert_or_assign(node, NodeValues{std::move(values), lines.number()});
-        }
-    }
-    return nodes;
-}
-
-/// The places of the nodes from the file of the same name next to a .dat file.
-NodeTable places_next_to(const std::string& file) {
-    namespace fs = std::filesystem;
-    for (const char* ending : {".frd", ".inp"}) {
-        const fs::path other = fs::path(file).replace_extension(ending);
-        if (!fs::is_regular_file(other)) {
-            continue;
-        }
-        const std::string text = io::read_text(other, "file of CalculiX");
-        return ending == std::string_view(".frd") ? FrdReader(text, other.string()).read().places
-                                                  : nodes_of_deck(text, other.string());
-    }
-    throw InputError("the contact output has no places of the nodes",
-                     "put the .frd or .inp file of the same name next to it")
-        .at(file, 0);
-}
 
 double value_of(const std::string& text) {
     return conformance::written_number(*number_of({text}, Separator::blank))
@@ -305,15 +32,103 @@ bool is_zero(const NodeValues& row) {
         row.values, [](const std::string& text) { return text.empty() || value_of(text) == 0; });
 }
 
+/// The coordinates of a plane contact: along it, normal to it, and across the planes of nodes.
+using Axes = std::array<std::size_t, 3>;
+
+/// Finds the axes from the pressures: they are a smooth function of the place along the contact.
+/// The contact lies along the first coordinate unless nodes of different pressures have the same,
+/// or a longer one is another such function.
+Axes axes_of(const NodeTable& places, const NodeTable& contact) {
+    constexpr double most_rough = 0.5; // of the variance of all
+    struct Group {
+        double n = 0;
+        double sum = 0;
+    };
+    std::array<std::map<double, Group>, 3> groups;
+    Group all;
+    double squares = 0;
+    std::set<std::array<double, 3>> nodes;
+    for (const auto& [node, row] : contact) {
+        const double p = value_of(row.values[cpress]);
+        if (p == 0) {
+            continue;
+        }
+        std::array<double, 3> place{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            place.at(k) = place_of(places, node, k);
+            Group& group = groups.at(k)[place.at(k)];
+            group.n += 1;
+            group.sum += p;
+        }
+        nodes.insert(place);
+        all.n += 1;
+        all.sum += p;
+        squares += p * p;
+    }
+    const double variance = squares - all.sum * all.sum / std::max(all.n, 1.0);
+    // The variance at equal places, and half the squares of the differences of neighbours: of the
+    // few nodes of a coarse mesh these are large.
+    const auto roughness = [&](const std::map<double, Group>& by_place, bool neighbours) {
+        double rough = squares;
+        const Group* before = nullptr;
+        for (const auto& [at, group] : by_place) {
+            rough -= group.sum * group.sum / group.n;
+            if (before != nullptr && neighbours) {
+                const double difference = group.sum / group.n - before->sum / before->n;
+                rough += (group.n + before->n) / 4 * difference * difference;
+            }
+            before = &group;
+        }
+        return rough;
+    };
+    std::optional<std::size_t> along;
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto& at = groups.at(k);
+        const double range = at.empty() ? 0 : at.rbegin()->first - at.begin()->first;
+        if (range > longest && roughness(at, k > 0) <= most_rough * variance) {
+            along = k;
+            longest = range;
+        }
+    }
+    Axes axes{along.value_or(0), 0, 0};
+    const std::size_t one = axes[0] == 0 ? 1 : 0;
+    const std::size_t other = axes[0] == 2 ? 1 : 2;
+    // Several nodes at one place along the contact lie in several planes; otherwise the planes are
+    // those in whose direction the model is thin.
+    const auto planes = [&](std::size_t k) {
+        std::set<std::pair<double, double>> different;
+        for (const auto& place : nodes) {
+            different.emplace(place.at(axes[0]), place.at(k));
+        }
+        return different.size();
+    };
+    const auto thickness = [&](std::size_t k) {
+        double least = std::numeric_limits<double>::infinity();
+        double most = -least;
+        for (const auto& [node, row] : places) {
+            least = std::min(least, value_of(row.values[k]));
+            most = std::max(most, value_of(row.values[k]));
+        }
+        return most - least;
+    };
+    const bool first = planes(one) != planes(other) ? planes(one) > planes(other)
+                                                    : thickness(one) < thickness(other);
+    axes[1] = first ? other : one;
+    axes[2] = first ? one : other;
+    return axes;
+}
+
 /// Adds to `kept` the nodes without output that continue the line through its two outermost nodes
 /// on one side, to three elements, so that the data show where the contact ends.
-void continue_surface(const NodeTable& places, const NodeTable& all, bool right, NodeTable& kept) {
+void continue_surface(const NodeTable& places, const Axes& axes, const NodeTable& all, bool right,
+                      NodeTable& kept) {
     constexpr double elements = 3;
     constexpr double off_line = 0.25; // of an element
     std::vector<std::array<double, 3>> line;
     for (const auto& [node, row] : kept) {
-        line.push_back(
-            {place_of(places, node, 0), place_of(places, node, 1), place_of(places, node, 2)});
+        line.push_back({place_of(places, node, axes[0]), place_of(places, node, axes[1]),
+                        place_of(places, node, axes[2])});
     }
     std::ranges::sort(
         line, [right](const auto& s, const auto& t) { return right ? s[0] > t[0] : s[0] < t[0]; });
@@ -325,14 +140,14 @@ void continue_surface(const NodeTable& places, const NodeTable& all, bool right,
     const double dx = line[0][0] - (*other)[0];
     const double slope = (line[0][1] - (*other)[1]) / dx;
     // If several nodes have one x, such as those of the other body, the nearest to the line counts.
-    std::map<std::pair<double, double>, std::pair<double, std::string>> nearest; // by x and z
+    std::map<std::pair<double, double>, std::pair<double, std::string>> nearest; // by x and plane
     for (const auto& [node, row] : all) {
-        const double x = place_of(places, node, 0);
+        const double x = place_of(places, node, axes[0]);
         const double part = (x - line[0][0]) / dx;
         const double off =
-            std::abs(place_of(places, node, 1) - line[0][1] - slope * (x - line[0][0]));
+            std::abs(place_of(places, node, axes[1]) - line[0][1] - slope * (x - line[0][0]));
         if (part > 0 && part < elements + off_line && off < off_line * std::abs(dx)) {
-            const auto at = std::pair(x, place_of(places, node, 2));
+            const auto at = std::pair(x, place_of(places, node, axes[2]));
             const auto known = nearest.find(at);
             if (known == nearest.end() || off < known->second.first) {
                 nearest.insert_or_assign(at, std::pair(off, node));
@@ -351,7 +166,7 @@ void continue_surface(const NodeTable& places, const NodeTable& all, bool right,
 
 /// Contact from surface to surface writes a row for each node of the model, with zeros if the node
 /// is in no face in contact. Keeps the nodes of these faces, and the next ones of the surface.
-void keep_surface(Contents& contents) {
+void keep_surface(CalculixContents& contents, const Axes& axes) {
     NodeTable kept;
     for (const auto& [node, row] : contents.contact) {
         if (!is_zero(row)) {
@@ -364,7 +179,7 @@ void keep_surface(Contents& contents) {
     const NodeTable in_contact = kept;
     for (const bool right : {true, false}) {
         NodeTable wider = in_contact;
-        continue_surface(contents.places, contents.contact, right, wider);
+        continue_surface(contents.places, axes, contents.contact, right, wider);
         kept.merge(wider);
     }
     contents.contact = std::move(kept);
@@ -389,60 +204,43 @@ std::size_t tangent_along(const NodeTable& contact) {
 } // namespace
 
 std::optional<CalculixTable> calculix_table(std::string_view text, const std::string& file) {
-    const bool frd = text.starts_with("    1C") && text.find("\n    2C") != std::string_view::npos;
-    if (!frd && text.find(stress_title) == std::string_view::npos) {
-        if (text.find(face_title) != std::string_view::npos) {
-            throw InputError(
-                "the contact output is that of points inside the faces, without places",
-                "give the .frd file, with *CONTACT FILE and CDIS, CSTR in the deck")
-                .at(file, 0);
-        }
+    auto found = calculix_contents(text, file);
+    if (!found) {
         return {};
     }
-    Contents contents = frd ? FrdReader(text, file).read() : read_dat(text, file);
-    if (contents.contact.empty()) {
-        throw InputError("there is no contact output",
-                         "add *CONTACT FILE with CDIS, CSTR to the deck")
-            .at(file, 0);
-    }
-    if (!frd) {
-        contents.places = places_next_to(file);
-    }
+    CalculixContents& contents = *found;
     CalculixTable table{{file, {}}, {}};
     ResultText& rows = table.text;
     rows.separator = Separator::comma;
-    for (const auto& [node, row] : contents.contact) {
-        if (!contents.places.contains(node)) {
-            throw InputError("node " + printable(node) + " has no place",
-                             "give the .frd or .inp file that belongs to this file")
-                .at(file, row.line);
-        }
-    }
-    keep_surface(contents);
+    const Axes axes = axes_of(contents.places, contents.contact);
+    keep_surface(contents, axes);
     const std::size_t tangent = tangent_along(contents.contact);
     const bool has_gap = std::ranges::any_of(
         contents.contact, [](const auto& row) { return !row.second.values[copen].empty(); });
     const bool has_stress = !contents.stress.empty();
-    rows.size = 5U + (has_gap ? 2U : 0U) + (has_stress ? 1U : 0U);
+    const bool turned = axes[0] != 0;
+    rows.size = 5U + (turned ? 1U : 0U) + (has_gap ? 2U : 0U) + (has_stress ? 1U : 0U);
     rows.first_row = 1;
-    rows.lines.push_back({1, std::string("COORD1,COORD2,COORD3,CPRESS,CSHEAR1") +
+    rows.lines.push_back({1, std::string(turned ? "x," : "") +
+                                 "COORD1,COORD2,COORD3,CPRESS,CSHEAR1" +
                                  (has_gap ? ",COPEN,CSLIP1" : "") + (has_stress ? ",S11" : "")});
-    std::map<double, std::size_t> planes; // the number of nodes by COORD3
+    std::map<double, std::size_t> planes; // the number of nodes by their place across
     for (const auto& [node, row] : contents.contact) {
-        ++planes[place_of(contents.places, node, 2)];
+        ++planes[place_of(contents.places, node, axes[2])];
     }
     std::multimap<double, ResultLine> by_place;
     for (const auto& [node, row] : contents.contact) {
         const auto& place = contents.places.find(node)->second.values;
-        if (planes.size() > 1 && value_of(place[2]) != planes.begin()->first) {
+        if (planes.size() > 1 && value_of(place[axes[2]]) != planes.begin()->first) {
             continue;
         }
-        std::string line = fmt::format("{},{},{},{},{}", place[0], place[1], place[2],
-                                       row.values[cpress], row.values[cshear1 + tangent]);
+        std::string line = turned ? place[axes[0]] + "," : "";
+        line += fmt::format("{},{},{},{},{}", place[0], place[1], place[2], row.values[cpress],
+                            row.values[cshear1 + tangent]);
         line += has_gap ? "," + row.values[copen] + "," + row.values[cslip1 + tangent] : "";
         const auto stress = contents.stress.find(node);
-        line += stress != contents.stress.end() ? "," + stress->second.values[0] : "";
-        by_place.emplace(value_of(place[0]), ResultLine{row.line, std::move(line)});
+        line += stress != contents.stress.end() ? "," + stress->second.values[axes[0]] : "";
+        by_place.emplace(value_of(place[axes[0]]), ResultLine{row.line, std::move(line)});
     }
     for (auto& [x, line] : by_place) {
         rows.lines.push_back(std::move(line));
@@ -455,11 +253,16 @@ std::optional<CalculixTable> calculix_table(std::string_view text, const std::st
         table.findings.emplace_back("CSHEAR2 and CSLIP2 are compared: the second tangential "
                                     "direction lies along the contact");
     }
+    if (turned) {
+        table.findings.push_back(fmt::format("x is COORD{}, along which the contact lies{}",
+                                             axes[0] + 1,
+                                             has_stress ? ", and S11 the stress there" : ""));
+    }
     if (planes.size() > 1) {
         table.findings.push_back(
-            fmt::format("the nodes of the surface lie in {} planes: those at COORD3 = {:g} are "
+            fmt::format("the nodes of the surface lie in {} planes: those at COORD{} = {:g} are "
                         "compared",
-                        planes.size(), planes.begin()->first));
+                        planes.size(), axes[2] + 1, planes.begin()->first));
     }
     return table;
 }

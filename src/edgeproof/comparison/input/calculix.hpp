@@ -10,7 +10,8 @@
 namespace edgeproof::comparison {
 
 /// A result of CalculiX as a table with the names COORD1, COORD2, COORD3, CPRESS, CSHEAR1, COPEN,
-/// CSLIP1, S11: a row for each node of the slave surface, with its place before the deformation. Of
+/// CSLIP1, S11: a row for each node of the slave surface, with its place before the deformation. If
+/// the contact does not lie along COORD1, the first column is x, and S11 is the stress along it. Of
 /// the two tangential directions, the one with the larger values is taken.
 struct CalculixTable {
     ResultText text;                   ///< each row has the number of its line in the file
@@ -19,8 +20,9 @@ struct CalculixTable {
 
 /// Reads the contact output of a text of CalculiX: an .frd file (in text, of the last step that has
 /// CONTACT, with SXX of STRESS), or a .dat file with CSTR, and CDIS if there is one. The places of
-/// the nodes of a .dat file are in the .frd or .inp file of the same name next to it. Nodes of one
-/// plane COORD3 are kept if the surface has several. Contact from surface to surface has rows of
+/// the nodes of a .dat file are in the .frd or .inp file of the same name next to it. The contact
+/// lies along the coordinate with which the pressures change. Nodes of one plane across it are kept
+/// if the surface has several. Contact from surface to surface has rows of
 /// zeros for all nodes in no face in contact: the rows of the others are kept, and up to three
 /// places further on each side, without a gap. Returns nothing for any other text. Throws
 /// InputError, with the line, for a file without contact output, or with that of points inside

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/input/result_lines.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
@@ -221,85 +222,6 @@ void ResultText::reject(std::size_t line, const std::string& problem,
 
 namespace {
 
-constexpr std::string_view little_endian_mark = "\xFF\xFE";
-constexpr std::string_view big_endian_mark = "\xFE\xFF";
-
-void append_utf8(std::string& out, char32_t c) {
-    const auto put = [&](char32_t byte) { out += static_cast<char>(byte); };
-    if (c < 0x80) {
-        put(c);
-        return;
-    }
-    const int following = c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
-    constexpr std::array<char32_t, 4> first_byte{0, 0xC0, 0xE0, 0xF0};
-    put(first_byte.at(static_cast<std::size_t>(following)) | c >> 6 * following);
-    for (int k = following - 1; k >= 0; --k) {
-        put(0x80 | (c >> 6 * k & 0x3F));
-    }
-}
-
-/// The number of bytes that follow the first byte of a character in UTF-8; nothing for other bytes.
-std::optional<std::size_t> following_bytes(unsigned char first) {
-    return first < 0x80                    ? std::optional<std::size_t>(0)
-           : first >= 0xC2 && first < 0xE0 ? std::optional<std::size_t>(1)
-           : first >= 0xE0 && first < 0xF0 ? std::optional<std::size_t>(2)
-           : first >= 0xF0 && first < 0xF5 ? std::optional<std::size_t>(3)
-                                           : std::nullopt;
-}
-
-bool is_utf8(std::string_view text) {
-    for (std::size_t at = 0; at < text.size();) {
-        const auto following = following_bytes(static_cast<unsigned char>(text[at]));
-        if (!following || at + *following >= text.size()) {
-            return false;
-        }
-        for (std::size_t k = 1; k <= *following; ++k) {
-            if ((static_cast<unsigned char>(text[at + k]) & 0xC0) != 0x80) {
-                return false;
-            }
-        }
-        at += *following + 1;
-    }
-    return true;
-}
-
-/// Converts a text in Latin-1 (Windows-1252 has the same letters) to UTF-8.
-std::string utf8_from_latin1(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        append_utf8(out, static_cast<unsigned char>(c));
-    }
-    return out;
-}
-
-/// Converts a text in UTF-16 with a byte order mark to UTF-8, without the mark. Returns nothing if
-/// it ends within a character, or contains half of a pair.
-std::optional<std::string> utf8_from_utf16(std::string_view text) {
-    const std::size_t high = text.starts_with(big_endian_mark) ? 0 : 1;
-    if (text.size() % 2 != 0) {
-        return {};
-    }
-    const auto unit = [&](std::size_t at) {
-        const auto byte = [&](std::size_t i) {
-            return static_cast<char32_t>(static_cast<unsigned char>(text[i]));
-        };
-        return byte(at + high) << 8 | byte(at + 1 - high);
-    };
-    const auto is_surrogate = [](char32_t c, char32_t first) { return (c & 0xFC00) == first; };
-    std::string out;
-    for (std::size_t at = 2; at < text.size(); at += 2) {
-        char32_t c = unit(at);
-        if (is_surrogate(c, 0xD800) && at + 2 < text.size() && is_surrogate(unit(at + 2), 0xDC00)) {
-            c = 0x10000 + ((c & 0x3FF) << 10 | (unit(at + 2) & 0x3FF));
-            at += 2;
-        } else if (is_surrogate(c, 0xD800) || is_surrogate(c, 0xDC00)) {
-            return {};
-        }
-        append_utf8(out, c);
-    }
-    return out;
-}
-
 /// Writes the minus sign and the blanks beyond ASCII, which spreadsheets and web pages contain, as
 /// '-' and ' '.
 std::string with_ascii_marks(std::string_view line) {
@@ -318,21 +240,16 @@ std::string with_ascii_marks(std::string_view line) {
 
 ResultText result_text(std::string_view text, const std::string& file) {
     ResultText result{file, {}};
-    if (text.starts_with(little_endian_mark) || text.starts_with(big_endian_mark)) {
-        const auto converted = utf8_from_utf16(text);
-        if (!converted) {
-            result.reject(0, "the file is in UTF-16 with an incomplete character",
-                          "save it in UTF-8");
-        }
-        return result_text(*converted, file);
+    if (io::is_utf16(text)) {
+        return result_text(io::utf8_text(std::string(text), file), file);
     }
     if (text.find('\0') != std::string_view::npos) {
         result.reject(0, "the file is not text: it contains a zero byte",
                       "give a table of x and p as text");
     }
     text.remove_prefix(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
-    if (!is_utf8(text)) {
-        return result_text(utf8_from_latin1(text), file);
+    if (!io::is_utf8(text)) {
+        return result_text(io::utf8_from_latin1(text), file);
     }
     std::size_t number = 1;
     for (std::size_t at = 0; at < text.size(); ++number) {

@@ -206,9 +206,10 @@ bool whole(const io::Csv& csv, const io::Csv::Row& row, std::vector<std::string>
                                          : std::to_string(row.cells.size()) + " cells, not " +
                                                std::to_string(needed)) +
                      ": \"" + begins + "\"" +
-                     (row.fault.empty() && commas ? " (decimal commas? write points, or separate "
-                                                    "by semicolons)"
-                                                  : ""));
+                     (row.fault.empty() && commas
+                          ? " (commas in numbers? write decimal points and no marks between "
+                            "thousands, or separate by semicolons)"
+                          : ""));
     return false;
 }
 

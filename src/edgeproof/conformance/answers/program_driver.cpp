@@ -2,6 +2,7 @@
 #include "edgeproof/conformance/answers/program_driver.hpp"
 
 #include "edgeproof/io/child_process.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 
@@ -122,15 +123,16 @@ private:
         const std::string name =
             several_ || runs_ > 1 ? program_name + ", run " + std::to_string(runs_) : program_name;
         const std::string ending = run.ending();
-        if (!ending.empty()) {
-            // It may have ended within a number; an incomplete number would be wrong.
-            run.output.resize(run.output.rfind('\n') + 1); // npos + 1 is 0
-        }
         Answers answers;
         answers.given.resize(batch.size());
         try {
+            std::string output = io::utf8_text(std::move(run.output), name);
+            if (!ending.empty()) {
+                // It may have ended within a number; an incomplete number would be wrong.
+                output.resize(output.rfind('\n') + 1); // npos + 1 is 0
+            }
             const std::size_t most_rows = rows_of_a_run + 2 * batch.size();
-            const io::Csv rows = rows_of(run.output, options_.lines, name, most_rows);
+            const io::Csv rows = rows_of(output, options_.lines, name, most_rows);
             answers = answers_to(part, rows);
             if (rows.cut) {
                 answers.faults.push_back(name + ": more than " + std::to_string(most_rows) +

@@ -9,6 +9,11 @@
 #include <utility>
 
 namespace edgeproof::conformance {
+namespace {
+
+constexpr double most_rest = 0.105; ///< that a factor with a name may leave
+
+} // namespace
 
 void CauseSearch::add_causes_of_others() {
     const std::vector<Explained> before = explained_;
@@ -126,25 +131,60 @@ Convention CauseSearch::convention(const Explained& explained) const {
         c.equally_likely.emplace_back("factor");
     }
     if (first.rank == rank_of_constant) {
-        add_dominant_factors(c);
+        add_near_factors(c, c.factor, c.factor);
     }
     return c;
 }
 
-void CauseSearch::add_dominant_factors(Convention& constant) const {
+void CauseSearch::add_near_factors(Convention& of, double least, double most) const {
+    const auto rest = [](const Real& ratio) {
+        return std::abs(Real(ratio - 1).convert_to<double>());
+    };
+    const double wide = most - least;
     for (const NamedFactor& factor : factors_) {
-        const double more = Real(constant.factor / factor.value - 1).convert_to<double>();
-        const double error =
-            std::max(std::abs(constant.factor - 1), std::abs(1 / constant.factor - 1));
-        const bool known = std::ranges::find(constant.equally_likely, factor.name) !=
-                           constant.equally_likely.end();
-        if (factor.common && !known && std::abs(more) < most_scatter &&
-            error >= dominant_gain * std::abs(more)) {
-            constant.also.push_back(fmt::format("{}ours, and {:+.2g} % that have another cause",
-                                                factor.words, 100 * more));
-            constant.equally_likely.emplace_back(factor.name);
+        const Real k = factor.value;
+        const double left = std::max(rest(Real(least / k)), rest(Real(most / k)));
+        const double error = std::max(rest(k), rest(Real(1 / k)));
+        const bool known =
+            std::ranges::find(of.equally_likely, factor.name) != of.equally_likely.end();
+        const bool apart = wide > 0 && (k < least - wide || k > most + wide);
+        if (known || apart || left > most_rest || error < least_gain * left) {
+            continue;
         }
+        of.also.push_back(
+            wide > 0 ? fmt::format("{}ours, and up to {:.2g} % that have another cause",
+                                   factor.words, 100 * left)
+                     : fmt::format("{}ours, and {:+.2g} % that have another cause", factor.words,
+                                   100 * Real(least / k - 1).convert_to<double>()));
+        of.equally_likely.emplace_back(factor.name);
     }
+}
+
+std::optional<Convention> CauseSearch::varying_factor(const Group& group) const {
+    if (!is_whole(group) || group.rows.size() < least_rows_of_constant) {
+        return {};
+    }
+    const WrongRows all = wrong_rows(answers_, agreements_, group.rows);
+    std::vector<double> ratios = remainder_of(all, all_of(all)).off;
+    std::ranges::sort(ratios);
+    const std::size_t outside = ratios.size() / 20; // on each side
+    const double least = 1 + ratios[outside];
+    const double most = 1 + ratios[ratios.size() - 1 - outside];
+    Convention c;
+    add_near_factors(c, least, most);
+    if (c.also.empty()) {
+        return {};
+    }
+    c.of = group.family;
+    c.relation = fmt::format("{:.3g} to {:.3g} times ours", least, most);
+    c.hint = "a factor that is no constant";
+    c.name = "varying-factor";
+    c.factor = 1 + ratios[ratios.size() / 2];
+    c.rows = ratios.size() - 2 * outside;
+    c.failing = ratios.size();
+    c.held = digits_of(most / least - 1);
+    c.without_digits = true;
+    return c;
 }
 
 double CauseSearch::digits_of(double off) {

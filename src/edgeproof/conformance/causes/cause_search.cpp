@@ -13,8 +13,6 @@ constexpr std::size_t most_right_rows = 12; // of a quantity: enough to contradi
 /// Rows fail, and are seen here, if they are wrong by more than same_value: they have a common
 /// error of that size by this selection.
 constexpr double least_constant = 1e-5;
-/// Fewer rows with noise have a common factor by chance.
-constexpr std::size_t least_rows_of_constant = 6;
 
 std::vector<std::size_t> evenly(const std::vector<std::size_t>& rows, std::size_t most) {
     std::vector<std::size_t> some;
@@ -59,9 +57,7 @@ CauseSearch::CauseSearch(const Answers& answers, const Agreements& agreements,
 std::vector<Convention> CauseSearch::causes() {
     for (const bool named : {true, false}) {
         for (const Group& group : groups_) {
-            const bool known = std::ranges::all_of(
-                group.rows, [&](std::size_t row) { return done_.contains(row); });
-            if (known || group.rows.size() < least_rows) {
+            if (is_done(group) || group.rows.size() < least_rows) {
                 continue;
             }
             Explained explained = named ? by_name(group) : by_constant(group);
@@ -81,7 +77,17 @@ std::vector<Convention> CauseSearch::causes() {
     for (Explained& explained : explained_) {
         found.push_back(convention(explained));
     }
+    for (const Group& group : groups_) {
+        if (auto varying = is_done(group) ? std::nullopt : varying_factor(group)) {
+            done_.insert(group.rows.begin(), group.rows.end());
+            found.push_back(std::move(*varying));
+        }
+    }
     return found;
+}
+
+bool CauseSearch::is_done(const Group& group) const {
+    return std::ranges::all_of(group.rows, [&](std::size_t row) { return done_.contains(row); });
 }
 
 CauseSearch::Values CauseSearch::values(std::size_t reading,

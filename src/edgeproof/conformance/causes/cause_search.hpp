@@ -19,6 +19,8 @@ inline constexpr unsigned most_cause_digits = 40;
 /// not determine it better than this, or leave a greater smooth remainder.
 inline constexpr double unlikely_by_chance = 6e-4;
 inline constexpr int rank_of_constant = 3;
+/// Fewer rows with noise have a common factor by chance.
+inline constexpr std::size_t least_rows_of_constant = 6;
 
 /// A cause that explains a group.
 struct Likely {
@@ -83,6 +85,7 @@ private:
     /// other rows of the quantity.
     void add_undistinguished(const WrongRows& some, const WrongRows& all, Explained& to);
 
+    [[nodiscard]] bool is_done(const Group& group) const;
     [[nodiscard]] bool is_whole(const Group& group) const;
     [[nodiscard]] Values values_of(const Likely& cause, const WrongRows& rows);
 
@@ -122,9 +125,13 @@ private:
     /// The cause of a group that explains most rows of all groups, and the others. A constant
     /// without a name must explain twice as many rows.
     [[nodiscard]] Convention convention(const Explained& explained) const;
-    /// Adds the common factors that are nearly the constant, if they leave less than a twenty-fifth
-    /// of the error: the rest may have another cause.
-    void add_dominant_factors(Convention& constant) const;
+    /// Adds the named factors k near answers of `least` to `most` times ours: the rest, which has
+    /// another cause, is at most a tenth, and a quarter of the error |k - 1| or |1/k - 1|, and k is
+    /// not further from the interval than this is wide (unless they are a constant).
+    void add_near_factors(Convention& of, double least, double most) const;
+    /// The interval of the ratio of answers and ours, if no cause explains them and named factors
+    /// are near it.
+    [[nodiscard]] std::optional<Convention> varying_factor(const Group& group) const;
     [[nodiscard]] static double digits_of(double off);
 
     const Answers& answers_;

@@ -22,14 +22,14 @@ struct Convention {
     std::vector<std::string> also = {};
     double held = 0; ///< the digits of the relation in nine of ten rows
     /// The name of the cause, as in `edgeproof compare` (scene_mistakes.hpp); "factor" for a
-    /// constant without a name.
+    /// constant without a name, "varying-factor" for one that is no constant, near named ones.
     std::string name = {};
     double factor = 1;                            ///< of the answers, where the relation has one
     std::vector<std::string> equally_likely = {}; ///< the names of the relations in `also`
     /// The relative error that nine of ten rows do not exceed after the correction. Not 0 only if
     /// the error does not scatter as noise does, so that there is another cause.
     double remains = 0;
-    bool of_digits = false;              ///< digits are lost; `relation` says how many
+    bool without_digits = false;         ///< `relation` holds for no number of digits
     std::vector<std::size_t> which = {}; ///< the questions explained, if they are not a whole group
 };
 
@@ -46,7 +46,8 @@ using KnownReadings = std::map<std::string, std::map<std::size_t, std::optional<
 /// together; of these the cause is reported that explains most rows of all quantities, once for all
 /// that it explains. Causes that would have made right answers wrong are left out if others remain.
 /// A constant without a name is reported only if the remaining errors scatter from point to point:
-/// then it is constant to the accuracy of the answers.
+/// then it is constant to the accuracy of the answers. If a quantity has no cause, and its answers
+/// are a factor with a name times ours to a tenth, this interval of factors is reported.
 ///
 /// `known`: the values of other interpretations; those missing are added. It may be used again for
 /// other answers to the same questions.

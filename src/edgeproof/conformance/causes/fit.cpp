@@ -14,10 +14,7 @@ namespace {
 /// A row follows a cause that nine of ten follow to `held` if it does so to three times that.
 constexpr double of_held = 3;
 constexpr double deviations_of_median = 4;
-/// The least change of an answer by a cause, and the least factor by which the cause must reduce
-/// the error.
-constexpr double deviations_of_change = 3;
-constexpr double least_gain = 4;
+constexpr double deviations_of_change = 3; ///< the least change of an answer by a cause
 constexpr std::size_t rows_for_scatter = 6;
 constexpr double rows_for_less_gain = 6;  // with this number of rows, twice the gain is needed
 constexpr double rows_for_less_error = 4; // the scatter of few rows is not well known

@@ -54,6 +54,8 @@ inline constexpr double most_scatter = 0.12;
 /// The same for a remainder that is not known to be noise, unless the cause dominates the error.
 inline constexpr double most_remainder = 0.03;
 inline constexpr double dominant_gain = 25;
+/// The least factor by which a cause must reduce the error.
+inline constexpr double least_gain = 4;
 
 /// True if this number of rows suffices to explain the failing ones.
 [[nodiscard]] bool enough(std::size_t rows, std::size_t failing);

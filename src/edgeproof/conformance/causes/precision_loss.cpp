@@ -370,7 +370,7 @@ std::optional<Convention> loss_of(const std::string& of, std::vector<LossRow> ro
     c.name = "cancellation";
     c.held = line->plateau; // of rows that lose no digits
     c.digits = most_digits_kept;
-    c.of_digits = true;
+    c.without_digits = true;
     for (const LossRow& row : rows) {
         if (!agreements.cases[row.question].pass) {
             ++c.failing;

@@ -252,16 +252,17 @@ double rounded(double value, int digits) {
     return std::stod(fmt::format("{:.{}e}", value, digits - 1));
 }
 
-/// An error that grows from the edge inwards, as no mistake of the catalogue does.
-Program smooth_error(double size) {
-    return [size](const Asked& asked) {
+/// A factor, and an error that changes from place to place as that of no mistake of the catalogue
+/// does: from 0 to twice `size`.
+Program smooth_error(double size, double factor = 1) {
+    return [size, factor](const Asked& asked) {
         std::vector<double> values;
         for (std::size_t i = 0; i < asked.right.size(); ++i) {
             const Question& q = asked.questions.list[i];
             const Real length = asked.a[q.contact] + asked.b[q.contact];
             const double other = 0.2 + 0.17 * static_cast<double>(q.k + 2 * q.contact);
             const double part = q.u ? Real(q.u->to<Real>() / length).convert_to<double>() : other;
-            values.push_back(asked.right[i].convert_to<double>() *
+            values.push_back(asked.right[i].convert_to<double>() * (is_force(q) ? factor : 1) *
                              (1 + size * (1 + std::sin(7 * std::cbrt(part)))));
         }
         return std::optional(values);
@@ -274,6 +275,11 @@ std::vector<Mistake> mistakes(const SceneKeys& keys, const ReferenceOptions& opt
         {"", factor(1)},
         {"", smooth_error(0.02)},
         {"", smooth_error(0.2)},
+        {"factor-2", smooth_error(0.01, 2)},
+        {"factor-2", smooth_error(0.05, 0.5)},
+        {"factor-pi", smooth_error(0.05, pi)},
+        {"factor-sqrt-2", smooth_error(0.05, std::sqrt(2))},
+        {"power-of-ten", smooth_error(0.05, 1e3)},
         {"factor", factor(1.37)},
         {"factor", factor(3.05)},
         {"factor-2", factor(2)},

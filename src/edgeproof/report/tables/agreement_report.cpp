@@ -54,6 +54,17 @@ std::string shortened(const std::string& text) {
                                         : fmt::format("{}...", text.substr(0, longest_value));
 }
 
+/// Returns what to write in place of a text that is no number, in parentheses.
+std::string remedy(const std::string& text) {
+    const auto readings = conformance::without_thousands(text);
+    if (!readings.empty()) {
+        return fmt::format(" (a mark between thousands{}; write {})",
+                           readings.size() > 1 ? ", or a decimal one" : "",
+                           fmt::join(readings, " or "));
+    }
+    return conformance::with_decimal_point(text) ? " (a decimal comma; write a point)" : "";
+}
+
 /// Returns the fault of an answer, in a few words.
 std::string complaint(const conformance::Answer& answer, const conformance::CaseAgreement& held,
                       unsigned digits) {
@@ -68,9 +79,7 @@ std::string complaint(const conformance::Answer& answer, const conformance::Case
     case conformance::Answer::State::infinite:
         return "inf";
     case conformance::Answer::State::garbage:
-        return "garbage: \"" + shortened(answer.text) + "\"" +
-               (conformance::with_decimal_point(answer.text) ? " (a decimal comma; write a point)"
-                                                             : "");
+        return "garbage: \"" + shortened(answer.text) + "\"" + remedy(answer.text);
     case conformance::Answer::State::died:
         return "the program " + answer.text;
     case conformance::Answer::State::number:
@@ -109,7 +118,7 @@ std::string target_text(const conformance::Target& target) {
 }
 
 std::string convention_text(const conformance::Convention& k) {
-    const std::string to = k.of_digits ? "," : ", to " + digits_text(k.digits, 40) + " digits";
+    const std::string to = k.without_digits ? "," : ", to " + digits_text(k.digits, 40) + " digits";
     std::string text = fmt::format("{}: yours are {}{} in {} of {} failing rows: {}", k.of,
                                    k.relation, to, k.rows, k.failing, k.hint);
     if (k.remains > 1e-4) {

@@ -59,7 +59,7 @@ Box principal_arctangent(const Box& x) {
     return r;
 }
 
-// By Arb's rigorous integration (johansson2018).
+/// Integrates by Arb (johansson2018).
 Box inner_integral_of(const std::function<Box(const Box& t)>& f, const IntegralGoal& goal) {
     AcbValue from;
     AcbValue to;

@@ -129,7 +129,7 @@ TEST_CASE("CSV: UTF-16 with a byte order mark is read as the same text in UTF-8,
         }
         write_whole(file, bytes);
         CsvReader from_file(file, "table");
-        CsvReader from_text(bytes, "f.csv");
+        CsvReader from_text(std::string_view(bytes), "f.csv");
         for (CsvReader* reader : {&from_file, &from_text}) {
             CHECK(reader->head().header.cells == Cells{"id", "value"});
             CHECK(reader->head().separator == ';');

@@ -204,8 +204,8 @@ std::optional<Rational> simplest_rational(const Ball& x) {
     return simplest_between(exact_value(x.lower()), exact_value(x.upper()));
 }
 
-ExactContact::ExactContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
-                           const Ball& near_a, const Ball& near_b)
+ExactNumberContact::ExactNumberContact(const Profile& profile, const Exact& contact_modulus,
+                                       const Load& load, const Ball& near_a, const Ball& near_b)
     : profile_(profile), modulus_(ExactNumber::of(contact_modulus.expr())),
       power_law_(profile.kind() == Profile::Kind::power_law), a_(ExactNumber::unknown()),
       b_(ExactNumber::unknown()) {
@@ -224,7 +224,7 @@ ExactContact::ExactContact(const Profile& profile, const Exact& contact_modulus,
     find_edges(load, near_a, near_b);
 }
 
-void ExactContact::read_power_law() {
+void ExactNumberContact::read_power_law() {
     const auto m = ExactNumber::of(profile_.parameters().at("m").expr()).rational();
     power_factor_ = ExactNumber::unknown();
     exponent_ = m;
@@ -242,7 +242,7 @@ void ExactContact::read_power_law() {
     power_factor_ = modulus_ * ExactNumber::of(profile_.parameters().at("C").expr()) * factor;
 }
 
-void ExactContact::find_edges(const Load& load, const Ball& near_a, const Ball& near_b) {
+void ExactNumberContact::find_edges(const Load& load, const Ball& near_a, const Ball& near_b) {
     const ExactNumber given = ExactNumber::of(load.value.expr());
     const bool by_force = load.kind == Load::Kind::force;
     std::vector<ExactNumber> guesses;
@@ -287,7 +287,7 @@ void ExactContact::find_edges(const Load& load, const Ball& near_a, const Ball& 
     placed_ = false;
 }
 
-void ExactContact::place_knots() {
+void ExactNumberContact::place_knots() {
     marks_.clear();
     placed_ = true;
     const Extent<ExactNumber> e{a_, b_};
@@ -304,15 +304,15 @@ void ExactContact::place_knots() {
     }
 }
 
-template <class Kernel> ExactNumber ExactContact::over_measure() const {
+template <class Kernel> ExactNumber ExactNumberContact::over_measure() const {
     return placed_ ? over_linear_measure<Kernel>(slope_, {a_, b_}, marks_) : ExactNumber::unknown();
 }
 
-bool ExactContact::balanced() const {
+bool ExactNumberContact::balanced() const {
     return placed_ && linear_imbalance(slope_, {a_, b_}, marks_).is_zero();
 }
 
-ExactNumber ExactContact::force() const {
+ExactNumber ExactNumberContact::force() const {
     if (power_law_) {
         return whole_exponent_
                    ? power_factor_ * pow(a_, Rational(static_cast<int>(*whole_exponent_) + 1))
@@ -322,19 +322,19 @@ ExactNumber ExactContact::force() const {
     return modulus_ / 2 * over_measure<ForceKernel>();
 }
 
-ExactNumber ExactContact::moment() const {
+ExactNumber ExactNumberContact::moment() const {
     if (profile_.symmetric()) {
         return {};
     }
     return modulus_ / 4 * over_measure<MomentKernel>();
 }
 
-bool ExactContact::bends(std::size_t knot) const {
+bool ExactNumberContact::bends(std::size_t knot) const {
     return !(slope_.rate(knot) == slope_.rate(knot + 1) &&
              slope_.pieces[knot].at_origin == slope_.pieces[knot + 1].at_origin);
 }
 
-ExactNumber ExactContact::pressure(Edge edge, const ExactNumber& u) const {
+ExactNumber ExactNumberContact::pressure(Edge edge, const ExactNumber& u) const {
     const ExactNumber other = length() - u;
     const ExactNumber root = sqrt(u * other);
     if (power_law_) {
@@ -373,7 +373,7 @@ ExactNumber ExactContact::pressure(Edge edge, const ExactNumber& u) const {
     return modulus_ / (ExactNumber::pi() * 2) * arc_of(slope_, e, marks_) * root;
 }
 
-std::vector<ExactNumber> ExactContact::expansion(Edge, std::size_t terms) const {
+std::vector<ExactNumber> ExactNumberContact::expansion(Edge, std::size_t terms) const {
     using S = series::Series<ExactNumber>;
     const auto sign = a_.sign();
     if (terms > 0 && terms <= most_exact_coefficients && exponent_ && !whole_exponent_) {
@@ -405,7 +405,7 @@ std::vector<ExactNumber> ExactContact::expansion(Edge, std::size_t terms) const 
 
 /// With dP/da = K a^m, c_k is K a^(m - k - 1/2) times its value for K = a = 1, which has an exact
 /// form (docs/expansions.md, "The right edge").
-std::vector<ExactNumber> ExactContact::vanishing_coefficients(std::size_t terms) const {
+std::vector<ExactNumber> ExactNumberContact::vanishing_coefficients(std::size_t terms) const {
     using S = series::Series<ExactNumber>;
     const S a = S::variable(ExactNumber(1), terms);
     S rate(ExactNumber(0), terms);

@@ -99,7 +99,7 @@ private:
     }
 
     const Scene& scene_;
-    contact::ExactContact contact_;
+    contact::ExactNumberContact contact_;
     std::size_t terms_;
     std::map<std::pair<Edge, bool>, std::vector<Number>> known_terms_;
 };

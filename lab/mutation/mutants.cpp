@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/mutation/mutants.hpp"
 #include "edgeproof/audit/checks/parts/comparison.hpp"
-#include "edgeproof/audit/ledger/claim_kind.hpp"
+#include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/symbolic/symbolic.hpp"
 #include "edgeproof/precision/interruption.hpp"
 

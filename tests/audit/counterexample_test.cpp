@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/counterexample.hpp"
+#include "edgeproof/audit/run.hpp"
 
 #include "tests/audit/small_ledger.hpp"
 #include "tests/support/namespaces.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/loads.hpp"
 #include "edgeproof/audit/run.hpp"
-#include "edgeproof/audit/sample/linear_loads.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/checks/parts/size_extents.hpp"
-#include "edgeproof/audit/checks/parts/size_scan.hpp"
+#include "edgeproof/audit/checks/parts/sizes.hpp"
 #include "edgeproof/audit/run.hpp"
 #include "edgeproof/contact/routes/extent.hpp"
 #include "edgeproof/precision/error.hpp"

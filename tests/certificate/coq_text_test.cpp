@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/certificate/theory/coq_text.hpp"
+#include "edgeproof/certificate/theory/theory.hpp"
 
 #include "edgeproof/certificate/certificate.hpp"
 #include "edgeproof/formula/parse.hpp"

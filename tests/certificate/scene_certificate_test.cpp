@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/certificate/scene_certificate.hpp"
+#include "edgeproof/certificate/certificate.hpp"
+#include "edgeproof/scene/run_scene.hpp"
 
 #include "tests/support/namespaces.hpp"
 

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 /// The check of printed claims against the mechanics. The main headers are:
-///     claim.hpp            Claim: a printed statement as data; Vocabulary: the names it may use
+///     claim.hpp            Claim: a printed statement as data; Vocabulary: the names it may use;
+///                          CheckKind: the interface of a kind of claim (checks/)
 ///     family.hpp           Family: the scenes at which a claim is sampled, drawn deterministically
 ///     ledger.hpp           Ledger: a file of claims and families, read strictly
 ///     evaluated_scene.hpp  EvaluatedScene: a scene in numbers, in which formulas are evaluated
-///     judgement.hpp          Verdict
-///     judgement.hpp         Evidence: the reasons for a verdict
-///     claim_kind.hpp       CheckKind: the interface of a kind of claim (one file each in checks/)
+///     judgement.hpp        Verdict; Evidence: the reasons for a verdict
 ///     enclosures.hpp       verdicts by ball arithmetic: disjoint enclosures, proved digits
 #include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/ledger/claim.hpp"
-#include "edgeproof/audit/ledger/claim_kind.hpp"
 #include "edgeproof/audit/ledger/family.hpp"
 #include "edgeproof/audit/ledger/judgement.hpp"
 #include "edgeproof/audit/ledger/ledger.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/counterexample.hpp"
+#include "edgeproof/audit/run.hpp"
 #include "edgeproof/audit/sample/formal_values.hpp"
 #include "edgeproof/audit/symbolic/symbolic.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
@@ -13,8 +13,6 @@
 
 namespace edgeproof::audit {
 namespace {
-
-using formula::Expr;
 
 struct FormulaPair {
     std::string what; ///< empty for the formulas themselves
@@ -186,15 +184,6 @@ double effort_to_read(const std::string& exact) {
     return effort;
 }
 
-} // namespace
-
-double effort_of(const Rational& value) {
-    const Rational size = abs(value);
-    const double top = Integer(numerator(size)).convert_to<double>();
-    const double below = Integer(denominator(size)).convert_to<double>();
-    return top + (below == 1 ? 0 : 2 * below);
-}
-
 RefutedReading kindest_refuted(const ClaimResult& result) {
     RefutedReading kindest{&result.claim, &result.outcome};
     for (std::size_t i = 0; i < result.readings.size(); ++i) {
@@ -257,6 +246,15 @@ std::optional<Evidence> formula_counterexample(const RefutedReading& refuted) {
     return clearest;
 }
 
+} // namespace
+
+double effort_of(const Rational& value) {
+    const Rational size = abs(value);
+    const double top = Integer(numerator(size)).convert_to<double>();
+    const double below = Integer(denominator(size)).convert_to<double>();
+    return top + (below == 1 ? 0 : 2 * below);
+}
+
 std::optional<Evidence> clearest_counterexample(const ClaimResult& result,
                                                 const AuditContext& context) {
     if (result.outcome.verdict != Verdict::refuted) {
@@ -264,19 +262,15 @@ std::optional<Evidence> clearest_counterexample(const ClaimResult& result,
     }
     const RefutedReading refuted = kindest_refuted(result);
     try {
-        if (refuted.claim->kind == "extent") {
-            return reach_counterexample(refuted, context);
+        static const std::map<std::string, Counterexample*, std::less<>> kinds{
+            {"extent", reach_counterexample},
+            {"vanishing", vanishing_counterexample},
+            {"monotone", course_counterexample}};
+        if (const auto kind = kinds.find(refuted.claim->kind); kind != kinds.end()) {
+            return kind->second(refuted, context);
         }
-        if (refuted.claim->kind == "vanishing") {
-            return vanishing_counterexample(refuted);
-        }
-        if (refuted.claim->kind == "monotone") {
-            return course_counterexample(refuted, context);
-        }
-        if (auto found = formula_counterexample(refuted)) {
-            return found;
-        }
-        return integral_counterexample(refuted, context);
+        auto found = formula_counterexample(refuted);
+        return found ? found : integral_counterexample(refuted, context);
     } catch (const Interrupted&) {
         throw;
     } catch (const Error&) { // no simple counterexample was found; the verdict does not need one

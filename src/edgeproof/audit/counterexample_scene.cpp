@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/counterexample.hpp"
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
+#include "edgeproof/audit/run.hpp"
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -11,8 +11,6 @@
 
 namespace edgeproof::audit {
 namespace {
-
-using formula::Exact;
 
 constexpr unsigned shown_digits = 8;
 constexpr unsigned screening_digits = 30;
@@ -49,8 +47,8 @@ SceneSpec simplest_scene(const SceneSpec& drawn, const Family& family) {
     SceneSpec scene = drawn;
     for (const auto& [name, texts] : family.parameters) {
         const bool scale = name == "a" || name == "C" || name == "Es" || name == "R";
-        const bool plain = std::ranges::all_of(
-            texts, [](const formula::Expr& e) { return free_symbols(e).empty(); });
+        const bool plain =
+            std::ranges::all_of(texts, [](const Expr& e) { return free_symbols(e).empty(); });
         if (scale && plain) {
             scene.parameters.insert_or_assign(name, Exact::parse("1"));
         }
@@ -72,7 +70,7 @@ Evidence numbers_of(const SceneSpec& scene) {
 }
 
 /// Returns a formula's value, rounded from its enclosure; empty if there is no enclosure.
-std::string enclosed_decimal(const formula::Expr& e, const Sample& sample) {
+std::string enclosed_decimal(const Expr& e, const Sample& sample) {
     const Enclosed value = enclosed(e, sample, proving_digits);
     if (!value.ball) {
         return "";
@@ -81,7 +79,7 @@ std::string enclosed_decimal(const formula::Expr& e, const Sample& sample) {
     return text.empty() && value.ball->is_finite() && formula::proved_zero(e) ? "0" : text;
 }
 
-Real real_of(const formula::Expr& e, const Sample& sample) {
+Real real_of(const Expr& e, const Sample& sample) {
     const EvaluatedScene values(sample.scene, screening_digits);
     const PrecisionScope scope(screening_digits + 10);
     std::optional<Place> place;
@@ -137,7 +135,7 @@ std::optional<Evidence> reach_counterexample(const RefutedReading& refuted,
     const Rational computed = quoted_number(*refuted.outcome->computed);
     const Rational at = short_decimal_between(quoted, computed);
     Sample sample = simplest_sample(claim, context);
-    const std::string side = claim.edge() == contact::Edge::right ? "right" : "left";
+    const std::string side = claim.edge() == Edge::right ? "right" : "left";
     const std::string terms = claim.text("terms");
     // The distance from the edge is u = at * base.
     const std::string u = "(" + exact_text(at) + ")*(" + claim.text("base") + ")";
@@ -166,13 +164,13 @@ std::optional<Evidence> course_counterexample(const RefutedReading& refuted,
     const Claim& claim = *refuted.claim;
     const std::string along = claim.text("along");
     const bool rising = claim.text("sense") == "increasing";
-    const formula::Expr& of = claim.formula("of");
+    const Expr& of = claim.formula("of");
     Sample base = simplest_sample(claim, context);
     const Family& family = context.ledger().family(base.scene.family);
     const bool of_scene = base.scene.parameters.contains(along);
-    const auto choices_of = [&](const std::vector<formula::Expr>& texts) {
+    const auto choices_of = [&](const std::vector<Expr>& texts) {
         std::vector<Choice> choices;
-        for (formula::Expr e : texts) {
+        for (Expr e : texts) {
             for (const auto& [name, value] : base.scene.parameters) {
                 e = substitute(e, name, value.expr());
             }
@@ -181,13 +179,13 @@ std::optional<Evidence> course_counterexample(const RefutedReading& refuted,
         }
         return choices;
     };
-    const auto texts_of = [&](const std::string& name) -> std::vector<formula::Expr> {
+    const auto texts_of = [&](const std::string& name) -> std::vector<Expr> {
         for (const auto& [parameter, texts] : family.parameters) {
             if (parameter == name) {
                 return texts;
             }
         }
-        std::vector<formula::Expr> texts;
+        std::vector<Expr> texts;
         for (const auto& [variable, list] : claim.table("vary")) {
             if (variable == name) {
                 for (const std::string& text : list) {
@@ -258,7 +256,8 @@ std::optional<Evidence> course_counterexample(const RefutedReading& refuted,
     return clearest;
 }
 
-std::optional<Evidence> vanishing_counterexample(const RefutedReading& refuted) {
+std::optional<Evidence> vanishing_counterexample(const RefutedReading& refuted,
+                                                 const AuditContext& /*context*/) {
     const Claim& claim = *refuted.claim;
     if (claim.text_or("ratio", "") != "sig0*d/Q") {
         return std::nullopt;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/run.hpp"
 #include "edgeproof/audit/agreement/samples.hpp"
-#include "edgeproof/audit/counterexample.hpp"
-#include "edgeproof/audit/ledger/claim_kind.hpp"
+#include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
+#include <boost/algorithm/string/join.hpp>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -33,14 +33,6 @@ Outcome check_one(const Claim& claim, const AuditContext& context) {
         o.note = e.what();
         return o;
     }
-}
-
-std::string join(const std::vector<std::string>& parts, const std::string& between) {
-    std::string text;
-    for (const std::string& part : parts) {
-        text += (text.empty() ? "" : between) + part;
-    }
-    return text;
 }
 
 /// Combines the outcomes under several readings; `undefined` lists the names not defined in print.
@@ -78,11 +70,12 @@ Outcome combined(const Claim& claim, const std::vector<std::pair<std::string, Ou
     all.verdict = Judgement::of_readings(verdicts);
     if (!claim.undefined.empty()) {
         all.verdict = Undecided::underspecified;
-        all.note = "not defined in print: " + join(claim.undefined, ", ") + "; " +
+        all.note = "not defined in print: " + boost::algorithm::join(claim.undefined, ", ") + "; " +
                    (holding.empty() ? "holds under none of the readings tried"
-                                    : "would hold for: " + join(holding, "; "));
+                                    : "would hold for: " + boost::algorithm::join(holding, "; "));
     } else if (all.verdict == Verdict::imprecise && !holding.empty()) {
-        all.note = "holds for: " + join(holding, "; ") + ". Not for: " + join(failing, "; ");
+        all.note = "holds for: " + boost::algorithm::join(holding, "; ") +
+                   ". Not for: " + boost::algorithm::join(failing, "; ");
     } else if (!readings.empty()) {
         all.note = readings.front().second.note;
     }
@@ -177,7 +170,7 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
         }
     }
     result.claims = std::move(judged);
-    std::stable_sort(errors.begin(), errors.end(), [](const ClaimError& x, const ClaimError& y) {
+    std::ranges::stable_sort(errors, [](const ClaimError& x, const ClaimError& y) {
         return x.error.line() < y.error.line();
     });
     result.errors = std::move(errors);
@@ -211,7 +204,7 @@ LaterFinding at_quoted_distance(const LaterResult& later, const Claim& claim,
     const Real u = values.evaluate(claim.formula("base")).value * from_rational<Real>(share) / 100;
     const Place place = values.place_at_u(claim.edge(), u);
     const Real error = values.evaluate(later.says, &place).value;
-    const Real tolerance = formula::Exact::parse(claim.text("tolerance")).to<Real>();
+    const Real tolerance = Exact::parse(claim.text("tolerance")).to<Real>();
     return {to_decimal(Real(error * 100), result_digits) + " %",
             error < tolerance * 3 / 2 && error * 2 > tolerance};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/certificate/accepted.hpp"
+#include "edgeproof/certificate/certificate.hpp"
 
-#include "edgeproof/certificate/coq_files.hpp"
+#include "edgeproof/certificate/parts.hpp"
 #include "edgeproof/io/csv.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/sha256.hpp"
@@ -54,7 +54,7 @@ public:
     explicit CompiledFolder(const fs::path& folder) : folder_(folder) {
         for (const TheoryFile& file : theory_files()) {
             const std::string name = fmt::format("{}.v", file.name);
-            if (text_sha256(file.content) != file_sha256(name)) {
+            if (io::sha256(file.content) != file_sha256(name)) {
                 throw InputError("is missing, or is not the file that this program writes",
                                  "write the folder again with certify, then run make in it")
                     .at((folder_ / name).string(), 0);
@@ -78,7 +78,7 @@ public:
         if (!problem_.empty()) {
             return problem_;
         }
-        if (file_sha256(c.file) != text_sha256(c.text)) {
+        if (file_sha256(c.file) != io::sha256(c.text)) {
             return c.file + " is missing, or is not the file that this program writes";
         }
         return refusal(c.file.substr(0, c.file.size() - 2), definitions_);
@@ -86,7 +86,6 @@ public:
     [[nodiscard]] std::string coq() const { return coq_; }
 
 private:
-    static std::string text_sha256(std::string_view text) { return io::sha256(text); }
     /// Returns an empty text for a missing file.
     const std::string& file_sha256(const std::string& name) {
         const auto [known, is_new] = sha256_.emplace(name, "");
@@ -173,12 +172,11 @@ AcceptedTheorems AcceptedTheorems::read(const fs::path& folder) {
 bool AcceptedTheorems::contain(const Certificate& certificate) const {
     const std::string sha256 = io::sha256(certificate.text);
     return !certificate.theorems.empty() &&
-           std::all_of(certificate.theorems.begin(), certificate.theorems.end(),
-                       [&](const Certificate::Theorem& theorem) {
-                           const auto row = rows_.find({certificate.file, theorem.name});
-                           return row != rows_.end() && row->second.sha256 == sha256 &&
-                                  row->second.imports_sha256 == definitions_sha256();
-                       });
+           std::ranges::all_of(certificate.theorems, [&](const Certificate::Theorem& theorem) {
+               const auto row = rows_.find({certificate.file, theorem.name});
+               return row != rows_.end() && row->second.sha256 == sha256 &&
+                      row->second.imports_sha256 == definitions_sha256();
+           });
 }
 
 std::string AcceptedTheorems::csv() const {

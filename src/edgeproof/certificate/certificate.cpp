@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/certificate/certificate.hpp"
 #include "edgeproof/audit/symbolic/symbolic.hpp"
-#include "edgeproof/certificate/accepted.hpp"
-#include "edgeproof/certificate/coq_files.hpp"
 #include "edgeproof/certificate/parts.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/text_file.hpp"
@@ -10,6 +8,7 @@
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/text/escape.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,11 +21,8 @@ namespace edgeproof::certificate {
 std::string in_comment(std::string text) {
     text = printable_lines(text);
     for (const auto& [from, to] :
-         {std::pair<std::string, std::string>{"(*", "( *"}, {"*)", "* )"}, {"\"", "''"}}) {
-        for (std::size_t at = text.find(from); at != std::string::npos;
-             at = text.find(from, at + to.size())) {
-            text.replace(at, from.size(), to);
-        }
+         {std::pair{"(*", "( *"}, std::pair{"*)", "* )"}, std::pair{"\"", "''"}}) {
+        boost::replace_all(text, from, to);
     }
     return text;
 }
@@ -52,7 +48,7 @@ constexpr auto words_of_coq = std::to_array<std::string_view>(
 bool defines(std::string_view file, std::string_view name) {
     constexpr auto starts = std::to_array<std::string_view>(
         {"Definition ", "Fixpoint ", "Inductive ", "Record ", "Lemma ", "Theorem ", "Ltac "});
-    return std::any_of(starts.begin(), starts.end(), [&](std::string_view start) {
+    return std::ranges::any_of(starts, [&](std::string_view start) {
         const std::string sought = std::string(start) + std::string(name);
         for (std::size_t at = file.find(sought); at != std::string_view::npos;
              at = file.find(sought, at + 1)) {
@@ -76,23 +72,22 @@ std::string coq_name(const std::string& id) {
         c = plain ? c : '_';
     }
     const bool letter = !name.empty() && (name.front() < '0' || name.front() > '9');
-    const bool is_taken =
-        std::find(words_of_coq.begin(), words_of_coq.end(), name) != words_of_coq.end() ||
-        std::any_of(theory_files().begin(), theory_files().end(), [&](const TheoryFile& f) {
-            return f.name == name || defines(f.content, name);
-        });
+    const bool is_taken = std::ranges::find(words_of_coq, name) != words_of_coq.end() ||
+                          std::ranges::any_of(theory_files(), [&](const TheoryFile& f) {
+                              return f.name == name || defines(f.content, name);
+                          });
     return letter && !is_taken ? name : "claim_" + name;
 }
 
-bool is_same_for_all(const formula::Expr& x, const formula::Expr& y, contact::Edge edge) {
-    const formula::Expr a = formula::Expr::symbol("a");
-    const formula::Expr b = formula::Expr::symbol("b");
-    const formula::Expr at = formula::Expr::symbol("x");
-    const formula::Expr u = edge == contact::Edge::right ? a - at : b + at;
-    const auto free = [&](formula::Expr e) {
+bool is_same_for_all(const Expr& x, const Expr& y, Edge edge) {
+    const Expr a = Expr::symbol("a");
+    const Expr b = Expr::symbol("b");
+    const Expr at = Expr::symbol("x");
+    const Expr u = edge == Edge::right ? a - at : b + at;
+    const auto free = [&](Expr e) {
         for (const std::string& name : free_symbols(e)) {
             if (name.starts_with("right_") || name.starts_with("left_")) {
-                e = substitute(e, name, formula::Expr::symbol("k_" + name));
+                e = substitute(e, name, Expr::symbol("k_" + name));
             }
         }
         return substitute(e, "u", u);
@@ -104,8 +99,8 @@ bool is_same_for_all(const formula::Expr& x, const formula::Expr& y, contact::Ed
     }
 }
 
-std::vector<std::string> profiles_of(const audit::Ledger& ledger, std::string_view family) {
-    const audit::Family& f = ledger.family(family);
+std::vector<std::string> profiles_of(const Ledger& ledger, std::string_view family) {
+    const Family& f = ledger.family(family);
     if (f.union_of.empty()) {
         return {f.profile};
     }
@@ -118,7 +113,7 @@ std::vector<std::string> profiles_of(const audit::Ledger& ledger, std::string_vi
     return all;
 }
 
-std::string file_comment(const audit::Claim& claim, const audit::Ledger& ledger) {
+std::string file_comment(const Claim& claim, const Ledger& ledger) {
     return fmt::format(
         "(* Claim {} of the ledger {}, lines {} to {} of its source.\n   Printed: {}\n"
         "   Says: {} *)\n",
@@ -142,22 +137,21 @@ std::string imports_text(const std::vector<std::string>& files) {
 }
 
 bool is_symmetric(const std::vector<std::string>& profiles) {
-    return std::all_of(profiles.begin(), profiles.end(), [](const std::string& profile) {
+    return std::ranges::all_of(profiles, [](const std::string& profile) {
         return profile.find("tilted") == std::string::npos && profile != "piecewise";
     });
 }
 
-std::string file_head(const audit::Claim& claim, const audit::Ledger& ledger,
-                      const Theory& theory) {
+std::string file_head(const Claim& claim, const Ledger& ledger, const Theory& theory) {
     return file_comment(claim, ledger) + imports_text(theory.imports);
 }
 
-Certificate certify(const audit::ClaimResult& result, const audit::Ledger& ledger) {
+Certificate certify(const ClaimResult& result, const Ledger& ledger) {
     Certificate certificate;
     certificate.id = result.claim.id;
     certificate.verdict = std::string(name_of(result.outcome.verdict));
     certificate.file = coq_name(result.claim.id) + ".v";
-    static const std::map<std::string_view, decltype(&certify_identity)> kinds{
+    static const std::map<std::string_view, Certify*> kinds{
         {"identity", certify_identity},
         {"value", certify_value},
         {"extent", certify_extent},
@@ -265,8 +259,8 @@ std::string makefile(const std::vector<Certificate>& certificates) {
 }
 
 std::string readme(const std::vector<Certificate>& certificates, const FolderTitle& title) {
-    const auto with = std::count_if(certificates.begin(), certificates.end(),
-                                    [](const Certificate& c) { return !c.theorems.empty(); });
+    const auto with = std::ranges::count_if(
+        certificates, [](const Certificate& c) { return !c.theorems.empty(); });
     return fmt::format(R"(# Certificates of {0}
 
 Theorems about {1} of {2} {5}, for Coq to check. Made by edgeproof {3}:
@@ -333,7 +327,7 @@ void write_certificates(const std::vector<Certificate>& certificates,
     io::write_whole(folder / "README.md", readme(certificates, title));
 }
 
-void attach_certificates(audit::AuditResult& result, const audit::Ledger& ledger,
+void attach_certificates(audit::AuditResult& result, const Ledger& ledger,
                          const std::filesystem::path& folder, const std::string& shown) {
     const auto holds = [&](const std::string& name, std::string_view text) {
         std::error_code none;
@@ -346,7 +340,7 @@ void attach_certificates(audit::AuditResult& result, const audit::Ledger& ledger
         }
     }
     const AcceptedTheorems accepted = AcceptedTheorems::read(folder);
-    for (audit::ClaimResult& claim : result.claims) {
+    for (ClaimResult& claim : result.claims) {
         const Certificate today = certify(claim, ledger);
         if (!today.theorems.empty() && holds(today.file, today.text)) {
             claim.certificate = {(std::filesystem::path(shown) / today.file).generic_string(),
@@ -356,49 +350,60 @@ void attach_certificates(audit::AuditResult& result, const audit::Ledger& ledger
     }
 }
 
+std::string_view theory_text(std::string_view name) {
+    return std::ranges::find(coq_files::embedded, fmt::format("{}.v", name),
+                             [](const auto& file) { return file.first; })
+        ->second;
+}
+
 const std::vector<TheoryFile>& theory_files() {
-    static const std::vector<TheoryFile> all{
-        {"Contact", coq_files::Contact_v, ""},
-        {"Coefficients", coq_files::Coefficients_v, "Contact.vo"},
-        {"Edges", coq_files::Edges_v, "Coefficients.vo"},
-        {"ClosedForm", coq_files::ClosedForm_v, "Contact.vo"},
-        {"Symmetric", coq_files::Symmetric_v, "Edges.vo ClosedForm.vo"},
-        {"TiltedWedge", coq_files::TiltedWedge_v, "Edges.vo ClosedForm.vo"},
-        {"FlatAndRounded", coq_files::FlatAndRounded_v, "Contact.vo"},
-        {"Shear", coq_files::Shear_v, "Contact.vo"},
-        {"Unique", coq_files::Unique_v, "Symmetric.vo TiltedWedge.vo Shear.vo"},
-        {"Scaling", coq_files::Scaling_v, "Unique.vo"},
-        {"Tactics", coq_files::Tactics_v, "Unique.vo"},
-        {"Expansions", coq_files::Expansions_v, "Tactics.vo"},
-        {"HalfPowers", coq_files::HalfPowers_v, "Expansions.vo"},
-        {"PressureExpansions", coq_files::PressureExpansions_v, "HalfPowers.vo"},
-        {"Uniform", coq_files::Uniform_v, "Expansions.vo"},
-        {"Curved", coq_files::Curved_v, "Unique.vo"},
-        {"Sides", coq_files::Sides_v, "Tactics.vo"},
-        {"Limits", coq_files::Limits_v, "Tactics.vo"},
-        {"Stick", coq_files::Stick_v, "Unique.vo"},
-        {"Orders", coq_files::Orders_v, "PressureExpansions.vo Sides.vo"},
-        {"Gamma", coq_files::Gamma_v, "Coefficients.vo"},
-        {"PowerLaw", coq_files::PowerLaw_v, "Tactics.vo Gamma.vo"},
-        {"ShearTerms", coq_files::ShearTerms_v, "Shear.vo Coefficients.vo"},
-        {"TiltedRounded", coq_files::TiltedRounded_v, ""},
-        {"Inversion", coq_files::Inversion_v, "Stick.vo"},
-        {"Flatness", coq_files::Flatness_v, "PowerLaw.vo"},
-        {"PowerSides", coq_files::PowerSides_v, "Sides.vo PowerLaw.vo"},
-        {"PowerError", coq_files::PowerError_v, "Orders.vo PowerLaw.vo"},
-        {"Similar", coq_files::Similar_v, "Stick.vo PowerLaw.vo"},
-        {"Resultant", coq_files::Resultant_v, "Coefficients.vo"},
-        {"Places", coq_files::Places_v, "Coefficients.vo"},
-        {"LoadOfPressure", coq_files::LoadOfPressure_v,
-         "Resultant.vo Places.vo Limits.vo PowerLaw.vo"},
-        {"Forward", coq_files::Forward_v, "Sides.vo Inversion.vo LoadOfPressure.vo"},
-        {"RoundedSides", coq_files::RoundedSides_v, "Limits.vo"},
-        {"Dilogarithm", coq_files::Dilogarithm_v, "Resultant.vo"},
-        {"LogPressure", coq_files::LogPressure_v, "Stick.vo Dilogarithm.vo"},
-        {"ForwardPunches", coq_files::ForwardPunches_v, "Similar.vo Forward.vo LogPressure.vo"},
-        {"RoundedShape", coq_files::RoundedShape_v, "ForwardPunches.vo"},
-        {"Consistency", coq_files::Consistency_v, "TiltedRounded.vo LogPressure.vo Places.vo"},
-        {"Readings", coq_files::Readings_v, "Forward.vo Orders.vo"}};
+    static const std::vector<TheoryFile> all = [] {
+        std::vector<TheoryFile> files;
+        for (const auto& [name, needs] : std::initializer_list<std::array<std::string_view, 2>>{
+                 {"Contact", ""},
+                 {"Coefficients", "Contact.vo"},
+                 {"Edges", "Coefficients.vo"},
+                 {"ClosedForm", "Contact.vo"},
+                 {"Symmetric", "Edges.vo ClosedForm.vo"},
+                 {"TiltedWedge", "Edges.vo ClosedForm.vo"},
+                 {"FlatAndRounded", "Contact.vo"},
+                 {"Shear", "Contact.vo"},
+                 {"Unique", "Symmetric.vo TiltedWedge.vo Shear.vo"},
+                 {"Scaling", "Unique.vo"},
+                 {"Tactics", "Unique.vo"},
+                 {"Expansions", "Tactics.vo"},
+                 {"HalfPowers", "Expansions.vo"},
+                 {"PressureExpansions", "HalfPowers.vo"},
+                 {"Uniform", "Expansions.vo"},
+                 {"Curved", "Unique.vo"},
+                 {"Sides", "Tactics.vo"},
+                 {"Limits", "Tactics.vo"},
+                 {"Stick", "Unique.vo"},
+                 {"Orders", "PressureExpansions.vo Sides.vo"},
+                 {"Gamma", "Coefficients.vo"},
+                 {"PowerLaw", "Tactics.vo Gamma.vo"},
+                 {"ShearTerms", "Shear.vo Coefficients.vo"},
+                 {"TiltedRounded", ""},
+                 {"Inversion", "Stick.vo"},
+                 {"Flatness", "PowerLaw.vo"},
+                 {"PowerSides", "Sides.vo PowerLaw.vo"},
+                 {"PowerError", "Orders.vo PowerLaw.vo"},
+                 {"Similar", "Stick.vo PowerLaw.vo"},
+                 {"Resultant", "Coefficients.vo"},
+                 {"Places", "Coefficients.vo"},
+                 {"LoadOfPressure", "Resultant.vo Places.vo Limits.vo PowerLaw.vo"},
+                 {"Forward", "Sides.vo Inversion.vo LoadOfPressure.vo"},
+                 {"RoundedSides", "Limits.vo"},
+                 {"Dilogarithm", "Resultant.vo"},
+                 {"LogPressure", "Stick.vo Dilogarithm.vo"},
+                 {"ForwardPunches", "Similar.vo Forward.vo LogPressure.vo"},
+                 {"RoundedShape", "ForwardPunches.vo"},
+                 {"Consistency", "TiltedRounded.vo LogPressure.vo Places.vo"},
+                 {"Readings", "Forward.vo Orders.vo"}}) {
+            files.push_back({name, theory_text(name), needs});
+        }
+        return files;
+    }();
     return all;
 }
 

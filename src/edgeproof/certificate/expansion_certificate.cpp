@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/certificate/parts.hpp"
-#include "edgeproof/certificate/theory/statement.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 
 #include <array>
-#include <optional>
-#include <utility>
-#include <variant>
 
 namespace edgeproof::certificate {
 namespace {
@@ -53,7 +50,7 @@ constexpr std::array<Expanded, 8> expanded{
      {"p(a-eps*X)", "5/2", "p (a - eps * X)", "right_pressure_through_3 _ _ _ _ _ _ _ X contact HX",
       3, true, "X", true, "0 < X ->", " HX", "are_the_pressures_right Es g1 a p"}}};
 
-const Expanded& expanded_of(const audit::Claim& claim) {
+const Expanded& expanded_of(const Claim& claim) {
     for (const Expanded& e : expanded) {
         if (claim.text("of") == e.of && claim.text("through") == e.through) {
             return e;
@@ -82,17 +79,17 @@ struct Coefficients {
 
 class Words {
 public:
-    Words(const audit::Claim& claim, const Expanded& e)
+    Words(const Claim& claim, const Expanded& e)
         : claim_(claim), in_theorem_(smooth_contact(e.symmetric).names), names_(in_theorem_) {
         for (const char* name : {"eps", "X", "S", "sigma"}) {
             names_.emplace(name, name);
         }
     }
     /// An integral up to X, whose integrand is unbounded there, becomes `(I eps)`.
-    [[nodiscard]] std::string operator()(const formula::Expr& e) {
-        return coq_text(e, names_, [&](const formula::Expr& part) {
-            if (part.kind() != formula::Expr::Kind::integral || !integral_.empty() ||
-                part.arg(3) != formula::Expr::symbol("X")) {
+    [[nodiscard]] std::string operator()(const Expr& e) {
+        return coq_text(e, names_, [&](const Expr& part) {
+            if (part.kind() != Expr::Kind::integral || !integral_.empty() ||
+                part.arg(3) != Expr::symbol("X")) {
                 throw NotStated(fmt::format("{} is not stated in Coq", to_text(part)));
             }
             const std::string& variable = part.arg(1).name();
@@ -116,29 +113,29 @@ public:
     [[nodiscard]] const std::string& integral() const { return integral_; }
 
 private:
-    const audit::Claim& claim_;
+    const Claim& claim_;
     CoqNames in_theorem_; ///< of the contact
     CoqNames names_;
     std::string integral_;
 };
 
-std::string text_at(const audit::Evidence& term, std::string_view key) {
-    const audit::EvidenceItem* const item = term.find(key);
+std::string text_at(const Evidence& term, std::string_view key) {
+    const EvidenceItem* const item = term.find(key);
     return item == nullptr ? std::string() : item->text();
 }
 
-Coefficients coefficients_of(const audit::Outcome& outcome, const Expanded& e, Words& words) {
-    const audit::EvidenceItem* const item = outcome.evidence.find("terms");
+Coefficients coefficients_of(const Outcome& outcome, const Expanded& e, Words& words) {
+    const EvidenceItem* const item = outcome.evidence.find("terms");
     const auto* const terms =
-        item == nullptr ? nullptr : std::get_if<std::vector<audit::EvidenceItem>>(&item->value());
+        item == nullptr ? nullptr : std::get_if<std::vector<EvidenceItem>>(&item->value());
     if (terms == nullptr) {
         throw NotStated("the coefficients of the expansion were not found");
     }
     Coefficients all;
     all.printed.assign(e.order + 1, "0");
     all.derived = all.printed;
-    for (const audit::EvidenceItem& entry : *terms) {
-        const auto& term = std::get<audit::Evidence>(entry.value());
+    for (const EvidenceItem& entry : *terms) {
+        const auto& term = std::get<Evidence>(entry.value());
         for (std::size_t k = 0; k < all.printed.size(); ++k) {
             if (text_at(term, "power") != fmt::format("eps^({})", exponent_text(e, k))) {
                 continue;
@@ -253,10 +250,7 @@ std::string variables_exist(const Expanded& e) {
         return "  ";
     }
     std::string conditions(e.conditions);
-    for (std::size_t at = conditions.find("->"); at != std::string::npos;
-         at = conditions.find("->")) {
-        conditions.replace(at, 2, "/\\");
-    }
+    boost::replace_all(conditions, "->", "/\\");
     return fmt::format("  exists {} : R, {}", e.variables,
                        conditions.empty() ? "" : conditions + "\n  ");
 }
@@ -311,8 +305,8 @@ std::string instance_theorem(const std::string& name, const Claimed& claimed,
 }
 
 /// States a claim under one reading. `mark` is the end of the theorems' names.
-void state(const audit::Claim& claim, const audit::Outcome& outcome, bool refuted,
-           const std::string& mark, Certificate& certificate) {
+void state(const Claim& claim, const Outcome& outcome, bool refuted, const std::string& mark,
+           Certificate& certificate) {
     const Expanded& e = expanded_of(claim);
     Words words(claim, e);
     const std::string name = coq_name(claim.id);
@@ -352,11 +346,10 @@ void state(const audit::Claim& claim, const audit::Outcome& outcome, bool refute
 // The claim is f = T + O(eps^(n+1)). If it is refuted: f - T is not o(eps^n) at any contact at
 // which the first pair of different coefficients has different values. If it is proved or
 // corrected: f - T is o(eps^n) at every contact. Both are stated under each reading.
-void certify_expansion(const audit::ClaimResult& result, const audit::Ledger& ledger,
-                       Certificate& certificate) {
-    const audit::Claim& claim = result.claim;
-    const bool refuted = result.outcome.verdict == audit::Verdict::refuted;
-    if (!refuted && result.outcome.verdict != audit::Verdict::proved) {
+void certify_expansion(const ClaimResult& result, const Ledger& ledger, Certificate& certificate) {
+    const Claim& claim = result.claim;
+    const bool refuted = result.outcome.verdict == Verdict::refuted;
+    if (!refuted && result.outcome.verdict != Verdict::proved) {
         throw NotStated("only expansions that are refuted or proved are stated");
     }
     if (expanded_of(claim).symmetric && !is_symmetric(profiles_of(ledger, claim.text("over")))) {
@@ -380,6 +373,48 @@ void certify_expansion(const audit::ClaimResult& result, const audit::Ledger& le
     if (certificate.text.find("rises_at") != std::string::npos) {
         certificate.leaves_out = "the punch is taken to be convex; " + certificate.leaves_out;
     }
+}
+
+namespace {
+
+// The bracket for which Uniform.v has a bound for all sigma at once, before its approximation is
+// subtracted.
+constexpr std::string_view bracket = "(-b+eps+bof(a+(binv(b-eps)-a)*sigma))/(eps*(1-sigma))";
+constexpr std::string_view bracket_in_coq =
+    "(- b a + eps + b (a + (alpha (b a - eps) - a) * sigma)) / (eps * (1 - sigma))";
+
+} // namespace
+
+// States the refutation of "breaks down as sigma -> 1" at every contact: the remainder divided by
+// eps^2 has a bound that is the same for all sigma.
+void certify_uniformity(const ClaimResult& result, const Ledger& ledger, Certificate& certificate) {
+    const Claim& claim = result.claim;
+    if (result.outcome.verdict != Verdict::refuted || claim.text("of") != bracket ||
+        claim.text("small") != "eps" || claim.integer("order") != 2 ||
+        claim.text("variable") != "sigma" || claim.text("towards") != "1") {
+        throw NotStated(
+            "the Coq files have no bound of such an expansion for all values of its variable");
+    }
+    Theory theory = smooth_contact(false);
+    theory.imports.insert(theory.imports.end(), {"Expansions", "Uniform"});
+    for (const char* name : {"eps", "sigma"}) {
+        theory.names.emplace(name, name);
+    }
+    const std::string name = coq_name(claim.id) + "_refuted";
+    certificate.text =
+        file_head(claim, ledger, theory) +
+        fmt::format(
+            "Theorem {0} (Es : R) (g1 : R -> R) (a : R) (P P1 P2 P3 b b1 b2 b3 alpha : R -> R) :\n"
+            "  is_smooth_contact Es g1 a P P1 P2 P3 b b1 b2 ->\n"
+            "  is_left_edge a b b1 b2 b3 alpha ->\n"
+            "  exists M d : R, 0 < d /\\ forall eps sigma, 0 < eps < d -> 0 < sigma < 1 ->\n"
+            "  Rabs ({1}\n    - ({2})) <= M * eps ^ 2.\nProof.\n"
+            "  exact (bracket_uniform Es g1 a P P1 P2 P3 b b1 b2 b3 alpha).\nQed.\n",
+            name, bracket_in_coq, coq_text(claim.formula("approximation"), theory.names));
+    certificate.theorems = {
+        {name, "for all contacts, what is left is at most M eps^2, for all sigma between 0 and 1"}};
+    certificate.whole_verdict = true;
+    certificate.leaves_out = std::string(smoothness);
 }
 
 } // namespace edgeproof::certificate

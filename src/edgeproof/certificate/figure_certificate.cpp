@@ -47,9 +47,9 @@ Qed.
 )";
 
 /// Whether all scenes have this profile and the same value of each of these parameters.
-bool have_one(const std::vector<audit::SceneSpec>& scenes, std::string_view profile,
+bool have_one(const std::vector<SceneSpec>& scenes, std::string_view profile,
               const std::vector<std::string>& parameters) {
-    return !scenes.empty() && std::ranges::all_of(scenes, [&](const audit::SceneSpec& scene) {
+    return !scenes.empty() && std::ranges::all_of(scenes, [&](const SceneSpec& scene) {
         return scene.profile == profile &&
                std::ranges::all_of(parameters, [&](const std::string& p) {
                    return scene.parameter(p) == scenes.front().parameter(p);
@@ -63,13 +63,12 @@ bool have_one(const std::vector<audit::SceneSpec>& scenes, std::string_view prof
 // relative error of one term, at one place of a power law: the exact value is less than half a unit
 // of the last quoted digit away from the figure, so that there is no tie. A second theorem extends
 // this to every size, slope and modulus.
-void certify_figure(const audit::ClaimResult& result, const audit::Ledger& ledger,
-                    Certificate& certificate) {
-    const audit::Claim& claim = result.claim;
-    if (result.outcome.verdict != audit::Verdict::confirmed) {
+void certify_figure(const ClaimResult& result, const Ledger& ledger, Certificate& certificate) {
+    const Claim& claim = result.claim;
+    if (result.outcome.verdict != Verdict::confirmed) {
         throw NotStated("only confirmed figures are stated");
     }
-    const audit::Family& family = ledger.family(claim.text("over"));
+    const Family& family = ledger.family(claim.text("over"));
     const auto scenes = draw_scenes(family, ledger.families);
     const audit::QuotedFigure figure = audit::QuotedFigure::of(claim);
     const Rational half = figure.within_units(Rational(1, 2)).second - figure.value();
@@ -88,13 +87,13 @@ void certify_figure(const audit::ClaimResult& result, const audit::Ledger& ledge
         certificate.whole_verdict = true; // all scenes are this wedge with this tilt
         return;
     }
-    if (!have_one(scenes, "power-law", {"m"}) || claim.edge() != contact::Edge::right ||
+    if (!have_one(scenes, "power-law", {"m"}) || claim.edge() != Edge::right ||
         family.u.size() != 1 || !family.u.front().is_rational() ||
         to_text(claim.formula("of")) != "abs(1 - right_local(1, x)/p(x))") {
         throw NotStated("of figures, b/a of a tilted wedge and relative errors of one term at one "
                         "place of power laws are stated");
     }
-    const formula::Exact m = scenes.front().parameter("m");
+    const Exact m = scenes.front().parameter("m");
     if (!m.is_rational() || denominator(m.rational()) != 1 || m.rational() < 0 ||
         m.rational() > 100) {
         throw NotStated("of power laws, figures are stated of those with a whole exponent");

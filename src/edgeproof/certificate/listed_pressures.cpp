@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/certificate/listed_scenes.hpp"
 #include "edgeproof/certificate/listed_statements.hpp"
 
 #include <array>
@@ -26,6 +25,19 @@ constexpr std::string_view wedge_by_loads =
 constexpr std::string_view states_wedge_by_loads =
     "for all tilted wedges, the printed integrals on both sides solve the equation of the contact "
     "problem at every place except the apex, and have the load as their integral";
+
+/// The pressure on one side of the apex by the printed integral.
+constexpr Listed wedge_side(std::string_view says, std::string_view where) {
+    return {"value",
+            {.of = "p(x)", .says = says, .where = where},
+            non_symmetric,
+            "(Es phi gam a : R)",
+            wedge_by_loads,
+            "intros (Hphi & Hgam & Ha). exact (wedge_solves_by_loads Es phi gam a Hphi Hgam Ha)",
+            states_wedge_by_loads,
+            "tilted punches with rounded edges",
+            false};
+}
 
 constexpr std::array<Listed, 13> pressures{
     {{"value",
@@ -84,28 +96,9 @@ constexpr std::array<Listed, 13> pressures{
       "all knots, the inversion of that equation is the printed integral",
       "power laws with other exponents than 0 and 1; the printed integral for places on the flat",
       false},
-     {"value",
-      {.of = "p(x)",
-       .says = "1/Pi*integral(P1of(s)/sqrt((s-x)*(x+bof(s))), s, x, a)",
-       .where = "x > 0 and x < a"},
-      non_symmetric,
-      "(Es phi gam a : R)",
-      wedge_by_loads,
-      "intros (Hphi & Hgam & Ha). exact (wedge_solves_by_loads Es phi gam a Hphi Hgam Ha)",
-      states_wedge_by_loads,
-      "tilted punches with rounded edges",
-      false},
-     {"value",
-      {.of = "p(x)",
-       .says = "1/Pi*integral(P1of(s)/sqrt((s-x)*(x+bof(s))), s, binv(-x), a)",
-       .where = "x < 0 and x > -b"},
-      non_symmetric,
-      "(Es phi gam a : R)",
-      wedge_by_loads,
-      "intros (Hphi & Hgam & Ha). exact (wedge_solves_by_loads Es phi gam a Hphi Hgam Ha)",
-      states_wedge_by_loads,
-      "tilted punches with rounded edges",
-      false},
+     wedge_side("1/Pi*integral(P1of(s)/sqrt((s-x)*(x+bof(s))), s, x, a)", "x > 0 and x < a"),
+     wedge_side("1/Pi*integral(P1of(s)/sqrt((s-x)*(x+bof(s))), s, binv(-x), a)",
+                "x < 0 and x > -b"),
      {"value",
       {.of = "-Q/P*Pi*Es/2*g1(x)",
        .says = "pv(Q/P*p(s)/(s-x), s, -b, a, x)",
@@ -150,7 +143,7 @@ constexpr std::array<Listed, 13> pressures{
       "for all parabolas and x > 0, the slope is that of one body, and not those of two",
       "",
       true,
-      audit::Verdict::imprecise,
+      Verdict::imprecise,
       {{{.of = "g1(x)",
          .says = "2*2*(1-nu^2)/(Pi*Ey)*p(x)/sqrt(a^2-x^2)*pv(sqrt(a^2-s^2)/(x-s), s, -a, a, x)"}}}},
      {"limit",

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/certificate/listed_statements.hpp"
-#include "edgeproof/certificate/listed_scenes.hpp"
 
 #include <array>
 
@@ -29,6 +28,33 @@ constexpr std::string_view states_orders =
     "for all smooth contacts, the pressure and what one and two terms leave of it, divided by "
     "u^(1/2), u^(3/2) and u^(5/2), tend to the coefficients";
 
+/// The orders of what the first terms leave of the pressure of any smooth contact.
+constexpr Listed smooth_orders(bool right, std::string_view orders) {
+    return {"series",
+            {.of = right ? "right" : "left", .says = orders},
+            any_contact,
+            contact_parameters,
+            right ? right_orders : left_orders,
+            right ? "intros contact left convex. eapply orders_at_right; eassumption"
+                  : "intros contact left convex. eapply orders_at_left; eassumption",
+            states_orders,
+            convex_smooth,
+            false};
+}
+
+/// A load that is 0, written as an integral or as a function.
+constexpr Listed no_load(std::string_view of) {
+    return {"value",
+            {.of = of, .says = "0"},
+            within_the_flat,
+            "(Es t R0 a : R)",
+            R"(0 < t /\ 0 < R0 /\ 0 < a <= t ->
+  is_load Es (Symmetric.slope (rounded t R0)) a a 0 /\
+  forall P, is_load Es (Symmetric.slope (rounded t R0)) a a P -> P = 0)",
+            "intros form. apply no_load_within_flat; lra",
+            "for all punches, between edges on the flat the load is 0, and no other"};
+}
+
 constexpr std::array<Listed, 27> listed{
     {{"relation",
       {.says = "0 < b/a and b/a < 1"},
@@ -56,24 +82,8 @@ constexpr std::array<Listed, 27> listed{
   filterlim (fun alpha => b alpha / a) (at_left phi) (locally 0))",
       "intros form. apply ratio_of_the_largest_tilt; lra",
       "for all wedges, b/a tends to 0 as the tilt tends to the angle"},
-     {"value",
-      {.of = "Es/2*integral(s*g1(s)/sqrt(a^2-s^2), s, -a, a)", .says = "0"},
-      within_the_flat,
-      "(Es t R0 a : R)",
-      R"(0 < t /\ 0 < R0 /\ 0 < a <= t ->
-  is_load Es (Symmetric.slope (rounded t R0)) a a 0 /\
-  forall P, is_load Es (Symmetric.slope (rounded t R0)) a a P -> P = 0)",
-      "intros form. apply no_load_within_flat; lra",
-      "for all punches, between edges on the flat the load is 0, and no other"},
-     {"value",
-      {.of = "Pof(a)", .says = "0"},
-      within_the_flat,
-      "(Es t R0 a : R)",
-      R"(0 < t /\ 0 < R0 /\ 0 < a <= t ->
-  is_load Es (Symmetric.slope (rounded t R0)) a a 0 /\
-  forall P, is_load Es (Symmetric.slope (rounded t R0)) a a P -> P = 0)",
-      "intros form. apply no_load_within_flat; lra",
-      "for all punches, between edges on the flat the load is 0, and no other"},
+     no_load("Es/2*integral(s*g1(s)/sqrt(a^2-s^2), s, -a, a)"),
+     no_load("Pof(a)"),
      {"monotone",
       {.of = "P", .says = "decreasing", .along = "a", .unit = "t", .end = 1},
       beyond_the_flat,
@@ -154,7 +164,7 @@ constexpr std::array<Listed, 27> listed{
       "contacts",
       "",
       true,
-      audit::Verdict::imprecise,
+      Verdict::imprecise,
       {{{.of = "abs(1 - right_local(1, x)/p(x))",
          .says = "right.c1*u",
          .along = "pure-number",
@@ -178,7 +188,7 @@ constexpr std::array<Listed, 27> listed{
       "printed, and they have different signs",
       "",
       true,
-      audit::Verdict::imprecise,
+      Verdict::imprecise,
       {{{.says = "right.s0*left.s0 > 0", .where = "abs(sig0*(b+a)/Q) < 8/Pi"},
         {.says = "right.s0*left.s0 > 0", .where = "sig0*(b+a)/Q < 8/Pi and sig0*Q > 0"}}}},
      {"vanishing",
@@ -193,7 +203,7 @@ constexpr std::array<Listed, 27> listed{
       "at the left one",
       "",
       true,
-      audit::Verdict::imprecise,
+      Verdict::imprecise,
       {{{.of = "right.s1", .says = "4/(3*Pi)"}}}},
      {"relation",
       {.says = ">"},
@@ -241,7 +251,7 @@ constexpr std::array<Listed, 27> listed{
       "grows without bound with m",
       "",
       true,
-      audit::Verdict::confirmed,
+      Verdict::confirmed,
       {{{.of = "right_local(1, x)*a/P", .says = "infinity", .along = "m", .unit = growing}}}},
      {"independence",
       {.of = "q(x)*L/Q"},
@@ -294,33 +304,9 @@ constexpr std::array<Listed, 27> listed{
       "for all tilted wedges, what three terms leave is at most C u^(7/2); the pressure and what "
       "one and two terms leave of it, divided by u^(1/2), u^(3/2) and u^(5/2), tend to the "
       "coefficients"},
-     {"series",
-      {.of = "right", .says = "1/2 3/2 5/2"},
-      any_contact,
-      contact_parameters,
-      right_orders,
-      "intros contact left convex. eapply orders_at_right; eassumption",
-      states_orders,
-      convex_smooth,
-      false},
-     {"series",
-      {.of = "left", .says = "1/2 3/2 5/2"},
-      any_contact,
-      contact_parameters,
-      left_orders,
-      "intros contact left convex. eapply orders_at_left; eassumption",
-      states_orders,
-      convex_smooth,
-      false},
-     {"series",
-      {.of = "right", .says = "1/2 3/2"},
-      any_contact,
-      contact_parameters,
-      right_orders,
-      "intros contact left convex. eapply orders_at_right; eassumption",
-      states_orders,
-      convex_smooth,
-      false},
+     smooth_orders(true, "1/2 3/2 5/2"),
+     smooth_orders(false, "1/2 3/2 5/2"),
+     smooth_orders(true, "1/2 3/2"),
      {"value",
       {.of = "integral(Q/P*P1of(s)/(Pi*sqrt((s-x)*(x+bof(s)))), s, x, a)",
        .says = "Q/P*p(x)",

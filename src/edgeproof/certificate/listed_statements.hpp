@@ -1,13 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/audit/ledger/judgement.hpp"
-#include "edgeproof/audit/ledger/ledger.hpp"
+#include "edgeproof/certificate/parts.hpp"
 
 #include <array>
 #include <span>
 #include <string_view>
 
 namespace edgeproof::certificate {
+
+/// Whether a scene is one that a listed theorem is about.
+namespace listed_scenes {
+
+[[nodiscard]] bool tilted_wedge(const SceneSpec& scene);
+[[nodiscard]] bool tilted_to_the_left(const SceneSpec& scene);
+[[nodiscard]] bool beyond_the_flat(const SceneSpec& scene);
+[[nodiscard]] bool within_the_flat(const SceneSpec& scene);
+[[nodiscard]] bool force_alone(const SceneSpec& scene);
+[[nodiscard]] bool tension_alone(const SceneSpec& scene);
+[[nodiscard]] bool tilted_punch(const SceneSpec& scene);
+[[nodiscard]] bool power_law(const SceneSpec& scene);
+[[nodiscard]] bool symmetric(const SceneSpec& scene);
+[[nodiscard]] bool power_law_or_rounded(const SceneSpec& scene);
+[[nodiscard]] bool non_symmetric(const SceneSpec& scene);
+[[nodiscard]] bool wedge_or_power_law_under_force(const SceneSpec& scene);
+[[nodiscard]] bool wedge_under_force(const SceneSpec& scene);
+[[nodiscard]] bool under_a_force(const SceneSpec& scene);
+[[nodiscard]] bool parabola_in_plane_strain(const SceneSpec& scene);
+[[nodiscard]] bool any_contact(const SceneSpec& scene);
+
+} // namespace listed_scenes
 
 /// In place of a unit: the values grow without bound, and the places are to the right of x = 0.
 inline constexpr std::string_view growing = "growing";
@@ -33,14 +54,14 @@ struct Said {
 struct Listed {
     std::string_view kind;
     Said said; ///< in the first reading, if there are several
-    bool (*about)(const audit::SceneSpec&);
+    bool (*about)(const SceneSpec&);
     std::string_view parameters; ///< of the theorem: "phi a : R"
     std::string_view statement;
     std::string_view proof;
     std::string_view states;
     std::string_view leaves_out = "";
     bool whole = true;
-    audit::Verdict verdict = audit::Verdict::confirmed;
+    Verdict verdict = Verdict::confirmed;
     std::array<Said, 2> other_readings = {}; ///< those without `of` and `says` do not exist
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/ledger/ledger_names.hpp"
+#include "edgeproof/audit/ledger/ledger_parts.hpp"
 #include "edgeproof/certificate/parts.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -17,8 +17,8 @@ constexpr std::string_view slope_of_tilted_punch =
     "-alpha + max(s + alpha*R, 0)/R + min(s + 2*t + alpha*R, 0)/R";
 
 /// The names of the claim without its definitions, and "gp" with the theorems' definition.
-audit::Vocabulary usual_names(const audit::Claim& claim) {
-    audit::Vocabulary names{claim.vocabulary.symbols, {}};
+Vocabulary usual_names(const Claim& claim) {
+    Vocabulary names{claim.vocabulary.symbols, {}};
     if (names.symbols.has("alpha") && names.symbols.has("t") && names.symbols.has("R")) {
         formula::Symbols with_place = names.symbols;
         with_place.add("s");
@@ -36,7 +36,7 @@ bool is_name_of_contact(const std::string& name) {
 }
 
 /// Throws NotStated if a name that the theorems use has another meaning in the claim.
-void require_usual_names(const audit::Claim& claim, const std::vector<audit::SceneSpec>& scenes) {
+void require_usual_names(const Claim& claim, const std::vector<SceneSpec>& scenes) {
     std::vector<std::string> variables;
     if (claim.has("vary")) {
         for (const auto& [name, values] : claim.table("vary")) {
@@ -47,7 +47,7 @@ void require_usual_names(const audit::Claim& claim, const std::vector<audit::Sce
     given.insert(given.end(), claim.undefined.begin(), claim.undefined.end());
     for (const auto& definition : claim.vocabulary.definitions) {
         given.push_back(definition.name);
-        const bool parameter = std::ranges::any_of(scenes, [&](const audit::SceneSpec& scene) {
+        const bool parameter = std::ranges::any_of(scenes, [&](const SceneSpec& scene) {
             return scene.parameters.contains(definition.name);
         });
         if (parameter || std::ranges::find(variables, definition.name) != variables.end()) {
@@ -62,20 +62,20 @@ void require_usual_names(const audit::Claim& claim, const std::vector<audit::Sce
 
 } // namespace
 
-const audit::EvidenceItem& item(const audit::Evidence& evidence, std::string_view key) {
-    const audit::EvidenceItem* const found = evidence.find(key);
+const EvidenceItem& item(const Evidence& evidence, std::string_view key) {
+    const EvidenceItem* const found = evidence.find(key);
     if (found == nullptr) {
         throw NotStated("the audit computed no value");
     }
     return *found;
 }
 
-void require_usual_meaning(const audit::Claim& claim, const audit::Ledger& ledger) {
+void require_usual_meaning(const Claim& claim, const Ledger& ledger) {
     if (!claim.has("over")) {
         return;
     }
     const auto scenes = draw_scenes(ledger.family(claim.text("over")), ledger.families);
-    for (const audit::SceneSpec& scene : scenes) {
+    for (const SceneSpec& scene : scenes) {
         if (scene.axisymmetric) {
             throw NotStated("axisymmetric contacts are not stated");
         }
@@ -90,7 +90,7 @@ void require_usual_meaning(const audit::Claim& claim, const audit::Ledger& ledge
         throw NotStated("expansions under an assumption of the claim are not stated");
     }
     require_usual_names(claim, scenes);
-    for (const audit::Claim& reading : claim.readings) {
+    for (const Claim& reading : claim.readings) {
         require_usual_names(reading, scenes);
         // The theorem of an extent states the first reading alone.
         if (claim.kind != "extent" &&
@@ -100,23 +100,23 @@ void require_usual_meaning(const audit::Claim& claim, const audit::Ledger& ledge
     }
 }
 
-bool is_formula(const audit::Claim& claim, std::string_view key, std::string_view text) {
+bool is_formula(const Claim& claim, std::string_view key, std::string_view text) {
     try {
-        const audit::Vocabulary names = usual_names(claim);
+        const Vocabulary names = usual_names(claim);
         return claim.formula(key) == expand_definitions(parse_formula(text, names), names);
     } catch (const InputError&) {
         return false; // the claim does not have all names
     }
 }
 
-bool is_condition(const audit::Claim& claim, std::string_view key, std::string_view text) {
+bool is_condition(const Claim& claim, std::string_view key, std::string_view text) {
     if (!claim.has(key)) {
         return false;
     }
     try {
-        const audit::Condition expected = parse_condition(text, usual_names(claim));
+        const Condition expected = parse_condition(text, usual_names(claim));
         return std::ranges::equal(claim.condition(key), expected,
-                                  [](const audit::Relation& x, const audit::Relation& y) {
+                                  [](const Relation& x, const Relation& y) {
                                       return x.lhs == y.lhs && x.op == y.op && x.rhs == y.rhs;
                                   });
     } catch (const InputError&) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/certificate/parts.hpp"
-#include "edgeproof/certificate/theory/statement.hpp"
+#include "edgeproof/certificate/theory/theory.hpp"
 
 #include <fmt/format.h>
 
@@ -24,16 +24,16 @@ Proof.
 Qed.
 )";
 
-const audit::Evidence& inner(const audit::Evidence& evidence, std::string_view key) {
-    const auto* const found = std::get_if<audit::Evidence>(&item(evidence, key).value());
+const Evidence& inner(const Evidence& evidence, std::string_view key) {
+    const auto* const found = std::get_if<Evidence>(&item(evidence, key).value());
     if (found == nullptr) {
         throw NotStated("the audit computed no counterexample");
     }
     return *found;
 }
 
-Rational rational_item(const audit::Evidence& evidence, std::string_view key) {
-    const auto value = formula::Exact::parse(item(evidence, key).text());
+Rational rational_item(const Evidence& evidence, std::string_view key) {
+    const auto value = Exact::parse(item(evidence, key).text());
     if (!value.is_rational()) {
         throw NotStated("the counterexample is not at rational numbers");
     }
@@ -42,16 +42,16 @@ Rational rational_item(const audit::Evidence& evidence, std::string_view key) {
 
 /// States the refutation of "the relative error of one term grows with the distance from the edge"
 /// for power laws, by two places of one contact: the counterexample that the audit chose.
-void certify_falling_error(const audit::ClaimResult& result, const audit::Ledger& ledger,
+void certify_falling_error(const ClaimResult& result, const Ledger& ledger,
                            Certificate& certificate) {
-    const audit::Claim& claim = result.claim;
-    const audit::Evidence& counterexample = inner(result.outcome.evidence, "clearest");
-    const audit::Evidence& contact = inner(counterexample, "with");
+    const Claim& claim = result.claim;
+    const Evidence& counterexample = inner(result.outcome.evidence, "clearest");
+    const Evidence& contact = inner(counterexample, "with");
     const Rational m = rational_item(contact, "m");
     const Rational u = rational_item(counterexample, "first_at");
     const Rational v = rational_item(counterexample, "second_at");
     const auto scenes = draw_scenes(ledger.family(claim.text("over")), ledger.families);
-    if (std::ranges::none_of(scenes, [&](const audit::SceneSpec& scene) {
+    if (std::ranges::none_of(scenes, [&](const SceneSpec& scene) {
             return scene.parameter("m").is_rational() && scene.parameter("m").rational() == m;
         })) {
         throw NotStated("the counterexample has an exponent that the family does not have");
@@ -82,14 +82,13 @@ void certify_falling_error(const audit::ClaimResult& result, const audit::Ledger
 // States the refutation of "grows with the exponent m" for power laws, under every reading, by two
 // of them: the quantity is larger for a wedge, m = 0, than for a parabola, m = 1. Of what grows
 // with the distance from the edge, the relative error of one term is stated.
-void certify_monotone(const audit::ClaimResult& result, const audit::Ledger& ledger,
-                      Certificate& certificate) {
-    const audit::Claim& claim = result.claim;
+void certify_monotone(const ClaimResult& result, const Ledger& ledger, Certificate& certificate) {
+    const Claim& claim = result.claim;
     const bool power_laws =
         profiles_of(ledger, claim.text("over")) == std::vector<std::string>{"power-law"};
-    const bool refuted = result.outcome.verdict == audit::Verdict::refuted;
+    const bool refuted = result.outcome.verdict == Verdict::refuted;
     if (refuted && power_laws && claim.readings.empty() && claim.text("along") == "s" &&
-        claim.text("sense") == "increasing" && claim.edge() == contact::Edge::right &&
+        claim.text("sense") == "increasing" && claim.edge() == Edge::right &&
         is_formula(claim, "of", "abs(1 - right_local(1, a-s)/p(a-s))")) {
         certify_falling_error(result, ledger, certificate);
         return;
@@ -105,7 +104,7 @@ void certify_monotone(const audit::ClaimResult& result, const audit::Ledger& led
     Statement of_wedge(wedge.theory);
     Statement of_parabola(parabola.theory);
     std::string conclusion;
-    const auto add = [&](const formula::Expr& e) {
+    const auto add = [&](const Expr& e) {
         const auto least = excess(e, wedge.sample, e, parabola.sample);
         if (!least) {
             throw NotStated("a wedge and a parabola are not a counterexample");
@@ -116,7 +115,7 @@ void certify_monotone(const audit::ClaimResult& result, const audit::Ledger& led
     if (claim.readings.empty()) {
         add(claim.formula("of"));
     }
-    for (const audit::Claim& reading : claim.readings) {
+    for (const Claim& reading : claim.readings) {
         add(reading.formula("of"));
     }
     const std::string name = coq_name(claim.id) + "_refuted";

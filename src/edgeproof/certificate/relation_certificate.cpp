@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/certificate/parts.hpp"
-#include "edgeproof/certificate/theory/statement.hpp"
+#include "edgeproof/certificate/theory/theory.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -116,30 +117,22 @@ Qed.
 
 )";
 
-std::string replaced(std::string text, char sign, std::string_view by) {
-    for (std::size_t at = text.find(sign); at != std::string::npos;
-         at = text.find(sign, at + by.size())) {
-        text.replace(at, 1, by);
-    }
-    return text;
-}
-
 /// Returns the name of the subject to which all scenes of the claim belong, or an empty name.
-std::string_view subject_of(const audit::Claim& claim, const audit::Ledger& ledger) {
+std::string_view subject_of(const Claim& claim, const Ledger& ledger) {
     const auto scenes = draw_scenes(ledger.family(claim.text("over")), ledger.families);
     const auto all = [&](const auto& holds) {
-        return !scenes.empty() && std::all_of(scenes.begin(), scenes.end(), holds);
+        return !scenes.empty() && std::ranges::all_of(scenes, holds);
     };
     const auto zero = [&](const std::string& parameter) {
-        return all([&](const audit::SceneSpec& scene) {
+        return all([&](const SceneSpec& scene) {
             const auto found = scene.parameters.find(parameter);
             return found != scene.parameters.end() && found->second.sign() == 0;
         });
     };
     const auto profile = [&](std::string_view name) {
-        return all([&](const audit::SceneSpec& scene) { return scene.profile == name; });
+        return all([&](const SceneSpec& scene) { return scene.profile == name; });
     };
-    const bool right = claim.edge() == contact::Edge::right;
+    const bool right = claim.edge() == Edge::right;
     if (zero("sig0")) {
         return "force";
     }
@@ -149,44 +142,45 @@ std::string_view subject_of(const audit::Claim& claim, const audit::Ledger& ledg
     if (profile("tilted-wedge")) {
         return right ? "tilted wedge, right" : "tilted wedge, left";
     }
-    if (right && profile("flat-and-rounded") && all([](const audit::SceneSpec& s) {
+    if (right && profile("flat-and-rounded") && all([](const SceneSpec& s) {
             return s.parameters.contains("a") && s.parameter("t").sign() > 0 &&
-                   formula::Exact(s.parameter("a").expr() - s.parameter("t").expr()).sign() > 0;
+                   Exact(s.parameter("a").expr() - s.parameter("t").expr()).sign() > 0;
         })) {
         return rounded_edges;
     }
     if (!profile("power-law") || !right) {
         return "";
     }
-    const formula::Exact one = formula::Exact::parse("1");
-    const formula::Exact five_eighths = formula::Exact::parse("5/8");
+    const Exact one = Exact::parse("1");
+    const Exact five_eighths = Exact::parse("5/8");
     const auto exponents = [&](const auto& holds) {
-        return all([&](const audit::SceneSpec& s) { return holds(s.parameter("m")); });
+        return all([&](const SceneSpec& s) { return holds(s.parameter("m")); });
     };
-    return zero("m")                                                      ? "wedge"
-           : exponents([&](const formula::Exact& m) { return m == one; }) ? "parabola"
-           : exponents([&](const formula::Exact& m) {
-                 return m.sign() >= 0 && formula::Exact(five_eighths.expr() - m.expr()).sign() > 0;
+    return zero("m")                                             ? "wedge"
+           : exponents([&](const Exact& m) { return m == one; }) ? "parabola"
+           : exponents([&](const Exact& m) {
+                 return m.sign() >= 0 && Exact(five_eighths.expr() - m.expr()).sign() > 0;
              })
                ? low_power_law
-           : exponents([&](const formula::Exact& m) {
-                 return formula::Exact(m.expr() - five_eighths.expr()).sign() > 0;
-             }) && std::any_of(scenes.begin(), scenes.end(),
-                               [](const audit::SceneSpec& s) {
-                                   const formula::Exact& m = s.parameter("m");
-                                   return m.is_rational() && m.rational() == Rational(13, 20);
-                               })
+           : exponents([&](const Exact& m) {
+                 return Exact(m.expr() - five_eighths.expr()).sign() > 0;
+             }) && std::ranges::any_of(scenes,
+                                       [](const SceneSpec& s) {
+                                           const Exact& m = s.parameter("m");
+                                           return m.is_rational() &&
+                                                  m.rational() == Rational(13, 20);
+                                       })
                ? high_power_law
                : "";
 }
 
 /// Returns the relation of the claim; `near_edge`: it holds near the edge alone, so that the claim
 /// has no places of its own.
-const Compared& compared_in(const audit::Claim& claim, std::string_view subject,
-                            std::string_view edge, bool near_edge) {
+const Compared& compared_in(const Claim& claim, std::string_view subject, std::string_view edge,
+                            bool near_edge) {
     for (const Compared& c : compared) {
         if (c.subject == subject &&
-            is_condition(claim, "says", replaced(std::string(c.says), '@', edge)) &&
+            is_condition(claim, "says", boost::replace_all_copy(std::string(c.says), "@", edge)) &&
             (near_edge || c.where.empty() ? !claim.has("where")
                                           : is_condition(claim, "where", c.where))) {
             return c;
@@ -200,18 +194,17 @@ const Compared& compared_in(const audit::Claim& claim, std::string_view subject,
 // States a relation that holds, under every reading, for all contacts of a form and at all places.
 // Of one term and the pressure of power laws with m > 5/8, it states that a reading holds near the
 // edge, and that another one does not hold everywhere.
-void certify_relation(const audit::ClaimResult& result, const audit::Ledger& ledger,
-                      Certificate& certificate) {
-    const audit::Claim& claim = result.claim;
+void certify_relation(const ClaimResult& result, const Ledger& ledger, Certificate& certificate) {
+    const Claim& claim = result.claim;
     const std::string_view name_of_subject = subject_of(claim, ledger);
     const bool high = name_of_subject == high_power_law;
-    if (result.outcome.verdict != (high ? audit::Verdict::imprecise : audit::Verdict::confirmed)) {
+    if (result.outcome.verdict != (high ? Verdict::imprecise : Verdict::confirmed)) {
         throw NotStated("only relations that are confirmed, and one that is imprecise, are stated");
     }
-    const bool right = claim.edge() == contact::Edge::right;
+    const bool right = claim.edge() == Edge::right;
     const std::string edge = right ? "right" : "left";
-    const auto subject = std::find_if(subjects.begin(), subjects.end(),
-                                      [&](const Subject& s) { return s.name == name_of_subject; });
+    const auto subject =
+        std::ranges::find_if(subjects, [&](const Subject& s) { return s.name == name_of_subject; });
     if (subject == subjects.end()) {
         throw NotStated(
             "of relations, those of wedges, parabolas, power laws with m < 5/8 or m > 5/8, flat "
@@ -220,19 +213,15 @@ void certify_relation(const audit::ClaimResult& result, const audit::Ledger& led
     Theory theory;
     theory.imports = {"Contact",     "Coefficients", "Edges",  "ClosedForm", "Symmetric",
                       "TiltedWedge", "Shear",        "Unique", "Tactics",    "Sides"};
-    if (name_of_subject == low_power_law) {
-        theory.imports.insert(theory.imports.end(), {"Gamma", "PowerLaw", "PowerSides"});
-    }
-    if (name_of_subject == rounded_edges) {
-        theory.imports.insert(theory.imports.end(),
-                              {"Limits", "Gamma", "PowerLaw", "PowerSides", "RoundedSides"});
-    }
-    if (high) {
-        theory.imports.insert(theory.imports.end(),
-                              {"Gamma", "PowerLaw", "PowerSides", "PowerError"});
+    const std::map<std::string_view, std::vector<std::string>> more{
+        {low_power_law, {"Gamma", "PowerLaw", "PowerSides"}},
+        {rounded_edges, {"Limits", "Gamma", "PowerLaw", "PowerSides", "RoundedSides"}},
+        {high_power_law, {"Gamma", "PowerLaw", "PowerSides", "PowerError"}}};
+    if (const auto files = more.find(name_of_subject); files != more.end()) {
+        theory.imports.insert(theory.imports.end(), files->second.begin(), files->second.end());
     }
     certificate.text = file_head(claim, ledger, theory);
-    std::vector<audit::Claim> readings = claim.readings;
+    std::vector<Claim> readings = claim.readings;
     if (readings.empty()) {
         readings.push_back(claim);
     }
@@ -240,23 +229,22 @@ void certify_relation(const audit::ClaimResult& result, const audit::Ledger& led
         fmt::format("(full_stick {} a b {})", name_of_subject == "force" ? "Q 0" : "0 sig0",
                     right ? "(a - u)" : "(- b + u)");
     const auto at_edge = [&](std::string_view text) {
-        return replaced(replaced(std::string(text), '@', edge), '%', right ? "a" : "b");
+        return boost::replace_all_copy(boost::replace_all_copy(std::string(text), "@", edge), "%",
+                                       right ? "a" : "b");
     };
     const bool of_pressure = !subject->pressure.empty();
     const std::string name = coq_name(claim.id);
     std::vector<std::string> names;
     for (std::size_t i = 0; i < readings.size(); ++i) {
-        const audit::Claim& reading = readings[i];
+        const Claim& reading = readings[i];
         const std::string holds = reading.text_or("holds", "everywhere");
         const bool near_edge = holds == "near-edge";
-        const audit::Verdict verdict =
-            high ? result.readings.at(i).second.verdict : audit::Verdict::confirmed;
+        const Verdict verdict = high ? result.readings.at(i).second.verdict : Verdict::confirmed;
         const bool may_be_near_edge =
             high || name_of_subject == low_power_law || name_of_subject == rounded_edges;
         if ((holds != "everywhere" && !(near_edge && may_be_near_edge)) ||
             (name_of_subject == rounded_edges && !near_edge) ||
-            (high &&
-             verdict != (near_edge ? audit::Verdict::confirmed : audit::Verdict::refuted))) {
+            (high && verdict != (near_edge ? Verdict::confirmed : Verdict::refuted))) {
             throw NotStated(
                 "only relations that hold everywhere, and some near the edge, are stated");
         }
@@ -267,7 +255,7 @@ void certify_relation(const audit::ClaimResult& result, const audit::Ledger& led
                                        : fmt::format("forall u, {}", c.places);
         const std::string conclusion =
             of_pressure ? fmt::format("exists p0, {} /\\\n  ({})", subject->pressure, c.conclusion)
-                        : replaced(std::string(c.conclusion), '#', traction);
+                        : boost::replace_all_copy(std::string(c.conclusion), "#", traction);
         const std::string proof =
             of_pressure
                 ? fmt::format("  intros form. {} ({} form).\n",
@@ -277,7 +265,7 @@ void certify_relation(const audit::ClaimResult& result, const audit::Ledger& led
                               "traction_at_edge. rewrite ?no_tension. apply {}; lra.\n",
                               c.lemma);
         names.push_back(readings.size() == 1 ? name : fmt::format("{}_{}", name, names.size() + 1));
-        if (verdict == audit::Verdict::refuted) {
+        if (verdict == Verdict::refuted) {
             certificate.text += fmt::format(fmt::runtime(below_at_one_place), names.back());
             certificate.theorems.push_back(
                 {names.back(), "for m = 13/20, one term is smaller than the pressure at x = a/10"});

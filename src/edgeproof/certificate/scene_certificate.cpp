@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/certificate/scene_certificate.hpp"
+#include "edgeproof/certificate/certificate.hpp"
 
-#include "edgeproof/certificate/coq_files.hpp"
 #include "edgeproof/certificate/parts.hpp"
 #include "edgeproof/certificate/stated_contact.hpp"
-#include "edgeproof/certificate/theory/statement.hpp"
+#include "edgeproof/certificate/theory/theory.hpp"
 #include "edgeproof/formula/parse.hpp"
+#include "edgeproof/scene/run_scene.hpp"
 
 #include <fmt/format.h>
 
@@ -21,9 +21,7 @@ namespace {
 using scene::BoundedValue;
 using scene::Quantity;
 
-std::string edge_name(contact::Edge edge) {
-    return edge == contact::Edge::right ? "right" : "left";
-}
+std::string edge_name(Edge edge) { return edge == Edge::right ? "right" : "left"; }
 
 /// The text "Rabs (p0 - (value)) <= half a unit of its last digit", and the value as printed.
 struct Rounded {
@@ -42,11 +40,11 @@ Rounded rounded(const std::string& name, const BoundedValue& value, const scene:
 }
 
 /// Returns the right edge: as given, or computed from the force where there is a closed form.
-formula::Exact right_edge(const scene::Scene& scene) {
+Exact right_edge(const scene::Scene& scene) {
     if (scene.load.kind == contact::Load::Kind::right_edge) {
         return scene.load.value;
     }
-    std::map<std::string, formula::Exact> parameters = scene.profile->parameters();
+    std::map<std::string, Exact> parameters = scene.profile->parameters();
     parameters.insert_or_assign("P", scene.load.value);
     parameters.insert_or_assign("Es", scene.contact_modulus);
     const auto of_these = [&](const std::string& text) {
@@ -54,11 +52,11 @@ formula::Exact right_edge(const scene::Scene& scene) {
         for (const auto& [name, value] : parameters) {
             symbols.add(name);
         }
-        formula::Expr e = formula::parse(text, symbols);
+        Expr e = formula::parse(text, symbols);
         for (const auto& [name, value] : parameters) {
             e = substitute(e, name, value.expr());
         }
-        return formula::Exact(e);
+        return Exact(e);
     };
     const auto m = parameters.find("m");
     if (scene.profile->kind() == contact::Profile::Kind::tilted_wedge) {
@@ -85,7 +83,7 @@ public:
             add("coefficients." + edge_name(edge.edge()),
                 [&](Certificate& c) { coefficients(c, edge); });
         }
-        for (const contact::Edge edge : scene_.ask.edges) {
+        for (const Edge edge : scene_.ask.edges) {
             pressures(edge);
         }
         for (const scene::Row& row : result_.rows) {
@@ -186,7 +184,7 @@ private:
         }
     }
 
-    void pressures(contact::Edge edge) {
+    void pressures(Edge edge) {
         Certificate all;
         all.id = "pressure." + edge_name(edge);
         all.verdict = "value";
@@ -215,7 +213,7 @@ private:
         if (row.asked.place) {
             throw NotStated("only places given by a distance u are stated; give u");
         }
-        const formula::Exact& distance = *row.asked.u;
+        const Exact& distance = *row.asked.u;
         const auto u = distance.to<double>();
         const auto proofs = edge.at(u, "u = " + distance.text());
         const Rounded value = rounded("p0", *row.value, scene_.ask.digits);
@@ -236,7 +234,7 @@ private:
     void stresses(Certificate& c) {
         constexpr unsigned most_digits = 10;
         const auto& parameters =
-            scene_.profile ? scene_.profile->parameters() : std::map<std::string, formula::Exact>();
+            scene_.profile ? scene_.profile->parameters() : std::map<std::string, Exact>();
         const auto m = parameters.find("m");
         if (scene_.round || scene_.shear || m == parameters.end() || !m->second.is_rational() ||
             m->second.rational() != 1) {
@@ -244,7 +242,7 @@ private:
         }
         scene::Digits digits = scene_.ask.digits;
         digits.count = std::min(digits.count, most_digits);
-        c.text = contact().head(comment()) + "\n" + std::string(coq_files::Stress_v);
+        c.text = contact().head(comment()) + "\n" + std::string(theory_text("Stress"));
         for (const scene::RowsAt& at : result_.at_places(scene::QuantityRow::Place::body)) {
             const scene::BodyPoint& point = scene_.ask.in_bodies[at.point()];
             if (point.z.sign() <= 0) {

@@ -2,7 +2,7 @@
 #include "edgeproof/certificate/stated_contact.hpp"
 
 #include "edgeproof/certificate/parts.hpp"
-#include "edgeproof/certificate/theory/statement.hpp"
+#include "edgeproof/certificate/theory/theory.hpp"
 
 #include <fmt/format.h>
 
@@ -13,9 +13,6 @@
 
 namespace edgeproof::certificate {
 namespace {
-
-using formula::Exact;
-using formula::Expr;
 
 /// The same fields as `part` in Symmetric.v.
 struct Part {

@@ -19,7 +19,7 @@ struct CoqDecimal {
 /// Rounds a positive number to `digits` significant digits, downwards or upwards.
 [[nodiscard]] CoqDecimal coq_decimal(double number, int digits, bool upwards);
 /// Returns a number as a Coq factor or argument, in parentheses where they are needed.
-[[nodiscard]] std::string in_coq(const formula::Exact& number);
+[[nodiscard]] std::string in_coq(const Exact& number);
 
 /// A contact of a given punch, seen from one of its edges.
 struct StatedEdge {
@@ -62,8 +62,8 @@ struct StatedContact {
     StatedEdge right;
     StatedEdge left;
 
-    [[nodiscard]] const StatedEdge& at(contact::Edge edge) const {
-        return edge == contact::Edge::right ? right : left;
+    [[nodiscard]] const StatedEdge& at(Edge edge) const {
+        return edge == Edge::right ? right : left;
     }
     /// Returns the definitions and the lemma.
     [[nodiscard]] std::string definitions() const;
@@ -73,16 +73,16 @@ struct StatedContact {
 
 /// Throws NotStated for other profiles. `gam`: b/a of a tilted wedge, if its tilt is given by it;
 /// otherwise a null pointer.
-[[nodiscard]] StatedContact stated_contact(const contact::Profile& profile, const formula::Exact& a,
-                                           const formula::Exact& contact_modulus,
-                                           const formula::Exact* gam = nullptr);
+[[nodiscard]] StatedContact stated_contact(const contact::Profile& profile, const Exact& a,
+                                           const Exact& contact_modulus,
+                                           const Exact* gam = nullptr);
 
 /// The statement that n terms stay within `tolerance` of the pressure for all u up to `within`, and
 /// do not at `beyond`. `more` is a further conclusion about these numbers, or empty. extent_theorem
 /// throws NotStated for more than three terms.
 struct ExtentStatement {
     std::size_t terms = 1;
-    formula::Exact tolerance;
+    Exact tolerance;
     CoqDecimal within;
     CoqDecimal beyond;
     std::string more;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/ledger/tex_math_text.hpp"
+#include "edgeproof/audit/ledger/printed_source.hpp"
 
 #include "edgeproof/audit/ledger/ledger.hpp"
 #include "edgeproof/precision/error.hpp"

@@ -47,7 +47,7 @@ struct Pair {
 /// A printed formula and the exact one, at any sample.
 class PairAtSamples {
 public:
-    PairAtSamples(const formula::Expr& printed, const SampledComparison& with)
+    PairAtSamples(const Expr& printed, const SampledComparison& with)
         : printed_(printed), with_(with), integrals_(has_binder(printed) || has_binder(with.exact)),
           digits_(with.digits), needed_(formula::bits_for(digits_)) {}
 
@@ -123,7 +123,7 @@ private:
         }
     }
 
-    const formula::Expr& printed_;
+    const Expr& printed_;
     const SampledComparison& with_;
     bool integrals_;
     unsigned digits_;
@@ -134,7 +134,7 @@ private:
 std::vector<std::size_t> by_digits(const Agreement& agreement) {
     std::vector<std::size_t> order(agreement.samples_at.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    std::ranges::stable_sort(order, [&](std::size_t i, std::size_t j) {
         return agreement.samples_at[i].digits() < agreement.samples_at[j].digits();
     });
     return order;
@@ -187,19 +187,9 @@ std::vector<std::size_t> chosen(const SampledComparison& with, bool have_integra
 } // namespace
 
 std::string_view name_of(Basis basis) {
-    switch (basis) {
-    case Basis::theorem:
-        return "theorem";
-    case Basis::identity:
-        return "identity";
-    case Basis::enclosures:
-        return "enclosures";
-    case Basis::text:
-        return "text";
-    case Basis::none:
-        break;
-    }
-    return "none";
+    static constexpr std::array<std::string_view, all_bases.size()> names{
+        "theorem", "identity", "enclosures", "text", "none"};
+    return names.at(static_cast<std::size_t>(basis));
 }
 
 Basis basis_of(const ClaimResult& result) {
@@ -217,7 +207,7 @@ Basis basis_of(const ClaimResult& result) {
     return verdict == Verdict::undecided ? Basis::none : Basis::enclosures;
 }
 
-Decision compare_by_enclosures(const formula::Expr& printed, const SampledComparison& with,
+Decision compare_by_enclosures(const Expr& printed, const SampledComparison& with,
                                Outcome& outcome) {
     const PairAtSamples pairs(printed, with);
     const double needed = AuditContext::digits_needed(with.digits);

@@ -16,8 +16,8 @@ namespace edgeproof::audit {
 struct SampledComparison {
     const EvaluatedSamples& samples_at;
     const Agreement& agreement; ///< in Real; only determines the order of the samples
-    formula::Expr exact;
-    std::optional<formula::Expr> scale;
+    Expr exact;
+    std::optional<Expr> scale;
     unsigned digits = 0;
 };
 
@@ -32,8 +32,8 @@ struct SampledComparison {
 /// at every sample; for formulas with integrals, at the samples that agree least and at some others
 /// (the evidence states their number). Returns nothing, and adds a note, if the balls do not
 /// decide.
-[[nodiscard]] Decision compare_by_enclosures(const formula::Expr& printed,
-                                             const SampledComparison& with, Outcome& outcome);
+[[nodiscard]] Decision compare_by_enclosures(const Expr& printed, const SampledComparison& with,
+                                             Outcome& outcome);
 
 /// Returns the evidence on two numbers that are equal according to a claim: their enclosures at a
 /// sample, and whether these are disjoint.

@@ -80,10 +80,9 @@ std::string SampleAgreement::problem() const {
 }
 
 bool Agreement::to(double digits) const {
-    return !samples_at.empty() &&
-           std::all_of(samples_at.begin(), samples_at.end(), [&](const SampleAgreement& s) {
-               return s.values() != nullptr && s.digits() >= digits;
-           });
+    return !samples_at.empty() && std::ranges::all_of(samples_at, [&](const SampleAgreement& s) {
+        return s.values() != nullptr && s.digits() >= digits;
+    });
 }
 
 SampleUse Agreement::use(double digits_needed) const {
@@ -106,26 +105,24 @@ SampleUse Agreement::use(double digits_needed) const {
 }
 
 std::size_t Agreement::without_value() const {
-    return static_cast<std::size_t>(
-        std::count_if(samples_at.begin(), samples_at.end(),
-                      [](const SampleAgreement& s) { return s.no_value() != nullptr; }));
+    return static_cast<std::size_t>(std::ranges::count_if(
+        samples_at, [](const SampleAgreement& s) { return s.no_value() != nullptr; }));
 }
 
 bool Agreement::limited() const {
-    return std::any_of(samples_at.begin(), samples_at.end(),
-                       [](const SampleAgreement& s) { return s.limit() != nullptr; });
+    return std::ranges::any_of(samples_at,
+                               [](const SampleAgreement& s) { return s.limit() != nullptr; });
 }
 
 std::string Agreement::obstacle(double digits_needed) const {
     const auto first = [&](auto&& is) {
-        const auto it = std::find_if(samples_at.begin(), samples_at.end(), is);
+        const auto it = std::ranges::find_if(samples_at, is);
         return it == samples_at.end() ? nullptr : &*it;
     };
     if (const auto* none = first([](const auto& s) { return s.no_value() != nullptr; })) {
-        const bool others_agree =
-            std::all_of(samples_at.begin(), samples_at.end(), [&](const SampleAgreement& s) {
-                return s.no_value() != nullptr || s.digits() >= digits_needed;
-            });
+        const bool others_agree = std::ranges::all_of(samples_at, [&](const SampleAgreement& s) {
+            return s.no_value() != nullptr || s.digits() >= digits_needed;
+        });
         const std::size_t count = without_value();
         return (count == samples_at.size()
                     ? std::string("has no value as printed")
@@ -160,9 +157,8 @@ EvaluatedSamples::EvaluatedSamples(const Claim& claim, const AuditContext& conte
     std::vector<Sample> samples = context.samples(claim);
     if (effort == Effort::screening) {
         // Samples far from the edge come first, as integrals converge fastest there.
-        std::stable_sort(samples.begin(), samples.end(), [](const Sample& x, const Sample& y) {
-            return away_from(x) < away_from(y);
-        });
+        std::ranges::stable_sort(
+            samples, [](const Sample& x, const Sample& y) { return away_from(x) < away_from(y); });
     }
     std::map<std::string, const EvaluatedScene*> of_scene;
     for (const std::size_t i : spread_first(samples.size(), effort == Effort::full ? most : 0)) {
@@ -196,7 +192,7 @@ EvaluatedSamples::EvaluatedSamples(const Claim& claim, const AuditContext& conte
     caches_.resize(samples_at_.size());
 }
 
-FormulaValue EvaluatedSamples::known(const formula::Expr& e, std::size_t sample_at) {
+FormulaValue EvaluatedSamples::known(const Expr& e, std::size_t sample_at) {
     IntegralCache& cache = caches_[sample_at];
     if (const auto it = cache.find(e); it != cache.end()) {
         return it->second;
@@ -218,9 +214,8 @@ const EnclosedSample& EvaluatedSamples::enclosed(std::size_t sample_at, long bit
                                        .first->second;
 }
 
-SampleAgreement EvaluatedSamples::compare_at(std::size_t i, const formula::Expr& printed,
-                                             const formula::Expr& exact,
-                                             const std::optional<formula::Expr>& scale) {
+SampleAgreement EvaluatedSamples::compare_at(std::size_t i, const Expr& printed, const Expr& exact,
+                                             const std::optional<Expr>& scale) {
     bool have_exact = false;
     try {
         const FormulaValue x = known(exact, i);
@@ -238,8 +233,8 @@ SampleAgreement EvaluatedSamples::compare_at(std::size_t i, const formula::Expr&
             against = abs(known(*scale, i).value);
         } else if (difference != 0) {
             // If the exact value is zero except for roundoff, compare with the terms.
-            const Real terms = magnitude(
-                printed, [&](const formula::Expr& part) { return this->value(part, i).value; });
+            const Real terms =
+                magnitude(printed, [&](const Expr& part) { return this->value(part, i).value; });
             if (against < terms * pow(Real(10), -static_cast<int>(digits_))) {
                 against = terms;
             }
@@ -266,8 +261,8 @@ SampleAgreement EvaluatedSamples::compare_at(std::size_t i, const formula::Expr&
     }
 }
 
-Agreement EvaluatedSamples::compare(const formula::Expr& printed, const formula::Expr& exact,
-                                    const std::optional<formula::Expr>& scale) {
+Agreement EvaluatedSamples::compare(const Expr& printed, const Expr& exact,
+                                    const std::optional<Expr>& scale) {
     Agreement agreement;
     const PrecisionScope scope(digits_ + 20);
     for (std::size_t i = 0; i < samples_at_.size(); ++i) {

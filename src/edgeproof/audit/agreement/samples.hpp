@@ -32,8 +32,7 @@ struct EvaluatedSample {
     std::string text;
     Sample sample; ///< the exact sample from which it was made
 
-    [[nodiscard]] FormulaValue evaluate(const formula::Expr& e,
-                                        IntegralCache* cache = nullptr) const {
+    [[nodiscard]] FormulaValue evaluate(const Expr& e, IntegralCache* cache = nullptr) const {
         return scene_values->evaluate(e, place ? &*place : nullptr, variables, cache);
     }
 };
@@ -45,8 +44,7 @@ struct EvaluatedSample {
 /// positive. A number must be beyond its domain by more than 1e-20 of its terms, while some hundred
 /// digits are used. Integrals are checked at some places within their limits. `proved`: by symbols
 /// or by a ball. Returns nothing if roundoff may be the cause.
-[[nodiscard]] std::optional<NoValue> no_value_of(const formula::Expr& e,
-                                                 const EvaluatedSample& sample_at);
+[[nodiscard]] std::optional<NoValue> no_value_of(const Expr& e, const EvaluatedSample& sample_at);
 
 /// The values of two formulas at one sample: finite, with convergence of every integral.
 struct ValuePair {
@@ -115,20 +113,19 @@ public:
     [[nodiscard]] std::size_t scenes() const noexcept { return scene_values_.size(); }
     /// Compares two formulas. `scale`: the reference for a difference if the exact value is zero.
     /// Throws Interrupted.
-    [[nodiscard]] Agreement compare(const formula::Expr& printed, const formula::Expr& exact,
-                                    const std::optional<formula::Expr>& scale = std::nullopt);
+    [[nodiscard]] Agreement compare(const Expr& printed, const Expr& exact,
+                                    const std::optional<Expr>& scale = std::nullopt);
     /// Returns the value, at a sample, of a formula that is compared with many others.
-    [[nodiscard]] FormulaValue known(const formula::Expr& e, std::size_t sample_at);
+    [[nodiscard]] FormulaValue known(const Expr& e, std::size_t sample_at);
     [[nodiscard]] const EnclosedSample& enclosed(std::size_t sample_at, long bits,
                                                  unsigned integral_digits) const;
-    [[nodiscard]] FormulaValue value(const formula::Expr& e, std::size_t sample_at) {
+    [[nodiscard]] FormulaValue value(const Expr& e, std::size_t sample_at) {
         return samples_at_[sample_at].evaluate(e, &caches_[sample_at]);
     }
 
 private:
-    [[nodiscard]] SampleAgreement compare_at(std::size_t i, const formula::Expr& printed,
-                                             const formula::Expr& exact,
-                                             const std::optional<formula::Expr>& scale);
+    [[nodiscard]] SampleAgreement compare_at(std::size_t i, const Expr& printed, const Expr& exact,
+                                             const std::optional<Expr>& scale);
     std::vector<std::unique_ptr<EvaluatedScene>> scene_values_;
     std::vector<EvaluatedSample> samples_at_;
     std::vector<IntegralCache> caches_;

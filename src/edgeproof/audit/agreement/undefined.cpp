@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/agreement/samples.hpp"
 
+#include "edgeproof/audit/enclosure/enclosed_integral.hpp"
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
-#include "edgeproof/audit/enclosure/integrand_parts.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/formula/magnitude.hpp"
@@ -13,7 +13,7 @@
 namespace edgeproof::audit {
 namespace {
 
-using Kind = formula::Expr::Kind;
+using Kind = Expr::Kind;
 using Found = std::optional<NoValue>;
 
 constexpr int halvings = 16; // places in an integral: at least 2^-16 of its length from an end
@@ -25,7 +25,7 @@ public:
         : sample_at_(sample_at), variables_(std::move(variables)) {}
 
     /// Returns the innermost, first part without a value.
-    [[nodiscard]] Found undefined(const formula::Expr& e) const {
+    [[nodiscard]] Found undefined(const Expr& e) const {
         if (e.rational() != nullptr) {
             return std::nullopt;
         }
@@ -35,7 +35,7 @@ public:
         if (e.is_binder()) {
             return std::nullopt;
         }
-        for (const formula::Expr& part : e.args()) {
+        for (const Expr& part : e.args()) {
             if (auto found = undefined(part)) {
                 return found;
             }
@@ -44,7 +44,7 @@ public:
     }
 
 private:
-    [[nodiscard]] Found undefined_itself(const formula::Expr& e) const {
+    [[nodiscard]] Found undefined_itself(const Expr& e) const {
         if (e.kind() == Kind::div) {
             return zero(e.arg(1)) ? by_symbols("division by zero", e) : std::nullopt;
         }
@@ -61,17 +61,12 @@ private:
         if (e.kind() != Kind::call) {
             return std::nullopt;
         }
-        const formula::Expr& x = e.arg(0);
+        const Expr& x = e.arg(0);
         const std::string& name = e.name();
-        if (name == "p" || name == "q") {
-            return beyond({formula::Expr::symbol("a") - x, x + formula::Expr::symbol("b")},
-                          std::string(name == "p" ? "pressure" : "traction") +
-                              " at a place beyond the contact",
-                          e);
-        }
-        if (name == "slip") {
-            return beyond({formula::Expr::symbol("a") - x, x + formula::Expr::symbol("b")},
-                          "slip at a place beyond the contact", e);
+        if (name == "p" || name == "q" || name == "slip") {
+            const std::string what = name == "p" ? "pressure" : name == "q" ? "traction" : name;
+            return beyond({Expr::symbol("a") - x, x + Expr::symbol("b")},
+                          what + " at a place beyond the contact", e);
         }
         if (name == "sxx" || name == "szz" || name == "sxz") {
             return beyond({e.arg(1)}, "stress at a negative depth", e);
@@ -79,7 +74,7 @@ private:
         if (name == "bof" || name == "binv" || name == "Pof" || name == "P1of") {
             return beyond({x}, name + " of a number that is not positive", e);
         }
-        const formula::Expr one = formula::Expr::number(1);
+        const Expr one = Expr::number(1);
         const std::string of = std::string(name_of(e.builtin())) + " of a number that is ";
         switch (e.builtin()) {
         case formula::Builtin::log:
@@ -102,11 +97,11 @@ private:
         }
     }
 
-    static Found by_symbols(const std::string& what, const formula::Expr& e) {
+    static Found by_symbols(const std::string& what, const Expr& e) {
         return NoValue{inside(what, e), true};
     }
     /// True if e is zero for all values of its names.
-    [[nodiscard]] bool zero(const formula::Expr& e) const {
+    [[nodiscard]] bool zero(const Expr& e) const {
         if (const Rational* q = e.rational()) {
             return *q == 0;
         }
@@ -146,19 +141,19 @@ private:
         return profile.symmetric() || profile.kind() == contact::Profile::Kind::tilted_wedge;
     }
 
-    [[nodiscard]] Real value(const formula::Expr& e) const {
+    [[nodiscard]] Real value(const Expr& e) const {
         return sample_at_.scene_values
             ->evaluate(e, sample_at_.place ? &*sample_at_.place : nullptr, variables_)
             .value;
     }
     /// Returns `what` if one of the margins is negative by more than roundoff.
-    [[nodiscard]] Found beyond(const std::vector<formula::Expr>& margins, const std::string& what,
-                               const formula::Expr& e) const {
-        for (const formula::Expr& margin : margins) {
+    [[nodiscard]] Found beyond(const std::vector<Expr>& margins, const std::string& what,
+                               const Expr& e) const {
+        for (const Expr& margin : margins) {
             try {
                 const Real x = value(margin);
                 const Real terms =
-                    magnitude(margin, [this](const formula::Expr& part) { return value(part); });
+                    magnitude(margin, [this](const Expr& part) { return value(part); });
                 if (isfinite(terms) && -x > terms * pow(Real(10), -20)) {
                     return NoValue{inside(what, e), certainly_beyond(margin)};
                 }
@@ -170,7 +165,7 @@ private:
         }
         return std::nullopt;
     }
-    [[nodiscard]] bool certainly_beyond(const formula::Expr& margin) const {
+    [[nodiscard]] bool certainly_beyond(const Expr& margin) const {
         const long bits = formula::bits_for(working_digits());
         try {
             EnclosedSample sample(sample_at_.sample, bits);
@@ -184,10 +179,10 @@ private:
             return false; // no enclosure: the result remains an estimate and is marked as one
         }
     }
-    [[nodiscard]] Found undefined_within(const formula::Expr& integral) const {
-        const formula::Expr& from = integral.arg(2);
-        const formula::Expr& to = integral.arg(3);
-        for (const formula::Expr* limit : {&from, &to}) {
+    [[nodiscard]] Found undefined_within(const Expr& integral) const {
+        const Expr& from = integral.arg(2);
+        const Expr& to = integral.arg(3);
+        for (const Expr* limit : {&from, &to}) {
             if (auto found = undefined(*limit)) {
                 return found;
             }
@@ -219,7 +214,7 @@ private:
 
 } // namespace
 
-std::optional<NoValue> no_value_of(const formula::Expr& e, const EvaluatedSample& sample_at) {
+std::optional<NoValue> no_value_of(const Expr& e, const EvaluatedSample& sample_at) {
     return At(sample_at, sample_at.variables).undefined(e);
 }
 

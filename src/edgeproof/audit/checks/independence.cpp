@@ -16,7 +16,7 @@ struct EnclosedHere {
     std::optional<Ball> scale;
 };
 
-EnclosedHere enclose_here(const formula::Expr& e, const Sample& sample, unsigned digits) {
+EnclosedHere enclose_here(const Expr& e, const Sample& sample, unsigned digits) {
     EnclosedHere here{enclosed(e, sample, digits), std::nullopt};
     if (here.value.ball && !contains_zero(*here.value.ball)) {
         here.scale = abs(*here.value.ball);
@@ -32,13 +32,11 @@ EnclosedHere enclose_here(const formula::Expr& e, const Sample& sample, unsigned
 
 } // namespace
 
-/// Checks that a formula has the same value in all scenes, at each of several places: then it does
-/// not depend on the differences between the scenes.
 Outcome check_independence(const Claim& claim, const AuditContext& context) {
-    const formula::Expr e = claim.formula("of");
-    std::vector<formula::Exact> fractions;
+    const Expr e = claim.formula("of");
+    std::vector<Exact> fractions;
     for (const std::string& text : claim.list("at")) {
-        fractions.push_back(formula::Exact::parse(text));
+        fractions.push_back(Exact::parse(text));
     }
     Outcome outcome;
     std::vector<EnclosedHere> first; // in the first scene

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/audit/ledger/claim_kind.hpp"
+#include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
 
-/// The checks of the kinds of claim, each in one file of this folder. A new kind is declared here
+/// The checks of the kinds of claim, in the files of this folder. A new kind is declared here
 /// and has a row in kinds.cpp.
 namespace edgeproof::audit {
 

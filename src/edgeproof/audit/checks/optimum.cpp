@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/enclosed_reach.hpp"
-#include "edgeproof/audit/checks/parts/parameter_sweep.hpp"
+#include "edgeproof/audit/checks/tail/parameter_sweep.hpp"
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/contact/routes/extent.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -26,15 +26,14 @@ constexpr int refinements = 16;
 /// given number of terms stays within the tolerance, as a function of one parameter.
 class Reach {
 public:
-    Reach(const Claim& claim, const AuditContext& context, std::size_t scene,
-          formula::Exact tolerance)
+    Reach(const Claim& claim, const AuditContext& context, std::size_t scene, Exact tolerance)
         : claim_(claim), context_(context),
           scene_(scene), asked_{claim.edge(),
                                 static_cast<std::size_t>(claim.integer("terms")),
                                 std::move(tolerance),
                                 {}} {
         if (claim.has("upto")) {
-            asked_.range.to = formula::Exact::parse(claim.text("upto"));
+            asked_.range.to = Exact::parse(claim.text("upto"));
         }
     }
     [[nodiscard]] Real operator()(const Rational& value) {
@@ -65,7 +64,7 @@ public:
 private:
     [[nodiscard]] SceneSpec scene_with(const Rational& value) const {
         const Ledger fixed = with_parameter(context_.ledger(), claim_.text("over"),
-                                            claim_.text("along"), formula::Expr::number(value));
+                                            claim_.text("along"), Expr::number(value));
         return AuditContext(fixed, context_.digits()).scenes(claim_).at(scene_);
     }
     const Claim& claim_;
@@ -152,7 +151,7 @@ struct OptimumFound {
 OptimumFound tried_search(const Claim& claim, const AuditContext& context, std::size_t scene,
                           const std::string& tolerance, const contact::ParameterRange& range,
                           const Rational& claimed, std::size_t& calls) {
-    Reach reach(claim, context, scene, formula::Exact::parse(tolerance));
+    Reach reach(claim, context, scene, Exact::parse(tolerance));
     const Real here = reach(claimed);
     const Best best = search(reach, claimed, range.from, range.to);
     calls += reach.calls();
@@ -180,15 +179,15 @@ OptimumFound tried_search(const Claim& claim, const AuditContext& context, std::
 /// Finds the best value by branch and bound, for families whose error is enclosed over a range:
 /// power laws as functions of m.
 std::optional<OptimumFound> proved_search(const Claim& claim, const AuditContext& context,
-                                          std::size_t scene, const formula::Exact& tolerance,
+                                          std::size_t scene, const Exact& tolerance,
                                           const contact::ParameterRange& range,
                                           const Rational& claimed) {
     const SceneSpec spec = context.scenes(claim).at(scene);
     if (claim.text("along") != "m" || spec.profile != "power-law" || !tolerance.is_rational()) {
         return {};
     }
-    const auto errors = contact::power_law_errors(formula::Expr::symbol("m"), {},
-                                                  {contact::Edge::right,
+    const auto errors = contact::power_law_errors(Expr::symbol("m"), {},
+                                                  {Edge::right,
                                                    static_cast<std::size_t>(claim.integer("terms")),
                                                    contact::ReachUnit::fraction,
                                                    {"m"}});
@@ -196,7 +195,7 @@ std::optional<OptimumFound> proved_search(const Claim& claim, const AuditContext
     problem.edges = {errors.get()};
     problem.tolerance = tolerance.rational();
     if (claim.has("upto")) {
-        problem.part = formula::Exact::parse(claim.text("upto")).rational();
+        problem.part = Exact::parse(claim.text("upto")).rational();
     }
     const ProvedOptimum found =
         proved_optimum(problem, range, Ball(claimed, optimum_bits), claim.text("along"));
@@ -219,13 +218,13 @@ std::optional<OptimumFound> proved_search(const Claim& claim, const AuditContext
 } // namespace
 
 Outcome check_optimum(const Claim& claim, const AuditContext& context) {
-    const Rational claimed = formula::Exact::parse(claim.text("at")).rational();
+    const Rational claimed = Exact::parse(claim.text("at")).rational();
     const auto& between = claim.list("between");
     if (between.size() != 2) {
         claim.reject("between", "the search needs two ends", "write [\"0\", \"2\"]");
     }
-    const Rational lo = formula::Exact::parse(between[0]).rational();
-    const Rational hi = formula::Exact::parse(between[1]).rational();
+    const Rational lo = Exact::parse(between[0]).rational();
+    const Rational hi = Exact::parse(between[1]).rational();
     if (!(lo < claimed && claimed < hi)) {
         claim.reject("between", "the value claimed is not between the ends of the search",
                      "give ends that include it");
@@ -241,7 +240,7 @@ Outcome check_optimum(const Claim& claim, const AuditContext& context) {
     for (std::size_t k = 0; k < scenes; ++k) {
         std::optional<Ball> last_off;
         for (const std::string& text : claim.list("tolerances")) {
-            const formula::Exact tolerance = formula::Exact::parse(text);
+            const Exact tolerance = Exact::parse(text);
             auto found = proved_search(claim, context, k, tolerance, {lo, hi}, claimed);
             if (!found) {
                 found = tried_search(claim, context, k, text, {lo, hi}, claimed, calls);

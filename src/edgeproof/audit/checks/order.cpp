@@ -41,8 +41,8 @@ bool narrow(const Ball& x) {
 
 /// Evaluates both formulas at places successively nearer to the edge, with the given number of
 /// bits. Returns nothing if the orders of neighbouring steps differ, or if the balls are too wide.
-std::optional<OrderInScene> measure_at(EnclosedSample& at, contact::Edge edge,
-                                       const formula::Expr& of, const formula::Expr& says) {
+std::optional<OrderInScene> measure_at(EnclosedSample& at, Edge edge, const Expr& of,
+                                       const Expr& says) {
     std::vector<Ball> f;
     std::vector<Ball> g;
     for (const int decades : decades_of_places) {
@@ -64,8 +64,8 @@ struct Scenes {
     std::string undetermined; ///< a scene in which the order could not be determined
 };
 
-Scenes measure_all(const Claim& claim, const AuditContext& context, const formula::Expr& says) {
-    const formula::Expr of = claim.formula("of");
+Scenes measure_all(const Claim& claim, const AuditContext& context, const Expr& says) {
+    const Expr of = claim.formula("of");
     Scenes scenes;
     for (const Sample& sample : context.samples(claim)) {
         SampleInBalls in_balls(sample, first_digits_of_places);

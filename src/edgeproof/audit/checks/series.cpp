@@ -16,7 +16,7 @@ std::vector<Rational> numbers(const Claim& claim, std::string_view key) {
     std::vector<Rational> values;
     for (const std::string& text : claim.list(key)) {
         try {
-            values.push_back(formula::Exact::parse(text).rational());
+            values.push_back(Exact::parse(text).rational());
         } catch (const InputError& error) {
             claim.reject(key, error.problem(), error.instead());
         }
@@ -24,15 +24,14 @@ std::vector<Rational> numbers(const Claim& claim, std::string_view key) {
     return values;
 }
 
-formula::Expr coefficient(contact::Edge edge, std::size_t n) {
-    return formula::Expr::symbol((edge == contact::Edge::right ? "right_c" : "left_c") +
-                                 std::to_string(n));
+Expr coefficient(Edge edge, std::size_t n) {
+    return Expr::symbol((edge == Edge::right ? "right_c" : "left_c") + std::to_string(n));
 }
 
 Rational order_after(std::size_t n) { return Rational(static_cast<long>(n)) + Rational(1, 2); }
 
 /// Returns the scale of the errors of c_n.
-Ball scale_of(const Ball& exact, std::size_t n, const EnclosedSample& at, contact::Edge edge) {
+Ball scale_of(const Ball& exact, std::size_t n, const EnclosedSample& at, Edge edge) {
     return contains_zero(exact)
                ? abs(at.evaluate(coefficient(edge, 0))) / pow_int(at.length(), static_cast<long>(n))
                : abs(exact);
@@ -50,9 +49,8 @@ struct SeriesInScene {
 
 /// The exact expansion is the sum of c_k u^(k + 1/2) (docs/expansions.md). After n correct terms
 /// the remainder therefore has the order n + 1/2, or a higher one if c_n vanishes.
-void decide_orders(const EnclosedSample& at, contact::Edge edge,
-                   const std::vector<formula::Expr>& terms, const std::vector<Rational>& orders,
-                   double needed, SeriesInScene& found) {
+void decide_orders(const EnclosedSample& at, Edge edge, const std::vector<Expr>& terms,
+                   const std::vector<Rational>& orders, double needed, SeriesInScene& found) {
     Ball leading;
     for (std::size_t n = 0; n < orders.size(); ++n) {
         const Ball exact = at.evaluate(coefficient(edge, n));
@@ -89,7 +87,7 @@ void decide_orders(const EnclosedSample& at, contact::Edge edge,
     }
 }
 
-void fit_slopes(const SceneSpec& scene, contact::Edge edge, const std::vector<formula::Expr>& terms,
+void fit_slopes(const SceneSpec& scene, Edge edge, const std::vector<Expr>& terms,
                 std::size_t orders, unsigned digits, SeriesInScene& found) {
     ResidualFitOptions options;
     options.orders = orders;
@@ -104,7 +102,7 @@ void fit_slopes(const SceneSpec& scene, contact::Edge edge, const std::vector<fo
     const std::vector<Real> exact = scene_values.expansion(edge, orders);
     std::vector<Real> c;
     c.reserve(terms.size());
-    for (const formula::Expr& term : terms) {
+    for (const Expr& term : terms) {
         c.push_back(scene_values.evaluate(term).value);
     }
     c.insert(c.end(), exact.begin() + static_cast<std::ptrdiff_t>(c.size()), exact.end());
@@ -137,15 +135,14 @@ std::vector<DecimalTerm> terms_with_decimals(const Claim& claim) {
     return found;
 }
 
-void add_equation(const SceneSpec& scene, contact::Edge edge, long bits, DecimalTerm& term) {
+void add_equation(const SceneSpec& scene, Edge edge, long bits, DecimalTerm& term) {
     const auto at = std::make_shared<EnclosedSample>(Sample{scene, std::nullopt, edge, {}}, bits);
     const Ball exact = at->evaluate(coefficient(edge, term.n));
     term.equations.push_back(
         equation_at(at, term.printed.expr(), exact, scale_of(exact, term.n, *at, edge)));
 }
 
-SeriesInScene series_in(const SceneSpec& scene, contact::Edge edge,
-                        const std::vector<formula::Expr>& terms,
+SeriesInScene series_in(const SceneSpec& scene, Edge edge, const std::vector<Expr>& terms,
                         const std::vector<Rational>& orders, unsigned digits) {
     SeriesInScene found;
     fit_slopes(scene, edge, terms, orders.size(), digits, found);
@@ -188,7 +185,7 @@ Judgement judge_decimal_terms(const std::vector<DecimalTerm>& with_decimals,
 Outcome check_series(const Claim& claim, const AuditContext& context) {
     const PrecisionScope scope(context.digits() + 20);
     const std::vector<Rational> orders = numbers(claim, "orders");
-    std::vector<formula::Expr> terms;
+    std::vector<Expr> terms;
     if (claim.has("terms")) {
         terms = claim.formulas("terms");
     }
@@ -196,7 +193,7 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
         claim.reject("orders", "the number of orders does not match the terms",
                      "give one for each term, and one more for the remainder, 8 at most");
     }
-    const contact::Edge edge = claim.edge();
+    const Edge edge = claim.edge();
     Outcome outcome;
     std::size_t scenes = 0;
     std::size_t vanishing = 0;
@@ -215,8 +212,7 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
     }
     int all_digits = 1000000;
     for (const SceneSpec& scene : all) {
-        const bool more =
-            std::find(to_all_digits.begin(), to_all_digits.end(), scenes) != to_all_digits.end();
+        const bool more = std::ranges::find(to_all_digits, scenes) != to_all_digits.end();
         const SeriesInScene found =
             series_in(scene, edge, terms, orders, more ? context.digits() : everywhere);
         all_digits = more ? std::min(all_digits, found.digits) : all_digits;

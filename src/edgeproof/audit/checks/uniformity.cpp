@@ -2,7 +2,7 @@
 #include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/comparison.hpp"
-#include "edgeproof/audit/checks/tail/followed_rest.hpp"
+#include "edgeproof/audit/checks/tail/followed.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
@@ -141,7 +141,7 @@ Outcome check_uniformity(const Claim& claim, const AuditContext& context) {
     const ExpansionToFollow expansion{
         claim.formula("of"),    claim.formula("approximation"),
         claim.text("small"),    static_cast<unsigned>(claim.integer("order")),
-        claim.text("variable"), formula::Exact::parse(claim.text("towards"))};
+        claim.text("variable"), Exact::parse(claim.text("towards"))};
     const bool says_breaks = claim.text("says") == "breaks down";
     Outcome outcome;
     Evidence in_scenes;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/diagnosis/diagnosis.hpp"
-#include "edgeproof/audit/diagnosis/least_squares.hpp"
 #include "edgeproof/contact/enclosure/exact_contact.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
@@ -22,7 +21,7 @@ bool numbered(const std::string& name, char letter) {
     return name.size() == 2 && name[0] == letter && name[1] >= '1' && name[1] <= '9';
 }
 
-bool safe(const std::function<bool(const formula::Expr&)>& test, const formula::Expr& e) {
+bool safe(const std::function<bool(const Expr&)>& test, const Expr& e) {
     try {
         return test(e);
     } catch (const InputError&) {
@@ -32,7 +31,7 @@ bool safe(const std::function<bool(const formula::Expr&)>& test, const formula::
     }
 }
 
-std::optional<Verdict> safe_verdict(const RefutedFormula& refuted, const formula::Expr& e) {
+std::optional<Verdict> safe_verdict(const RefutedFormula& refuted, const Expr& e) {
     try {
         const auto verdict = refuted.verdict_of(e);
         return verdict && holds(*verdict) ? verdict : std::nullopt;
@@ -41,7 +40,7 @@ std::optional<Verdict> safe_verdict(const RefutedFormula& refuted, const formula
     }
 }
 
-bool accept(const RefutedFormula& refuted, const formula::Expr& formula, Outcome& outcome) {
+bool accept(const RefutedFormula& refuted, const Expr& formula, Outcome& outcome) {
     const auto verdict = safe_verdict(refuted, formula);
     if (!verdict) {
         return false;
@@ -83,10 +82,9 @@ void find_correction(const RefutedFormula& refuted, Outcome& outcome) {
             return !holds_symbol(refuted.printed, name);
         });
     if (refuted.ratio && !(other_names && refuted.derived)) {
-        const formula::Expr& r = *refuted.ratio;
-        const formula::Expr corrected = r.kind() == formula::Expr::Kind::neg
-                                            ? -(refuted.printed / r.arg(0))
-                                            : refuted.printed / r;
+        const Expr& r = *refuted.ratio;
+        const Expr corrected =
+            r.kind() == Expr::Kind::neg ? -(refuted.printed / r.arg(0)) : refuted.printed / r;
         if (accept(refuted, corrected, outcome)) {
             outcome.note = "the printed formula is " + to_text(r) + " times the right one";
             return;
@@ -110,17 +108,17 @@ void diagnose(const RefutedFormula& refuted, Outcome& outcome) {
     }
 }
 
-EditAlphabet alphabet_for(const Claim& claim, const formula::Expr& printed,
-                          const formula::Expr& exact, const SceneSpec* scene) {
+EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& exact,
+                          const SceneSpec* scene) {
     std::set<std::string> names = free_symbols(printed);
     names.merge(free_symbols(exact));
     const std::set<std::string> written = names;
     const auto any = [&](char letter) {
-        return std::any_of(names.begin(), names.end(),
-                           [&](const std::string& n) { return numbered(n, letter); });
+        return std::ranges::any_of(names,
+                                   [&](const std::string& n) { return numbered(n, letter); });
     };
     // The coefficients depend on the derivatives of the contact law.
-    const bool coefficient = std::any_of(names.begin(), names.end(), [](const std::string& n) {
+    const bool coefficient = std::ranges::any_of(names, [](const std::string& n) {
         return n.starts_with("right_c") || n.starts_with("left_c");
     });
     const bool rates = coefficient || any('P');
@@ -138,7 +136,7 @@ EditAlphabet alphabet_for(const Claim& claim, const formula::Expr& printed,
     }
     // The names in the formula, or in its scene, come before the other names.
     std::vector<std::string> in_order(names.begin(), names.end());
-    std::stable_partition(in_order.begin(), in_order.end(), [&](const std::string& name) {
+    std::ranges::stable_partition(in_order, [&](const std::string& name) {
         return written.contains(name) || (scene != nullptr && scene->parameters.contains(name));
     });
     EditAlphabet alphabet;
@@ -150,30 +148,30 @@ EditAlphabet alphabet_for(const Claim& claim, const formula::Expr& printed,
         if (numbered(name, 'P') || name == "x" || name == "P" || name == "M") {
             continue;
         }
-        const formula::Expr e = formula::Expr::symbol(name);
+        const Expr e = Expr::symbol(name);
         alphabet.factors.push_back(e);
-        alphabet.factors.push_back(formula::Expr::call("sqrt", {e}));
-        alphabet.factors.push_back(pow(e, formula::Expr::number(2)));
+        alphabet.factors.push_back(Expr::call("sqrt", {e}));
+        alphabet.factors.push_back(pow(e, Expr::number(2)));
     }
     for (const char* rate : {"P1", "P2", "P3"}) {
         if (rates) {
-            alphabet.factors.push_back(formula::Expr::symbol(rate));
+            alphabet.factors.push_back(Expr::symbol(rate));
         }
     }
     if (scene != nullptr) {
         for (const auto& [name, value] : scene->parameters) {
             if (!names.contains(name)) {
-                alphabet.factors.push_back(formula::Expr::symbol(name));
+                alphabet.factors.push_back(Expr::symbol(name));
             }
         }
     }
     if (names.contains("b")) {
-        const formula::Expr length = formula::Expr::symbol("a") + formula::Expr::symbol("b");
+        const Expr length = Expr::symbol("a") + Expr::symbol("b");
         alphabet.factors.push_back(length);
-        alphabet.factors.push_back(formula::Expr::call("sqrt", {length}));
+        alphabet.factors.push_back(Expr::call("sqrt", {length}));
     }
-    alphabet.factors.push_back(formula::Expr::pi());
-    alphabet.factors.push_back(formula::Expr::call("sqrt", {formula::Expr::number(2)}));
+    alphabet.factors.push_back(Expr::pi());
+    alphabet.factors.push_back(Expr::call("sqrt", {Expr::number(2)}));
     return alphabet;
 }
 
@@ -189,46 +187,36 @@ std::optional<Rational> simple_fraction(const Real& x, unsigned digits) {
     return q && numerator(*q) <= most && denominator(*q) <= most ? q : std::nullopt;
 }
 
-formula::Expr power_of(const formula::Expr& base, const Rational& k) {
+Expr power_of(const Expr& base, const Rational& k) {
     return k == 1                ? base
-           : k == Rational(1, 2) ? formula::Expr::call("sqrt", {base})
+           : k == Rational(1, 2) ? Expr::call("sqrt", {base})
                                  : pow(base, formula::quotient_of(k));
 }
 
 /// Returns x as rational * pi^j, as the square root of a rational times pi^j, or as the square or
 /// cube root of rational * pi^j.
-std::optional<formula::Expr> simple_constant(const Real& x, unsigned digits) {
+std::optional<Expr> simple_constant(const Real& x, unsigned digits) {
+    // The number under the root, times pi^j.
+    const auto with_pi = [](const Expr& number, int j) {
+        const Expr power = power_of(Expr::pi(), Rational(std::abs(j)));
+        return j == 0 ? number : j > 0 ? number * power : number / power;
+    };
     const Real pi_value = pi<Real>();
     for (const bool root : {false, true}) {
         for (const int j : {0, 1, -1, 2, -2}) {
             Real y = x / pow(pi_value, j);
             y = root ? Real(y * y) : y;
-            const auto q = simple_fraction(y, digits);
-            if (!q) {
-                continue;
+            if (const auto q = simple_fraction(y, digits)) {
+                const Expr number = formula::quotient_of(*q);
+                return with_pi(root ? Expr::call("sqrt", {number}) : number, j);
             }
-            const formula::Expr number =
-                root ? formula::Expr::call("sqrt", {formula::quotient_of(*q)})
-                     : formula::quotient_of(*q);
-            if (j == 0) {
-                return number;
-            }
-            const formula::Expr pi_power = power_of(formula::Expr::pi(), Rational(std::abs(j)));
-            return j > 0 ? number * pi_power : number / pi_power;
         }
     }
     for (const int root : {2, 3}) {
         for (const int j : {0, 1, -1, 2, -2}) {
-            const auto q = simple_fraction(Real(pow(x, root) / pow(pi_value, j)), digits);
-            if (!q) {
-                continue;
+            if (const auto q = simple_fraction(Real(pow(x, root) / pow(pi_value, j)), digits)) {
+                return power_of(with_pi(formula::quotient_of(*q), j), Rational(1, root));
             }
-            const formula::Expr number = formula::quotient_of(*q);
-            const formula::Expr pi_power = power_of(formula::Expr::pi(), Rational(std::abs(j)));
-            return power_of(j == 0  ? number
-                            : j > 0 ? number * pi_power
-                                    : number / pi_power,
-                            Rational(1, root));
         }
     }
     return std::nullopt;
@@ -236,8 +224,7 @@ std::optional<formula::Expr> simple_constant(const Real& x, unsigned digits) {
 
 } // namespace
 
-std::optional<formula::Expr> recognise_ratio(const std::vector<RatioSample>& samples,
-                                             unsigned digits) {
+std::optional<Expr> recognise_ratio(const std::vector<RatioSample>& samples, unsigned digits) {
     if (samples.size() < 3) {
         return std::nullopt;
     }
@@ -245,7 +232,7 @@ std::optional<formula::Expr> recognise_ratio(const std::vector<RatioSample>& sam
     std::vector<std::string> names;
     for (const auto& [name, value] : samples.front().parameters) {
         const bool everywhere =
-            std::all_of(samples.begin(), samples.end(), [&, &key = name](const RatioSample& s) {
+            std::ranges::all_of(samples, [&, &key = name](const RatioSample& s) {
                 const auto it = s.parameters.find(key);
                 return it != s.parameters.end() && it->second > 0;
             });
@@ -296,9 +283,9 @@ std::optional<formula::Expr> recognise_ratio(const std::vector<RatioSample>& sam
     if (!number) {
         return std::nullopt;
     }
-    std::optional<formula::Expr> over;
-    std::optional<formula::Expr> under;
-    if (!(*number == formula::Expr::number(1))) {
+    std::optional<Expr> over;
+    std::optional<Expr> under;
+    if (!(*number == Expr::number(1))) {
         over = number;
     }
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -306,10 +293,10 @@ std::optional<formula::Expr> recognise_ratio(const std::vector<RatioSample>& sam
             continue;
         }
         auto& side = k[i] > 0 ? over : under;
-        const formula::Expr factor = power_of(formula::Expr::symbol(names[i]), abs(k[i]));
+        const Expr factor = power_of(Expr::symbol(names[i]), abs(k[i]));
         side = side ? *side * factor : factor;
     }
-    formula::Expr ratio = over.value_or(formula::Expr::number(1));
+    Expr ratio = over.value_or(Expr::number(1));
     if (under) {
         ratio = ratio / *under;
     }

@@ -4,6 +4,7 @@
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/formula/expr.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -13,7 +14,7 @@ namespace edgeproof::audit {
 
 /// A printed formula with one thing changed.
 struct Edit {
-    formula::Expr formula;
+    Expr formula;
     std::string what;   ///< "sign", "coefficient", "exponent", "symbol", "factor", "bracket", ...
     std::string before; ///< the smallest part that shows the change
     std::string after;
@@ -22,27 +23,26 @@ struct Edit {
 
 /// The names and factors that an edit may insert.
 struct EditAlphabet {
-    std::vector<std::string> symbols;   ///< names that may be exchanged for each other
-    std::vector<formula::Expr> factors; ///< factors that may have been lost
+    std::vector<std::string> symbols; ///< names that may be exchanged for each other
+    std::vector<Expr> factors;        ///< factors that may have been lost
 };
 
 /// Returns every single edit of the formula, sorted by cost and then by position in the text:
 /// signs, coefficients, exponents, roots, symbols and primes, factors lost, added or inverted, the
 /// sign of a bracket, an extra term. No edit is equal to the formula itself.
-[[nodiscard]] std::vector<Edit> single_edits(const formula::Expr& formula,
-                                             const EditAlphabet& alphabet);
+[[nodiscard]] std::vector<Edit> single_edits(const Expr& formula, const EditAlphabet& alphabet);
 
 /// A refuted formula and the exact one, with the tests for candidate corrections.
 struct RefutedFormula {
-    formula::Expr printed; ///< as written, without definitions put in
-    formula::Expr exact;   ///< the formula that it should equal, as written
+    Expr printed; ///< as written, without definitions put in
+    Expr exact;   ///< the formula that it should equal, as written
     EditAlphabet alphabet;
     /// A cheap test: true if a formula agrees with the exact one at a few points, to a few digits.
-    std::function<bool(const formula::Expr&)> passes_screening;
+    std::function<bool(const Expr&)> passes_screening;
     /// The complete check; returns the verdict if it is proved or confirmed.
-    std::function<std::optional<Verdict>(const formula::Expr&)> verdict_of;
-    std::optional<formula::Expr> ratio;   ///< printed/exact, if a closed form was recognised
-    std::optional<formula::Expr> derived; ///< the exact formula, if it is derived or known
+    std::function<std::optional<Verdict>(const Expr&)> verdict_of;
+    std::optional<Expr> ratio;   ///< printed/exact, if a closed form was recognised
+    std::optional<Expr> derived; ///< the exact formula, if it is derived or known
 };
 
 /// Adds the diagnosis to the outcome: the smallest single edit that makes the formula confirmed or
@@ -53,8 +53,7 @@ void diagnose(const RefutedFormula& refuted, Outcome& outcome);
 
 /// Returns the names that may be exchanged for each other in a claim, and the factors that may have
 /// been lost: powers of those names and of a scene's parameters.
-[[nodiscard]] EditAlphabet alphabet_for(const Claim& claim, const formula::Expr& printed,
-                                        const formula::Expr& exact,
+[[nodiscard]] EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& exact,
                                         const SceneSpec* scene = nullptr);
 
 /// The ratio printed/exact for given values of the parameters.
@@ -67,7 +66,58 @@ struct RatioSample {
 /// rational, a power of pi, or a square or cube root of them, and powers of the parameters whose
 /// exponents are twelfths. Returns nothing if there is no such form of moderate size, or too few
 /// samples to decide.
-[[nodiscard]] std::optional<formula::Expr> recognise_ratio(const std::vector<RatioSample>& samples,
-                                                           unsigned digits);
+[[nodiscard]] std::optional<Expr> recognise_ratio(const std::vector<RatioSample>& samples,
+                                                  unsigned digits);
+
+/// Solves (J^T J + damping) x = J^T r by Gauss-Jordan elimination, with the largest pivot on the
+/// diagonal first. It ends at a pivot that is not above `least_pivot`: the unknowns that are left,
+/// which the rows of J do not distinguish, get no value. Without a bound of the roundoff.
+template <class T>
+[[nodiscard]] std::vector<std::optional<T>> least_squares(const std::vector<std::vector<T>>& J,
+                                                          const std::vector<T>& r, const T& damping,
+                                                          const T& least_pivot) {
+    const std::size_t n = J.front().size();
+    std::vector<std::vector<T>> m(n, std::vector<T>(n + 1, T(0)));
+    for (std::size_t k = 0; k < J.size(); ++k) {
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; j < n; ++j) {
+                m[i][j] += J[k][i] * J[k][j];
+            }
+            m[i][n] += J[k][i] * r[k];
+        }
+    }
+    std::vector<bool> used(n, false);
+    for (std::size_t i = 0; i < n; ++i) {
+        m[i][i] += damping;
+    }
+    for (std::size_t step = 0; step < n; ++step) {
+        std::size_t best = n;
+        for (std::size_t i = 0; i < n; ++i) {
+            if (!used[i] && (best == n || m[i][i] > m[best][best])) {
+                best = i;
+            }
+        }
+        if (!(m[best][best] > least_pivot)) {
+            break;
+        }
+        used[best] = true;
+        for (std::size_t i = 0; i < n; ++i) {
+            if (i == best) {
+                continue;
+            }
+            const T f = m[i][best] / m[best][best];
+            for (std::size_t j = 0; j <= n; ++j) {
+                m[i][j] -= f * m[best][j];
+            }
+        }
+    }
+    std::vector<std::optional<T>> x(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        if (used[i]) {
+            x[i] = T(m[i][n] / m[i][i]);
+        }
+    }
+    return x;
+}
 
 } // namespace edgeproof::audit

@@ -10,14 +10,14 @@
 namespace edgeproof::audit {
 namespace {
 
-using Kind = formula::Expr::Kind;
+using Kind = Expr::Kind;
 
-formula::Expr whole(long n) { return formula::Expr::number(Rational(n)); }
-formula::Expr fraction(long n, long d) { return whole(n) / whole(d); }
+Expr whole(long n) { return Expr::number(Rational(n)); }
+Expr fraction(long n, long d) { return whole(n) / whole(d); }
 
 /// The derivative of a polynomial in `name`, or of a power with a constant exponent; nothing for
 /// other expressions and for constants.
-std::optional<formula::Expr> derivative(const formula::Expr& e, const std::string& name) {
+std::optional<Expr> derivative(const Expr& e, const std::string& name) {
     if (e.kind() == Kind::symbol && e.name() == name) {
         return whole(1);
     }
@@ -25,7 +25,7 @@ std::optional<formula::Expr> derivative(const formula::Expr& e, const std::strin
         return {};
     }
     const auto inner = [&](std::size_t i) { return derivative(e.arg(i), name); };
-    const auto times = [](const formula::Expr& factor, const formula::Expr& x) {
+    const auto times = [](const Expr& factor, const Expr& x) {
         return x.rational() != nullptr && *x.rational() == 1 ? factor : factor * x;
     };
     const bool first = e.args().empty() || holds_symbol(e.arg(0), name);
@@ -60,7 +60,7 @@ std::optional<formula::Expr> derivative(const formula::Expr& e, const std::strin
             return {};
         }
         const Rational* n = e.arg(1).rational();
-        const formula::Expr power =
+        const Expr power =
             n != nullptr && *n == 2
                 ? e.arg(0)
                 : pow(e.arg(0), n != nullptr ? formula::quotient_of(*n - 1) : e.arg(1) - whole(1));
@@ -73,7 +73,7 @@ std::optional<formula::Expr> derivative(const formula::Expr& e, const std::strin
 
 class Editor {
 public:
-    Editor(const formula::Expr& formula, const EditAlphabet& alphabet)
+    Editor(const Expr& formula, const EditAlphabet& alphabet)
         : formula_(formula), alphabet_(alphabet) {}
 
     std::vector<Edit> operator()() {
@@ -85,9 +85,9 @@ public:
         path_.clear();
         node_ = formula_;
         throughout();
-        std::stable_sort(edits_.begin(), edits_.end(),
-                         [](const Edit& x, const Edit& y) { return x.cost < y.cost; });
-        std::unordered_set<formula::Expr, formula::ExprHash> seen{formula_};
+        std::ranges::stable_sort(edits_,
+                                 [](const Edit& x, const Edit& y) { return x.cost < y.cost; });
+        std::unordered_set<Expr, formula::ExprHash> seen{formula_};
         std::vector<Edit> unique;
         for (Edit& e : edits_) {
             if (seen.insert(e.formula).second) {
@@ -98,15 +98,15 @@ public:
     }
 
 private:
-    void put(const formula::Expr& value, const char* what, int cost) {
+    void put(const Expr& value, const char* what, int cost) {
         // The change is shown with its surroundings, as a bare 3 -> 4 does not show the place.
         formula::Path around = path_;
-        formula::Expr before = node_;
+        Expr before = node_;
         while (!around.empty() && before.height() < 2) {
             around.pop_back();
             before = at(formula_, around);
         }
-        formula::Expr edited = replace(formula_, path_, value);
+        Expr edited = replace(formula_, path_, value);
         edits_.push_back({edited, what, to_text(before), to_text(at(edited, around)), cost});
     }
 
@@ -191,14 +191,14 @@ private:
         const std::vector<formula::Path> limits_of_node = limits();
         for (std::size_t i = 0; i < written.size(); ++i) {
             for (std::size_t k = i + 1; k < written.size(); ++k) {
-                const auto name = [](const std::string& n) { return formula::Expr::symbol(n); };
-                const formula::Expr exchanged =
+                const auto name = [](const std::string& n) { return Expr::symbol(n); };
+                const Expr exchanged =
                     substitute(substitute(substitute(node_, written[i], name(between)), written[k],
                                           name(written[i])),
                                between, name(written[k]));
                 put(exchanged, "names exchanged", 4);
-                formula::Expr limits_only = node_;
-                formula::Expr other_places = exchanged;
+                Expr limits_only = node_;
+                Expr other_places = exchanged;
                 for (const formula::Path& limit : limits_of_node) {
                     limits_only = replace(limits_only, limit, at(exchanged, limit));
                     other_places = replace(other_places, limit, at(node_, limit));
@@ -231,7 +231,7 @@ private:
         for (std::size_t length = 0; length < path_.size(); ++length) {
             const formula::Path outer(path_.begin(),
                                       path_.begin() + static_cast<std::ptrdiff_t>(length));
-            if (const formula::Expr around = at(formula_, outer); around.is_binder()) {
+            if (const Expr around = at(formula_, outer); around.is_binder()) {
                 variables.push_back(around.arg(1).name());
             }
         }
@@ -248,17 +248,17 @@ private:
             if (!holds_symbol(formula_, name)) {
                 continue;
             }
-            const auto everywhere = [&](const formula::Expr& value, const char* what) {
+            const auto everywhere = [&](const Expr& value, const char* what) {
                 put(substitute(formula_, name, value), what, 4);
             };
-            const formula::Expr x = formula::Expr::symbol(name);
+            const Expr x = Expr::symbol(name);
             everywhere(pow(x, whole(2)), "exponent throughout");
-            everywhere(formula::Expr::call("sqrt", {x}), "root throughout");
+            everywhere(Expr::call("sqrt", {x}), "root throughout");
             everywhere(whole(2) * x, "factor missing throughout");
             everywhere(x / whole(2), "factor missing throughout");
             for (const std::string& other : alphabet_.symbols) {
                 if (other != name) {
-                    everywhere(formula::Expr::symbol(other), "symbol throughout");
+                    everywhere(Expr::symbol(other), "symbol throughout");
                 }
             }
         }
@@ -269,7 +269,7 @@ private:
         const char* what = is_exponent() ? "exponent" : "coefficient";
         if (is_exponent()) {
             for (const auto& step : {Rational(1), Rational(-1), Rational(1, 2), Rational(-1, 2)}) {
-                put(formula::Expr::number(Rational(n + step)), what, 1);
+                put(Expr::number(Rational(n + step)), what, 1);
             }
         }
         if (denominator(n) != 1) {
@@ -278,17 +278,17 @@ private:
             while (denominator(Rational(n / unit)) != 1) {
                 unit /= 10;
             }
-            put(formula::Expr::number(Rational(n + unit)), what, 1);
-            put(formula::Expr::number(Rational(n - unit)), what, 1);
+            put(Expr::number(Rational(n + unit)), what, 1);
+            put(Expr::number(Rational(n - unit)), what, 1);
         } else {
-            put(formula::Expr::number(Rational(n + 1)), what, 1);
+            put(Expr::number(Rational(n + 1)), what, 1);
             if (n >= 1) {
-                put(formula::Expr::number(Rational(n - 1)), what, 1);
+                put(Expr::number(Rational(n - 1)), what, 1);
             }
             for (const int tens : {10, 100}) {
                 if (n >= tens) {
-                    put(formula::Expr::number(Rational(n + tens)), what, 1);
-                    put(formula::Expr::number(Rational(n - tens)), what, 1);
+                    put(Expr::number(Rational(n + tens)), what, 1);
+                    put(Expr::number(Rational(n - tens)), what, 1);
                 }
             }
         }
@@ -296,7 +296,7 @@ private:
             put(whole(k), what, 2);
         }
         for (const int k : {2, 3, 4, 5, 6, 8, 10, 16}) {
-            put(formula::Expr::number(Rational(n * k)), what, 2);
+            put(Expr::number(Rational(n * k)), what, 2);
             put(node_ / whole(k), what, 2);
         }
         if (n != 0) {
@@ -310,19 +310,19 @@ private:
                 // Adding or removing a prime (P1 for P) is cheaper than exchanging names.
                 const bool prime = name.front() == node_.name().front() && name.size() <= 2 &&
                                    node_.name().size() <= 2;
-                put(formula::Expr::symbol(name), prime ? "prime" : "symbol", prime ? 1 : 2);
+                put(Expr::symbol(name), prime ? "prime" : "symbol", prime ? 1 : 2);
             }
         }
     }
 
-    void sum(const formula::Expr& x, const formula::Expr& y, bool plus) {
+    void sum(const Expr& x, const Expr& y, bool plus) {
         put(plus ? x - y : x + y, "sign", 1);
         put(x, "term too many", 3);
         put(plus ? y : -y, "term too many", 3);
         // -(x + y) for -x + y: the sign applies to the first term only, or to both.
         put(plus ? -x + y : -x - y, "sign", 1);
         if (x.kind() == Kind::symbol && y.kind() == Kind::symbol) {
-            const formula::Expr squares[] = {pow(x, whole(2)), pow(y, whole(2))};
+            const Expr squares[] = {pow(x, whole(2)), pow(y, whole(2))};
             put(plus ? squares[0] + squares[1] : squares[0] - squares[1], "exponents", 3);
         }
     }
@@ -347,18 +347,17 @@ private:
         for (const auto& [one, other] : swaps) {
             const std::string& name = node_.name();
             if (name == one || name == other) {
-                put(formula::Expr::call(
-                        name == one ? other : one,
-                        std::vector<formula::Expr>(node_.args().begin(), node_.args().end())),
+                put(Expr::call(name == one ? other : one,
+                               std::vector<Expr>(node_.args().begin(), node_.args().end())),
                     "function", 2);
             }
         }
         // Degrees for radians, in an angle or in the argument of a function.
-        const formula::Expr degree = formula::Expr::pi() / whole(180);
+        const Expr degree = Expr::pi() / whole(180);
         for (const std::string_view of_angle : {"sin", "cos", "tan"}) {
             if (node_.name() == of_angle) {
-                put(formula::Expr::call(of_angle, {node_.arg(0) * degree}), "degrees", 3);
-                put(formula::Expr::call(of_angle, {node_.arg(0) / degree}), "degrees", 3);
+                put(Expr::call(of_angle, {node_.arg(0) * degree}), "degrees", 3);
+                put(Expr::call(of_angle, {node_.arg(0) / degree}), "degrees", 3);
             }
         }
         for (const std::string_view angle : {"asin", "acos", "atan"}) {
@@ -379,12 +378,12 @@ private:
         }
         const bool product = node_.kind() == Kind::mul && parent_kind() != Kind::mul;
         if (node_.kind() == Kind::pi || product) {
-            put(formula::Expr::call("sqrt", {node_}), "root", 1);
+            put(Expr::call("sqrt", {node_}), "root", 1);
         }
         if (node_.kind() == Kind::symbol || node_.kind() == Kind::add ||
             node_.kind() == Kind::sub || node_.kind() == Kind::call) {
             if (node_.builtin() != formula::Builtin::sqrt) {
-                put(formula::Expr::call("sqrt", {node_}), "root", 1);
+                put(Expr::call("sqrt", {node_}), "root", 1);
             }
             put(pow(node_, whole(2)), "exponent", 1);
             put(pow(node_, fraction(3, 2)), "exponent", 1);
@@ -394,7 +393,7 @@ private:
             put(pow(node_, whole(2)), "exponent", 1); // t/a for t^2/a^2
         }
         if (path_.empty() || (is_term() && parent_kind() != Kind::call)) {
-            put(formula::Expr::call("abs", {node_}), "absolute value", 3);
+            put(Expr::call("abs", {node_}), "absolute value", 3);
         }
     }
 
@@ -403,22 +402,22 @@ private:
             put(whole(k) * node_, "factor missing", 2);
             put(node_ / whole(k), "factor missing", 2);
         }
-        for (const formula::Expr& f : alphabet_.factors) {
+        for (const Expr& f : alphabet_.factors) {
             put(f * node_, "factor missing", 2);
             put(node_ / f, "factor missing", 2);
         }
     }
 
-    const formula::Expr& formula_;
+    const Expr& formula_;
     const EditAlphabet& alphabet_;
     formula::Path path_;
-    formula::Expr node_;
+    Expr node_;
     std::vector<Edit> edits_;
 };
 
 } // namespace
 
-std::vector<Edit> single_edits(const formula::Expr& formula, const EditAlphabet& alphabet) {
+std::vector<Edit> single_edits(const Expr& formula, const EditAlphabet& alphabet) {
     return Editor(formula, alphabet)();
 }
 

@@ -8,7 +8,7 @@
 
 namespace edgeproof::audit {
 
-using formula::Expr;
+using formula::Exact;
 
 namespace {
 
@@ -73,7 +73,7 @@ Expr ContactFormulas::named(const std::string& name, const Ball& value) {
 }
 
 bool ContactFormulas::beyond(const Ball& near, const Expr& knot) const {
-    const Ball at = enclosed_constant(formula::Exact(knot), contact_.bits());
+    const Ball at = enclosed_constant(Exact(knot), contact_.bits());
     if (overlaps(near, at)) {
         throw BudgetError("a place that cannot be distinguished from a knot");
     }
@@ -137,7 +137,7 @@ std::optional<TiltedPath> ContactFormulas::path(const Ball& near) const {
     }
     const long bits = contact_.bits();
     const auto value = [&](const char* name) {
-        return enclosed_constant(formula::Exact(parameter(name)), bits);
+        return enclosed_constant(Exact(parameter(name)), bits);
     };
     const Ball r = value("alpha") * value("R");
     const Ball left = -contact_.with_right_edge(near).b();

@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
-
 #include "edgeproof/audit/enclosure/integrand.hpp"
-#include "edgeproof/audit/enclosure/integrand_parts.hpp"
-#include "edgeproof/audit/enclosure/piece_integrals.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
 #include <unordered_map>
 
 namespace edgeproof::audit {
-
-using formula::Expr;
-
 namespace {
+
+using Centre = Integrand::Centre;
+
+struct PieceEnd {
+    Expr written;
+    Ball at;
+    bool of_contacts = false; ///< P1of and bof change their formula there
+    Ball angle = {};          ///< on a path
+};
+
+const Ball& position(const PieceEnd& end, bool by_angle) { return by_angle ? end.angle : end.at; }
 
 class EnclosedIntegral {
 public:
@@ -152,16 +157,17 @@ private:
             if (same(lowest_, cut.at, at) || same(highest_, cut.at, at)) {
                 continue;
             }
-            const auto known = std::find_if(inside.begin(), inside.end(),
-                                            [&](const PieceEnd& x) { return same(x, cut.at, at); });
+            const auto known = std::ranges::find_if(
+                inside, [&](const PieceEnd& x) { return same(x, cut.at, at); });
             if (known != inside.end()) {
                 known->of_contacts = known->of_contacts || cut.of_contacts;
             } else if (certainly_less(lowest_.at, at) && certainly_less(at, highest_.at)) {
                 inside.push_back({cut.at, at, cut.of_contacts});
             }
         }
-        std::sort(inside.begin(), inside.end(),
-                  [](const PieceEnd& x, const PieceEnd& y) { return certainly_less(x.at, y.at); });
+        std::ranges::sort(inside, [](const PieceEnd& x, const PieceEnd& y) {
+            return certainly_less(x.at, y.at);
+        });
         return inside;
     }
 
@@ -217,19 +223,103 @@ private:
         if (f.vanishes()) {
             return Box(around_.bits);
         }
-        const PieceIntegrals pieces(lowest_, highest_, around_.bits, digits_);
         if (!pole_) {
-            return pieces.by_ends(f, from, to, path.has_value());
+            return by_ends(f, from, to, path.has_value());
         }
         const Ball pole = number(*pole_);
         if (certainly_less(pole, from.at) || certainly_less(to.at, pole)) {
-            return pieces.by_ends(f, from, to, path.has_value());
+            return by_ends(f, from, to, path.has_value());
         }
         if (path || !certainly_less(from.at, pole) || !certainly_less(pole, to.at)) {
             throw BudgetError(
                 "a pole that is not distinguished from a place where the integrand changes");
         }
-        return pieces.over_pole(f, {*pole_, pole}, from, to);
+        return over_pole(f, {*pole_, pole}, from, to);
+    }
+
+    /// Integrates from the centre to v; half the piece, or all of it.
+    Box from_centre(Integrand& f, const Ball& near, const Ball& far) const {
+        const auto root_of_distance = [&](const Ball& x) {
+            Ball v(0, around_.bits);
+            if (arb_is_zero(x.data()) != 0) {
+                return Box(v); // Arb does not take the root of zero
+            }
+            arb_root_ui(v.data(), x.data(), static_cast<ulong>(f.power()), around_.bits);
+            return Box(v);
+        };
+        return line_integral(f, root_of_distance(near), root_of_distance(far), digits_);
+    }
+
+    /// Returns the end at which to centre: that of the piece, or that of the whole integral if it
+    /// is near enough for its singularity to matter.
+    std::optional<PieceEnd> singular_end(Integrand& f, const PieceEnd& end,
+                                         const PieceEnd& outermost, int direction,
+                                         const Ball& length, bool by_angle) const {
+        f.centre(end.written, end.at, direction, end.angle, Centre::rooted);
+        if (f.power() > 1) {
+            return end;
+        }
+        if (by_angle || !certainly_less(abs(end.at - outermost.at) * 10, length)) {
+            return std::nullopt;
+        }
+        f.centre(outermost.written, outermost.at, direction, outermost.angle, Centre::rooted);
+        return f.power() > 1 ? std::optional(outermost) : std::nullopt;
+    }
+
+    Box by_ends(Integrand& f, const PieceEnd& from, const PieceEnd& to, bool by_angle) const {
+        const Ball start = position(from, by_angle);
+        const Ball stop = position(to, by_angle);
+        const Ball length = abs(stop - start);
+        const auto right = singular_end(f, to, highest_, -1, length, by_angle);
+        const auto left = singular_end(f, from, lowest_, 1, length, by_angle);
+        const Ball middle = left && right ? (start + stop) / 2 : left ? stop : start;
+        Box sum(around_.bits);
+        const auto add = [&](const PieceEnd& end, const Ball& near) {
+            const Ball& at = position(end, by_angle);
+            sum = sum + from_centre(f, distance(at, near), distance(at, middle));
+        };
+        if (left) {
+            add(*left, start);
+        }
+        if (right) {
+            f.centre(right->written, right->at, -1, right->angle, Centre::rooted);
+            add(*right, stop);
+        }
+        if (!left && !right) {
+            f.centre(from.written, from.at, 1, from.angle, Centre::regular);
+            sum = from_centre(f, Ball(0, around_.bits), length);
+        }
+        return sum;
+    }
+
+    /// Returns zero for the distance of a place from itself, even if the ball is wide.
+    Ball distance(const Ball& x, const Ball& y) const {
+        return arb_equal(x.data(), y.data()) != 0 ? Ball(0, around_.bits) : abs(y - x);
+    }
+
+    Box over_pole(Integrand& f, const PieceEnd& pole, const PieceEnd& from,
+                  const PieceEnd& to) const {
+        f.centre(pole.written, pole.at, 1, {}, Centre::pole);
+        Ball r(min(pole.at - from.at, to.at - pole.at).midpoint(), around_.bits);
+        for (int k = 0; k < 16; ++k) {
+            r /= 2;
+            const Ball across = r * Ball::from_interval(Real(-1), Real(1), around_.bits);
+            const Integrand::Leading without = f.leading(Box(across, across));
+            if (without.power != -1 || !without.factor.is_finite()) {
+                continue;
+            }
+            const Ball zero(0, around_.bits);
+            const Box top(zero, r);
+            Box sum = line_integral(f, Box(-r), top, digits_) +
+                      line_integral(f, top, Box(r), digits_) +
+                      f.leading(Box(around_.bits)).factor * Box(zero, Ball::pi(around_.bits));
+            const Expr unnamed = Expr::symbol("a place inside"); // not a name in any text
+            const PieceEnd before{unnamed, pole.at - r};
+            const PieceEnd behind{unnamed, pole.at + r};
+            sum = sum + by_ends(f, from, before, false);
+            return sum + by_ends(f, behind, to, false);
+        }
+        throw Error("the pole of a principal value is not shown to be a simple one");
     }
 
     /// `first`: the end with the least angle on the path.

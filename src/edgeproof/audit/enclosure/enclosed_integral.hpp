@@ -6,16 +6,19 @@
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
+/// Properties of an integrand as it is written.
 namespace edgeproof::audit {
 
 /// The context of an integral.
 struct IntegralSurroundings {
     /// Returns the value of a formula without the variable of the integral and without names of
     /// ContactFormulas.
-    std::function<Ball(const formula::Expr&)> value;
+    std::function<Ball(const Expr&)> value;
     /// Returns that value if it is a rational number.
-    std::function<std::optional<Rational>(const formula::Expr&)> rational;
+    std::function<std::optional<Rational>(const Expr&)> rational;
     const ContactFormulas* contact = nullptr; ///< needed for functions of the contact
     bool symmetric = false;                   ///< b(s) = s
     long bits = 0;
@@ -34,7 +37,38 @@ struct IntegralSurroundings {
 /// or is singular at an end that is not proved to be a zero of the expression under the root.
 /// Throws Error for a function without an enclosure, BudgetError if the bits do not separate
 /// places.
-[[nodiscard]] Ball enclosed_integral(const formula::Expr& node, const IntegralSurroundings& around,
+[[nodiscard]] Ball enclosed_integral(const Expr& node, const IntegralSurroundings& around,
                                      unsigned digits);
+
+/// True if a function of the contact, such as p, occurs: a call that is not built in.
+[[nodiscard]] bool holds_function(const Expr& e);
+
+/// True for |g1(x)|, whose formula depends on the piece as that of g1 does.
+[[nodiscard]] bool is_size_of_slope(const Expr& e);
+
+/// True if p occurs with an argument that contains the variable.
+[[nodiscard]] bool holds_pressure(const Expr& e, const std::string& variable);
+
+/// The degree of e in p(variable) if all other factors are entire functions of the variable: sums,
+/// products, whole powers, exp, sin, cos. The variable may not occur in a divisor.
+[[nodiscard]] std::optional<int> degree_in_pressure(const Expr& e, const std::string& variable);
+
+/// Returns the argument of the first P1of or bof that contains the variable.
+[[nodiscard]] std::optional<Expr> contact_argument(const Expr& e, const std::string& variable);
+
+/// A value of the variable at which a function of the contact changes its formula.
+struct IntegrandCut {
+    Expr at;
+    bool of_contacts; ///< for P1of and bof, whose argument is a contact's right edge
+};
+/// Returns the cuts, unordered, inside the interval or not.
+[[nodiscard]] std::vector<IntegrandCut> integrand_cuts(const Expr& f, const std::string& variable,
+                                                       const ContactFormulas& contact);
+
+/// True if e is proved to vanish for all values of its names, where b^{-1} is the inverse of the
+/// law b of the left edge, and b(y) = y, b = a for a symmetric contact. Applies to sums, products,
+/// quotients and integer powers of names, numbers and functions of the contact. False means that no
+/// proof was found.
+[[nodiscard]] bool surely_zero(const Expr& e, bool symmetric);
 
 } // namespace edgeproof::audit

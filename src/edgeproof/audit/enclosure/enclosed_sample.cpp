@@ -3,9 +3,7 @@
 
 #include "edgeproof/audit/enclosure/contact_formulas.hpp"
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
-#include "edgeproof/audit/enclosure/integrand_parts.hpp"
 #include "edgeproof/audit/sample/body_fields.hpp"
-#include "edgeproof/audit/sample/quantity_names.hpp"
 #include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
@@ -23,8 +21,6 @@
 #include <vector>
 
 namespace edgeproof::audit {
-
-using formula::Expr;
 
 namespace {
 
@@ -63,7 +59,7 @@ struct EnclosedSample::State {
         }
         throw Error("'" + std::string(what) + "' of a curved slope has no enclosure");
     }
-    // The quantities of quantity_names.hpp.
+    // The quantities of body_fields.hpp.
     [[nodiscard]] Ball left_edge() const { return contact().b(); }
     [[nodiscard]] Ball length() const { return contact().a() + contact().b(); }
     [[nodiscard]] bool axisymmetric() const { return sample.scene.axisymmetric; }
@@ -75,32 +71,30 @@ struct EnclosedSample::State {
     [[nodiscard]] Ball force_derivative(std::size_t k) const {
         if (k == 1 && contact().closed_form() == nullptr) {
             // c_0 = 2 P'(a)/(pi sqrt(a + b)): docs/expansions.md
-            return coefficient(contact::Edge::right, 0) * pi() * sqrt(length()) / 2;
+            return coefficient(Edge::right, 0) * pi() * sqrt(length()) / 2;
         }
         return closed_form("P" + std::to_string(k)).force_derivatives(k + 1).back();
     }
     [[nodiscard]] Ball left_edge_derivative(std::size_t k) const {
         if (k == 1 && contact().closed_form() == nullptr) {
             // The coefficients c_0 of the edges have the ratio b'(a).
-            return coefficient(contact::Edge::right, 0) / coefficient(contact::Edge::left, 0);
+            return coefficient(Edge::right, 0) / coefficient(Edge::left, 0);
         }
         return closed_form("b" + std::to_string(k)).left_edge_derivatives(k + 1).back();
     }
-    [[nodiscard]] Ball coefficient(contact::Edge edge, std::size_t k) const {
+    [[nodiscard]] Ball coefficient(Edge edge, std::size_t k) const {
         return contact().expansion(edge, k + 1).back();
     }
-    [[nodiscard]] Ball shear_coefficient(contact::Edge edge, std::size_t k) const {
+    [[nodiscard]] Ball shear_coefficient(Edge edge, std::size_t k) const {
         return full_stick_expansion(length(), load(), edge, k + 1).back();
     }
     [[nodiscard]] bool slips() const { return sample.scene.slips(); }
-    [[nodiscard]] Ball slip_size(contact::Edge edge) const {
-        return partial_slip().slip().size(edge);
-    }
-    [[nodiscard]] Ball stick_edge(contact::Edge edge) const {
+    [[nodiscard]] Ball slip_size(Edge edge) const { return partial_slip().slip().size(edge); }
+    [[nodiscard]] Ball stick_edge(Edge edge) const {
         return partial_slip().slip().stick().at(edge);
     }
     [[nodiscard]] Ball x() const {
-        return sample.edge == contact::Edge::right ? contact().a() - *u : *u - contact().b();
+        return sample.edge == Edge::right ? contact().a() - *u : *u - contact().b();
     }
     [[nodiscard]] contact::ShearLoad<Ball> load() const {
         const auto Q = names.find("Q");
@@ -126,13 +120,13 @@ struct EnclosedSample::State {
     }
     [[nodiscard]] Ball traction(const Expr& written, const Ball& at) const {
         if (!slips()) {
-            const contact::Edge edge = u ? sample.edge : contact::Edge::right;
+            const Edge edge = u ? sample.edge : Edge::right;
             return full_stick_traction(length(), load(), edge, distance(edge, written, at));
         }
         const bool own_place = u && written == Expr::symbol("x");
-        const contact::Edge edge = own_place                ? sample.edge
-                                   : certainly_negative(at) ? contact::Edge::left
-                                                            : contact::Edge::right;
+        const Edge edge = own_place                ? sample.edge
+                          : certainly_negative(at) ? Edge::left
+                                                   : Edge::right;
         return partial_slip().traction(edge, distance(edge, written, at));
     }
 
@@ -151,26 +145,25 @@ struct EnclosedSample::State {
                                 const std::function<Ball(std::string_view)>& symbol_of) const;
 
     /// Returns the exact value of e if it is a constant of the scene.
-    [[nodiscard]] std::optional<formula::Exact> constant(const Expr& e) const {
+    [[nodiscard]] std::optional<Exact> constant(const Expr& e) const {
         const std::set<std::string> names_in_e = free_symbols(e);
-        return std::any_of(overridden.begin(), overridden.end(),
-                           [&](const std::string& name) { return names_in_e.contains(name); })
+        return std::ranges::any_of(
+                   overridden, [&](const std::string& name) { return names_in_e.contains(name); })
                    ? std::nullopt
                    : exact_value(e, sample);
     }
     /// Returns the distance from an edge of the place given by an argument.
-    [[nodiscard]] Ball distance(contact::Edge edge, const Expr& written, const Ball& at) const {
+    [[nodiscard]] Ball distance(Edge edge, const Expr& written, const Ball& at) const {
         if (u && edge == sample.edge && written == Expr::symbol("x")) {
             return *u;
         }
-        return edge == contact::Edge::right ? contact().a() - at : at + contact().b();
+        return edge == Edge::right ? contact().a() - at : at + contact().b();
     }
     [[nodiscard]] Ball pressure(const Expr& written, const Ball& at) const {
         if (u && written == Expr::symbol("x")) {
             return contact().pressure(sample.edge, *u);
         }
-        const contact::Edge edge =
-            certainly_negative(at) ? contact::Edge::left : contact::Edge::right;
+        const Edge edge = certainly_negative(at) ? Edge::left : Edge::right;
         return contact().pressure(edge, distance(edge, written, at));
     }
     /// Returns g'(x); if the ball of x contains a knot, the values of the pieces on both sides.
@@ -181,7 +174,7 @@ struct EnclosedSample::State {
         };
         std::size_t first = 0;
         std::size_t last = 0;
-        for (const formula::Exact& knot : profile.knots()) {
+        for (const Exact& knot : profile.knots()) {
             const Ball k = ball_of(knot, bits);
             first += certainly_less(k, at) ? 1 : 0;
             last += certainly_less(at, k) ? 0 : 1;
@@ -204,8 +197,7 @@ struct EnclosedSample::State {
         }
         return contact.with_right_edge(at);
     }
-    [[nodiscard]] Ball local(contact::Edge edge, const Expr& node,
-                             std::span<const Ball> args) const {
+    [[nodiscard]] Ball local(Edge edge, const Expr& node, std::span<const Ball> args) const {
         const Rational* n = node.arg(0).rational();
         if (n == nullptr || denominator(*n) != 1 || *n < 0 || *n > 1000) {
             throw Error(node.name() + " of a number of terms that is not from 0 to 1000");
@@ -262,10 +254,10 @@ Ball EnclosedSample::State::call(const Expr& node, std::span<const Ball> args) c
         return fields().slip(args[0]);
     }
     if (name == "right_local") {
-        return local(contact::Edge::right, node, args);
+        return local(Edge::right, node, args);
     }
     if (name == "left_local") {
-        return local(contact::Edge::left, node, args);
+        return local(Edge::left, node, args);
     }
     if (name == "Pof" || name == "P1of" || name == "bof") {
         const contact::BallContact other = with_right_edge(name, node.arg(0), args[0]);
@@ -356,7 +348,7 @@ void EnclosedSample::set(const std::string& name, const Ball& value) {
     state_->fields_.reset();
 }
 
-void EnclosedSample::set_place(contact::Edge edge, const Ball& u) {
+void EnclosedSample::set_place(Edge edge, const Ball& u) {
     state_->sample.edge = edge;
     state_->u = u;
 }
@@ -364,7 +356,7 @@ void EnclosedSample::set_place(contact::Edge edge, const Ball& u) {
 Ball EnclosedSample::length() const { return state_->length(); }
 long EnclosedSample::bits() const { return state_->bits; }
 
-std::optional<formula::Exact> exact_value(Expr e, const Sample& sample) {
+std::optional<Exact> exact_value(Expr e, const Sample& sample) {
     for (const auto& [name, value] : sample.variables) {
         e = substitute(e, name, value.expr());
     }
@@ -374,7 +366,7 @@ std::optional<formula::Exact> exact_value(Expr e, const Sample& sample) {
     if (!free_symbols(e).empty() || holds_function(e)) {
         return std::nullopt;
     }
-    return formula::Exact(e);
+    return Exact(e);
 }
 
 Enclosed enclosed(const Expr& e, const Sample& sample, unsigned digits) {

@@ -24,11 +24,11 @@ public:
 
     /// The ball is not finite if a point at which the formula is undefined is not excluded. Throws
     /// Error for parts without an enclosure.
-    [[nodiscard]] Ball evaluate(const formula::Expr& e) const;
+    [[nodiscard]] Ball evaluate(const Expr& e) const;
     /// Replaces the value of a name.
     void set(const std::string& name, const Ball& value);
     /// Moves the place to the distance u from an edge.
-    void set_place(contact::Edge edge, const Ball& u);
+    void set_place(Edge edge, const Ball& u);
     /// Returns a + b.
     [[nodiscard]] Ball length() const;
     [[nodiscard]] long bits() const;
@@ -44,11 +44,11 @@ struct Enclosed {
     std::optional<Ball> ball;
     std::string problem;
 };
-[[nodiscard]] Enclosed enclosed(const formula::Expr& e, const Sample& sample, unsigned digits);
+[[nodiscard]] Enclosed enclosed(const Expr& e, const Sample& sample, unsigned digits);
 
 /// Returns the value of a formula as an exact number, if it contains only parameters of the scene
 /// and variables of the sample; nothing for others.
-[[nodiscard]] std::optional<formula::Exact> exact_value(formula::Expr e, const Sample& sample);
+[[nodiscard]] std::optional<Exact> exact_value(Expr e, const Sample& sample);
 
 /// Returns a text such as "0.123456 +- 1.2e-52".
 [[nodiscard]] std::string ball_text(const Ball& ball, unsigned digits);

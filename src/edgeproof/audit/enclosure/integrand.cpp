@@ -9,8 +9,6 @@
 
 namespace edgeproof::audit {
 
-using formula::Expr;
-
 namespace {
 
 using Kind = Expr::Kind;
@@ -89,7 +87,7 @@ void Integrand::mark_slopes() {
         }
     }
     sloped_[of_variable] = sloped_[of_variable] || zero_[of_variable];
-    wants_slopes_ = std::any_of(sloped_.begin(), sloped_.end(), [](bool x) { return x; });
+    wants_slopes_ = std::ranges::any_of(sloped_, [](bool x) { return x; });
 }
 
 void Integrand::run(const Box& v, bool analytic) {

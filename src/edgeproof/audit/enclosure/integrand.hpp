@@ -12,20 +12,22 @@
 
 namespace edgeproof::audit {
 
+using formula::Expr;
+
 /// The meaning of an integrand's parts on one piece of its interval.
 struct IntegrandMeaning {
     /// Returns the value of a part without the variable.
-    std::function<Ball(const formula::Expr&)> constant;
+    std::function<Ball(const Expr&)> constant;
     /// Returns that value if it is a rational number, for exponents.
-    std::function<std::optional<Rational>(const formula::Expr&)> rational;
+    std::function<std::optional<Rational>(const Expr&)> rational;
     /// A function of the contact, or |g'|, as a formula; throws Error without an enclosure.
-    std::function<formula::Expr(const formula::Expr& call)> written_out;
+    std::function<Expr(const Expr& call)> written_out;
     /// True if e, which does not contain the variable, is zero.
-    std::function<bool(const formula::Expr& e)> surely_zero;
+    std::function<bool(const Expr& e)> surely_zero;
     /// For contacts that are given by an angle: `path_argument`, which is linear in the variable,
     /// is their right edge.
     const TiltedPath* path = nullptr;
-    std::optional<formula::Expr> path_argument;
+    std::optional<Expr> path_argument;
 };
 
 /// A formula in one variable on boxes of the complex plane. The variable is e +- v^n with a centre
@@ -40,7 +42,7 @@ struct IntegrandMeaning {
 class Integrand {
 public:
     /// Throws Error for a part without an enclosure.
-    Integrand(const formula::Expr& f, std::string variable, IntegrandMeaning meaning, long bits);
+    Integrand(const Expr& f, std::string variable, IntegrandMeaning meaning, long bits);
 
     /// True if the formula reduces to the constant 0.
     [[nodiscard]] bool vanishes() const;
@@ -51,8 +53,7 @@ public:
     };
     /// Sets the centre e = `at`, where the variable is `written`, with v towards greater values
     /// (direction 1) or smaller ones (-1). `angle`: the angle of e on the path, if there is one.
-    void centre(const formula::Expr& written, const Ball& at, int direction, const Ball& angle,
-                Centre kind);
+    void centre(const Expr& written, const Ball& at, int direction, const Ball& angle, Centre kind);
     /// Returns n; it is 1 if nothing is singular.
     [[nodiscard]] long power() const { return power_; }
     /// Returns f d(variable)/dv, without the sign of the direction. `analytic`: the result is not
@@ -78,10 +79,10 @@ private:
 
     /// The inputs of the program: the variable, and with a path b and P' at its argument.
     enum Input { of_variable, of_edge, of_force_rate };
-    [[nodiscard]] static std::vector<formula::Expr> inputs(const std::string& variable,
-                                                           const IntegrandMeaning& meaning);
+    [[nodiscard]] static std::vector<Expr> inputs(const std::string& variable,
+                                                  const IntegrandMeaning& meaning);
     /// Checks that a part has an enclosure, and replaces functions of the contact by formulas.
-    [[nodiscard]] std::optional<formula::Expr> written_out(const formula::Expr& part) const;
+    [[nodiscard]] std::optional<Expr> written_out(const Expr& part) const;
     /// The slot of the program that the first step writes.
     [[nodiscard]] std::size_t first_result() const {
         return program_.inputs().size() + program_.constants().size();
@@ -132,7 +133,7 @@ private:
     std::vector<bool> zero_;                         ///< proved to vanish at the centre
     std::vector<bool> sloped_;                       ///< the divided difference is needed
     bool wants_slopes_ = false;
-    formula::Expr written_;
+    Expr written_;
     Box start_;
     int direction_ = 1; ///< of the angle, if there is a path
     long power_ = 1;
@@ -143,5 +144,9 @@ private:
     bool analytic_ = false;
     Box by_angle_{bits_};
 };
+
+/// Returns the integral of f, in the variable of its centre, along the straight line from v to w.
+/// For boxes v and w, the result contains the integral between any two of their points.
+[[nodiscard]] Box line_integral(Integrand& f, const Box& v, const Box& w, unsigned digits);
 
 } // namespace edgeproof::audit

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/enclosure/integrand_parts.hpp"
+#include "edgeproof/audit/enclosure/enclosed_integral.hpp"
 #include "edgeproof/audit/symbolic/ginac_bridge.hpp"
 #include "edgeproof/precision/error.hpp"
-
-#include <ginac/ginac.h>
 
 #include <algorithm>
 #include <optional>
 
 namespace edgeproof::audit {
-
-using formula::Expr;
 
 namespace {
 
@@ -65,9 +61,8 @@ std::optional<int> degree_in_pressure(const Expr& e, const std::string& variable
         return e.arg(0) == Expr::symbol(variable) ? std::optional(1) : std::nullopt;
     }
     const auto of_all_parts_zero = [&] {
-        return std::all_of(e.args().begin(), e.args().end(), [&](const Expr& part) {
-            return degree_in_pressure(part, variable) == 0;
-        });
+        return std::ranges::all_of(
+            e.args(), [&](const Expr& part) { return degree_in_pressure(part, variable) == 0; });
     };
     if (e.kind() == Kind::pow) {
         const Rational* n = e.arg(1).rational();

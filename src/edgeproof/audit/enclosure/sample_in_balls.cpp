@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
-#include "edgeproof/audit/sample/quantity_names.hpp"
+#include "edgeproof/audit/sample/body_fields.hpp"
 #include "edgeproof/formula/magnitude.hpp"
 
 namespace edgeproof::audit {
-
-using formula::Expr;
 
 namespace {
 

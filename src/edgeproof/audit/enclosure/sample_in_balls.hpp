@@ -69,7 +69,7 @@ private:
 /// Returns the scale of the errors of a formula at a sample: the sum of the sizes of its terms. An
 /// integral counts as the sum of two parts, M has the scale P*L, and the coefficient c_k that of
 /// c_0/L^k.
-[[nodiscard]] Ball scale_of_terms(const formula::Expr& e, const EnclosedSample& sample);
+[[nodiscard]] Ball scale_of_terms(const Expr& e, const EnclosedSample& sample);
 
 /// Whether the relation is =, <= or >=.
 [[nodiscard]] bool allows_equality(const Relation& relation);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/claim.hpp"
 
-#include "edgeproof/audit/ledger/ledger_names.hpp"
+#include "edgeproof/audit/ledger/ledger_parts.hpp"
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/formula/typed.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -45,23 +45,22 @@ std::string undotted(std::string_view text) {
 }
 
 /// Returns the definition of a name or function; nullptr if it has none.
-const Vocabulary::Definition* definition_of(const formula::Expr& e, const Vocabulary& vocabulary) {
-    const bool call = e.kind() == formula::Expr::Kind::call;
-    if (!call && e.kind() != formula::Expr::Kind::symbol) {
+const Vocabulary::Definition* definition_of(const Expr& e, const Vocabulary& vocabulary) {
+    const bool call = e.kind() == Expr::Kind::call;
+    if (!call && e.kind() != Expr::Kind::symbol) {
         return nullptr;
     }
-    const auto it = std::find_if(
-        vocabulary.definitions.begin(), vocabulary.definitions.end(),
-        [&](const auto& d) { return d.argument.has_value() == call && d.name == e.name(); });
+    const auto it = std::ranges::find_if(vocabulary.definitions, [&](const auto& d) {
+        return d.argument.has_value() == call && d.name == e.name();
+    });
     return it == vocabulary.definitions.end() ? nullptr : &*it;
 }
 
 /// Replaces every defined name by its body, recursively. `replacing`: the names being replaced.
-formula::Expr expanded(const formula::Expr& e, const Vocabulary& vocabulary,
-                       std::vector<std::string>& replacing) {
-    std::vector<formula::Expr> parts;
+Expr expanded(const Expr& e, const Vocabulary& vocabulary, std::vector<std::string>& replacing) {
+    std::vector<Expr> parts;
     parts.reserve(e.args().size());
-    for (const formula::Expr& part : e.args()) {
+    for (const Expr& part : e.args()) {
         parts.push_back(expanded(part, vocabulary, replacing));
     }
     if (const auto* d = definition_of(e, vocabulary)) {
@@ -69,7 +68,7 @@ formula::Expr expanded(const formula::Expr& e, const Vocabulary& vocabulary,
         return expanded(d->argument ? substitute(d->body, *d->argument, parts.at(0)) : d->body,
                         vocabulary, replacing);
     }
-    return parts.empty() ? e : formula::Expr::with_args(e, std::move(parts));
+    return parts.empty() ? e : Expr::with_args(e, std::move(parts));
 }
 
 struct Operator {
@@ -83,7 +82,7 @@ constexpr std::array operators{
 
 } // namespace
 
-formula::Expr parse_formula(std::string_view text, const Vocabulary& vocabulary) {
+Expr parse_formula(std::string_view text, const Vocabulary& vocabulary) {
     return parse(undotted(text), vocabulary.symbols);
 }
 
@@ -108,13 +107,12 @@ Condition parse_condition(std::string_view text, const Vocabulary& vocabulary) {
     while (true) {
         const std::size_t end = text.find(conjunction);
         std::string_view part = text.substr(0, end);
-        std::vector<formula::Expr> sides;
+        std::vector<Expr> sides;
         std::vector<Relation::Op> ops;
         std::size_t from = 0;
         for (std::size_t i = 0; i < part.size();) {
-            const auto* found =
-                std::find_if(operators.begin(), operators.end(),
-                             [&](const Operator& o) { return part.substr(i).starts_with(o.sign); });
+            const auto* found = std::ranges::find_if(
+                operators, [&](const Operator& o) { return part.substr(i).starts_with(o.sign); });
             if (found == operators.end()) {
                 ++i;
                 continue;
@@ -139,9 +137,9 @@ Condition parse_condition(std::string_view text, const Vocabulary& vocabulary) {
     }
 }
 
-formula::Expr expand_definitions(const formula::Expr& e, const Vocabulary& vocabulary) {
+Expr expand_definitions(const Expr& e, const Vocabulary& vocabulary) {
     std::vector<std::string> replacing;
-    formula::Expr result = expanded(e, vocabulary, replacing);
+    Expr result = expanded(e, vocabulary, replacing);
     const std::set<std::string> names = free_symbols(result);
     for (const auto& [name, refusal] : vocabulary.refused) {
         if (names.contains(name) || holds_call(result, name)) {
@@ -179,9 +177,7 @@ std::string Claim::text_or(std::string_view key, std::string_view otherwise) con
     return has(key) ? text(key) : std::string(otherwise);
 }
 
-contact::Edge Claim::edge() const {
-    return text_or("edge", "right") == "right" ? contact::Edge::right : contact::Edge::left;
-}
+Edge Claim::edge() const { return text_or("edge", "right") == "right" ? Edge::right : Edge::left; }
 
 long Claim::integer(std::string_view key) const {
     const std::string& value = text(key);
@@ -198,52 +194,56 @@ long Claim::integer_or(std::string_view key, long otherwise) const {
     return has(key) ? integer(key) : otherwise;
 }
 
-const Field::List& Claim::list(std::string_view key) const {
+template <class Value>
+const Value& Claim::value(std::string_view key, const std::string& what,
+                          const std::string& example) const {
     const Field* field = find(key);
-    const auto* value = field == nullptr ? nullptr : std::get_if<Field::List>(&field->value);
+    const auto* value = field == nullptr ? nullptr : std::get_if<Value>(&field->value);
     if (value == nullptr) {
-        reject(key, "claim " + id + " has no list " + std::string(key),
-               "write " + std::string(key) + " = [\"...\", \"...\"]");
+        reject(key, "claim " + id + " has no " + what + " " + std::string(key),
+               "write " + std::string(key) + " = " + example);
     }
     return *value;
+}
+
+const Field::List& Claim::list(std::string_view key) const {
+    return value<Field::List>(key, "list", "[\"...\", \"...\"]");
 }
 
 const Field::Table& Claim::table(std::string_view key) const {
-    const Field* field = find(key);
-    const auto* value = field == nullptr ? nullptr : std::get_if<Field::Table>(&field->value);
-    if (value == nullptr) {
-        reject(key, "claim " + id + " has no table " + std::string(key),
-               "write " + std::string(key) + " = { name = \"...\" }");
-    }
-    return *value;
+    return value<Field::Table>(key, "table", "{ name = \"...\" }");
 }
 
-void Claim::read(std::string_view key, const std::vector<std::string>& texts) {
-    Parsed p;
+/// Calls read(), whose errors get the line of the field and what the program computes.
+template <class Read> void Claim::at_field(std::string_view key, const Read& read) const {
     try {
-        for (const std::string& text : texts) {
-            p.written.push_back(parse_formula(text, vocabulary));
-            p.formulas.push_back(expand_definitions(p.written.back(), vocabulary));
-        }
+        read();
     } catch (const InputError& error) {
         const InputError scoped = with_scope(error);
         reject(key, scoped.problem(), scoped.instead());
     }
+}
+
+void Claim::read(std::string_view key, const std::vector<std::string>& texts) {
+    Parsed p;
+    at_field(key, [&] {
+        for (const std::string& text : texts) {
+            p.written.push_back(parse_formula(text, vocabulary));
+            p.formulas.push_back(expand_definitions(p.written.back(), vocabulary));
+        }
+    });
     parsed_.insert_or_assign(std::string(key), std::move(p));
 }
 
 void Claim::read_formula(std::string_view key) {
     const std::string typed = text(key);
-    try {
+    at_field(key, [&] {
         const std::string plain = plain_formula(typed, vocabulary);
         if (plain != typed) {
             fields.find(key)->second.value = plain;
             typed_.insert_or_assign(std::string(key), typed);
         }
-    } catch (const InputError& error) {
-        const InputError scoped = with_scope(error);
-        reject(key, scoped.problem(), scoped.instead());
-    }
+    });
     read(key, {text(key)});
 }
 
@@ -268,16 +268,13 @@ void Claim::read_formula_table(std::string_view key) {
 
 void Claim::read_condition(std::string_view key) {
     Parsed p;
-    try {
+    at_field(key, [&] {
         p.condition = parse_condition(text(key), vocabulary);
         for (Relation& r : p.condition) {
             r.lhs = expand_definitions(r.lhs, vocabulary);
             r.rhs = expand_definitions(r.rhs, vocabulary);
         }
-    } catch (const InputError& error) {
-        const InputError scoped = with_scope(error);
-        reject(key, scoped.problem(), scoped.instead());
-    }
+    });
     parsed_.insert_or_assign(std::string(key), std::move(p));
 }
 
@@ -295,15 +292,11 @@ const Claim::Parsed& Claim::parsed(std::string_view key) const {
     return it->second;
 }
 
-const formula::Expr& Claim::formula(std::string_view key) const {
-    return parsed(key).formulas.at(0);
-}
+const Expr& Claim::formula(std::string_view key) const { return parsed(key).formulas.at(0); }
 
-const formula::Expr& Claim::written(std::string_view key) const {
-    return parsed(key).written.at(0);
-}
+const Expr& Claim::written(std::string_view key) const { return parsed(key).written.at(0); }
 
-const formula::Expr* Claim::find_written(std::string_view key) const {
+const Expr* Claim::find_written(std::string_view key) const {
     const auto it = parsed_.find(key);
     return it == parsed_.end() || it->second.written.empty() ? nullptr
                                                              : &it->second.written.front();
@@ -311,7 +304,7 @@ const formula::Expr* Claim::find_written(std::string_view key) const {
 
 const Condition& Claim::condition(std::string_view key) const { return parsed(key).condition; }
 
-const std::vector<formula::Expr>& Claim::formulas(std::string_view key) const {
+const std::vector<Expr>& Claim::formulas(std::string_view key) const {
     return parsed(key).formulas;
 }
 

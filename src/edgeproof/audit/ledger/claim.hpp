@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/profile/edge.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/formula/parse.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,6 +16,10 @@
 #include <vector>
 
 namespace edgeproof::audit {
+
+using contact::Edge;
+using formula::Exact;
+using formula::Expr;
 
 /// A field of a ledger: text, a list of texts, or a table of lists, and its line in the file.
 /// Integers are stored as text; floats of more than 15 significant digits must be quoted.
@@ -32,7 +38,7 @@ struct Vocabulary {
     struct Definition {
         std::string name;
         std::optional<std::string> argument;
-        formula::Expr body;
+        Expr body;
     };
     std::vector<Definition> definitions;
     /// A name without a meaning in the family: the problem, and what to write instead.
@@ -46,9 +52,9 @@ struct Vocabulary {
 /// "lhs < rhs", with <, <=, >, >= or =.
 struct Relation {
     enum class Op { less, less_equal, greater, greater_equal, equal };
-    formula::Expr lhs;
+    Expr lhs;
     Op op = Op::less;
-    formula::Expr rhs;
+    Expr rhs;
 };
 /// True if the relation holds between two values.
 template <class Number>
@@ -96,18 +102,18 @@ struct Claim {
     [[nodiscard]] const std::string& text(std::string_view key) const;
     [[nodiscard]] std::string text_or(std::string_view key, std::string_view otherwise) const;
     /// The edge that the claim is about: the right one, unless the field `edge` is given.
-    [[nodiscard]] contact::Edge edge() const;
+    [[nodiscard]] Edge edge() const;
     [[nodiscard]] long integer(std::string_view key) const;
     [[nodiscard]] long integer_or(std::string_view key, long otherwise) const;
     [[nodiscard]] const Field::List& list(std::string_view key) const;
     [[nodiscard]] const Field::Table& table(std::string_view key) const;
     /// Fields with all definitions put in, so that only names of an EvaluatedScene are left.
-    [[nodiscard]] const formula::Expr& formula(std::string_view key) const;
+    [[nodiscard]] const Expr& formula(std::string_view key) const;
     [[nodiscard]] const Condition& condition(std::string_view key) const;
-    [[nodiscard]] const std::vector<formula::Expr>& formulas(std::string_view key) const;
+    [[nodiscard]] const std::vector<Expr>& formulas(std::string_view key) const;
     /// Fields as written. find_written returns nullptr if there is no such formula.
-    [[nodiscard]] const formula::Expr& written(std::string_view key) const;
-    [[nodiscard]] const formula::Expr* find_written(std::string_view key) const;
+    [[nodiscard]] const Expr& written(std::string_view key) const;
+    [[nodiscard]] const Expr* find_written(std::string_view key) const;
 
     /// The text of a formula in the ledger if it is not the text that text() returns: LaTeX, or
     /// products without `*`, which read_formula() replaces. nullptr otherwise.
@@ -128,10 +134,14 @@ struct Claim {
 
 private:
     struct Parsed {
-        std::vector<formula::Expr> written;
-        std::vector<formula::Expr> formulas;
+        std::vector<Expr> written;
+        std::vector<Expr> formulas;
         Condition condition;
     };
+    template <class Value>
+    [[nodiscard]] const Value& value(std::string_view key, const std::string& what,
+                                     const std::string& example) const;
+    template <class Read> void at_field(std::string_view key, const Read& read) const;
     void read(std::string_view key, const std::vector<std::string>& texts);
     [[nodiscard]] const Parsed& parsed(std::string_view key) const;
     std::map<std::string, Parsed, std::less<>> parsed_;
@@ -144,11 +154,48 @@ private:
 
 /// Parse a text in a vocabulary. A dotted name ("right.c1") is one name, with an underscore instead
 /// of the dot. Throw FormulaError.
-[[nodiscard]] formula::Expr parse_formula(std::string_view text, const Vocabulary& vocabulary);
+[[nodiscard]] Expr parse_formula(std::string_view text, const Vocabulary& vocabulary);
 [[nodiscard]] Condition parse_condition(std::string_view text, const Vocabulary& vocabulary);
 /// Returns the expression with all definitions put in. Throws InputError for circular definitions
 /// and for names that the vocabulary refuses.
-[[nodiscard]] formula::Expr expand_definitions(const formula::Expr& e,
-                                               const Vocabulary& vocabulary);
+[[nodiscard]] Expr expand_definitions(const Expr& e, const Vocabulary& vocabulary);
+
+class AuditContext;
+struct Outcome;
+
+/// A key of the claims of one kind, in addition to the common keys.
+struct KeySpec {
+    enum class Type {
+        text,      ///< any text
+        formula,   ///< parsed, with its names checked, when the ledger is read; or one of `choices`
+        condition, ///< "x > 0 and x < a", parsed in the same way
+        number,    ///< an exact constant: "1/100", not "1 %"
+        integer,
+        list,          ///< of texts
+        formulas,      ///< a list of formulas
+        table,         ///< name = text or list of texts
+        formula_table, ///< name = formula
+        choice,        ///< one of `choices`
+    };
+    std::string_view name;
+    Type type = Type::text;
+    bool required = false;
+    std::vector<std::string_view> choices = {};
+};
+
+/// A kind of claim, defined in checks/.
+struct CheckKind {
+    std::string_view name;
+    std::vector<KeySpec> keys;
+    std::function<Outcome(const Claim&, const AuditContext&)> check;
+};
+
+/// Returns all kinds, in the order of checks/kinds.cpp.
+[[nodiscard]] const std::vector<CheckKind>& check_kinds();
+/// Returns nullptr if there is no kind of that name.
+[[nodiscard]] const CheckKind* find_check_kind(std::string_view name);
+/// The keys that claims of every kind may have: says, of, over, edge, where, quoted, with, vary,
+/// points, remark, decimals.
+[[nodiscard]] const std::vector<KeySpec>& common_keys();
 
 } // namespace edgeproof::audit

@@ -28,7 +28,7 @@ formula::Definitions resolved(const Family& family, const formula::Definitions& 
 
 using contact::Profile;
 
-formula::Exact number(long n) { return formula::Exact(formula::Expr::number(n)); }
+Exact number(long n) { return Exact(Expr::number(n)); }
 
 /// The constructor of a profile and the parameters that it needs.
 struct ProfileMaker {
@@ -97,9 +97,9 @@ void refuse_slip(const SceneSpec& scene, const contact::ProvedSlip& found) {
                          "give a smaller Q, or a greater friction, so that |Q| < friction*P");
     }
     if (!found.admissible()) {
-        const bool right = certainly_negative(slip.size(contact::Edge::right));
-        const Real one = slip.tension_limit(contact::Edge::right).midpoint();
-        const Real other = slip.tension_limit(contact::Edge::left).midpoint();
+        const bool right = certainly_negative(slip.size(Edge::right));
+        const Real one = slip.tension_limit(Edge::right).midpoint();
+        const Real other = slip.tension_limit(Edge::left).midpoint();
         throw InputError("sig0 draws the stick zone beyond the " +
                              std::string(right ? "right" : "left") + " edge in the scene " +
                              scene.text() + ": that edge would slip against Q",
@@ -133,8 +133,8 @@ void require_partial_slip(const SceneSpec& scene) {
         try {
             const contact::ProvedSlip found = scene.partial_slip(bits);
             refuse_slip(scene, found);
-            if (certainly_positive(found.slip().size(contact::Edge::right)) &&
-                certainly_positive(found.slip().size(contact::Edge::left))) {
+            if (certainly_positive(found.slip().size(Edge::right)) &&
+                certainly_positive(found.slip().size(Edge::left))) {
                 return;
             }
         } catch (const BudgetError&) {
@@ -151,10 +151,10 @@ void require_partial_slip(const SceneSpec& scene) {
         "give another Q, sig0 or friction");
 }
 
-const formula::Exact& SceneSpec::parameter(std::string_view name) const {
+const Exact& SceneSpec::parameter(std::string_view name) const {
     const auto it = parameters.find(name);
     if (it == parameters.end() && name == "Es" && flat_punch()) {
-        static const formula::Exact any = number(1); // the pressure does not depend on it
+        static const Exact any = number(1); // the pressure does not depend on it
         return any;
     }
     if (it == parameters.end()) {
@@ -164,7 +164,7 @@ const formula::Exact& SceneSpec::parameter(std::string_view name) const {
     return it->second;
 }
 
-std::map<std::string, formula::Exact, std::less<>> SceneSpec::names() const {
+std::map<std::string, Exact, std::less<>> SceneSpec::names() const {
     auto all = parameters;
     if (flat_punch()) {
         all.insert_or_assign("Q", parameter("P"));
@@ -178,12 +178,12 @@ contact::Profile SceneSpec::make_profile() const {
     return axisymmetric ? contact::AxisymmetricPowerLaw::of(made).plane() : made;
 }
 
-formula::Exact SceneSpec::total_force() const {
+Exact SceneSpec::total_force() const {
     return contact::AxisymmetricPowerLaw::of(maker_of(profile).make(*this))
         .force(parameter("Es"), parameter("a"));
 }
 
-formula::Exact SceneSpec::approach() const {
+Exact SceneSpec::approach() const {
     return contact::AxisymmetricPowerLaw::of(maker_of(profile).make(*this))
         .approach(parameter("a"));
 }
@@ -227,7 +227,7 @@ std::vector<SceneSpec> draw_scenes(const Family& family, const std::vector<Famil
     std::vector<SceneSpec> scenes;
     for (const std::string& member : family.union_of) {
         const auto it =
-            std::find_if(all.begin(), all.end(), [&](const Family& f) { return f.name == member; });
+            std::ranges::find_if(all, [&](const Family& f) { return f.name == member; });
         if (it == all.end()) {
             throw InputError("family " + family.name + " contains the unknown family '" + member +
                                  "'",
@@ -248,7 +248,7 @@ std::vector<SceneSpec> draw_scenes(const Family& family, const std::vector<Famil
             const std::size_t k = stratified_index(family.name + '/' + name, values.size(), i);
             chosen.emplace(name, values[k]);
         }
-        std::vector<formula::Expr> others = family.knots;
+        std::vector<Expr> others = family.knots;
         others.insert(others.end(), family.slopes.begin(), family.slopes.end());
         SceneSpec scene;
         scene.family = family.name;
@@ -256,9 +256,9 @@ std::vector<SceneSpec> draw_scenes(const Family& family, const std::vector<Famil
         scene.axisymmetric = family.axisymmetric;
         const formula::Definitions parameters = resolved(family, chosen);
         for (const auto& [name, value] : parameters) {
-            scene.parameters.emplace(name, formula::Exact(value));
+            scene.parameters.emplace(name, Exact(value));
         }
-        for (formula::Expr& e : others) {
+        for (Expr& e : others) {
             e = put_in(parameters, e);
         }
         if (scene.slips()) {

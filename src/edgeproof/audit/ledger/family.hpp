@@ -19,6 +19,10 @@ class ProvedSlip;
 
 namespace edgeproof::audit {
 
+using contact::Edge;
+using formula::Exact;
+using formula::Expr;
+
 /// True for the profile "flat-punch".
 [[nodiscard]] bool is_flat_punch(std::string_view profile);
 
@@ -27,25 +31,25 @@ struct SceneSpec {
     std::string family;  ///< the family from which it was drawn (not the union of families)
     std::string profile; ///< "power-law", ...
     /// All parameters of the family: those of the profile, `a` (or `P`), `Es` (E*), and its own.
-    std::map<std::string, formula::Exact, std::less<>> parameters;
+    std::map<std::string, Exact, std::less<>> parameters;
     /// For the profile "piecewise": slopes as functions of x between ascending knots.
-    std::vector<formula::Exact> knots;
-    std::vector<formula::Expr> slopes;
+    std::vector<Exact> knots;
+    std::vector<Expr> slopes;
     /// True for a body of revolution, a power law with x for the radius (docs/axisymmetric.md).
     bool axisymmetric = false;
 
-    [[nodiscard]] const formula::Exact& parameter(std::string_view name) const;
+    [[nodiscard]] const Exact& parameter(std::string_view name) const;
     /// True for a rigid flat punch with sharp edges under the force P. It has no slope: its
     /// pressure is the traction that the shear force Q = P has under full stick.
     [[nodiscard]] bool flat_punch() const { return is_flat_punch(profile); }
     /// Returns the values of the names in formulas: the parameters, and of a flat punch Q and sig0.
-    [[nodiscard]] std::map<std::string, formula::Exact, std::less<>> names() const;
+    [[nodiscard]] std::map<std::string, Exact, std::less<>> names() const;
     /// Returns the profile; for a body of revolution that of the plane contact with the same
     /// pressure, and for a flat punch one with the same edges.
     [[nodiscard]] contact::Profile make_profile() const;
     /// The total force P and the approach delta of a body of revolution.
-    [[nodiscard]] formula::Exact total_force() const;
-    [[nodiscard]] formula::Exact approach() const;
+    [[nodiscard]] Exact total_force() const;
+    [[nodiscard]] Exact approach() const;
     /// True if there is friction: then q(x) is the traction in partial slip.
     [[nodiscard]] bool slips() const { return parameters.contains("friction"); }
     /// Returns the enclosed partial slip. Throws as ProvedSlip does.
@@ -62,11 +66,11 @@ struct Family {
     std::string name;
     std::string profile;
     bool axisymmetric = false; ///< as in SceneSpec
-    std::vector<std::pair<std::string, std::vector<formula::Expr>>> parameters;
-    std::vector<formula::Expr> knots;
-    std::vector<formula::Expr> slopes;
+    std::vector<std::pair<std::string, std::vector<Expr>>> parameters;
+    std::vector<Expr> knots;
+    std::vector<Expr> slopes;
     /// The sampled places: fractions of the contact's length, from the edge of the claim.
-    std::vector<formula::Exact> u;
+    std::vector<Exact> u;
     std::size_t count = 0;  ///< the number of scenes drawn
     std::size_t points = 1; ///< the number of places in each scene
     std::vector<std::string> union_of;

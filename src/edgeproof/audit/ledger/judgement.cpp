@@ -7,17 +7,24 @@
 namespace edgeproof::audit {
 
 std::optional<Refutation> Refutation::disjoint(const Ball& claimed, const Ball& found) {
-    if (!claimed.is_finite() || !found.is_finite() || overlaps(claimed, found)) {
-        return std::nullopt;
-    }
-    return Refutation();
+    const bool finite = claimed.is_finite() && found.is_finite();
+    return finite && !overlaps(claimed, found) ? std::optional(Refutation()) : std::nullopt;
 }
 
+namespace {
+
+bool proved_less(const Ball& x, const Ball& y) {
+    return x.is_finite() && y.is_finite() && certainly_less(x, y);
+}
+
+} // namespace
+
 std::optional<Refutation> Refutation::less(const Ball& x, const Ball& y) {
-    if (!x.is_finite() || !y.is_finite() || !certainly_less(x, y)) {
-        return std::nullopt;
-    }
-    return Refutation();
+    return proved_less(x, y) ? std::optional(Refutation()) : std::nullopt;
+}
+
+std::optional<Confirmation> Confirmation::less(const Ball& x, const Ball& y) {
+    return proved_less(x, y) ? std::optional(Confirmation()) : std::nullopt;
 }
 
 std::optional<Confirmation> Confirmation::agreement(const Ball& claimed, const Ball& found,
@@ -37,29 +44,17 @@ std::optional<Confirmation> Confirmation::agreement(const Ball& claimed, const B
     return Confirmation();
 }
 
-std::optional<Confirmation> Confirmation::less(const Ball& x, const Ball& y) {
-    if (!x.is_finite() || !y.is_finite() || !certainly_less(x, y)) {
-        return std::nullopt;
-    }
-    return Confirmation();
-}
-
 std::optional<Confirmation> Confirmation::within(const Ball& x, const Rational& lower,
                                                  const Rational& upper) {
     const Ball from_lower = x - Ball(lower, x.bits());
-    if (!x.is_finite() || arb_is_nonnegative(from_lower.data()) == 0 ||
-        !certainly_less(x, Ball(upper, x.bits()))) {
-        return std::nullopt;
-    }
-    return Confirmation();
+    const bool holds = x.is_finite() && arb_is_nonnegative(from_lower.data()) != 0 &&
+                       certainly_less(x, Ball(upper, x.bits()));
+    return holds ? std::optional(Confirmation()) : std::nullopt;
 }
 
 Decision decision(const std::optional<Refutation>& fails,
                   const std::optional<Confirmation>& holds) {
-    if (fails) {
-        return *fails;
-    }
-    return holds ? Decision(*holds) : Decision();
+    return fails ? Decision(*fails) : holds ? Decision(*holds) : Decision();
 }
 
 Judgement::Judgement(const Decision& decision) {
@@ -71,18 +66,15 @@ Judgement::Judgement(const Decision& decision) {
 }
 
 Judgement Judgement::of_all(const std::vector<Decision>& parts) {
-    if (std::any_of(parts.begin(), parts.end(), refutes)) {
+    if (std::ranges::any_of(parts, refutes)) {
         return Judgement(Verdict::refuted);
     }
-    return !parts.empty() && std::all_of(parts.begin(), parts.end(), confirms)
-               ? Judgement(Verdict::confirmed)
-               : Judgement();
+    return !parts.empty() && std::ranges::all_of(parts, confirms) ? Judgement(Verdict::confirmed)
+                                                                  : Judgement();
 }
 
 Judgement Judgement::of_readings(const std::vector<Judgement>& readings) {
-    const auto count = [&](auto&& test) {
-        return std::count_if(readings.begin(), readings.end(), test);
-    };
+    const auto count = [&](auto&& test) { return std::ranges::count_if(readings, test); };
     const auto n = static_cast<std::ptrdiff_t>(readings.size());
     const auto holding = count([](Verdict v) { return holds(v); });
     const auto is = [&](Verdict which) { return count([&](Verdict v) { return v == which; }); };
@@ -105,23 +97,18 @@ Judgement Judgement::of_readings(const std::vector<Judgement>& readings) {
 }
 
 Evidence& Evidence::add(std::string_view key, EvidenceItem value) {
-    for (Entry& entry : entries_) {
-        if (entry.first == key) {
-            entry.second = std::move(value);
-            return *this;
-        }
+    const auto known = std::ranges::find(entries_, key, &Entry::first);
+    if (known != entries_.end()) {
+        known->second = std::move(value);
+    } else {
+        entries_.emplace_back(std::string(key), std::move(value));
     }
-    entries_.emplace_back(std::string(key), std::move(value));
     return *this;
 }
 
 const EvidenceItem* Evidence::find(std::string_view key) const {
-    for (const Entry& entry : entries_) {
-        if (entry.first == key) {
-            return &entry.second;
-        }
-    }
-    return nullptr;
+    const auto known = std::ranges::find(entries_, key, &Entry::first);
+    return known == entries_.end() ? nullptr : &known->second;
 }
 
 namespace {
@@ -151,32 +138,15 @@ struct OneLine {
 std::string EvidenceItem::text() const { return std::visit(OneLine{}, value_); }
 
 std::string_view name_of(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::proved:
-        return "proved";
-    case Verdict::confirmed:
-        return "confirmed";
-    case Verdict::imprecise:
-        return "imprecise";
-    case Verdict::refuted:
-        return "refuted";
-    case Verdict::underspecified:
-        return "underspecified";
-    case Verdict::undecided:
-        return "undecided";
-    case Verdict::definition:
-        break;
-    }
-    return "definition";
+    static constexpr std::array<std::string_view, all_verdicts.size()> names{
+        "proved", "confirmed", "imprecise", "refuted", "underspecified", "undecided", "definition"};
+    return names.at(static_cast<std::size_t>(verdict));
 }
 
 std::optional<Verdict> find_verdict(std::string_view name) {
-    for (const Verdict verdict : all_verdicts) {
-        if (name_of(verdict) == name) {
-            return verdict;
-        }
-    }
-    return std::nullopt;
+    const auto* const found =
+        std::ranges::find(all_verdicts, name, [](Verdict v) { return name_of(v); });
+    return found == all_verdicts.end() ? std::nullopt : std::optional(*found);
 }
 
 } // namespace edgeproof::audit

@@ -132,9 +132,6 @@ struct OurLimit {
     std::string what;
 };
 
-/// The enclosure of a formula at a sample.
-using EnclosedValue = std::variant<Ball, NoValue, OurLimit>;
-
 class EvidenceItem;
 
 /// The reasons for a verdict: keys with values, in the order in which they were added. JSON and the

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/ledger.hpp"
 
-#include "edgeproof/audit/ledger/claim_kind.hpp"
+#include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/ledger/judgement.hpp"
-#include "edgeproof/audit/ledger/ledger_family.hpp"
-#include "edgeproof/audit/ledger/ledger_names.hpp"
+#include "edgeproof/audit/ledger/ledger_parts.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
@@ -97,15 +96,12 @@ private:
     /// Returns the claim that a key names; nullptr if that claim could not be read.
     const Claim* named_claim(const io::TomlSection& table, std::string_view key) const {
         const std::string id = table.written(key);
-        for (const Claim& claim : ledger_.claims) {
-            if (claim.id == id) {
-                return &claim;
-            }
-        }
-        if (std::ranges::none_of(ledger_.errors, [&](const auto& e) { return e.id == id; })) {
+        const auto it = std::ranges::find(ledger_.claims, id, &Claim::id);
+        if (it == ledger_.claims.end() &&
+            std::ranges::find(ledger_.errors, id, &ClaimError::id) == ledger_.errors.end()) {
             table.reject(key, "the ledger has no claim '" + id + "'", "write the id of a claim");
         }
-        return nullptr;
+        return it == ledger_.claims.end() ? nullptr : &*it;
     }
 
     void read_later(const io::TomlSection& table) {
@@ -116,7 +112,7 @@ private:
             return;
         }
         Vocabulary vocabulary = claim->vocabulary;
-        const auto define = [&](const std::string& name, const formula::Expr& body) {
+        const auto define = [&](const std::string& name, const Expr& body) {
             vocabulary.symbols.add(name);
             vocabulary.definitions.insert(vocabulary.definitions.begin(), {name, {}, body});
         };
@@ -247,8 +243,7 @@ private:
             static_cast<void>(claim.text(key.name));
             break;
         case Type::formula:
-            if (std::find(key.choices.begin(), key.choices.end(), claim.text(key.name)) ==
-                key.choices.end()) {
+            if (std::ranges::find(key.choices, claim.text(key.name)) == key.choices.end()) {
                 claim.read_formula(key.name);
             }
             break;
@@ -260,7 +255,7 @@ private:
             break;
         case Type::number:
             try {
-                static_cast<void>(formula::Exact::parse(claim.text(key.name)));
+                static_cast<void>(Exact::parse(claim.text(key.name)));
             } catch (const formula::FormulaError& error) {
                 claim.reject(key.name, error.problem(), error.instead());
             }
@@ -279,7 +274,7 @@ private:
             break;
         case Type::choice: {
             const std::string& text = claim.text(key.name);
-            if (std::find(key.choices.begin(), key.choices.end(), text) == key.choices.end()) {
+            if (std::ranges::find(key.choices, text) == key.choices.end()) {
                 claim.reject(key.name, std::string(key.name) + " = \"" + text + "\" is not known",
                              one_of(text, Keys(key.choices.begin(), key.choices.end())));
             }
@@ -297,12 +292,11 @@ private:
 } // namespace
 
 const Family& Ledger::family(std::string_view wanted) const {
-    for (const Family& f : families) {
-        if (f.name == wanted) {
-            return f;
-        }
+    const auto it = std::ranges::find(families, wanted, &Family::name);
+    if (it == families.end()) {
+        throw Error("the ledger has no family '" + std::string(wanted) + "'");
     }
-    throw Error("the ledger has no family '" + std::string(wanted) + "'");
+    return *it;
 }
 
 Ledger parse_ledger(std::string_view text, const std::string& file, ClaimErrors errors) {

@@ -24,10 +24,10 @@ struct ClaimError {
 
 /// A later result of the source, computed with an earlier line as it is printed there.
 struct LaterResult {
-    std::string from;   ///< the claim whose printed line is used
-    std::string claim;  ///< the later claim
-    std::string words;  ///< a description: "the two-term error at the distance quoted"
-    formula::Expr says; ///< the resulting later formula, with all definitions put in
+    std::string from;  ///< the claim whose printed line is used
+    std::string claim; ///< the later claim
+    std::string words; ///< a description: "the two-term error at the distance quoted"
+    Expr says;         ///< the resulting later formula, with all definitions put in
     std::size_t line = 0;
 };
 

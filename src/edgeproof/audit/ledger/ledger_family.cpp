@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/ledger/ledger_family.hpp"
+#include "edgeproof/audit/ledger/ledger_parts.hpp"
 
 #include "edgeproof/audit/ledger/ledger.hpp"
-#include "edgeproof/audit/ledger/ledger_names.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
@@ -30,8 +29,7 @@ public:
 
     Family read(const std::vector<Family>& above) {
         const auto is_above = [&](const std::string& name) {
-            return std::any_of(above.begin(), above.end(),
-                               [&](const Family& f) { return f.name == name; });
+            return std::ranges::any_of(above, [&](const Family& f) { return f.name == name; });
         };
         if (is_above(family_.name)) {
             table_.reject("name", "the family " + family_.name + " is given twice",
@@ -117,7 +115,7 @@ private:
         }
         std::size_t longest = 1;
         for (const std::string& name : parameters.keys()) {
-            std::vector<formula::Expr> values;
+            std::vector<Expr> values;
             for (const std::string& text : parameters.written_list(name)) {
                 values.push_back(formula(parameters.line(name), text, names_));
             }
@@ -182,8 +180,8 @@ private:
             return;
         }
         for (const std::string& text : table_.written_list("u")) {
-            const formula::Exact u(formula(table_.line("u"), text, {}));
-            if (u.sign() <= 0 || formula::Exact(formula::Expr::number(1) - u.expr()).sign() <= 0) {
+            const Exact u(formula(table_.line("u"), text, {}));
+            if (u.sign() <= 0 || Exact(Expr::number(1) - u.expr()).sign() <= 0) {
                 table_.reject("u", "the fraction u = " + text + " is not between 0 and 1",
                               "give fractions of the contact's length, such as 1e-3");
             }
@@ -191,9 +189,9 @@ private:
         }
     }
 
-    [[nodiscard]] std::vector<formula::Expr> formulas(std::string_view key,
-                                                      const formula::Symbols& symbols) const {
-        std::vector<formula::Expr> all;
+    [[nodiscard]] std::vector<Expr> formulas(std::string_view key,
+                                             const formula::Symbols& symbols) const {
+        std::vector<Expr> all;
         if (table_.has(key)) {
             for (const std::string& text : table_.written_list(key)) {
                 all.push_back(formula(table_.line(key), text, symbols));
@@ -202,8 +200,8 @@ private:
         return all;
     }
 
-    [[nodiscard]] formula::Expr formula(std::size_t line, const std::string& text,
-                                        const formula::Symbols& symbols) const {
+    [[nodiscard]] Expr formula(std::size_t line, const std::string& text,
+                               const formula::Symbols& symbols) const {
         try {
             return parse(text, symbols);
         } catch (const InputError& error) {
@@ -332,7 +330,7 @@ void refuse_unused_of(const Family& family, std::set<std::string> names, const s
         names.insert({"Q", "sig0", "friction"});
     }
     for (const auto* formulas : {&family.knots, &family.slopes}) {
-        for (const formula::Expr& e : *formulas) {
+        for (const Expr& e : *formulas) {
             names.merge(free_symbols(e));
         }
     }
@@ -340,7 +338,7 @@ void refuse_unused_of(const Family& family, std::set<std::string> names, const s
         before = names.size();
         for (const auto& [name, values] : family.parameters) {
             if (names.contains(name)) {
-                for (const formula::Expr& value : values) {
+                for (const Expr& value : values) {
                     names.merge(free_symbols(value));
                 }
             }

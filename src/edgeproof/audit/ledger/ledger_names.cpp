@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/ledger/ledger_names.hpp"
 #include "edgeproof/audit/ledger/ledger.hpp"
+#include "edgeproof/audit/ledger/ledger_parts.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -148,7 +148,7 @@ void use_flat_punch(Vocabulary& v, const Claim& claim, const std::string& family
     for (const auto& [name, arity] : scene_functions()) {
         refuse(name);
     }
-    v.definitions.push_back({"p", "s", formula::Expr::call("q", {formula::Expr::symbol("s")})});
+    v.definitions.push_back({"p", "s", Expr::call("q", {Expr::symbol("s")})});
 }
 
 /// Splits "F(s)" into a function name and its argument; "gam" has no argument.

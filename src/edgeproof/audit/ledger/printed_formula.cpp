@@ -120,7 +120,7 @@ std::vector<PrintedDecimal> rounded_decimals(const Claim& claim, const std::stri
 } // namespace
 
 PrintedFormula DecimalFormula::read(const Claim& claim, const std::string& text) {
-    const formula::Expr as_printed =
+    const Expr as_printed =
         expand_definitions(parse_formula(text, claim.vocabulary), claim.vocabulary);
     std::vector<PrintedDecimal> decimals = rounded_decimals(claim, text);
     if (decimals.empty()) {

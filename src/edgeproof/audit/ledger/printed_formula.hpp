@@ -39,14 +39,14 @@ struct PrintedDecimal {
 /// A printed formula in which every number is exact.
 class ExactFormula {
 public:
-    [[nodiscard]] const formula::Expr& expr() const { return expr_; }
+    [[nodiscard]] const Expr& expr() const { return expr_; }
     /// Makes one from a formula of the program, such as a correction, with definitions put in.
-    [[nodiscard]] static ExactFormula made(formula::Expr e) { return ExactFormula(std::move(e)); }
+    [[nodiscard]] static ExactFormula made(Expr e) { return ExactFormula(std::move(e)); }
 
 private:
     friend class DecimalFormula;
-    explicit ExactFormula(formula::Expr e) : expr_(std::move(e)) {}
-    formula::Expr expr_;
+    explicit ExactFormula(Expr e) : expr_(std::move(e)) {}
+    Expr expr_;
 };
 
 /// A printed formula with decimals, as a function of them. It cannot be converted to an
@@ -55,9 +55,9 @@ private:
 class DecimalFormula {
 public:
     /// Returns the formula with definitions put in and with a name for each decimal.
-    [[nodiscard]] const formula::Expr& expr() const { return expr_; }
+    [[nodiscard]] const Expr& expr() const { return expr_; }
     /// Returns the same formula with the printed decimals.
-    [[nodiscard]] const formula::Expr& as_printed() const { return as_printed_; }
+    [[nodiscard]] const Expr& as_printed() const { return as_printed_; }
     [[nodiscard]] const std::vector<PrintedDecimal>& decimals() const { return decimals_; }
     [[nodiscard]] static std::string name_of_decimal(std::size_t k);
     /// Returns the printed text with other numbers for the decimals, rounded to the printed places.
@@ -70,8 +70,8 @@ public:
 private:
     DecimalFormula() = default;
     std::string text_;
-    formula::Expr expr_;
-    formula::Expr as_printed_;
+    Expr expr_;
+    Expr as_printed_;
     std::vector<PrintedDecimal> decimals_;
 };
 

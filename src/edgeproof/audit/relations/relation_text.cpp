@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/claim.hpp"
-#include "edgeproof/audit/ledger/ledger_names.hpp"
+#include "edgeproof/audit/ledger/ledger_parts.hpp"
 #include "edgeproof/audit/relations/relations.hpp"
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -118,8 +118,7 @@ bool is_derived(std::string_view name) {
     return name == "L" || name.starts_with("right_") || name.starts_with("left_");
 }
 
-formula::Expr formula_of(const std::string& of, const std::string& text,
-                         const Vocabulary& vocabulary) {
+Expr formula_of(const std::string& of, const std::string& text, const Vocabulary& vocabulary) {
     try {
         return parse_formula(text, vocabulary);
     } catch (const InputError& error) {
@@ -143,7 +142,7 @@ AskedRelations asked_relations(const RelationQuestion& question) {
             throw InputError(fmt::format("{}{}: there is no '{}'", as_given, formula, name),
                              "give P1, P2, ..., b, b1, ... as formulas in the free quantities");
         }
-        formula::Expr e = formula_of(as_given, formula, vocabulary);
+        Expr e = formula_of(as_given, formula, vocabulary);
         std::set<std::string> names = free_symbols(e);
         names.insert(name);
         if (const auto it = std::ranges::find_if(names, is_derived); it != names.end()) {

@@ -53,8 +53,7 @@ void all_monomials(Exponents& at, std::size_t from, unsigned left, std::vector<E
 
 /// Returns the formula of s_k under full stick (contact/law/shear.hpp) for GiNaC; beta_k are the
 /// coefficients of (1 - z)^(-1/2).
-formula::Expr full_stick_formula(bool right, unsigned k) {
-    using formula::Expr;
+Expr full_stick_formula(bool right, unsigned k) {
     Rational beta(1);
     Rational before(0);
     for (unsigned j = 1; j <= k; ++j) {
@@ -69,7 +68,7 @@ formula::Expr full_stick_formula(bool right, unsigned k) {
            (pow(L, Expr::number(Rational(static_cast<long>(k)))) * Expr::call("sqrt", {L}));
 }
 
-formula::Expr with_shear_put_in(formula::Expr e) {
+Expr with_shear_put_in(Expr e) {
     for (const std::string& name : free_symbols(e)) {
         const bool right = name.starts_with("right_s");
         if (right || name.starts_with("left_s")) {
@@ -197,9 +196,8 @@ std::optional<PolynomialRelation> over_integers(const NullVector& v,
     return relation;
 }
 
-bool proved(const PolynomialRelation& relation, const std::vector<formula::Expr>& formulas,
+bool proved(const PolynomialRelation& relation, const std::vector<Expr>& formulas,
             const SymbolicCase& under) {
-    using formula::Expr;
     Expr sum = Expr::number(0);
     for (const PolynomialRelation::Term& term : relation.terms) {
         Expr product = Expr::number(Rational(term.coefficient));
@@ -219,13 +217,13 @@ bool proved(const PolynomialRelation& relation, const std::vector<formula::Expr>
 unsigned PolynomialRelation::Term::degree() const { return degree_of(exponents); }
 
 std::size_t PolynomialRelation::terms_with(std::size_t quantity) const {
-    return static_cast<std::size_t>(std::count_if(
-        terms.begin(), terms.end(), [&](const Term& t) { return t.exponents[quantity] > 0; }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(terms, [&](const Term& t) { return t.exponents[quantity] > 0; }));
 }
 
 FoundRelations find_relations(const std::vector<RelatedQuantity>& quantities, unsigned degree,
                               const SymbolicCase& under) {
-    std::vector<formula::Expr> formulas;
+    std::vector<Expr> formulas;
     std::vector<ScalingWeights> weights;
     bool graded = true;
     for (const RelatedQuantity& q : quantities) {
@@ -237,7 +235,7 @@ FoundRelations find_relations(const std::vector<RelatedQuantity>& quantities, un
     std::vector<Exponents> all;
     Exponents none(quantities.size(), 0);
     all_monomials(none, 0, degree, all);
-    std::sort(all.begin(), all.end(), precedes);
+    std::ranges::sort(all, precedes);
     // Terms that scale differently cannot cancel, so that a relation splits into its grades.
     std::map<ScalingWeights, std::vector<Exponents>> grades;
     for (const Exponents& e : all) {
@@ -285,13 +283,13 @@ FoundRelations find_relations(const std::vector<RelatedQuantity>& quantities, un
             candidates.push_back({std::move(v), &monomials});
         }
     }
-    std::sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
+    std::ranges::sort(candidates, [](const Candidate& x, const Candidate& y) {
         return precedes(x.leading(), y.leading());
     });
     for (const Candidate& candidate : candidates) {
         check_interruption();
-        const bool follows = std::any_of(
-            result.relations.begin(), result.relations.end(), [&](const PolynomialRelation& r) {
+        const bool follows =
+            std::ranges::any_of(result.relations, [&](const PolynomialRelation& r) {
                 return divides(r.terms.front().exponents, candidate.leading());
             });
         if (follows) {
@@ -347,8 +345,8 @@ ScalingWeights plus(ScalingWeights w, const ScalingWeights& o, int sign) {
 
 } // namespace
 
-std::optional<ScalingWeights> scaling_weights(const formula::Expr& e) {
-    using Kind = formula::Expr::Kind;
+std::optional<ScalingWeights> scaling_weights(const Expr& e) {
+    using Kind = Expr::Kind;
     if (e.rational() != nullptr || e.kind() == Kind::pi) {
         return ScalingWeights{0, 0, 0};
     }

@@ -21,7 +21,7 @@ namespace edgeproof::audit {
 /// roots.
 struct RelatedQuantity {
     std::string name;
-    formula::Expr formula;
+    Expr formula;
 };
 
 struct PolynomialRelation {
@@ -87,6 +87,6 @@ using ScalingWeights = std::array<Rational, 3>;
 
 /// Finds the weights from the expression tree. Returns nothing if the terms of a sum have different
 /// weights, or if a function other than sqrt is called.
-[[nodiscard]] std::optional<ScalingWeights> scaling_weights(const formula::Expr& e);
+[[nodiscard]] std::optional<ScalingWeights> scaling_weights(const Expr& e);
 
 } // namespace edgeproof::audit

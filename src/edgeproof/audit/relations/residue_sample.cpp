@@ -53,7 +53,7 @@ Residue ResidueSample::meaning(std::string_view name) const {
     const bool force = name == "P" || is_numbered(name, 'P');
     const bool edge = name == "b" || is_numbered(name, 'b');
     if ((force && under_.P) || (edge && (under_.b || under_.symmetric))) {
-        return formula::evaluate<Residue>(derive(formula::Expr::symbol(name), under_), *this);
+        return formula::evaluate<Residue>(derive(Expr::symbol(name), under_), *this);
     }
     return draw();
 }
@@ -79,8 +79,7 @@ Residue ResidueSample::pressure_multiplier(bool right, std::size_t k) const {
 
 Residue ResidueSample::shear_multiplier(bool right, std::size_t k) const {
     const auto s = contact::full_stick_brackets<Residue>(
-        symbol("Q") / pi_, symbol("sig0"), symbol("L"),
-        right ? contact::Edge::right : contact::Edge::left, k + 1);
+        symbol("Q") / pi_, symbol("sig0"), symbol("L"), right ? Edge::right : Edge::left, k + 1);
     return s.back() / root_;
 }
 

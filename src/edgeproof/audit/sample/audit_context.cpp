@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/sample/audit_context.hpp"
 
-#include "edgeproof/audit/ledger/claim_kind.hpp"
+#include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -18,8 +18,7 @@ std::vector<std::size_t> spread_first(std::size_t n, std::size_t first) {
         for (std::size_t k = 0; k < first; ++k) {
             chosen[k * (n - 1) / (first - 1)] = true;
         }
-        std::stable_partition(order.begin(), order.end(),
-                              [&](std::size_t i) { return bool{chosen[i]}; });
+        std::ranges::stable_partition(order, [&](std::size_t i) { return bool{chosen[i]}; });
     }
     return order;
 }
@@ -56,7 +55,7 @@ std::vector<SceneSpec> AuditContext::scenes(const Claim& claim) const {
 }
 
 std::vector<Sample> AuditContext::samples(const Claim& claim) const {
-    const contact::Edge edge = claim.edge();
+    const Edge edge = claim.edge();
     std::vector<Sample> samples;
     std::size_t i = 0;
     for (const SceneSpec& scene : scenes(claim)) {
@@ -76,13 +75,13 @@ std::vector<Sample> AuditContext::samples(const Claim& claim) const {
                         names.add(parameter);
                     }
                     try {
-                        formula::Expr e =
+                        Expr e =
                             parse(values[stratified_index(claim.id + '/' + name, values.size(), i)],
                                   names);
                         for (const auto& [parameter, value] : scene.parameters) {
                             e = substitute(e, parameter, value.expr());
                         }
-                        sample.variables.emplace(name, formula::Exact(e));
+                        sample.variables.emplace(name, Exact(e));
                     } catch (const InputError& error) {
                         claim.reject("vary", error.problem(), error.instead());
                     }

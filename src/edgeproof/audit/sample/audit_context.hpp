@@ -21,9 +21,9 @@ namespace edgeproof::audit {
 /// One sample of a claim: a scene, a place in it, and values for the names of `vary`.
 struct Sample {
     SceneSpec scene;
-    std::optional<formula::Exact> fraction; ///< u as a fraction of the contact's length
-    contact::Edge edge = contact::Edge::right;
-    std::map<std::string, formula::Exact, std::less<>> variables;
+    std::optional<Exact> fraction; ///< u as a fraction of the contact's length
+    Edge edge = Edge::right;
+    std::map<std::string, Exact, std::less<>> variables;
     [[nodiscard]] std::string text() const;
 };
 

@@ -10,7 +10,7 @@ BodyFields::BodyFields(const SceneSpec& scene, const std::optional<contact::Shea
                        const std::optional<Ball>& friction, long bits)
     : load_(load) {
     const contact::Profile profile = scene.make_profile();
-    const formula::Exact& modulus = scene.parameter("Es");
+    const Exact& modulus = scene.parameter("Es");
     const contact::Load edge = contact::Load::right_edge(scene.parameter("a"));
     if (!friction) {
         contact_ = contact::proved_contact(profile, modulus, edge, bits);

@@ -1,13 +1,98 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/ledger/family.hpp"
+#include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
+#include "edgeproof/contact/profile/edge.hpp"
+#include "edgeproof/contact/stress/surface_gap.hpp"
+#include "edgeproof/precision/error.hpp"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace edgeproof::audit {
+
+/// Returns k of a name such as P2 or right_c1: one digit after the stem.
+[[nodiscard]] inline std::optional<std::size_t> order_behind(std::string_view name,
+                                                             std::string_view stem) {
+    if (!name.starts_with(stem) || name.size() != stem.size() + 1 || name.back() < '0' ||
+        name.back() > '9') {
+        return std::nullopt;
+    }
+    return static_cast<std::size_t>(name.back() - '0');
+}
+
+/// The names of the quantities of a contact in formulas (evaluated_scene.hpp), for numbers and for
+/// balls. Returns the value of a name, or nothing for other names. `of` has the values:
+///   left_edge(), length(), force(), moment(), force_derivative(k), left_edge_derivative(k),
+///   coefficient(edge, k) of the pressure, shear_coefficient(edge, k) under full stick,
+///   axisymmetric(), and for bodies of revolution approach(),
+///   slips(), and for scenes that slip, slip_size(edge) and stick_edge(edge).
+template <class Quantities>
+[[nodiscard]] auto named_quantity(Quantities& of, std::string_view name)
+    -> std::optional<decltype(of.force())> {
+    if (name == "b") {
+        return of.left_edge();
+    }
+    if (name == "L") {
+        return of.length();
+    }
+    if (name == "P") {
+        return of.force();
+    }
+    if (of.axisymmetric() && name == "delta") {
+        return of.approach();
+    }
+    if (name == "M") {
+        return of.moment();
+    }
+    if (const auto k = order_behind(name, "P")) {
+        return of.force_derivative(*k);
+    }
+    if (const auto k = order_behind(name, "b")) {
+        return of.left_edge_derivative(*k);
+    }
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        const bool right = edge == Edge::right;
+        const std::string side = right ? "right_" : "left_";
+        if (const auto k = order_behind(name, side + "c")) {
+            return of.coefficient(edge, *k);
+        }
+        if (const auto k = order_behind(name, side + "s")) {
+            return of.shear_coefficient(edge, *k);
+        }
+        if (of.slips() && name == side + "d") {
+            return of.slip_size(edge);
+        }
+        if (of.slips() && name == (right ? "stick_a" : "stick_b")) {
+            return of.stick_edge(edge);
+        }
+    }
+    return std::nullopt;
+}
+
+/// Returns c_0 sqrt(u) + ... + c_{n-1} u^(n-1/2) by Horner's rule; `zero` is 0 of the type.
+template <class T> [[nodiscard]] T sum_of_terms(std::span<const T> c, const T& u, const T& zero) {
+    T sum = zero;
+    for (std::size_t k = c.size(); k-- > 0;) {
+        sum = sum * u + c[k];
+    }
+    return sum * sqrt(u);
+}
+
+/// Returns the gap (length) at the place x (length) outside the contact.
+[[nodiscard]] inline Ball gap_at(const contact::BallContact& contact, bool axisymmetric,
+                                 const Ball& x) {
+    const Ball beyond = x - contact.a();
+    if (!certainly_positive(beyond) && (axisymmetric || !certainly_positive(-x - contact.b()))) {
+        throw DomainError("the gap at a place that may be inside the contact");
+    }
+    return axisymmetric ? axisymmetric_gap(contact, beyond) : contact::gap_at(contact, x);
+}
 
 /// The partial slip of a scene, the stresses in body A, on which Q acts and which has no bulk
 /// stress, and the slip, in balls of one precision (docs/stress.md).

@@ -2,8 +2,8 @@
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
 
 #include "edgeproof/audit/ledger/claim.hpp"
+#include "edgeproof/audit/sample/body_fields.hpp"
 #include "edgeproof/audit/sample/evaluated_scene_environment.hpp"
-#include "edgeproof/audit/sample/quantity_names.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -82,7 +82,7 @@ EvaluatedSceneLevel& EvaluatedSceneState::here() {
                               : levels.try_emplace(working_digits(), spec, profile).first->second;
 }
 
-const std::vector<Real>& EvaluatedSceneState::expansion(contact::Edge edge, std::size_t terms) {
+const std::vector<Real>& EvaluatedSceneState::expansion(Edge edge, std::size_t terms) {
     auto& known = expansions[index_of(edge)];
     if (known.size() < terms) {
         known = contact.expansion(edge, std::max<std::size_t>(terms, 4));
@@ -90,7 +90,7 @@ const std::vector<Real>& EvaluatedSceneState::expansion(contact::Edge edge, std:
     return known;
 }
 
-Real EvaluatedSceneState::local(contact::Edge edge, std::size_t n, const Real& u) {
+Real EvaluatedSceneState::local(Edge edge, std::size_t n, const Real& u) {
     return sum_of_terms(std::span<const Real>(expansion(edge, n)).first(n), u, Real(0));
 }
 
@@ -123,13 +123,12 @@ Place EvaluatedSceneState::place_of_x(const Real& x) const {
     const contact::Extent<Real>& extent = top().extent;
     const Real right = extent.a - x;
     const Real left = x + extent.b;
-    return right < left ? Place{contact::Edge::right, right, x, {}}
-                        : Place{contact::Edge::left, left, x, {}};
+    return right < left ? Place{Edge::right, right, x, {}} : Place{Edge::left, left, x, {}};
 }
 
 Real EvaluatedSceneState::pressure_at_node(const Place& at) {
     const PrecisionScope scope(contact.digits() + contact_guard);
-    const contact::Edge edge = profile.symmetric() ? contact::Edge::right : at.edge;
+    const Edge edge = profile.symmetric() ? Edge::right : at.edge;
     auto& known = pressures[index_of(edge)];
     const Real u = at_working_precision(at.u);
     if (const auto it = known.find(u); it != known.end()) {
@@ -187,8 +186,7 @@ Real EvaluatedSceneState::call(const std::string& name, std::span<const Real> ar
         return of_body(name, args, place);
     }
     if (name == "right_local" || name == "left_local") {
-        const contact::Edge edge =
-            name == "right_local" ? contact::Edge::right : contact::Edge::left;
+        const Edge edge = name == "right_local" ? Edge::right : Edge::left;
         const auto n = args[0].convert_to<long>();
         if (args[0] > most_local_terms) {
             throw BudgetError(name + " of more than " + std::to_string(most_local_terms) +
@@ -198,10 +196,9 @@ Real EvaluatedSceneState::call(const std::string& name, std::span<const Real> ar
             throw DomainError(name + " has a number of terms that is not a whole number");
         }
         const contact::Extent<Real>& extent = top().extent;
-        const Real u =
-            at_place(args[1]) && place->edge == edge
-                ? place->u
-                : Real(edge == contact::Edge::right ? extent.a - args[1] : args[1] + extent.b);
+        const Real u = at_place(args[1]) && place->edge == edge
+                           ? place->u
+                           : Real(edge == Edge::right ? extent.a - args[1] : args[1] + extent.b);
         return local(edge, static_cast<std::size_t>(n), u);
     }
     throw Error("the function '" + name + "' has no meaning here");
@@ -252,41 +249,41 @@ Real EvaluatedScene::parameter(std::string_view name) const {
     return it->second;
 }
 
-std::string place_text(contact::Edge edge, const formula::Exact& fraction) {
+std::string place_text(Edge edge, const Exact& fraction) {
     return "u = " + fraction.text() + " of the length from the " +
-           (edge == contact::Edge::right ? "right" : "left") + " edge";
+           (edge == Edge::right ? "right" : "left") + " edge";
 }
 
-Place EvaluatedScene::place(contact::Edge edge, const formula::Exact& fraction) const {
+Place EvaluatedScene::place(Edge edge, const Exact& fraction) const {
     const PrecisionScope scope(state_->precision.integrand());
     Place at = place_at_u(edge, Real(fraction.to<Real>() * length()));
     at.text = place_text(edge, fraction);
     return at;
 }
 
-Place EvaluatedScene::place_at_u(contact::Edge edge, const Real& u) const {
+Place EvaluatedScene::place_at_u(Edge edge, const Real& u) const {
     const PrecisionScope scope(state_->precision.integrand());
     const auto& e = state_->top().extent;
-    return {edge, u, edge == contact::Edge::right ? Real(e.a - u) : Real(u - e.b), {}};
+    return {edge, u, edge == Edge::right ? Real(e.a - u) : Real(u - e.b), {}};
 }
 
-Real EvaluatedScene::pressure(contact::Edge edge, const Real& u, contact::Route route) const {
+Real EvaluatedScene::pressure(Edge edge, const Real& u, contact::Route route) const {
     return state_->contact.pressure(edge, u, route).value;
 }
 
-std::vector<Real> EvaluatedScene::expansion(contact::Edge edge, std::size_t terms) const {
+std::vector<Real> EvaluatedScene::expansion(Edge edge, std::size_t terms) const {
     std::vector<Real> c = state_->expansion(edge, terms);
     c.resize(terms);
     return c;
 }
 
-Real EvaluatedScene::local(contact::Edge edge, std::size_t n, const Real& u) const {
+Real EvaluatedScene::local(Edge edge, std::size_t n, const Real& u) const {
     const PrecisionScope scope(state_->precision.integrand());
     return state_->local(edge, n, u);
 }
 
-Variables EvaluatedScene::values_of(
-    const std::map<std::string, formula::Exact, std::less<>>& variables) const {
+Variables
+EvaluatedScene::values_of(const std::map<std::string, Exact, std::less<>>& variables) const {
     const PrecisionScope scope(state_->precision.integrand());
     Variables values;
     for (const auto& [name, value] : variables) {
@@ -295,8 +292,8 @@ Variables EvaluatedScene::values_of(
     return values;
 }
 
-FormulaValue EvaluatedScene::evaluate(const formula::Expr& e, const Place* place,
-                                      const Variables& variables, IntegralCache* cache) const {
+FormulaValue EvaluatedScene::evaluate(const Expr& e, const Place* place, const Variables& variables,
+                                      IntegralCache* cache) const {
     const PrecisionScope scope(state_->precision.integrand());
     EvaluatedSceneEnvironment environment(*state_, place, variables, cache);
     FormulaValue result;
@@ -313,7 +310,7 @@ FormulaValue EvaluatedScene::evaluate(const formula::Expr& e, const Place* place
 
 bool EvaluatedScene::holds(const Condition& condition, const Place* place,
                            const Variables& variables) const {
-    return std::all_of(condition.begin(), condition.end(), [&](const Relation& r) {
+    return std::ranges::all_of(condition, [&](const Relation& r) {
         return compare(r.op, evaluate(r.lhs, place, variables).value,
                        evaluate(r.rhs, place, variables).value);
     });

@@ -19,14 +19,14 @@ struct EvaluatedSceneState;
 
 /// A place in a contact: the distance u inwards from an edge, and x.
 struct Place {
-    contact::Edge edge = contact::Edge::right;
+    Edge edge = Edge::right;
     Real u;
     Real x;
     std::string text; ///< "u = 1e-3 of the length, from the right edge"
 };
 
 /// Returns such a text for the fraction u of the length.
-[[nodiscard]] std::string place_text(contact::Edge edge, const formula::Exact& fraction);
+[[nodiscard]] std::string place_text(Edge edge, const Exact& fraction);
 
 /// Values for names that a sample adds to its scene.
 using Variables = std::map<std::string, Real, std::less<>>;
@@ -42,7 +42,7 @@ struct FormulaValue {
 
 /// Values of integrals that occur in many variants of one formula, at one place and for one set of
 /// variables.
-using IntegralCache = std::unordered_map<formula::Expr, FormulaValue, formula::ExprHash>;
+using IntegralCache = std::unordered_map<Expr, FormulaValue, formula::ExprHash>;
 
 /// The effort for an integral: a screening, which distinguishes many wrong formulas from a right
 /// one, stops early for integrals that do not converge.
@@ -78,25 +78,25 @@ public:
     [[nodiscard]] Real parameter(std::string_view name) const;
 
     /// Returns the place at a fraction of the length a + b.
-    [[nodiscard]] Place place(contact::Edge edge, const formula::Exact& fraction) const;
-    [[nodiscard]] Place place_at_u(contact::Edge edge, const Real& u) const;
+    [[nodiscard]] Place place(Edge edge, const Exact& fraction) const;
+    [[nodiscard]] Place place_at_u(Edge edge, const Real& u) const;
 
     /// Returns the exact pressure at u from an edge, by any of its routes.
-    [[nodiscard]] Real pressure(contact::Edge edge, const Real& u,
+    [[nodiscard]] Real pressure(Edge edge, const Real& u,
                                 contact::Route route = contact::Route::automatic) const;
     /// Returns c_0 ... c_{terms-1}; computed once, and extended if more terms are needed.
-    [[nodiscard]] std::vector<Real> expansion(contact::Edge edge, std::size_t terms) const;
+    [[nodiscard]] std::vector<Real> expansion(Edge edge, std::size_t terms) const;
     /// Returns the sum of the first n terms at u.
-    [[nodiscard]] Real local(contact::Edge edge, std::size_t n, const Real& u) const;
+    [[nodiscard]] Real local(Edge edge, std::size_t n, const Real& u) const;
 
     /// Returns the value of a formula (definitions put in). Throws DomainError if it is undefined,
     /// and Error for a name that the scene does not have.
-    [[nodiscard]] FormulaValue evaluate(const formula::Expr& e, const Place* place = nullptr,
+    [[nodiscard]] FormulaValue evaluate(const Expr& e, const Place* place = nullptr,
                                         const Variables& variables = {},
                                         IntegralCache* cache = nullptr) const;
     /// Returns exact values of variables with the working precision of formulas.
     [[nodiscard]] Variables
-    values_of(const std::map<std::string, formula::Exact, std::less<>>& variables) const;
+    values_of(const std::map<std::string, Exact, std::less<>>& variables) const;
     [[nodiscard]] bool holds(const std::vector<Relation>& condition, const Place* place = nullptr,
                              const Variables& variables = {}) const;
 

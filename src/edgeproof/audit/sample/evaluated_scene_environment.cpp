@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/sample/evaluated_scene_environment.hpp"
-#include "edgeproof/audit/sample/quantity_names.hpp"
+#include "edgeproof/audit/sample/body_fields.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -76,16 +76,16 @@ void EvaluatedSceneEnvironment::add_preimage(const std::function<Real(const Real
     cuts.push_back(y);
 }
 
-void EvaluatedSceneEnvironment::collect_cuts(const formula::Expr& f, const std::string& variable,
+void EvaluatedSceneEnvironment::collect_cuts(const Expr& f, const std::string& variable,
                                              const Real& lo, const Real& hi, const At& at,
                                              std::vector<Real>& cuts) const {
     if (f.is_binder()) {
         return; // the variable of an inner integral is different inside
     }
-    for (const formula::Expr& part : f.args()) {
+    for (const Expr& part : f.args()) {
         collect_cuts(part, variable, lo, hi, at, cuts);
     }
-    const auto add = [&](const formula::Expr& argument, const std::vector<Real>& criticals) {
+    const auto add = [&](const Expr& argument, const std::vector<Real>& criticals) {
         if (!holds_symbol(argument, variable)) {
             return;
         }
@@ -99,7 +99,7 @@ void EvaluatedSceneEnvironment::collect_cuts(const formula::Expr& f, const std::
             return;
         }
     };
-    if (f.kind() == formula::Expr::Kind::call && f.builtin() == formula::Builtin::none) {
+    if (f.kind() == Expr::Kind::call && f.builtin() == formula::Builtin::none) {
         const bool local = f.name() == "right_local" || f.name() == "left_local";
         if (!local) {
             add(f.arg(0), state_.critical_arguments(f.name()));
@@ -168,7 +168,7 @@ Real EvaluatedSceneState::of_body(const std::string& function, std::span<const R
         Ball x(args[0], bits);
         if (place != nullptr && at_working_precision(place->x) == args[0]) {
             const Ball u(place->u, bits);
-            x = place->edge == contact::Edge::right ? f.contact().a() - u : u - f.contact().b();
+            x = place->edge == Edge::right ? f.contact().a() - u : u - f.contact().b();
         }
         return function == "slip" ? f.slip(x) : f.stress(function, x, Ball(args[1], bits));
     });

@@ -59,10 +59,10 @@ struct EvaluatedSceneState {
     [[nodiscard]] const EvaluatedSceneLevel& top() const {
         return levels.at(precision.integrand());
     }
-    const std::vector<Real>& expansion(contact::Edge edge, std::size_t terms);
+    const std::vector<Real>& expansion(Edge edge, std::size_t terms);
     /// Returns the sum of the first n terms at u.
-    Real local(contact::Edge edge, std::size_t n, const Real& u);
-    // The quantities of quantity_names.hpp.
+    Real local(Edge edge, std::size_t n, const Real& u);
+    // The quantities of body_fields.hpp.
     Real left_edge() { return here().extent.b; }
     Real length() { return here().extent.length(); }
     [[nodiscard]] bool axisymmetric() const { return spec.axisymmetric; }
@@ -75,15 +75,15 @@ struct EvaluatedSceneState {
     Real left_edge_derivative(std::size_t k) {
         return contact.left_edge_derivative(static_cast<unsigned>(k));
     }
-    Real coefficient(contact::Edge edge, std::size_t k) { return expansion(edge, k + 1)[k]; }
-    Real shear_coefficient(contact::Edge edge, std::size_t k) {
+    Real coefficient(Edge edge, std::size_t k) { return expansion(edge, k + 1)[k]; }
+    Real shear_coefficient(Edge edge, std::size_t k) {
         return full_stick_expansion(top().extent.length(), shear_load(), edge, k + 1).back();
     }
     [[nodiscard]] bool slips() const { return spec.slips(); }
-    Real slip_size(contact::Edge edge) {
+    Real slip_size(Edge edge) {
         return of_slip([edge](const contact::ProvedSlip& s) { return s.slip().size(edge); });
     }
-    Real stick_edge(contact::Edge edge) {
+    Real stick_edge(Edge edge) {
         return of_slip([edge](const contact::ProvedSlip& s) { return s.slip().stick().at(edge); });
     }
     /// Returns the value of a name that is not a parameter, place or variable; nullopt if unknown.
@@ -120,12 +120,11 @@ public:
     [[nodiscard]] Real number(const Rational& q) const { return formula::number_of<Real>(q); }
     [[nodiscard]] Real pi() const { return edgeproof::pi<Real>(); }
     [[nodiscard]] Real symbol(std::string_view name) const;
-    [[nodiscard]] Real call(const formula::Expr& node, std::span<const Real> args) const {
+    [[nodiscard]] Real call(const Expr& node, std::span<const Real> args) const {
         return state_.call(node.name(), args, place_);
     }
-    template <class Scope>
-    [[nodiscard]] Real binder(const formula::Expr& node, const Scope& scope) const {
-        if (node.kind() == formula::Expr::Kind::sum) {
+    template <class Scope> [[nodiscard]] Real binder(const Expr& node, const Scope& scope) const {
+        if (node.kind() == Expr::Kind::sum) {
             return evaluate_sum<Real>(node, scope);
         }
         // An integral inside another depends on more than its own text.
@@ -138,19 +137,19 @@ public:
         const std::string& name = node.arg(1).name();
         const Real lo = evaluate<Real>(node.arg(2), scope);
         const Real hi = evaluate<Real>(node.arg(3), scope);
-        const auto along = [&](const formula::Expr& e) {
+        const auto along = [&](const Expr& e) {
             return [&](const Real& s) {
                 return evaluate<Real>(e, formula::with_symbol(scope, name, s));
             };
         };
         std::vector<Real> cuts = places(lo, hi);
         collect_cuts(
-            node.arg(0), name, lo, hi,
-            [&](const formula::Expr& e, const Real& s) { return along(e)(s); }, cuts);
+            node.arg(0), name, lo, hi, [&](const Expr& e, const Real& s) { return along(e)(s); },
+            cuts);
         NaivePrecision precision = state_.precision;
         precision.roots = !holds_call(node.arg(0), "p"); // p has logarithms at the knots
         const NaiveIntegral result =
-            node.kind() == formula::Expr::Kind::pv
+            node.kind() == Expr::Kind::pv
                 ? principal_value_naively(along(node.arg(0)), lo, hi,
                                           evaluate<Real>(node.arg(4), scope), std::move(cuts),
                                           std::move(precision))
@@ -173,13 +172,13 @@ private:
         return integral.value;
     }
 
-    using At = std::function<Real(const formula::Expr&, const Real&)>;
+    using At = std::function<Real(const Expr&, const Real&)>;
     /// Returns places where printed integrands have their branch points. Those inside an interval
     /// are not cuts; those outside show that a branch point is near an end.
     [[nodiscard]] std::vector<Real> places(const Real& lo, const Real& hi) const;
     /// Collects the values of the bound variable at which a function in f is not analytic.
-    void collect_cuts(const formula::Expr& f, const std::string& variable, const Real& lo,
-                      const Real& hi, const At& at, std::vector<Real>& cuts) const;
+    void collect_cuts(const Expr& f, const std::string& variable, const Real& lo, const Real& hi,
+                      const At& at, std::vector<Real>& cuts) const;
     static void add_preimage(const std::function<Real(const Real&)>& argument, const Real& critical,
                              const Real& lo, const Real& hi, std::vector<Real>& cuts);
 

@@ -37,8 +37,8 @@ FormalValues::FormalValues(const std::set<std::string>& names, const SymbolicCas
     std::set<std::string> wanted = names;
     wanted.insert({"a", "b"});
     for (const std::string& name : wanted) {
-        const formula::Expr meaning = derive(formula::Expr::symbol(name), under);
-        if (meaning == formula::Expr::symbol(name)) {
+        const Expr meaning = derive(Expr::symbol(name), under);
+        if (meaning == Expr::symbol(name)) {
             drawn_.emplace(name, drawn(name, draw));
         } else {
             meanings_.emplace(name, meaning);
@@ -56,12 +56,12 @@ FormalValues::FormalValues(const std::set<std::string>& names, const SymbolicCas
     }
 }
 
-Real FormalValues::evaluate(const formula::Expr& e) const {
+Real FormalValues::evaluate(const Expr& e) const {
     const PrecisionScope scope(working_digits_);
     return formula::evaluate<Real>(e, values_);
 }
 
-Ball FormalValues::enclose(const formula::Expr& e, long bits) const {
+Ball FormalValues::enclose(const Expr& e, long bits) const {
     struct Balls {
         const FormalValues& values;
         long bits;

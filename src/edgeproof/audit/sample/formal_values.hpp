@@ -24,18 +24,17 @@ public:
     [[nodiscard]] const Variables& values() const noexcept { return values_.all(); }
     void set(const std::string& name, const Real& value) { values_.set(name, value); }
     /// Throws Error for names without a value and for functions along the family of contacts.
-    [[nodiscard]] Real evaluate(const formula::Expr& e) const;
+    [[nodiscard]] Real evaluate(const Expr& e) const;
     /// Evaluates in balls: the drawn numbers are exact, and values that depend on them are
     /// enclosed.
-    [[nodiscard]] Ball enclose(const formula::Expr& e, long bits) const;
+    [[nodiscard]] Ball enclose(const Expr& e, long bits) const;
 
     static constexpr unsigned digits = 40;
 
 private:
     formula::Values<Real> values_;
     std::map<std::string, Rational, std::less<>> drawn_;
-    std::map<std::string, formula::Expr, std::less<>>
-        meanings_; ///< of names that depend on the drawn ones
+    std::map<std::string, Expr, std::less<>> meanings_; ///< of names that depend on the drawn ones
     unsigned working_digits_;
 };
 

@@ -19,7 +19,7 @@ struct Split {
 };
 
 Split split_at(const Real& lo, const Real& hi, std::vector<Real> cuts) {
-    std::sort(cuts.begin(), cuts.end());
+    std::ranges::sort(cuts);
     Split split{{lo}, Real(0), Real(0)};
     // Cuts that differ by less than about the working precision are merged.
     const Real same = (hi - lo) * pow(Real(10), -static_cast<int>(working_digits() * 9 / 10));

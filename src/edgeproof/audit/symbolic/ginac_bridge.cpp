@@ -4,10 +4,10 @@
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/error.hpp"
 
-#include <ginac/ginac.h>
-
 #include <algorithm>
+#include <array>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -26,9 +26,9 @@ bool has_either_sign(std::string_view name) {
 }
 
 struct Tables {
-    std::map<std::string, GiNaC::ex, std::less<>> symbols;
+    std::map<std::string, ex, std::less<>> symbols;
     /// The expressions (integrals and unknown functions) that are replaced by symbols.
-    std::map<std::string, formula::Expr, std::less<>> opaque;
+    std::map<std::string, Expr, std::less<>> opaque;
 };
 
 Tables& tables() {
@@ -36,7 +36,7 @@ Tables& tables() {
     return t;
 }
 
-GiNaC::ex opaque(const formula::Expr& e) {
+ex opaque(const Expr& e) {
     const std::string name = "[" + to_text(e) + "]";
     tables().opaque.emplace(name, e);
     return symbol(name);
@@ -47,101 +47,79 @@ GiNaC::numeric number(const Rational& q) {
     return GiNaC::numeric(text.c_str());
 }
 
-Rational rational(const GiNaC::numeric& n) {
-    if (!n.is_rational()) {
-        throw Error("a symbolic result holds a number that is not rational");
-    }
-    const auto integer = [](const GiNaC::numeric& i) {
-        std::ostringstream text;
-        text << i;
-        return Integer(text.str());
-    };
-    return {integer(n.numer()), integer(n.denom())};
-}
-
-constexpr long most_worked_out = 1000;
-
-/// Returns base^exponent. GiNaC expands powers of numbers and of sums, however long this takes;
-/// therefore throws Error for exponents too large for a formula of mechanics.
-GiNaC::ex power(const GiNaC::ex& base, const GiNaC::ex& exponent) {
-    if (GiNaC::is_a<GiNaC::numeric>(exponent) &&
-        GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(exponent)) > most_worked_out) {
-        throw Error("a power beyond " + std::to_string(most_worked_out) +
+/// GiNaC expands powers of numbers and of sums and computes factorials, however long this takes;
+/// therefore throws Error for numbers too large for a formula of mechanics.
+void refuse_large(const ex& number, const std::string& what) {
+    constexpr long most_worked_out = 1000;
+    if (GiNaC::is_a<GiNaC::numeric>(number) &&
+        GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(number)) > most_worked_out) {
+        throw Error(what + " beyond " + std::to_string(most_worked_out) +
                     " is not worked out by symbols");
     }
+}
+
+ex power(const ex& base, const ex& exponent) {
+    refuse_large(exponent, "a power");
     return GiNaC::power(base, exponent);
 }
 
-/// Returns gamma of x, with the same limit for a number, as GiNaC computes factorials.
-GiNaC::ex gamma(const GiNaC::ex& x) {
-    if (GiNaC::is_a<GiNaC::numeric>(x) &&
-        GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(x)) > most_worked_out) {
-        throw Error("gamma of a number beyond " + std::to_string(most_worked_out) +
-                    " is not worked out by symbols");
-    }
+ex gamma(const ex& x) {
+    refuse_large(x, "gamma of a number");
     return GiNaC::tgamma(x);
 }
 
-GiNaC::ex call(const formula::Expr& e) {
-    const auto x = [&](std::size_t i) { return from_expr(e.arg(i)); };
-    switch (e.builtin()) {
-    case formula::Builtin::sqrt:
-        return GiNaC::sqrt(x(0));
-    case formula::Builtin::exp:
-        return GiNaC::exp(x(0));
-    case formula::Builtin::log:
-        return GiNaC::log(x(0));
-    case formula::Builtin::sin:
-        return GiNaC::sin(x(0));
-    case formula::Builtin::cos:
-        return GiNaC::cos(x(0));
-    case formula::Builtin::tan:
-        return GiNaC::tan(x(0));
-    case formula::Builtin::asin:
-        return GiNaC::asin(x(0));
-    case formula::Builtin::acos:
-        return GiNaC::acos(x(0));
-    case formula::Builtin::atan:
-        return GiNaC::atan(x(0));
-    case formula::Builtin::gamma:
-        return gamma(x(0));
-    default:
-        return opaque(e);
-    }
+/// A function that GiNaC has, and its name there.
+struct Known {
+    formula::Builtin id;
+    std::string_view name;
+    ex (*of)(const ex& x);
+};
+constexpr std::array known_functions{
+    Known{formula::Builtin::sqrt, "", [](const ex& x) { return ex(GiNaC::sqrt(x)); }},
+    Known{formula::Builtin::exp, "exp", [](const ex& x) { return ex(GiNaC::exp(x)); }},
+    Known{formula::Builtin::log, "log", [](const ex& x) { return ex(GiNaC::log(x)); }},
+    Known{formula::Builtin::sin, "sin", [](const ex& x) { return ex(GiNaC::sin(x)); }},
+    Known{formula::Builtin::cos, "cos", [](const ex& x) { return ex(GiNaC::cos(x)); }},
+    Known{formula::Builtin::tan, "tan", [](const ex& x) { return ex(GiNaC::tan(x)); }},
+    Known{formula::Builtin::asin, "asin", [](const ex& x) { return ex(GiNaC::asin(x)); }},
+    Known{formula::Builtin::acos, "acos", [](const ex& x) { return ex(GiNaC::acos(x)); }},
+    Known{formula::Builtin::atan, "atan", [](const ex& x) { return ex(GiNaC::atan(x)); }},
+    Known{formula::Builtin::gamma, "tgamma", gamma}};
+
+const Known* find_known(const Expr& e) {
+    const auto* const row = std::ranges::find(known_functions, e.builtin(), &Known::id);
+    return e.kind() == Expr::Kind::call && row != known_functions.end() ? row : nullptr;
 }
 
-formula::Expr function_to_expr(const GiNaC::function& f) {
-    static const std::map<std::string, std::string, std::less<>> names{
-        {"exp", "exp"},   {"log", "log"},   {"sin", "sin"},   {"cos", "cos"},      {"tan", "tan"},
-        {"asin", "asin"}, {"acos", "acos"}, {"atan", "atan"}, {"tgamma", "gamma"}, {"abs", "abs"}};
-    const auto it = names.find(f.get_name());
-    if (it == names.end()) {
+Expr function_to_expr(const GiNaC::function& f) {
+    const auto* const row = std::ranges::find(known_functions, f.get_name(), &Known::name);
+    if (row == known_functions.end() && f.get_name() != "abs") {
         throw Error("a symbolic result holds the function " + f.get_name());
     }
-    std::vector<formula::Expr> args;
-    for (const GiNaC::ex& part : f) {
+    std::vector<Expr> args;
+    for (const ex& part : f) {
         args.push_back(to_expr(part));
     }
-    return formula::Expr::call(it->second, std::move(args));
+    return Expr::call(row == known_functions.end() ? "abs" : name_of(row->id), std::move(args));
 }
 
 struct Signed {
     bool minus = false;
-    formula::Expr e;
+    Expr e;
 };
 
 /// Returns a product as numerator/denominator, with the number in front.
-Signed product_to_expr(const GiNaC::ex& e) {
+Signed product_to_expr(const ex& e) {
     Rational coefficient(1);
-    std::vector<formula::Expr> over;
-    std::vector<formula::Expr> under;
-    const auto take = [&](const GiNaC::ex& factor) {
+    std::vector<Expr> over;
+    std::vector<Expr> under;
+    const auto take = [&](const ex& factor) {
         if (GiNaC::is_a<GiNaC::numeric>(factor)) {
-            coefficient *= rational(GiNaC::ex_to<GiNaC::numeric>(factor));
+            coefficient *= rational_of(factor);
             return;
         }
         if (GiNaC::is_a<GiNaC::power>(factor)) {
-            const GiNaC::ex& exponent = factor.op(1);
+            const ex& exponent = factor.op(1);
             if (GiNaC::is_a<GiNaC::numeric>(exponent) &&
                 GiNaC::ex_to<GiNaC::numeric>(exponent).is_negative()) {
                 under.push_back(to_expr(GiNaC::power(factor.op(0), -exponent)));
@@ -150,41 +128,10 @@ Signed product_to_expr(const GiNaC::ex& e) {
         }
         over.push_back(to_expr(factor));
     };
-    if (GiNaC::is_a<GiNaC::mul>(e)) {
-        for (const GiNaC::ex& factor : e) {
-            take(factor);
-        }
-    } else {
-        take(e);
-    }
-    const auto in_order = [](const formula::Expr& x, const formula::Expr& y) {
-        const std::string s = to_text(x);
-        const std::string t = to_text(y);
-        return s.size() != t.size() ? s.size() < t.size() : s < t;
-    };
-    std::sort(over.begin(), over.end(), in_order);
-    std::sort(under.begin(), under.end(), in_order);
+    for_each_factor(e, take);
     const bool minus = coefficient < 0;
-    if (minus) {
-        coefficient = -coefficient;
-    }
-    const Integer top = numerator(coefficient);
-    const Integer bottom = denominator(coefficient);
-    if (top != 1 || over.empty()) {
-        over.insert(over.begin(), formula::Expr::number(Rational(top)));
-    }
-    if (bottom != 1) {
-        under.insert(under.begin(), formula::Expr::number(Rational(bottom)));
-    }
-    const auto product = [](const std::vector<formula::Expr>& factors) {
-        formula::Expr p = factors.front();
-        for (std::size_t i = 1; i < factors.size(); ++i) {
-            p = p * factors[i];
-        }
-        return p;
-    };
-    const formula::Expr numerator_part = product(over);
-    return {minus, under.empty() ? numerator_part : numerator_part / product(under)};
+    return {minus, quotient(minus ? Rational(-coefficient) : coefficient, std::move(over),
+                            std::move(under))};
 }
 
 } // namespace
@@ -194,22 +141,53 @@ std::unique_lock<std::recursive_mutex> hold() {
     return std::unique_lock(mutex);
 }
 
-GiNaC::ex symbol(std::string_view name) {
+Rational rational_of(const ex& number) {
+    const auto& n = GiNaC::ex_to<GiNaC::numeric>(number);
+    if (!n.is_rational()) {
+        throw Error("a symbolic result holds a number that is not rational");
+    }
+    std::ostringstream text;
+    text << n;
+    return Rational(text.str());
+}
+
+Expr quotient(const Rational& number, std::vector<Expr> over, std::vector<Expr> under) {
+    const auto put_before = [](const Integer& n, std::vector<Expr>& factors, bool even_one) {
+        // In an order that does not depend on GiNaC's.
+        std::ranges::sort(factors, {}, [](const Expr& e) {
+            std::string text = to_text(e);
+            const std::size_t size = text.size();
+            return std::pair(size, std::move(text));
+        });
+        if (n != 1 || even_one) {
+            factors.insert(factors.begin(), Expr::number(Rational(n)));
+        }
+    };
+    put_before(numerator(number), over, over.empty());
+    put_before(denominator(number), under, false);
+    const auto product = [](const std::vector<Expr>& factors) {
+        return std::accumulate(factors.begin() + 1, factors.end(), factors.front(),
+                               [](const Expr& p, const Expr& factor) { return p * factor; });
+    };
+    return under.empty() ? product(over) : product(over) / product(under);
+}
+
+ex symbol(std::string_view name) {
     auto& symbols = tables().symbols;
     auto it = symbols.find(name);
     if (it == symbols.end()) {
         const std::string text(name);
         const bool signed_name = has_either_sign(name) || text.front() == '[';
         it = symbols
-                 .emplace(text, signed_name ? GiNaC::ex(GiNaC::realsymbol(text))
-                                            : GiNaC::ex(GiNaC::possymbol(text)))
+                 .emplace(text,
+                          signed_name ? ex(GiNaC::realsymbol(text)) : ex(GiNaC::possymbol(text)))
                  .first;
     }
     return it->second;
 }
 
-GiNaC::ex from_expr(const formula::Expr& e) {
-    using Kind = formula::Expr::Kind;
+ex from_expr(const Expr& e) {
+    using Kind = Expr::Kind;
     const auto x = [&](std::size_t i) { return from_expr(e.arg(i)); };
     switch (e.kind()) {
     case Kind::number:
@@ -227,7 +205,7 @@ GiNaC::ex from_expr(const formula::Expr& e) {
     case Kind::mul:
         return x(0) * x(1);
     case Kind::div: {
-        const GiNaC::ex under = x(1);
+        const ex under = x(1);
         if (under.is_zero()) {
             throw DomainError("division by zero in " + to_text(e));
         }
@@ -235,52 +213,44 @@ GiNaC::ex from_expr(const formula::Expr& e) {
     }
     case Kind::pow:
         return power(x(0), x(1));
-    case Kind::call:
-        return call(e);
-    default:
-        return opaque(e);
+    default: {
+        const Known* const function = find_known(e);
+        return function != nullptr ? function->of(x(0)) : opaque(e);
+    }
     }
 }
 
-bool hides(const formula::Expr& e, std::string_view name) {
-    using formula::Builtin;
-    static constexpr Builtin known[] = {Builtin::sqrt, Builtin::exp,  Builtin::log,  Builtin::sin,
-                                        Builtin::cos,  Builtin::tan,  Builtin::asin, Builtin::acos,
-                                        Builtin::atan, Builtin::gamma};
-    const bool becomes_symbol = e.is_binder() || (e.kind() == formula::Expr::Kind::call &&
-                                                  std::find(std::begin(known), std::end(known),
-                                                            e.builtin()) == std::end(known));
-    if (becomes_symbol) {
-        return free_symbols(e).contains(std::string(name));
+bool hides(const Expr& e, std::string_view name) {
+    if (e.is_binder() || (e.kind() == Expr::Kind::call && find_known(e) == nullptr)) {
+        return holds_symbol(e, name); // becomes a symbol
     }
-    return std::any_of(e.args().begin(), e.args().end(),
-                       [&](const formula::Expr& part) { return hides(part, name); });
+    return std::ranges::any_of(e.args(), [&](const Expr& part) { return hides(part, name); });
 }
 
-formula::Expr to_expr(const GiNaC::ex& e) {
+Expr to_expr(const ex& e) {
     if (GiNaC::is_a<GiNaC::numeric>(e)) {
-        return formula::Expr::number(rational(GiNaC::ex_to<GiNaC::numeric>(e)));
+        return Expr::number(rational_of(e));
     }
     if (e.is_equal(GiNaC::Pi)) {
-        return formula::Expr::pi();
+        return Expr::pi();
     }
     if (GiNaC::is_a<GiNaC::symbol>(e)) {
         const std::string name = GiNaC::ex_to<GiNaC::symbol>(e).get_name();
         const auto it = tables().opaque.find(name);
-        return it == tables().opaque.end() ? formula::Expr::symbol(name) : it->second;
+        return it == tables().opaque.end() ? Expr::symbol(name) : it->second;
     }
     if (GiNaC::is_a<GiNaC::add>(e)) {
         std::vector<std::pair<std::string, Signed>> terms;
-        for (const GiNaC::ex& term : e) {
+        for (const ex& term : e) {
             Signed s = product_to_expr(term);
             std::string key = to_text(s.e);
             terms.emplace_back(std::move(key), std::move(s));
         }
         // Positive terms come first, so that a sum begins with a minus only if necessary.
-        std::sort(terms.begin(), terms.end(), [](const auto& p, const auto& q) {
+        std::ranges::sort(terms, [](const auto& p, const auto& q) {
             return p.second.minus != q.second.minus ? q.second.minus : p.first < q.first;
         });
-        formula::Expr sum = terms[0].second.minus ? -terms[0].second.e : terms[0].second.e;
+        Expr sum = terms[0].second.minus ? -terms[0].second.e : terms[0].second.e;
         for (std::size_t i = 1; i < terms.size(); ++i) {
             const Signed& s = terms[i].second;
             sum = s.minus ? sum - s.e : sum + s.e;
@@ -292,14 +262,14 @@ formula::Expr to_expr(const GiNaC::ex& e) {
         return s.minus ? -s.e : s.e;
     }
     if (GiNaC::is_a<GiNaC::power>(e)) {
-        const GiNaC::ex& exponent = e.op(1);
+        const ex& exponent = e.op(1);
         if (GiNaC::is_a<GiNaC::numeric>(exponent)) {
-            const Rational q = rational(GiNaC::ex_to<GiNaC::numeric>(exponent));
-            const formula::Expr base = to_expr(e.op(0));
+            const Rational q = rational_of(exponent);
+            const Expr base = to_expr(e.op(0));
             if (q < 0) {
-                return formula::Expr::number(1) / to_expr(GiNaC::power(e.op(0), -exponent));
+                return Expr::number(1) / to_expr(GiNaC::power(e.op(0), -exponent));
             }
-            return q == Rational(1, 2) ? formula::Expr::call("sqrt", {base})
+            return q == Rational(1, 2) ? Expr::call("sqrt", {base})
                                        : pow(base, formula::quotient_of(q));
         }
         return pow(to_expr(e.op(0)), to_expr(exponent));

@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/symbolic/ginac_bridge.hpp"
-#include "edgeproof/audit/symbolic/ginac_roots.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rational.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <flint/flint.h>
 #include <flint/fmpz.h>
 #include <flint/fmpz_mpoly.h>
 #include <flint/fmpz_mpoly_factor.h>
-#include <ginac/ginac.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
 namespace edgeproof::audit::ginac {
-
-using GiNaC::ex;
 
 namespace {
 
@@ -122,7 +117,6 @@ std::vector<ex> polynomial_over_root(const ex& e, const ex& s, const ex& hi) {
 
 namespace {
 
-using GiNaC::ex;
 using GiNaC::is_a;
 
 struct Monomial {
@@ -135,11 +129,11 @@ std::vector<ex> variables_of(const ex& polynomial) {
     std::vector<ex> all;
     for (auto part = polynomial.preorder_begin(); part != polynomial.preorder_end(); ++part) {
         const auto same = [&](const ex& v) { return v.is_equal(*part); };
-        if (is_a<GiNaC::symbol>(*part) && std::none_of(all.begin(), all.end(), same)) {
+        if (is_a<GiNaC::symbol>(*part) && std::ranges::none_of(all, same)) {
             all.push_back(*part);
         }
     }
-    std::sort(all.begin(), all.end(), [](const ex& x, const ex& y) {
+    std::ranges::sort(all, [](const ex& x, const ex& y) {
         return GiNaC::ex_to<GiNaC::symbol>(x).get_name() <
                GiNaC::ex_to<GiNaC::symbol>(y).get_name();
     });
@@ -148,11 +142,7 @@ std::vector<ex> variables_of(const ex& polynomial) {
 
 void multiply(Monomial& monomial, const ex& factor, const std::vector<ex>& variables) {
     if (is_a<GiNaC::numeric>(factor)) {
-        const formula::Expr number = to_expr(factor);
-        if (number.rational() == nullptr) {
-            throw Error("a polynomial has a coefficient that is not rational");
-        }
-        monomial.coefficient *= *number.rational();
+        monomial.coefficient *= rational_of(factor);
         return;
     }
     const bool power = is_a<GiNaC::power>(factor);
@@ -170,13 +160,7 @@ void multiply(Monomial& monomial, const ex& factor, const std::vector<ex>& varia
 Monomial monomial_of(const ex& term, const std::vector<ex>& variables) {
     Monomial monomial;
     monomial.exponents.resize(variables.size());
-    if (is_a<GiNaC::mul>(term)) {
-        for (const ex& factor : term) {
-            multiply(monomial, factor, variables);
-        }
-    } else {
-        multiply(monomial, term, variables);
-    }
+    for_each_factor(term, [&](const ex& factor) { multiply(monomial, factor, variables); });
     return monomial;
 }
 
@@ -262,7 +246,7 @@ private:
 
 } // namespace
 
-GiNaC::ex polynomial_factors(const GiNaC::ex& polynomial) {
+ex polynomial_factors(const ex& polynomial) {
     GiNaC::exmap replaced;
     const ex expanded = polynomial.expand().to_rational(replaced).expand();
     const std::vector<ex> variables = variables_of(expanded);
@@ -270,13 +254,7 @@ GiNaC::ex polynomial_factors(const GiNaC::ex& polynomial) {
         return polynomial;
     }
     std::vector<Monomial> terms;
-    if (is_a<GiNaC::add>(expanded)) {
-        for (const ex& term : expanded) {
-            terms.push_back(monomial_of(term, variables));
-        }
-    } else {
-        terms.push_back(monomial_of(expanded, variables));
-    }
+    for_each_term(expanded, [&](const ex& term) { terms.push_back(monomial_of(term, variables)); });
     Integer common = 1;
     for (const Monomial& term : terms) {
         common = lcm(common, Integer(denominator(term.coefficient)));

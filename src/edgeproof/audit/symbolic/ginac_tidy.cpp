@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/symbolic/ginac_bridge.hpp"
-#include "edgeproof/audit/symbolic/ginac_roots.hpp"
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/error.hpp"
-
-#include <ginac/ginac.h>
 
 #include <algorithm>
 #include <string>
@@ -14,7 +11,6 @@
 namespace edgeproof::audit::ginac {
 namespace {
 
-using GiNaC::ex;
 using GiNaC::is_a;
 using GiNaC::numeric;
 
@@ -26,21 +22,13 @@ std::vector<ex> force_derivatives() {
     return all;
 }
 
-formula::Expr product_of(const std::vector<formula::Expr>& factors) {
-    formula::Expr p = factors.front();
-    for (std::size_t i = 1; i < factors.size(); ++i) {
-        p = p * factors[i];
-    }
-    return p;
-}
-
 /// A product with separate factors, in an order independent of GiNaC's.
 class Factored {
 public:
     bool minus = false;
     Rational number{1};
 
-    void multiply(const formula::Expr& base, const Rational& exponent) {
+    void multiply(const Expr& base, const Rational& exponent) {
         for (auto& [known, k] : factors_) {
             if (known == base) {
                 k += exponent;
@@ -58,45 +46,28 @@ public:
     }
     [[nodiscard]] bool is_one() const { return factors_.empty() && number == 1; }
     /// Returns the product without the sign.
-    [[nodiscard]] formula::Expr magnitude() const {
-        std::vector<formula::Expr> over = side(true);
-        std::vector<formula::Expr> under = side(false);
-        const Rational top(numerator(number));
-        const Rational bottom(denominator(number));
-        if (top != 1 || over.empty()) {
-            over.insert(over.begin(), formula::Expr::number(top));
-        }
-        if (bottom != 1) {
-            under.insert(under.begin(), formula::Expr::number(bottom));
-        }
-        return under.empty() ? product_of(over) : product_of(over) / product_of(under);
-    }
+    [[nodiscard]] Expr magnitude() const { return quotient(number, side(true), side(false)); }
 
 private:
-    [[nodiscard]] std::vector<formula::Expr> side(bool over) const {
-        std::vector<formula::Expr> all;
+    [[nodiscard]] std::vector<Expr> side(bool over) const {
+        std::vector<Expr> all;
         for (const auto& [base, exponent] : factors_) {
             const Rational k = over ? exponent : Rational(-exponent);
             if (k > 0) {
                 all.push_back(k == 1                ? base
-                              : k == Rational(1, 2) ? formula::Expr::call("sqrt", {base})
+                              : k == Rational(1, 2) ? Expr::call("sqrt", {base})
                                                     : pow(base, formula::quotient_of(k)));
             }
         }
-        std::sort(all.begin(), all.end(), [](const formula::Expr& x, const formula::Expr& y) {
-            const std::string s = to_text(x);
-            const std::string t = to_text(y);
-            return s.size() != t.size() ? s.size() < t.size() : s < t;
-        });
         return all;
     }
-    std::vector<std::pair<formula::Expr, Rational>> factors_;
+    std::vector<std::pair<Expr, Rational>> factors_;
 };
 
 Factored factored(const ex& polynomial, const Roots& roots, bool collect);
 
 /// A term of a sum: true if it is subtracted, and its magnitude.
-using Term = std::pair<bool, formula::Expr>;
+using Term = std::pair<bool, Expr>;
 
 /// Returns the sum over P1, P2, ... of factored coefficients.
 std::vector<Term> collected(const ex& sum, const Roots& roots) {
@@ -109,7 +80,7 @@ std::vector<Term> collected(const ex& sum, const Roots& roots) {
         }
         rest = (rest - c * P).expand();
         const Factored f = factored(c, roots, false);
-        const formula::Expr name = to_expr(P);
+        const Expr name = to_expr(P);
         terms.emplace_back(f.minus, f.is_one() ? name : f.magnitude() * name);
     }
     if (!rest.is_zero()) {
@@ -119,8 +90,8 @@ std::vector<Term> collected(const ex& sum, const Roots& roots) {
     return terms;
 }
 
-formula::Expr sum_of(const std::vector<Term>& terms, bool turned) {
-    formula::Expr e = terms[0].first != turned ? -terms[0].second : terms[0].second;
+Expr sum_of(const std::vector<Term>& terms, bool turned) {
+    Expr e = terms[0].first != turned ? -terms[0].second : terms[0].second;
     for (std::size_t i = 1; i < terms.size(); ++i) {
         e = terms[i].first != turned ? e - terms[i].second : e + terms[i].second;
     }
@@ -129,28 +100,20 @@ formula::Expr sum_of(const std::vector<Term>& terms, bool turned) {
 
 /// Returns the formula of a sum or of its negative (then the second value is true). The shorter
 /// text is chosen, so that the choice is the same on every run.
-std::pair<formula::Expr, bool> sum_text(const ex& sum, const Roots& roots, bool collect) {
+std::pair<Expr, bool> sum_text(const ex& sum, const Roots& roots, bool collect) {
     const std::vector<ex> derivatives = force_derivatives();
-    const bool linear = collect && std::any_of(derivatives.begin(), derivatives.end(),
-                                               [&](const ex& P) { return sum.degree(P) == 1; });
+    const bool linear = collect && std::ranges::any_of(derivatives, [&](const ex& P) {
+                            return sum.degree(P) == 1;
+                        });
     const std::vector<Term> terms = linear ? collected(sum, roots) : std::vector<Term>{};
-    const formula::Expr e = linear ? sum_of(terms, false) : to_expr(roots.restored(sum));
-    const formula::Expr turned =
-        linear ? sum_of(terms, true) : to_expr(roots.restored((-sum).expand()));
+    const Expr e = linear ? sum_of(terms, false) : to_expr(roots.restored(sum));
+    const Expr turned = linear ? sum_of(terms, true) : to_expr(roots.restored((-sum).expand()));
     const std::string s = to_text(e);
     const std::string t = to_text(turned);
     if (t.size() < s.size() || (t.size() == s.size() && t < s)) {
         return {turned, true};
     }
     return {e, false};
-}
-
-Rational rational_of(const ex& number) {
-    const formula::Expr n = to_expr(number);
-    if (n.rational() == nullptr) {
-        throw Error("a symbolic result holds a number that is not rational");
-    }
-    return *n.rational();
 }
 
 Factored factored(const ex& polynomial, const Roots& roots, bool collect) {
@@ -202,28 +165,22 @@ Factored factored(const ex& polynomial, const Roots& roots, bool collect) {
         }
     };
     const ex whole = polynomial_factors(polynomial);
-    if (is_a<GiNaC::mul>(whole)) {
-        for (const ex& factor : whole) {
-            take(factor);
-        }
-    } else {
-        take(whole);
-    }
+    for_each_factor(whole, take);
     return result;
 }
 
 } // namespace
 
-formula::Expr tidy(const ex& e) {
+Expr tidy(const ex& e) {
     Roots roots;
     const ex fraction = roots.fraction(e);
     const ex over = fraction.numer();
     if (over.is_zero()) {
-        return formula::Expr::number(0);
+        return Expr::number(0);
     }
     Factored result = factored(over, roots, true);
     result.divide_by(factored(fraction.denom(), roots, false));
-    const formula::Expr magnitude = result.magnitude();
+    const Expr magnitude = result.magnitude();
     return result.minus ? -magnitude : magnitude;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/symbolic/symbolic.hpp"
-#include "edgeproof/audit/symbolic/expansion_environment.hpp"
 #include "edgeproof/audit/symbolic/ginac_bridge.hpp"
+#include "edgeproof/contact/law/edge_expansion.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/error.hpp"
-
-#include <ginac/ginac.h>
+#include "edgeproof/series/laurent.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -55,6 +55,32 @@ public:
         return sum;
     }
 
+    /// Returns c_k of p = sum c_k u^(k+1/2) at an edge.
+    [[nodiscard]] std::vector<ex> coefficients(Edge edge, std::size_t count) const {
+        const std::size_t n = edge == Edge::right ? count : count + 1;
+        std::vector<ex> rate;
+        std::vector<ex> b;
+        for (unsigned k = 0; k < n; ++k) {
+            rate.push_back(derivative("P", k + 1, k));
+            b.push_back(k == 0 ? symbol("b") : derivative("b", k, k));
+        }
+        const contact::LawSeries<ex> law{series::Series<ex>(std::move(rate)),
+                                         series::Series<ex>(std::move(b))};
+        const ex a = symbol("a");
+        std::vector<ex> c = edge == Edge::right ? right_edge_brackets(law, a)
+                                                : left_edge_derivation(law, a).brackets;
+        c.resize(count, ex(0));
+        return contact::coefficients_of(std::move(c), ex(a + symbol("b")), pi());
+    }
+    /// Returns the derivative of P or b of order k, divided by factorial!.
+    [[nodiscard]] ex derivative(const char* letter, unsigned k, unsigned factorial) const {
+        ex c = symbol(letter + std::to_string(k));
+        for (unsigned j = 2; j <= factorial; ++j) {
+            c = c / ex(static_cast<int>(j));
+        }
+        return c;
+    }
+
 private:
     [[nodiscard]] ex meaning(std::string_view name) const {
         const bool numbered = name.size() == 2 && name[1] >= '1' && name[1] <= '9';
@@ -63,10 +89,9 @@ private:
             return symbol("a") + symbol("b");
         }
         if (name.starts_with("right_c") || name.starts_with("left_c")) {
-            const contact::Edge edge =
-                name.front() == 'r' ? contact::Edge::right : contact::Edge::left;
+            const Edge edge = name.front() == 'r' ? Edge::right : Edge::left;
             const auto count = static_cast<std::size_t>(name.back() - '0') + 1;
-            return ExpansionEnvironment<ex, SymbolField>::coefficients(*this, edge, count).back();
+            return coefficients(edge, count).back();
         }
         if (const auto given = under_.names.find(name); given != under_.names.end()) {
             return from(given->second);
@@ -87,14 +112,14 @@ private:
     [[nodiscard]] static GiNaC::symbol a() {
         return GiNaC::ex_to<GiNaC::symbol>(ginac::symbol("a"));
     }
-    [[nodiscard]] static ex from(const formula::Expr& e) { return ginac::from_expr(e); }
+    [[nodiscard]] static ex from(const Expr& e) { return ginac::from_expr(e); }
 
     const SymbolicCase& under_;
     mutable std::map<std::string, ex, std::less<>> known_;
 };
 
 /// Returns e with every name replaced by its meaning in the case.
-ex meaning_of(const formula::Expr& e, const SymbolField& field) {
+ex meaning_of(const Expr& e, const SymbolField& field) {
     ex value = ginac::from_expr(e);
     GiNaC::exmap meanings;
     for (const std::string& name : free_symbols(e)) {
@@ -107,20 +132,148 @@ ex meaning_of(const formula::Expr& e, const SymbolField& field) {
     return meanings.empty() ? value : value.subs(meanings, GiNaC::subs_options::no_pattern);
 }
 
-using SymbolLaurent = series::Laurent<ex>;
+using L = series::Laurent<ex>;
 
-SymbolLaurent expansion(const formula::Expr& e, const ExpansionIn& in, const SymbolField& field,
-                        std::size_t order) {
-    const ExpansionEnvironment<ex, SymbolField> environment(field, in.variable, in.edge, order);
-    return evaluate<SymbolLaurent>(e, environment);
+/// Evaluates a formula as a truncated expansion in one of its variables. The functions along the
+/// family of contacts are given by their Taylor series, with the coefficients P1, P2, ..., b, b1,
+/// ... of the field ex. No other data of the contact is used.
+class ExpansionEnvironment {
+public:
+    /// Keeps `order` powers of w = variable^(1/2).
+    ExpansionEnvironment(const SymbolField& field, std::string variable, Edge edge,
+                         std::size_t order)
+        : field_(field), variable_(std::move(variable)), edge_(edge), order_(order) {}
+
+    [[nodiscard]] L number(const Rational& q) const {
+        return L(series::field_number<ex>(q), order_);
+    }
+    [[nodiscard]] L pi() const { return L(field_.pi(), order_); }
+    [[nodiscard]] L symbol(std::string_view name) const {
+        if (name == variable_) {
+            return L::power(2, order_);
+        }
+        if (name == "x" && variable_ == "u") {
+            return edge_ == Edge::right ? constant("a") - L::power(2, order_)
+                                        : L::power(2, order_) - constant("b");
+        }
+        return constant(name);
+    }
+
+    [[nodiscard]] L call(const Expr& node, std::span<const L> args) const {
+        const std::string& name = node.name();
+        const L& s = args[0];
+        if (name == "P1of") {
+            return taylor(s - constant("a"),
+                          [&](unsigned k) { return field_.derivative("P", k + 1, k); });
+        }
+        if (name == "Pof") {
+            return taylor(s - constant("a"), [&](unsigned k) {
+                return k == 0 ? field_.symbol("P") : field_.derivative("P", k, k);
+            });
+        }
+        if (name == "bof") {
+            return taylor(s - constant("a"), [&](unsigned k) { return b_coefficient(k); });
+        }
+        if (name == "binv") {
+            const L y = s - constant("b");
+            std::vector<ex> b;
+            for (unsigned k = 0; k < terms_in(y); ++k) {
+                b.push_back(k == 0 ? ex(0) : b_coefficient(k));
+            }
+            const series::Series<ex> inverse = revert(series::Series<ex>(std::move(b)));
+            return taylor(y, [&](unsigned k) { return k == 0 ? field_.symbol("a") : inverse[k]; });
+        }
+        if (name == "p") {
+            return pressure(s);
+        }
+        throw Error("the function '" + name + "' has no expansion");
+    }
+
+    template <class Scope> [[nodiscard]] L binder(const Expr& node, const Scope& scope) const {
+        if (node.kind() == Expr::Kind::sum) {
+            return evaluate_sum<L>(node, scope);
+        }
+        const std::string& name = node.arg(1).name();
+        const L lo = evaluate<L>(node.arg(2), scope);
+        const L hi = evaluate<L>(node.arg(3), scope);
+        if (node.kind() == Expr::Kind::pv || !series::vanishes(lo.series()[0]) ||
+            hi.lowest() != 0) {
+            throw Error("an expansion is integrated term by term from 0 to a constant only");
+        }
+        const L variable(field_.symbol(name), order_);
+        const L f = evaluate<L>(node.arg(0), formula::with_symbol(scope, name, variable));
+        return f.mapped([&](const ex& c) { return field_.integral(c, name, hi.series()[0]); });
+    }
+
+private:
+    /// The number of Taylor coefficients with names: P1 ... P9.
+    static constexpr unsigned terms = 8;
+
+    [[nodiscard]] ex b_coefficient(unsigned k) const {
+        return k == 0 ? field_.symbol("b") : field_.derivative("b", k, k);
+    }
+    [[nodiscard]] L constant(std::string_view name) const { return L(field_.symbol(name), order_); }
+    /// A term that marks all powers from w^end on as unknown.
+    [[nodiscard]] static L unknown_from(long end) {
+        return {end - 1, series::Series<ex>(ex(0), 1)};
+    }
+
+    template <class Coefficient> [[nodiscard]] L taylor(const L& y, const Coefficient& c) const {
+        if (series::vanishes(y.series()[0])) { // y = 0 to the known order
+            return L(c(0), order_) + unknown_from(y.end());
+        }
+        if (y.lowest() < 1) {
+            throw DomainError("a function is expanded about another point than the edge");
+        }
+        const unsigned count = terms_in(y);
+        L sum(c(count - 1), order_);
+        for (unsigned k = count - 1; k-- > 0;) {
+            sum = sum * y + L(c(k), order_);
+        }
+        return sum + unknown_from(static_cast<long>(count) * y.lowest());
+    }
+    /// Returns the number of powers of y that contribute to the kept powers of w.
+    [[nodiscard]] unsigned terms_in(const L& y) const {
+        const auto lowest = static_cast<std::size_t>(std::max(y.lowest(), 1L));
+        return static_cast<unsigned>(
+            std::clamp<std::size_t>((order_ + lowest - 1) / lowest, 2, terms));
+    }
+
+    [[nodiscard]] L pressure(const L& x) const {
+        for (const Edge edge : {edge_, opposite(edge_)}) {
+            const L u = edge == Edge::right ? constant("a") - x : x + constant("b");
+            if (u.lowest() < 1) {
+                continue;
+            }
+            const auto count = static_cast<std::size_t>(
+                std::min<long>(6, static_cast<long>(order_) / 2 / u.lowest() + 2));
+            const std::vector<ex> c = field_.coefficients(edge, count);
+            L sum(c.back(), order_);
+            for (std::size_t k = count - 1; k-- > 0;) {
+                sum = sum * u + L(c[k], order_);
+            }
+            sum = sum + unknown_from(static_cast<long>(count) * u.lowest());
+            return sum * sqrt(u);
+        }
+        throw DomainError("the pressure is expanded about a point that is no edge");
+    }
+
+    const SymbolField& field_;
+    std::string variable_;
+    Edge edge_;
+    std::size_t order_;
+};
+
+L expansion(const Expr& e, const ExpansionIn& in, const SymbolField& field, std::size_t order) {
+    const ExpansionEnvironment environment(field, in.variable, in.edge, order);
+    return evaluate<L>(e, environment);
 }
 
 /// Expands to enough powers of w to reach `through`; uses more powers if too many are lost.
-SymbolLaurent expansion_through(const formula::Expr& e, const ExpansionIn& in,
-                                const SymbolField& field) {
+L expansion_through(const Expr& e, const ExpansionIn& in, const SymbolField& field) {
     const auto top = static_cast<long>(numerator(Rational(in.through * 2)));
     for (std::size_t order = static_cast<std::size_t>(std::max(top, 0L)) + 4;; order += 4) {
-        SymbolLaurent result = expansion(e, in, field, order);
+        L result = expansion(e, in, field, order);
         if (result.end() > top || order > 40) {
             return result;
         }
@@ -144,16 +297,15 @@ template <class F> auto by_symbols(const F& f) {
 bool ExpansionComparison::equal() const { return first_wrong() == nullptr; }
 
 const ExpansionComparison::Term* ExpansionComparison::first_wrong() const {
-    const auto it =
-        std::find_if(terms.begin(), terms.end(), [](const Term& t) { return !t.equal; });
+    const auto it = std::ranges::find_if(terms, [](const Term& t) { return !t.equal; });
     return it == terms.end() ? nullptr : &*it;
 }
 
-formula::Expr derive(const formula::Expr& e, const SymbolicCase& under) {
+Expr derive(const Expr& e, const SymbolicCase& under) {
     return by_symbols([&] { return ginac::tidy(meaning_of(e, SymbolField(under))); });
 }
 
-formula::Expr derivative(const formula::Expr& e, const std::string& name) {
+Expr derivative(const Expr& e, const std::string& name) {
     return by_symbols([&] {
         if (ginac::hides(e, name)) {
             throw Error("no derivative by " + name + " in symbols: " + to_text(e));
@@ -163,18 +315,17 @@ formula::Expr derivative(const formula::Expr& e, const std::string& name) {
     });
 }
 
-bool proved_equal(const formula::Expr& x, const formula::Expr& y, const SymbolicCase& under) {
+bool proved_equal(const Expr& x, const Expr& y, const SymbolicCase& under) {
     return by_symbols([&] {
         const SymbolField field(under);
         return ginac::is_zero(meaning_of(x, field) - meaning_of(y, field));
     });
 }
 
-std::vector<ExpansionTerm> expand(const formula::Expr& e, const ExpansionIn& in,
-                                  const SymbolicCase& under) {
+std::vector<ExpansionTerm> expand(const Expr& e, const ExpansionIn& in, const SymbolicCase& under) {
     return by_symbols([&] {
         const SymbolField field(under);
-        const SymbolLaurent series = expansion_through(e, in, field);
+        const L series = expansion_through(e, in, field);
         std::vector<ExpansionTerm> terms;
         for (long k = series.lowest(); Rational(k, 2) <= in.through; ++k) {
             const ex c = series[k];
@@ -186,19 +337,19 @@ std::vector<ExpansionTerm> expand(const formula::Expr& e, const ExpansionIn& in,
     });
 }
 
-ExpansionComparison compare_expansions(const formula::Expr& printed, const formula::Expr& derived,
+ExpansionComparison compare_expansions(const Expr& printed, const Expr& derived,
                                        const ExpansionIn& in, const SymbolicCase& under) {
     return by_symbols([&] {
         const SymbolField field(under);
-        const SymbolLaurent x = expansion_through(printed, in, field);
-        const SymbolLaurent y = expansion_through(derived, in, field);
+        const L x = expansion_through(printed, in, field);
+        const L y = expansion_through(derived, in, field);
         ExpansionComparison comparison;
         for (long k = std::min(x.lowest(), y.lowest()); Rational(k, 2) <= in.through; ++k) {
             const ex cx = x[k];
             const ex cy = y[k];
             const bool equal = ginac::is_zero(cx - cy);
-            const formula::Expr derived_text = ginac::tidy(cy);
-            if (equal && derived_text == formula::Expr::number(0)) {
+            const Expr derived_text = ginac::tidy(cy);
+            if (equal && derived_text == Expr::number(0)) {
                 continue;
             }
             comparison.terms.push_back(
@@ -208,20 +359,20 @@ ExpansionComparison compare_expansions(const formula::Expr& printed, const formu
     });
 }
 
-formula::Expr sum_of(const std::vector<ExpansionTerm>& terms, const std::string& variable) {
-    const formula::Expr eps = formula::Expr::symbol(variable);
-    formula::Expr sum;
+Expr sum_of(const std::vector<ExpansionTerm>& terms, const std::string& variable) {
+    const Expr eps = Expr::symbol(variable);
+    Expr sum;
     bool first = true;
     for (const ExpansionTerm& term : terms) {
-        const bool minus = term.coefficient.kind() == formula::Expr::Kind::neg;
-        const formula::Expr c = minus ? term.coefficient.arg(0) : term.coefficient;
-        formula::Expr product = c;
+        const bool minus = term.coefficient.kind() == Expr::Kind::neg;
+        const Expr c = minus ? term.coefficient.arg(0) : term.coefficient;
+        Expr product = c;
         if (term.exponent != 0) {
-            const formula::Expr power = term.exponent == 1 ? eps
-                                        : term.exponent == Rational(1, 2)
-                                            ? formula::Expr::call("sqrt", {eps})
-                                            : pow(eps, formula::Expr::number(term.exponent));
-            product = c == formula::Expr::number(1) ? power : c * power;
+            const Expr power = term.exponent == 1 ? eps
+                               : term.exponent == Rational(1, 2)
+                                   ? Expr::call("sqrt", {eps})
+                                   : pow(eps, Expr::number(term.exponent));
+            product = c == Expr::number(1) ? power : c * power;
         }
         if (first) {
             sum = minus ? -product : product;
@@ -231,154 +382,6 @@ formula::Expr sum_of(const std::vector<ExpansionTerm>& terms, const std::string&
         first = false;
     }
     return sum;
-}
-
-namespace {
-
-using Kind = formula::Expr::Kind;
-
-struct Product {
-    Rational number = 1;
-    std::vector<std::string> over;
-    std::vector<std::string> under;
-};
-
-std::string joined(std::vector<std::string> parts, const char* between) {
-    std::sort(parts.begin(), parts.end());
-    std::string text;
-    for (const std::string& part : parts) {
-        text += (text.empty() ? "" : between) + part;
-    }
-    return text;
-}
-
-std::string in_sequence(const formula::Expr& e) {
-    std::string text = e.name() + "[" + std::to_string(static_cast<int>(e.kind()));
-    for (const formula::Expr& part : e.args()) {
-        text += "; " + ordered_text(part);
-    }
-    return text + "]";
-}
-
-void collect(const formula::Expr& e, bool over, Product& product) {
-    if (const Rational* q = e.rational(); q != nullptr && (over || *q != 0)) {
-        product.number = over ? Rational(product.number * *q) : Rational(product.number / *q);
-        return;
-    }
-    switch (e.kind()) {
-    case Kind::neg:
-        product.number = -product.number;
-        collect(e.arg(0), over, product);
-        break;
-    case Kind::mul:
-        collect(e.arg(0), over, product);
-        collect(e.arg(1), over, product);
-        break;
-    case Kind::div:
-        collect(e.arg(0), over, product);
-        collect(e.arg(1), !over, product);
-        break;
-    case Kind::symbol:
-        (over ? product.over : product.under).push_back(e.name());
-        break;
-    case Kind::add:
-    case Kind::sub:
-        (over ? product.over : product.under).push_back("(" + ordered_text(e) + ")");
-        break;
-    default:
-        (over ? product.over : product.under).push_back(in_sequence(e));
-    }
-}
-
-void collect_terms(const formula::Expr& e, bool plus, std::vector<std::string>& terms) {
-    switch (e.kind()) {
-    case Kind::add:
-    case Kind::sub:
-        collect_terms(e.arg(0), plus, terms);
-        collect_terms(e.arg(1), (e.kind() == Kind::add) == plus, terms);
-        return;
-    case Kind::neg:
-        collect_terms(e.arg(0), !plus, terms);
-        return;
-    default:
-        break;
-    }
-    Product product;
-    collect(e, true, product);
-    if (product.number == 0) {
-        return;
-    }
-    const Rational number = plus ? product.number : Rational(-product.number);
-    terms.push_back(number.str() + "*" + joined(std::move(product.over), "*") + "/" +
-                    joined(std::move(product.under), "/"));
-}
-
-/// True for binders of one kind that differ only in the integrand.
-bool differ_inside(const formula::Expr& x, const formula::Expr& y, Kind kind) {
-    if (x.kind() != kind || y.kind() != kind) {
-        return false;
-    }
-    for (std::size_t i = 1; i < x.args().size(); ++i) {
-        if (!(x.arg(i) == y.arg(i))) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/// True for principal values whose integrands differ by a constant over w(s)(s - x).
-bool differ_by_a_zero_integral(const formula::Expr& x, const formula::Expr& y,
-                               const SymbolicCase& under) {
-    if (!differ_inside(x, y, Kind::pv)) {
-        return false;
-    }
-    const formula::Expr a = formula::Expr::symbol("a");
-    const formula::Expr b = under.symmetric ? a : formula::Expr::symbol("b");
-    if (!(x.arg(2) == -b) || !(x.arg(3) == a)) {
-        return false;
-    }
-    const formula::Expr& s = x.arg(1);
-    const formula::Expr w = formula::Expr::call("sqrt", {(a - s) * (s + b)});
-    const formula::Expr difference = (x.arg(0) - y.arg(0)) * w * (s - x.arg(4));
-    return proved_equal(
-        difference, substitute(difference, s.name(), formula::Expr::symbol("s_elsewhere")), under);
-}
-
-/// True for integrals whose integrands differ by a function odd about the middle.
-bool differ_by_an_odd_part(const formula::Expr& x, const formula::Expr& y,
-                           const SymbolicCase& under) {
-    if (!differ_inside(x, y, Kind::integral)) {
-        return false;
-    }
-    const formula::Expr difference = x.arg(0) - y.arg(0);
-    const formula::Expr mirrored =
-        substitute(difference, x.arg(1).name(), x.arg(2) + x.arg(3) - x.arg(1));
-    return proved_equal(difference, -mirrored, under);
-}
-
-} // namespace
-
-std::string ordered_text(const formula::Expr& e) {
-    std::vector<std::string> terms;
-    collect_terms(e, true, terms);
-    return joined(std::move(terms), " + ");
-}
-
-bool surely_equal(const formula::Expr& x, const formula::Expr& y, const SymbolicCase& under) {
-    const auto in_case = [&](const formula::Expr& e) {
-        return under.symmetric ? substitute(e, "b", formula::Expr::symbol("a")) : e;
-    };
-    const formula::Expr one = in_case(x);
-    const formula::Expr other = in_case(y);
-    if (ordered_text(one) == ordered_text(other)) {
-        return true;
-    }
-    try {
-        return differ_by_a_zero_integral(one, other, under) ||
-               differ_by_an_odd_part(one, other, under) || proved_equal(one, other, under);
-    } catch (const Error&) {
-        return false; // not proved by symbols
-    }
 }
 
 } // namespace edgeproof::audit

@@ -12,26 +12,29 @@
 
 namespace edgeproof::audit {
 
+using contact::Edge;
+using formula::Expr;
+
 /// The assumptions of a symbolic identity. P1, P2, ..., b, b1, ... are free symbols, unless the
 /// contact is symmetric (b = a) or P(a), b(a) are given as formulas in a.
 struct SymbolicCase {
     bool symmetric = false;
-    std::optional<formula::Expr> P;
-    std::optional<formula::Expr> b;
+    std::optional<Expr> P;
+    std::optional<Expr> b;
     /// Additional names defined by formulas in free symbols, such as P2 = m*P1/a.
-    std::map<std::string, formula::Expr, std::less<>> names = {};
+    std::map<std::string, Expr, std::less<>> names = {};
 };
 
 /// One term of an expansion: coefficient times variable^exponent.
 struct ExpansionTerm {
     Rational exponent;
-    formula::Expr coefficient;
+    Expr coefficient;
 };
 
 /// The variable of an expansion, the edge (if the variable is u), and the highest power.
 struct ExpansionIn {
     std::string variable;
-    contact::Edge edge = contact::Edge::right;
+    Edge edge = Edge::right;
     Rational through;
 };
 
@@ -39,8 +42,8 @@ struct ExpansionIn {
 struct ExpansionComparison {
     struct Term {
         Rational exponent;
-        formula::Expr printed;
-        formula::Expr derived;
+        Expr printed;
+        Expr derived;
         bool equal = false;
     };
     std::vector<Term> terms;
@@ -53,34 +56,30 @@ struct ExpansionComparison {
 
 /// Returns e with right_c0, ... derived, derivatives taken, and in tidy form. Throws Error for
 /// parts without a symbolic meaning.
-[[nodiscard]] formula::Expr derive(const formula::Expr& e, const SymbolicCase& under);
+[[nodiscard]] Expr derive(const Expr& e, const SymbolicCase& under);
 /// Returns the partial derivative, with respect to a free name, of a formula returned by derive.
 /// Throws Error if a function that contains the name has no symbolic derivative.
-[[nodiscard]] formula::Expr derivative(const formula::Expr& e, const std::string& name);
+[[nodiscard]] Expr derivative(const Expr& e, const std::string& name);
 /// True if x - y is shown to vanish identically (lengths positive); false shows nothing.
-[[nodiscard]] bool proved_equal(const formula::Expr& x, const formula::Expr& y,
-                                const SymbolicCase& under);
+[[nodiscard]] bool proved_equal(const Expr& x, const Expr& y, const SymbolicCase& under);
 /// Returns the nonzero terms of e up to `in.through`. Throws DomainError if e has no expansion.
-[[nodiscard]] std::vector<ExpansionTerm> expand(const formula::Expr& e, const ExpansionIn& in,
+[[nodiscard]] std::vector<ExpansionTerm> expand(const Expr& e, const ExpansionIn& in,
                                                 const SymbolicCase& under);
-[[nodiscard]] ExpansionComparison compare_expansions(const formula::Expr& printed,
-                                                     const formula::Expr& derived,
+[[nodiscard]] ExpansionComparison compare_expansions(const Expr& printed, const Expr& derived,
                                                      const ExpansionIn& in,
                                                      const SymbolicCase& under);
 /// Returns the sum of the terms as a formula.
-[[nodiscard]] formula::Expr sum_of(const std::vector<ExpansionTerm>& terms,
-                                   const std::string& variable);
+[[nodiscard]] Expr sum_of(const std::vector<ExpansionTerm>& terms, const std::string& variable);
 
 /// Returns the text of an expression with sorted terms and factors. It is the same for two
 /// expressions if they differ only in this order, in signs taken out of products, and in quotients
 /// of quotients.
-[[nodiscard]] std::string ordered_text(const formula::Expr& e);
+[[nodiscard]] std::string ordered_text(const Expr& e);
 
 /// True if two formulas (definitions put in) are proved to be equal: by the order of their terms,
 /// with b = a for symmetric contacts; by symbols; or as principal values over the contact that
 /// differ by a constant over w(s)(s - x), w(s) = sqrt((a - s)(s + b)), whose principal value is
 /// zero. False means that no proof was found.
-[[nodiscard]] bool surely_equal(const formula::Expr& x, const formula::Expr& y,
-                                const SymbolicCase& under);
+[[nodiscard]] bool surely_equal(const Expr& x, const Expr& y, const SymbolicCase& under);
 
 } // namespace edgeproof::audit

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/certificate/theory/coq_text.hpp"
+#include "edgeproof/certificate/theory/theory.hpp"
 
 #include <fmt/format.h>
 
-#include <optional>
+#include <utility>
 
 namespace edgeproof::certificate {
 namespace {
 
 using formula::Builtin;
-using formula::Expr;
 using Kind = Expr::Kind;
 
 /// The binding strength of a term: an operand that binds more weakly needs parentheses.
@@ -24,36 +23,12 @@ std::string parenthesized(const Term& t, Strength least) {
     return t.strength < least ? "(" + t.text + ")" : t.text;
 }
 
-std::optional<std::string_view> coq_function(Builtin f) {
-    switch (f) {
-    case Builtin::sqrt:
-        return "sqrt";
-    case Builtin::exp:
-        return "exp";
-    case Builtin::log:
-        return "ln";
-    case Builtin::sin:
-        return "sin";
-    case Builtin::cos:
-        return "cos";
-    case Builtin::tan:
-        return "tan";
-    case Builtin::asin:
-        return "asin";
-    case Builtin::acos:
-        return "acos";
-    case Builtin::atan:
-        return "atan";
-    case Builtin::abs:
-        return "Rabs";
-    case Builtin::max:
-        return "Rmax";
-    case Builtin::min:
-        return "Rmin";
-    default:
-        return std::nullopt;
-    }
-}
+/// The functions that Coq's library of real numbers has.
+constexpr std::pair<Builtin, const char*> coq_functions[] = {
+    {Builtin::sqrt, "sqrt"}, {Builtin::exp, "exp"},   {Builtin::log, "ln"},
+    {Builtin::sin, "sin"},   {Builtin::cos, "cos"},   {Builtin::tan, "tan"},
+    {Builtin::asin, "asin"}, {Builtin::acos, "acos"}, {Builtin::atan, "atan"},
+    {Builtin::abs, "Rabs"},  {Builtin::max, "Rmax"},  {Builtin::min, "Rmin"}};
 
 class Writer {
 public:
@@ -80,8 +55,10 @@ public:
         case Kind::pow:
             return power(e);
         case Kind::call:
-            if (const auto name = coq_function(e.builtin())) {
-                return application(std::string(*name), e);
+            for (const auto& [builtin, name] : coq_functions) {
+                if (builtin == e.builtin()) {
+                    return application(name, e);
+                }
             }
             if (const auto gamma = names_.find("gamma");
                 e.builtin() == Builtin::gamma && gamma != names_.end()) {

@@ -20,17 +20,24 @@ SampledTheory sampled(Theory theory, const std::string& profile, const Parameter
     s.sample.scene.family = profile;
     s.sample.scene.profile = profile;
     for (const auto& [name, value] : parameters) {
-        const formula::Exact exact = formula::Exact::parse(value);
+        const Exact exact = Exact::parse(value);
         const std::string coq_name = name == "R" ? "R0" : name; // R is Coq's type of real numbers
         s.theory.names.emplace(name, coq_name);
         s.theory.constants.push_back({coq_name, coq_number(exact.rational())});
         s.sample.scene.parameters.insert_or_assign(name, exact);
     }
     s.theory.names.emplace("x", "x");
-    s.theory.constants.push_back({"x", coq_number(formula::Exact::parse(x).rational())});
+    s.theory.constants.push_back({"x", coq_number(Exact::parse(x).rational())});
     s.theory.constants.insert(s.theory.constants.end(), made_of_them.begin(), made_of_them.end());
-    s.sample.fraction = formula::Exact::parse(fraction);
+    s.sample.fraction = Exact::parse(fraction);
     return s;
+}
+
+/// Gives parameters the same names in Coq as in ledgers.
+void name_alike(Theory& theory, std::initializer_list<const char*> names) {
+    for (const char* name : names) {
+        theory.names.emplace(name, name);
+    }
 }
 
 Theory tilted_wedge() {
@@ -114,7 +121,7 @@ std::vector<SampledTheory> sampled_theories(std::string_view profile) {
         SampledTheory s = sampled(tilted_wedge(), "tilted-wedge",
                                   {{"Es", "1"}, {"phi", "1"}, {"gam", gam}, {"a", a}}, x, fraction);
         s.sample.scene.parameters.insert_or_assign(
-            "alpha", formula::Exact::parse("2/pi*asin((1-" + gam + ")/(1+" + gam + "))"));
+            "alpha", Exact::parse("2/pi*asin((1-" + gam + ")/(1+" + gam + "))"));
         return s;
     };
     const auto flat = [](const std::string& t, const std::string& a, const std::string& x,
@@ -135,9 +142,7 @@ std::vector<SampledTheory> sampled_theories(std::string_view profile) {
 std::optional<Theory> theory_of_form(std::string_view profile) {
     if (profile == "tilted-wedge") {
         Theory theory = tilted_wedge();
-        for (const char* name : {"Es", "phi", "gam", "a"}) {
-            theory.names.emplace(name, name);
-        }
+        name_alike(theory, {"Es", "phi", "gam", "a"});
         theory.names.emplace("alpha", "(tilt phi gam)");
         theory.pressure = {};
         theory.all_of_form = {"Es phi gam a", "0 < phi /\\ 0 < gam /\\ 0 < a",
@@ -151,9 +156,7 @@ std::optional<Theory> theory_of_form(std::string_view profile) {
         Theory theory = symmetric_punch(punch, parts, "((t + a) / 2)");
         theory.constants.clear();
         theory.imports.emplace_back("FlatAndRounded");
-        for (const char* name : {"Es", "t", "a"}) {
-            theory.names.emplace(name, name);
-        }
+        name_alike(theory, {"Es", "t", "a"});
         theory.names.emplace("R", "R0"); // R is Coq's type of real numbers
         theory.pressure = {};
         theory.all_of_form = {"Es t R0 a", "0 < t < a /\\ 0 < R0",
@@ -166,9 +169,7 @@ std::optional<Theory> theory_of_form(std::string_view profile) {
         theory.imports = {"Contact", "Coefficients", "Edges",   "Unique",
                           "Tactics", "Gamma",        "PowerLaw"};
         theory.names = {{"b", "a"}, {"gamma", "Gam"}};
-        for (const char* name : {"Es", "C", "m", "a", "x"}) {
-            theory.names.emplace(name, name);
-        }
+        name_alike(theory, {"Es", "C", "m", "a", "x"});
         theory.right = {{"r0", "r1", "r2"},
                         "is_the_right_series Es (power_slope C m) a r0 r1 r2",
                         "apply (the_right_series _ _ 0); [apply power_slope_rises; lra | lra | "
@@ -190,10 +191,10 @@ std::optional<Theory> theory_of_form(std::string_view profile) {
 
 namespace {
 
-Theory full_stick(contact::Edge edge, const std::string& tension) {
+Theory full_stick(Edge edge, const std::string& tension) {
     Theory theory;
     theory.imports = {"Contact", "Coefficients", "Edges", "Tactics", "Shear", "Unique"};
-    const bool right = edge == contact::Edge::right;
+    const bool right = edge == Edge::right;
     theory.names = {{"u", right ? "(a - x)" : "(b + x)"}, {"sig0", tension}, {"b", "b"}};
     const std::string traction = fmt::format("(full_stick Q {} a b)", tension);
     theory.right_shear = {{"s0", "s1", "s2"},
@@ -207,10 +208,9 @@ Theory full_stick(contact::Edge edge, const std::string& tension) {
 
 } // namespace
 
-Theory theory_of_shear(contact::Edge edge, const std::string& tension) {
+Theory theory_of_shear(Edge edge, const std::string& tension) {
     Theory theory = full_stick(edge, tension);
-    theory.names.emplace("a", "a");
-    theory.names.emplace("Q", "Q");
+    name_alike(theory, {"a", "Q", "x"});
     theory.names.erase("u");
     theory.integrals = {{fmt::format("integral(Q/(Pi*sqrt((a - s)*(s + b))) + {}*(2*s + b - "
                                      "a)/(8*sqrt((a - s)*(s + b))), s, -b, a)",
@@ -224,15 +224,14 @@ Theory theory_of_shear(contact::Edge edge, const std::string& tension) {
          "is_principal_value", strain});
     theory.integrals.push_back({"pv(q(s)/(s - x), s, -b, a, x)", "is_principal_value", strain});
     theory.imports.emplace_back("Stick");
-    theory.names.emplace("x", "x");
     theory.traction = fmt::format("full_stick Q {} a b", tension);
     theory.all_of_form = {"a b Q " + tension, "0 < a + b", "intros form", "identity_of_shear a b",
                           "- b < x < a"};
     return theory;
 }
 
-SampledTheory sheared_contact(contact::Edge edge, const Tension& tension) {
-    const bool right = edge == contact::Edge::right;
+SampledTheory sheared_contact(Edge edge, const Tension& tension) {
+    const bool right = edge == Edge::right;
     // A wedge with these edges, so that the enclosures have the positions of the edges.
     SampledTheory s = sampled(full_stick(edge, tension.name), "tilted-wedge",
                               {{"a", "4"}, {"Q", "1"}}, "2", right ? "2/5" : "3/5");
@@ -240,7 +239,7 @@ SampledTheory sheared_contact(contact::Edge edge, const Tension& tension) {
     s.theory.constants.push_back({tension.name, tension.coq});
     for (const auto& [name, value] :
          Parameters{{"Es", "1"}, {"phi", "1"}, {"gam", "1/4"}, {"alpha", "2/pi*asin(3/5)"}}) {
-        s.sample.scene.parameters.insert_or_assign(name, formula::Exact::parse(value));
+        s.sample.scene.parameters.insert_or_assign(name, Exact::parse(value));
     }
     s.sample.scene.parameters.insert_or_assign("sig0", tension.exact);
     s.sample.edge = edge;
@@ -253,7 +252,7 @@ SampledTheory power_law_contact(long m, const std::string& mark, const Rational&
     theory.names.emplace("m", std::to_string(m));
     SampledTheory s = sampled(std::move(theory), "power-law", {{"Es", "1"}, {"C", "1"}, {"a", "1"}},
                               x.str(), Rational((1 - x) / 2).str());
-    s.sample.scene.parameters.insert_or_assign("m", formula::Exact::parse(std::to_string(m)));
+    s.sample.scene.parameters.insert_or_assign("m", Exact::parse(std::to_string(m)));
     return s;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/certificate/theory/statement.hpp"
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
+#include "edgeproof/certificate/theory/theory.hpp"
 
 #include <fmt/format.h>
 
@@ -17,24 +17,24 @@ void Statement::need(const Fact& fact, const std::string& what) {
         throw NotStated(fmt::format("the Coq files have nothing about {}", what));
     }
     const auto same = [&](const Fact& f) { return f.statement == fact.statement; };
-    if (std::none_of(facts_.begin(), facts_.end(), same)) {
+    if (std::ranges::none_of(facts_, same)) {
         facts_.push_back(fact);
     }
 }
 
-std::string Statement::integral(const formula::Expr& e, CoqNames names) {
+std::string Statement::integral(const Expr& e, CoqNames names) {
     const std::string written = to_text(e);
     for (const auto& [lemma, is, proof] : theory_.integrals) {
         if (lemma == written) {
             const std::string& variable = e.arg(1).name();
             std::string ends =
                 fmt::format("({}) ({})", coq_text(e.arg(2), names), coq_text(e.arg(3), names));
-            if (e.kind() == formula::Expr::Kind::pv) {
+            if (e.kind() == Expr::Kind::pv) {
                 ends += fmt::format(" ({})", coq_text(e.arg(4), names)); // the pole
             }
             names.insert_or_assign(variable, variable);
-            const auto traction = [&](const formula::Expr& part) {
-                const bool is_q = part.kind() == formula::Expr::Kind::call && part.name() == "q";
+            const auto traction = [&](const Expr& part) {
+                const bool is_q = part.kind() == Expr::Kind::call && part.name() == "q";
                 if (!is_q || theory_.traction.empty()) {
                     throw NotStated(fmt::format("{} is not stated in Coq", to_text(part)));
                 }
@@ -51,23 +51,22 @@ std::string Statement::integral(const formula::Expr& e, CoqNames names) {
     throw NotStated(fmt::format("there is no lemma for {}", written));
 }
 
-std::string Statement::call(const formula::Expr& e, const CoqNames& names) {
-    if (e.kind() == formula::Expr::Kind::integral || e.kind() == formula::Expr::Kind::pv) {
+std::string Statement::call(const Expr& e, const CoqNames& names) {
+    if (e.kind() == Expr::Kind::integral || e.kind() == Expr::Kind::pv) {
         return integral(e, names);
     }
-    if (e.kind() == formula::Expr::Kind::call && e.name() == "p" &&
-        e.arg(0) == formula::Expr::symbol("x")) {
+    if (e.kind() == Expr::Kind::call && e.name() == "p" && e.arg(0) == Expr::symbol("x")) {
         need(theory_.pressure, "the pressure");
         return theory_.pressure.unknowns.at(0);
     }
-    if (e.kind() == formula::Expr::Kind::call && e.name() == "right_local" &&
-        e.arg(1) == formula::Expr::symbol("x")) {
+    if (e.kind() == Expr::Kind::call && e.name() == "right_local" &&
+        e.arg(1) == Expr::symbol("x")) {
         return local_sum(e);
     }
     throw NotStated(fmt::format("{} is not stated in Coq", to_text(e)));
 }
 
-std::string Statement::local_sum(const formula::Expr& e) {
+std::string Statement::local_sum(const Expr& e) {
     const Rational* const terms = e.arg(0).rational();
     if (terms == nullptr || *terms < 1 || *terms > 3) {
         throw NotStated(fmt::format("the number of terms of {} is not 1, 2 or 3", to_text(e)));
@@ -81,7 +80,7 @@ std::string Statement::local_sum(const formula::Expr& e) {
     return "(" + sum + ")";
 }
 
-std::string Statement::operator()(const formula::Expr& e) {
+std::string Statement::operator()(const Expr& e) {
     CoqNames names = theory_.names;
     const std::array<std::tuple<std::string_view, const Fact*, std::string_view>, 4> series{
         {{"right_c", &theory_.right, "the right edge"},
@@ -105,7 +104,7 @@ std::string Statement::operator()(const formula::Expr& e) {
             names.insert_or_assign(name, theory_.load.unknowns.at(0));
         }
     }
-    return coq_text(e, names, [&](const formula::Expr& part) { return call(part, names); });
+    return coq_text(e, names, [&](const Expr& part) { return call(part, names); });
 }
 
 std::string Statement::text(const std::string& conclusion) const {
@@ -148,8 +147,7 @@ constexpr unsigned digits_of_enclosures = 25;
 
 } // namespace
 
-std::optional<Gap> gap_at(const formula::Expr& first, const formula::Expr& second,
-                          const audit::Sample& sample) {
+std::optional<Gap> gap_at(const Expr& first, const Expr& second, const Sample& sample) {
     const auto x = audit::enclosed(first, sample, digits_of_enclosures);
     const auto y = audit::enclosed(second, sample, digits_of_enclosures);
     if (!x.ball || !y.ball) {
@@ -162,8 +160,8 @@ std::optional<Gap> gap_at(const formula::Expr& first, const formula::Expr& secon
     return Gap{least, size > 0 ? least / size : 0};
 }
 
-std::optional<double> excess(const formula::Expr& first, const audit::Sample& at,
-                             const formula::Expr& second, const audit::Sample& other) {
+std::optional<double> excess(const Expr& first, const Sample& at, const Expr& second,
+                             const Sample& other) {
     const auto x = audit::enclosed(first, at, digits_of_enclosures);
     const auto y = audit::enclosed(second, other, digits_of_enclosures);
     if (!x.ball || !y.ball) {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/certificate/accepted.hpp"
 #include "edgeproof/certificate/certificate.hpp"
-#include "edgeproof/certificate/scene_certificate.hpp"
 #include "edgeproof/cli/ledger_command.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/staged_folder.hpp"

@@ -1,16 +1,86 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/parts/comparison.hpp"
-
 #include "edgeproof/audit/checks/parts/decimal_fit.hpp"
-#include "edgeproof/audit/checks/parts/other_contacts.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
+#include "edgeproof/audit/sample/audit_context.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace edgeproof::audit {
 namespace {
+
+/// The powers of a length and of a pressure in a parameter.
+struct Powers {
+    int length = 0;
+    int pressure = 0;
+};
+
+const std::map<std::string_view, Powers>& known_parameters() {
+    static const std::map<std::string_view, Powers> known{
+        {"m", {}},     {"phi", {}},      {"alpha", {}},    {"a", {1, 0}}, {"t", {1, 0}},
+        {"R", {1, 0}}, {"Es", {0, 1}},   {"P", {1, 1}},    {"M", {2, 1}}, {"Q", {1, 1}},
+        {"f", {}},     {"friction", {}}, {"sig0", {0, 1}}, {"nu", {}},
+    };
+    return known;
+}
+
+Exact times(const Exact& x, const Rational& factor) {
+    return Exact(x.expr() * Expr::number(factor));
+}
+
+/// Returns samples that the family of a claim may not contain, to test corrections: a formula with
+/// the right value at a few samples may be right by chance, such as P/Pi for 2 P/(Pi a) if a = 2.
+/// Of a power law with given a, the constant, a and E* are changed one by one; of other profiles
+/// all lengths, and then all moduli and forces, by a common factor. None if the sample has
+/// parameters or variables of other kinds.
+std::vector<Sample> other_contacts(const Sample& sample) {
+    const auto& parameters = sample.scene.parameters;
+    const bool power_law = sample.scene.profile == "power-law";
+    if (!sample.variables.empty() || !sample.scene.knots.empty() || sample.scene.axisymmetric) {
+        return {};
+    }
+    for (const auto& [name, value] : parameters) {
+        if (!known_parameters().contains(name) && !(power_law && name == "C")) {
+            return {};
+        }
+    }
+    std::vector<Sample> others;
+    const auto add = [&](const auto& factor_of) {
+        Sample other = sample;
+        for (auto& [name, value] : other.scene.parameters) {
+            if (const Rational factor = factor_of(name); factor != 1) {
+                value = times(value, factor);
+            }
+        }
+        others.push_back(std::move(other));
+    };
+    const bool plain = parameters.size() == 4 && parameters.contains("m") &&
+                       parameters.contains("C") && parameters.contains("a") &&
+                       parameters.contains("Es");
+    if (power_law && plain) {
+        const std::pair<std::string_view, Rational> changes[] = {{"a", Rational(7, 5)},
+                                                                 {"C", Rational(3, 5)},
+                                                                 {"Es", Rational(11, 7)},
+                                                                 {"a", Rational(5, 9)}};
+        for (const auto& change : changes) {
+            add([&change](const std::string& name) {
+                return name == change.first ? change.second : Rational(1);
+            });
+        }
+    } else if (!power_law) {
+        add([](const std::string& name) {
+            const int power = known_parameters().at(name).length;
+            return power == 0 ? Rational(1) : power == 1 ? Rational(7, 5) : Rational(49, 25);
+        });
+        add([](const std::string& name) {
+            return known_parameters().at(name).pressure == 0 ? Rational(1) : Rational(11, 7);
+        });
+    }
+    return others;
+}
 
 constexpr unsigned most_fitted_digits = 100; ///< for numbers in place of decimals
 constexpr std::size_t most_with_integrals = 8;
@@ -29,9 +99,8 @@ bool symmetric_family(const Ledger& ledger, const Family& family) {
 
 } // namespace
 
-std::vector<std::pair<std::string, formula::Expr>> named_formulas(const Claim& claim,
-                                                                  std::string_view key) {
-    std::vector<std::pair<std::string, formula::Expr>> named;
+std::vector<std::pair<std::string, Expr>> named_formulas(const Claim& claim, std::string_view key) {
+    std::vector<std::pair<std::string, Expr>> named;
     const Field* field = claim.find(key);
     for (std::size_t i = 0; field != nullptr && i < claim.formulas(key).size(); ++i) {
         const auto* list = std::get_if<Field::List>(&field->value);
@@ -41,8 +110,7 @@ std::vector<std::pair<std::string, formula::Expr>> named_formulas(const Claim& c
     return named;
 }
 
-void add_hypotheses(const Claim& claim,
-                    const std::function<std::string(const formula::Expr&)>& finding,
+void add_hypotheses(const Claim& claim, const std::function<std::string(const Expr&)>& finding,
                     Evidence& evidence) {
     Evidence hypotheses;
     for (const auto& [text, other] : named_formulas(claim, "as_if")) {
@@ -68,7 +136,7 @@ SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context) {
     return under;
 }
 
-Screening::Screening(const Claim& claim, const AuditContext& context, const formula::Expr& exact)
+Screening::Screening(const Claim& claim, const AuditContext& context, const Expr& exact)
     : claim_(claim), digits_(screening_digits + 10) {
     const PrecisionScope scope(digits_);
     tolerance_ = pow(Real(10), -static_cast<int>(screening_digits - 2));
@@ -76,9 +144,8 @@ Screening::Screening(const Claim& claim, const AuditContext& context, const form
                                                  most_screening_samples, Effort::screening);
     for (std::size_t i = 0; i < samples_at->all().size(); ++i) {
         try {
-            add_point(
-                [samples_at, i](const formula::Expr& e) { return samples_at->value(e, i).value; },
-                samples_at->known(exact, i).value);
+            add_point([samples_at, i](const Expr& e) { return samples_at->value(e, i).value; },
+                      samples_at->known(exact, i).value);
         } catch (const DomainError&) {
             continue;
         } catch (const BudgetError&) {
@@ -90,14 +157,12 @@ Screening::Screening(const Claim& claim, const AuditContext& context, const form
     }
 }
 
-void Screening::add_other_contacts(const Sample& sample, const formula::Expr& exact) {
+void Screening::add_other_contacts(const Sample& sample, const Expr& exact) {
     for (const Sample& other : other_contacts(sample)) {
         try {
             const auto contact =
                 std::make_shared<EnclosedSample>(other, formula::bits_for(digits_));
-            const auto value = [contact](const formula::Expr& e) {
-                return contact->evaluate(e).midpoint();
-            };
+            const auto value = [contact](const Expr& e) { return contact->evaluate(e).midpoint(); };
             add_point(value, value(exact));
         } catch (const Error&) {
             continue;
@@ -105,8 +170,8 @@ void Screening::add_other_contacts(const Sample& sample, const formula::Expr& ex
     }
 }
 
-bool Screening::operator()(const formula::Expr& written) const {
-    const formula::Expr e = expand_definitions(written, claim_.vocabulary);
+bool Screening::operator()(const Expr& written) const {
+    const Expr e = expand_definitions(written, claim_.vocabulary);
     const PrecisionScope scope(digits_);
     return !points_.empty() && std::ranges::all_of(points_, [&](const auto& point) {
         const auto& [evaluation, exact] = point;
@@ -213,7 +278,7 @@ bool FormulaComparison::needs_correction(const Outcome& outcome) const {
            std::holds_alternative<ExactFormula>(printed_);
 }
 
-bool FormulaComparison::confirms(const formula::Expr& made) const {
+bool FormulaComparison::confirms(const Expr& made) const {
     Outcome ignored;
     const Agreement agreement = samples_at_->compare(made, exact_, scale_);
     return agreement.to(AuditContext::digits_needed(digits_)) &&
@@ -221,7 +286,7 @@ bool FormulaComparison::confirms(const formula::Expr& made) const {
 }
 
 /// Recognises printed/exact from all samples, and adds its range to the evidence.
-std::optional<formula::Expr> FormulaComparison::ratio(Evidence& evidence) const {
+std::optional<Expr> FormulaComparison::ratio(Evidence& evidence) const {
     std::vector<RatioSample> samples;
     const PrecisionScope scope(30);
     for (std::size_t i = 0; i < agreement_.samples_at.size(); ++i) {
@@ -264,7 +329,7 @@ std::optional<formula::Expr> FormulaComparison::ratio(Evidence& evidence) const 
     }
     auto ratio = recognise_ratio(samples, 20);
     if (ratio) {
-        ratio = substitute(*ratio, "L", formula::Expr::symbol("a") + formula::Expr::symbol("b"));
+        ratio = substitute(*ratio, "L", Expr::symbol("a") + Expr::symbol("b"));
         evidence.add("ratio", to_text(*ratio)).add("ratio_tex", to_tex(*ratio));
     }
     return ratio;
@@ -272,15 +337,15 @@ std::optional<formula::Expr> FormulaComparison::ratio(Evidence& evidence) const 
 
 /// The textbook's formula for a cylinder (johnson1985, section 4.2), if the formula should equal
 /// a, P or the pressure, and all contacts are cylinders: what is printed may be that of a sphere.
-std::optional<formula::Expr> FormulaComparison::of_cylinder() const {
+std::optional<Expr> FormulaComparison::of_cylinder() const {
     const bool cylinders =
         std::ranges::all_of(samples_at_->all(), [](const EvaluatedSample& sample_at) {
             const SceneSpec& scene = sample_at.sample.scene;
             const auto m = scene.parameters.find("m");
             return scene.profile == "power-law" && !scene.axisymmetric &&
-                   m != scene.parameters.end() && m->second == formula::Exact::parse("1");
+                   m != scene.parameters.end() && m->second == Exact::parse("1");
         });
-    const formula::Expr of = claim_.written("of");
+    const Expr of = claim_.written("of");
     const bool by_load = !holds_symbol(claim_.written("says"), "a");
     const std::string name = to_text(of);
     const std::string text = name == "a"      ? "sqrt(4*P/(Pi*Es*C))"

@@ -17,12 +17,11 @@ namespace edgeproof::audit {
 
 /// Returns the formulas of a list or table of a claim, each with its text in the list or its name
 /// in the table; none if the claim has no such field.
-[[nodiscard]] std::vector<std::pair<std::string, formula::Expr>>
-named_formulas(const Claim& claim, std::string_view key);
+[[nodiscard]] std::vector<std::pair<std::string, Expr>> named_formulas(const Claim& claim,
+                                                                       std::string_view key);
 
 /// Adds what is found for each other formula in the table `as_if`, if the claim has one.
-void add_hypotheses(const Claim& claim,
-                    const std::function<std::string(const formula::Expr&)>& finding,
+void add_hypotheses(const Claim& claim, const std::function<std::string(const Expr&)>& finding,
                     Evidence& evidence);
 
 /// b = a for a family of symmetric contacts; P(a), b(a) if `given` names them.
@@ -36,17 +35,17 @@ public:
     Screening(const Claim& claim, unsigned digits, Real tolerance)
         : claim_(claim), digits_(digits), tolerance_(std::move(tolerance)) {}
     /// A few samples of the claim and other contacts, and the exact formula there.
-    Screening(const Claim& claim, const AuditContext& context, const formula::Expr& exact);
+    Screening(const Claim& claim, const AuditContext& context, const Expr& exact);
 
-    using Evaluation = std::function<Real(const formula::Expr&)>;
+    using Evaluation = std::function<Real(const Expr&)>;
     void add_point(Evaluation evaluation, Real exact) {
         points_.emplace_back(std::move(evaluation), std::move(exact));
     }
     [[nodiscard]] std::size_t points() const { return points_.size(); }
-    [[nodiscard]] bool operator()(const formula::Expr& written) const;
+    [[nodiscard]] bool operator()(const Expr& written) const;
 
 private:
-    void add_other_contacts(const Sample& sample, const formula::Expr& exact);
+    void add_other_contacts(const Sample& sample, const Expr& exact);
 
     const Claim& claim_;
     unsigned digits_;
@@ -72,7 +71,7 @@ public:
     /// is sought: not for a formula with decimals, for which `judge` has found numbers that fit.
     [[nodiscard]] bool needs_correction(const Outcome& outcome) const;
     /// True if a formula that the program made is confirmed at the samples, by enclosures.
-    [[nodiscard]] bool confirms(const formula::Expr& made) const;
+    [[nodiscard]] bool confirms(const Expr& made) const;
     /// Returns the data for the diagnosis: the formulas, the names of the claim and of the first
     /// sample's scene, and printed/exact at all samples, if it is recognised. Also adds the range
     /// of this ratio to the evidence.
@@ -85,13 +84,13 @@ private:
     void report(Evidence& evidence) const;
     [[nodiscard]] Judgement by_enclosures(Outcome& outcome) const;
     [[nodiscard]] Judgement by_decimals(const DecimalFormula& printed, Outcome& outcome) const;
-    [[nodiscard]] std::optional<formula::Expr> ratio(Evidence& evidence) const;
-    [[nodiscard]] std::optional<formula::Expr> of_cylinder() const;
+    [[nodiscard]] std::optional<Expr> ratio(Evidence& evidence) const;
+    [[nodiscard]] std::optional<Expr> of_cylinder() const;
 
     const Claim& claim_;
     PrintedFormula printed_;
-    formula::Expr exact_;
-    std::optional<formula::Expr> scale_;
+    Expr exact_;
+    std::optional<Expr> scale_;
     unsigned digits_;
     std::shared_ptr<EvaluatedSamples> samples_at_;
     Agreement agreement_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/parts/decimal_fit.hpp"
 
-#include "edgeproof/audit/diagnosis/least_squares.hpp"
+#include "edgeproof/audit/diagnosis/diagnosis.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -45,15 +45,161 @@ public:
     /// limit: any numbers), for which all equations are proved to hold. They are searched by the
     /// Levenberg-Marquardt iteration in Real; only the enclosures at its result decide. Returns
     /// nothing if no such numbers are found.
-    [[nodiscard]] std::optional<FittedDecimals> find(const std::optional<Rational>& units) const;
+    [[nodiscard]] std::optional<FittedDecimals> find(const std::optional<Rational>& units) const {
+        const PrecisionScope scope(2 * digits_ + 30);
+        try {
+            const auto numbers =
+                search(units, std::vector<std::optional<Real>>(decimals_.size(), std::nullopt));
+            if (!numbers) {
+                return std::nullopt;
+            }
+            for (std::size_t k = 0; units && k < numbers->size(); ++k) {
+                const Ball off = Ball((*numbers)[k], bits_) - Ball(decimals_[k].value, bits_);
+                const Ball most(Rational(*units * decimals_[k].unit), bits_);
+                if (certainly_less(most, abs(off))) {
+                    return std::nullopt;
+                }
+            }
+            const auto holds = agrees(*numbers);
+            return holds ? std::optional(FittedDecimals{*numbers, *holds}) : std::nullopt;
+        } catch (const Error&) {
+            return std::nullopt; // no enclosure for these numbers
+        }
+    }
     /// Proves that no numbers at most half a unit away satisfy all equations: the enclosure of one
     /// equation over all of them excludes its exact value, or each part of a subdivision is
     /// excluded by an equation.
-    [[nodiscard]] std::optional<Refutation> exclude() const;
+    [[nodiscard]] std::optional<Refutation> exclude() const {
+        Decimals whole;
+        for (const PrintedDecimal& d : decimals_) {
+            whole.push_back(d.interval(rounding_units(), bits_));
+        }
+        std::size_t first = 0;
+        if (auto apart = excluded(whole, first)) {
+            return apart;
+        }
+        if (decimals_.size() > most_subdivided) {
+            return std::nullopt;
+        }
+        std::vector<Decimals> open{whole};
+        std::optional<Refutation> last;
+        for (std::size_t looked_at = 0; !open.empty(); ++looked_at) {
+            check_interruption();
+            if (looked_at == most_boxes) {
+                return std::nullopt;
+            }
+            const Decimals box = std::move(open.back());
+            open.pop_back();
+            if (auto apart = excluded(box, first)) {
+                last = apart;
+                continue;
+            }
+            // Halve the box in its widest direction, measured in units of the last place.
+            std::size_t widest = 0;
+            Real width(0);
+            for (std::size_t k = 0; k < box.size(); ++k) {
+                const Real w = Real(box[k].radius() / Real(decimals_[k].unit));
+                if (w > width) {
+                    width = w;
+                    widest = k;
+                }
+            }
+            const Ball middle(box[widest].midpoint(), bits_);
+            for (const Real& end : {box[widest].lower(), box[widest].upper()}) {
+                Decimals part = box;
+                part[widest] = Ball::hull(Ball(end, bits_), middle);
+                open.push_back(std::move(part));
+            }
+        }
+        return last;
+    }
 
 private:
+    /// The unknowns are the differences from the printed decimals, in units of the last place;
+    /// `fixed` are decimals that stay. Difference quotients approximate the derivatives. This is
+    /// safe, because results are proved afterwards.
     [[nodiscard]] std::optional<Row> search(const std::optional<Rational>& units,
-                                            const std::vector<std::optional<Real>>& fixed) const;
+                                            const std::vector<std::optional<Real>>& fixed) const {
+        const std::size_t n = decimals_.size();
+        Row y(n, Real(0));
+        std::vector<std::size_t> free;
+        for (std::size_t k = 0; k < n; ++k) {
+            if (fixed[k]) {
+                y[k] = *fixed[k];
+            } else {
+                free.push_back(k);
+            }
+        }
+        const auto numbers = [&](const Row& at) {
+            Row c;
+            for (std::size_t k = 0; k < n; ++k) {
+                c.push_back(from_rational<Real>(decimals_[k].value) +
+                            at[k] * from_rational<Real>(decimals_[k].unit));
+            }
+            return c;
+        };
+        auto r = residuals(numbers(y));
+        if (!r) {
+            return std::nullopt;
+        }
+        const Real enough = pow(Real(10), -2 * static_cast<int>(digits_ + 5));
+        const Real step = pow(Real(10), -static_cast<int>(digits_ / 2 + 5));
+        const Real most = units ? from_rational<Real>(*units) : Real(0);
+        for (int i = 0; i < most_iterations && norm_squared(*r) > enough; ++i) {
+            check_interruption();
+            if (free.empty()) {
+                return std::nullopt;
+            }
+            std::vector<Row> J(r->size(), Row(free.size(), Real(0)));
+            for (std::size_t f = 0; f < free.size(); ++f) {
+                Row moved = y;
+                moved[free[f]] += step;
+                const auto there = residuals(numbers(moved));
+                if (!there) {
+                    return std::nullopt;
+                }
+                for (std::size_t j = 0; j < r->size(); ++j) {
+                    J[j][f] = ((*there)[j] - (*r)[j]) / step;
+                }
+            }
+            // The damping is |r|^2 times the mean of the diagonal of J^T J.
+            Real diagonal(0);
+            for (const Row& row : J) {
+                diagonal += norm_squared(row);
+            }
+            const Real damping = diagonal * norm_squared(*r) / static_cast<unsigned>(free.size());
+            const auto d = least_squares(J, *r, damping, Real(0));
+            for (std::size_t f = 0; f < free.size(); ++f) {
+                if (!d[f] || !isfinite(*d[f])) {
+                    return std::nullopt;
+                }
+                y[free[f]] -= *d[f];
+            }
+            r = residuals(numbers(y));
+            if (!r) {
+                return std::nullopt;
+            }
+        }
+        if (norm_squared(*r) > enough) {
+            return std::nullopt;
+        }
+        if (units) {
+            // A decimal outside its interval is fixed at the interval's end, and the others stay
+            // free.
+            std::vector<std::optional<Real>> held = fixed;
+            bool beyond = false;
+            for (const std::size_t k : free) {
+                if (abs(y[k]) > most) {
+                    held[k] = y[k] > 0 ? most : Real(-most);
+                    beyond = true;
+                }
+            }
+            if (beyond) {
+                return search(units, held);
+            }
+        }
+        return numbers(y);
+    }
     [[nodiscard]] Decimals balls(const Row& numbers) const {
         Decimals at;
         for (const Real& x : numbers) {
@@ -85,181 +231,28 @@ private:
         return last;
     }
     /// A proof that one equation excludes all numbers in the box.
-    [[nodiscard]] std::optional<Refutation> excluded(const Decimals& box, std::size_t& first) const;
+    [[nodiscard]] std::optional<Refutation> excluded(const Decimals& box,
+                                                     std::size_t& first) const {
+        for (std::size_t k = 0; k < equations_.size(); ++k) {
+            const std::size_t i = (first + k) % equations_.size();
+            try {
+                if (const auto apart =
+                        Refutation::disjoint(equations_[i].printed(box), equations_[i].exact)) {
+                    first = i;
+                    return apart;
+                }
+            } catch (const Error&) {
+                continue; // no enclosure over this box
+            }
+        }
+        return std::nullopt;
+    }
 
     const std::vector<PrintedDecimal>& decimals_;
     const std::vector<DecimalEquation>& equations_;
     unsigned digits_;
     long bits_;
 };
-
-/// The unknowns are the differences from the printed decimals, in units of the last place; `fixed`
-/// are decimals that stay. Difference quotients approximate the derivatives. This is safe, because
-/// results are proved afterwards.
-std::optional<Row> DecimalFit::search(const std::optional<Rational>& units,
-                                      const std::vector<std::optional<Real>>& fixed) const {
-    const std::size_t n = decimals_.size();
-    Row y(n, Real(0));
-    std::vector<std::size_t> free;
-    for (std::size_t k = 0; k < n; ++k) {
-        if (fixed[k]) {
-            y[k] = *fixed[k];
-        } else {
-            free.push_back(k);
-        }
-    }
-    const auto numbers = [&](const Row& at) {
-        Row c;
-        for (std::size_t k = 0; k < n; ++k) {
-            c.push_back(from_rational<Real>(decimals_[k].value) +
-                        at[k] * from_rational<Real>(decimals_[k].unit));
-        }
-        return c;
-    };
-    auto r = residuals(numbers(y));
-    if (!r) {
-        return std::nullopt;
-    }
-    const Real enough = pow(Real(10), -2 * static_cast<int>(digits_ + 5));
-    const Real step = pow(Real(10), -static_cast<int>(digits_ / 2 + 5));
-    const Real most = units ? from_rational<Real>(*units) : Real(0);
-    for (int i = 0; i < most_iterations && norm_squared(*r) > enough; ++i) {
-        check_interruption();
-        if (free.empty()) {
-            return std::nullopt;
-        }
-        std::vector<Row> J(r->size(), Row(free.size(), Real(0)));
-        for (std::size_t f = 0; f < free.size(); ++f) {
-            Row moved = y;
-            moved[free[f]] += step;
-            const auto there = residuals(numbers(moved));
-            if (!there) {
-                return std::nullopt;
-            }
-            for (std::size_t j = 0; j < r->size(); ++j) {
-                J[j][f] = ((*there)[j] - (*r)[j]) / step;
-            }
-        }
-        // The damping is |r|^2 times the mean of the diagonal of J^T J.
-        Real diagonal(0);
-        for (const Row& row : J) {
-            diagonal += norm_squared(row);
-        }
-        const Real damping = diagonal * norm_squared(*r) / static_cast<unsigned>(free.size());
-        const auto d = least_squares(J, *r, damping, Real(0));
-        for (std::size_t f = 0; f < free.size(); ++f) {
-            if (!d[f] || !isfinite(*d[f])) {
-                return std::nullopt;
-            }
-            y[free[f]] -= *d[f];
-        }
-        r = residuals(numbers(y));
-        if (!r) {
-            return std::nullopt;
-        }
-    }
-    if (norm_squared(*r) > enough) {
-        return std::nullopt;
-    }
-    if (units) {
-        // A decimal outside its interval is fixed at the interval's end, and the others stay free.
-        std::vector<std::optional<Real>> held = fixed;
-        bool beyond = false;
-        for (const std::size_t k : free) {
-            if (abs(y[k]) > most) {
-                held[k] = y[k] > 0 ? most : Real(-most);
-                beyond = true;
-            }
-        }
-        if (beyond) {
-            return search(units, held);
-        }
-    }
-    return numbers(y);
-}
-
-std::optional<FittedDecimals> DecimalFit::find(const std::optional<Rational>& units) const {
-    const PrecisionScope scope(2 * digits_ + 30);
-    try {
-        const auto numbers =
-            search(units, std::vector<std::optional<Real>>(decimals_.size(), std::nullopt));
-        if (!numbers) {
-            return std::nullopt;
-        }
-        for (std::size_t k = 0; units && k < numbers->size(); ++k) {
-            const Ball off = Ball((*numbers)[k], bits_) - Ball(decimals_[k].value, bits_);
-            const Ball most(Rational(*units * decimals_[k].unit), bits_);
-            if (certainly_less(most, abs(off))) {
-                return std::nullopt;
-            }
-        }
-        const auto holds = agrees(*numbers);
-        return holds ? std::optional(FittedDecimals{*numbers, *holds}) : std::nullopt;
-    } catch (const Error&) {
-        return std::nullopt; // no enclosure for these numbers
-    }
-}
-
-std::optional<Refutation> DecimalFit::excluded(const Decimals& box, std::size_t& first) const {
-    for (std::size_t k = 0; k < equations_.size(); ++k) {
-        const std::size_t i = (first + k) % equations_.size();
-        try {
-            if (const auto apart =
-                    Refutation::disjoint(equations_[i].printed(box), equations_[i].exact)) {
-                first = i;
-                return apart;
-            }
-        } catch (const Error&) {
-            continue; // no enclosure over this box
-        }
-    }
-    return std::nullopt;
-}
-
-std::optional<Refutation> DecimalFit::exclude() const {
-    Decimals whole;
-    for (const PrintedDecimal& d : decimals_) {
-        whole.push_back(d.interval(rounding_units(), bits_));
-    }
-    std::size_t first = 0;
-    if (auto apart = excluded(whole, first)) {
-        return apart;
-    }
-    if (decimals_.size() > most_subdivided) {
-        return std::nullopt;
-    }
-    std::vector<Decimals> open{whole};
-    std::optional<Refutation> last;
-    for (std::size_t looked_at = 0; !open.empty(); ++looked_at) {
-        check_interruption();
-        if (looked_at == most_boxes) {
-            return std::nullopt;
-        }
-        const Decimals box = std::move(open.back());
-        open.pop_back();
-        if (auto apart = excluded(box, first)) {
-            last = apart;
-            continue;
-        }
-        // Halve the box in its widest direction, measured in units of the last place.
-        std::size_t widest = 0;
-        Real width(0);
-        for (std::size_t k = 0; k < box.size(); ++k) {
-            const Real w = Real(box[k].radius() / Real(decimals_[k].unit));
-            if (w > width) {
-                width = w;
-                widest = k;
-            }
-        }
-        const Ball middle(box[widest].midpoint(), bits_);
-        for (const Real& end : {box[widest].lower(), box[widest].upper()}) {
-            Decimals part = box;
-            part[widest] = Ball::hull(Ball(end, bits_), middle);
-            open.push_back(std::move(part));
-        }
-    }
-    return last;
-}
 
 struct Described {
     std::string right; ///< the decimals to which the fitted numbers round
@@ -315,8 +308,8 @@ void set_decimals(EnclosedSample& sample, const Decimals& numbers) {
     }
 }
 
-DecimalEquation equation_at(const std::shared_ptr<EnclosedSample>& sample,
-                            const formula::Expr& printed, Ball exact, Ball scale) {
+DecimalEquation equation_at(const std::shared_ptr<EnclosedSample>& sample, const Expr& printed,
+                            Ball exact, Ball scale) {
     return {[sample, printed](const Decimals& numbers) {
                 set_decimals(*sample, numbers);
                 return sample->evaluate(printed);

@@ -26,7 +26,7 @@ struct DecimalEquation {
 };
 /// Returns the equation of a formula with names for its decimals at a sample.
 [[nodiscard]] DecimalEquation equation_at(const std::shared_ptr<EnclosedSample>& sample,
-                                          const formula::Expr& printed, Ball exact, Ball scale);
+                                          const Expr& printed, Ball exact, Ball scale);
 
 /// Judges a formula with decimals, to `digits` digits: confirmed if numbers that round to all of
 /// them are proved to satisfy all equations to D - 5 digits; refuted if it is proved that no such

@@ -12,9 +12,9 @@ namespace edgeproof::audit {
 
 /// The approximation, the edge, the tolerance and the range of a reach.
 struct ReachQuestion {
-    contact::Edge edge = contact::Edge::right;
+    Edge edge = Edge::right;
     std::size_t terms = 1;
-    formula::Exact tolerance;
+    Exact tolerance;
     contact::ExtentRange range;
 };
 

@@ -80,14 +80,14 @@ std::vector<Real> ConditionInScene::knots() const {
     const PrecisionScope scope(digits_ + 20);
     const EvaluatedScene& s = at_level(0);
     std::vector<Real> fractions;
-    for (const formula::Exact& knot : s.contact().profile().knots()) {
+    for (const Exact& knot : s.contact().profile().knots()) {
         const Real x = knot.to<Real>();
-        const Real u = sample_.edge == contact::Edge::right ? Real(s.a() - x) : Real(s.b() + x);
+        const Real u = sample_.edge == Edge::right ? Real(s.a() - x) : Real(s.b() + x);
         if (u > 0 && u < s.length()) {
             fractions.push_back(u / s.length());
         }
     }
-    std::sort(fractions.begin(), fractions.end());
+    std::ranges::sort(fractions);
     return fractions;
 }
 
@@ -197,7 +197,7 @@ MarginScan::MarginScan(const ConditionInScene& condition, const Real& nearest)
             fractions.push_back(marks[i]);
         }
     }
-    std::sort(fractions.begin(), fractions.end());
+    std::ranges::sort(fractions);
     fractions.erase(std::unique(fractions.begin(), fractions.end()), fractions.end());
     for (const Real& fraction : fractions) {
         look(fraction);

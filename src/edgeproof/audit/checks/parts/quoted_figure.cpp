@@ -36,7 +36,7 @@ QuotedFigure QuotedFigure::of(const Claim& claim) {
         }
     }
     const auto plain = [](char c) { return (c >= '0' && c <= '9') || c == '.'; };
-    if (number.empty() || !std::all_of(number.begin(), number.end(), plain)) {
+    if (number.empty() || !std::ranges::all_of(number, plain)) {
         claim.reject("quoted", "the figure '" + claim.text("quoted") + "' is not a decimal number",
                      "write it as quoted, such as \"6.4 %\" or \"0.03\"");
     }
@@ -85,13 +85,13 @@ Judgement QuotedFigure::verdict(const Ball& computed) const {
     return refutes(rounds) ? Judgement::imprecise(std::get<Confirmation>(near)) : Judgement();
 }
 
-Judgement QuotedFigure::verdict_half_way(const formula::Exact& computed) const {
+Judgement QuotedFigure::verdict_half_way(const Exact& computed) const {
     const PrecisionScope scope(digits() + 40);
     const Rational steps = Rational(
         floor(Real(computed.to<Real>() / from_rational<Real>(unit_))).convert_to<Integer>());
     for (const int offset : {-1, 0, 1}) {
         const Rational middle = (steps + offset + rounding_units()) * unit_;
-        if (formula::proved_zero(computed.expr() - formula::Expr::number(middle))) {
+        if (formula::proved_zero(computed.expr() - Expr::number(middle))) {
             return verdict(Ball(Rational(middle + rounding_units() * unit_), 64 + 4 * digits()));
         }
     }

@@ -34,7 +34,7 @@ public:
     [[nodiscard]] Judgement verdict(const Ball& computed) const;
     /// Judges a constant that is proved by exact algebra to lie half-way between two numbers with
     /// the quoted places; undecided for other constants.
-    [[nodiscard]] Judgement verdict_half_way(const formula::Exact& computed) const;
+    [[nodiscard]] Judgement verdict_half_way(const Exact& computed) const;
     /// The number of decimal digits of the figure, counted from the first nonzero digit.
     [[nodiscard]] unsigned digits() const;
     /// Returns the interval value -+ `units` units of the last quoted place; for 1/2, the numbers

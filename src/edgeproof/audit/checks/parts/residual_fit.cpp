@@ -41,9 +41,8 @@ int digits_of_agreement(const Real& x, const Real& y, const Real& scale, unsigne
 
 } // namespace
 
-std::vector<OrderFit> fit_residuals(const contact::Profile& profile,
-                                    const formula::Exact& contact_modulus,
-                                    const contact::Load& load, contact::Edge edge,
+std::vector<OrderFit> fit_residuals(const contact::Profile& profile, const Exact& contact_modulus,
+                                    const contact::Load& load, Edge edge,
                                     const ResidualFitOptions& options,
                                     const std::optional<std::vector<Real>>& coefficients) {
     if (options.points < 3 || options.orders == 0) {

@@ -41,8 +41,8 @@ struct ResidualFitOptions {
 /// cancellation: the last residual at the last step loses about orders * (start + points log10(2))
 /// digits, and this number of digits is added.
 [[nodiscard]] std::vector<OrderFit>
-fit_residuals(const contact::Profile& profile, const formula::Exact& contact_modulus,
-              const contact::Load& load, contact::Edge edge, const ResidualFitOptions& options = {},
+fit_residuals(const contact::Profile& profile, const Exact& contact_modulus,
+              const contact::Load& load, Edge edge, const ResidualFitOptions& options = {},
               const std::optional<std::vector<Real>>& coefficients = {});
 
 } // namespace edgeproof::audit

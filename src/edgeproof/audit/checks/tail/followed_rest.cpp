@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/checks/tail/followed_rest.hpp"
+#include "edgeproof/audit/checks/tail/followed.hpp"
 
-#include "edgeproof/audit/checks/tail/hidden_terms.hpp"
-#include "edgeproof/audit/checks/tail/sweep_target.hpp"
+#include "edgeproof/audit/checks/tail/parameter_sweep.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/audit/symbolic/symbolic.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
@@ -14,9 +13,6 @@
 
 namespace edgeproof::audit {
 namespace {
-
-using formula::Exact;
-using formula::Expr;
 
 /// The small variable is divided by these powers of ten.
 constexpr std::array<unsigned, 3> sizes{0, 6, 12};
@@ -64,7 +60,7 @@ std::vector<unsigned> stations_to(double least_end, double small) {
             stations.push_back(layer);
         }
     }
-    std::sort(stations.begin(), stations.end());
+    std::ranges::sort(stations);
     stations.erase(std::unique(stations.begin(), stations.end()), stations.end());
     return stations;
 }
@@ -260,8 +256,8 @@ bool is_growing(const Run& run) {
     unsigned decades = run.stations.back().decades;
     const Ball* later = nullptr;
     for (std::size_t k = 0; k <= doublings; ++k, decades /= 2) {
-        const auto at = std::find_if(run.stations.begin(), run.stations.end(),
-                                     [&](const Station& r) { return r.decades == decades; });
+        const auto at = std::ranges::find_if(
+            run.stations, [&](const Station& r) { return r.decades == decades; });
         if (at == run.stations.end() ||
             (later != nullptr && !certainly_half_more(at->rest, *later))) {
             return false;
@@ -285,10 +281,9 @@ bool RestFollower::sums_settle(const Run& run) const {
 }
 
 Course RestFollower::judge() {
-    const auto all = [&](auto&& test) { return std::all_of(runs_.begin(), runs_.end(), test); };
+    const auto all = [&](auto&& test) { return std::ranges::all_of(runs_, test); };
     if (all([](const Run& run) {
-            return std::all_of(run.stations.begin(), run.stations.end(),
-                               [](const Station& r) { return r.nothing; });
+            return std::ranges::all_of(run.stations, [](const Station& r) { return r.nothing; });
         })) {
         return Course::nothing;
     }

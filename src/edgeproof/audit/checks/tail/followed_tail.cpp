@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/checks/tail/followed_tail.hpp"
+#include "edgeproof/audit/checks/tail/followed.hpp"
 
 #include "edgeproof/audit/agreement/enclosures.hpp"
-#include "edgeproof/audit/checks/tail/hidden_terms.hpp"
-#include "edgeproof/audit/checks/tail/sweep_target.hpp"
+#include "edgeproof/audit/checks/tail/parameter_sweep.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
@@ -29,7 +28,7 @@ constexpr double most_decades = 4000;
 constexpr long relative_bits = 30; ///< required relative accuracy of a gap
 constexpr double least_steadiness = 0.5;
 
-double decades_of_exact(const formula::Exact& x) {
+double decades_of_exact(const Exact& x) {
     try {
         return std::abs(decades_of(formula::ball_of(x, 256)).value_or(0));
     } catch (const Error&) {
@@ -70,12 +69,12 @@ std::optional<std::string> printed_text(const Ball& x) {
 
 /// Returns the limit of the values in `along`; other numbers of the sample may be its units.
 std::optional<SweepTarget> target_of(const ParameterSweep& sweep, std::size_t sample) {
-    std::vector<formula::Exact> listed;
+    std::vector<Exact> listed;
     for (std::size_t j = 0; j < sweep.values().size(); ++j) {
         listed.push_back(sweep.value_at(j, sample));
     }
     const Sample& at = sweep.sample_at(0, sample);
-    std::vector<formula::Exact> units;
+    std::vector<Exact> units;
     for (const auto* names : {&at.scene.parameters, &at.variables}) {
         for (const auto& [name, value] : *names) {
             if (name != sweep.name()) {
@@ -166,7 +165,7 @@ void TailFollower::find_scales() {
         const EnclosedSample before(sample, bits);
         const EnclosedSample after(sweep_.last_sample(sample_), bits);
         const SweptPair pair{before, after};
-        const formula::Expr difference = claimed_.difference();
+        const Expr difference = claimed_.difference();
         hidden_ = hidden_decades(difference, pair);
         Ball scale = abs(before.evaluate(difference));
         if (claimed_.limit) {

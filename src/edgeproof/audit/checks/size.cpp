@@ -2,8 +2,9 @@
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/enclosed_reach.hpp"
 #include "edgeproof/audit/checks/parts/quoted_figure.hpp"
-#include "edgeproof/audit/checks/parts/size_extents.hpp"
-#include "edgeproof/audit/checks/parts/size_scan.hpp"
+#include "edgeproof/audit/checks/parts/sizes.hpp"
+#include "edgeproof/audit/enclosure/sample_in_balls.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
@@ -11,10 +12,120 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 
 namespace edgeproof::audit {
+namespace {
+
+/// Evaluates a, b, L and the coefficients at both edges in binary128.
+class SizeEnvironment {
+public:
+    explicit SizeEnvironment(ContactsBySize::At& contact) : contact_(contact) {}
+    [[nodiscard]] Float128 number(const Rational& q) const { return from_rational<Float128>(q); }
+    [[nodiscard]] Float128 pi() const { return edgeproof::pi<Float128>(); }
+    [[nodiscard]] Float128 symbol(std::string_view name) const {
+        const auto& e = contact_.extent();
+        if (name == "a" || name == "b" || name == "L") {
+            return name == "a" ? e.a : name == "b" ? e.b : e.length();
+        }
+        for (const Edge edge : {Edge::right, Edge::left}) {
+            const std::string_view prefix = edge == Edge::right ? "right_c" : "left_c";
+            if (name.starts_with(prefix) && name.size() == prefix.size() + 1) {
+                const auto k = static_cast<std::size_t>(name.back() - '0');
+                if (k < ContactsBySize::most_terms) {
+                    return contact_.coefficients(edge, k + 1)[k];
+                }
+            }
+        }
+        throw Error("'" + std::string(name) + "' is not known where the size varies");
+    }
+
+private:
+    ContactsBySize::At& contact_;
+};
+
+/// Throws BudgetError if a side is not finite.
+bool holds(const Relation& r, const SizeEnvironment& at) {
+    const auto lhs = evaluate<Float128>(r.lhs, at);
+    const auto rhs = evaluate<Float128>(r.rhs, at);
+    if (lhs - lhs != 0 || rhs - rhs != 0) {
+        throw BudgetError("a number beyond the range of the arithmetic");
+    }
+    return compare(r.op, lhs, rhs);
+}
+
+std::string relation_text(const Relation& r) {
+    static constexpr std::array signs{" < ", " <= ", " > ", " >= ", " = "};
+    return to_text(r.lhs) + signs.at(static_cast<std::size_t>(r.op)) + to_text(r.rhs);
+}
+
+/// Judges a condition at the tried sizes, by enclosures. A finite list of sizes confirms it only at
+/// these sizes, as the note states; if it fails at all of them, it may still hold between them.
+Judgement at_sizes(const SceneSpec& scene, const Condition& condition,
+                   const std::vector<Float128>& sizes, const Claim& claim,
+                   const AuditContext& context) {
+    std::size_t holding = 0;
+    std::size_t failing = 0;
+    Judgement last;
+    for (const Float128& a : sizes) {
+        SampleInBalls sample({with_size(scene, a), std::nullopt, claim.edge(), {}},
+                             context.digits());
+        const Decision found = decide(condition, sample, context.digits_needed());
+        holding += confirms(found) ? 1 : 0;
+        failing += refutes(found) ? 1 : 0;
+        last = Judgement(found);
+    }
+    if (holding == sizes.size()) {
+        return last;
+    }
+    return holding > 0 && failing > 0 ? Judgement(Undecided::underspecified) : Judgement();
+}
+
+} // namespace
+
+Outcome check_size_condition(const Claim& claim, const AuditContext& context) {
+    const std::vector<SceneSpec> scenes = context.scenes(claim);
+    const auto& range = claim.list("sizes");
+    if (scenes.size() != 1 || range.size() != 2) {
+        claim.reject(scenes.size() != 1 ? "over" : "sizes",
+                     "a size is sought for one scene and between two sizes",
+                     "name a family with count = 1 and write sizes = [\"FROM\", \"TO\"]");
+    }
+    const Condition condition = claim.condition("says");
+    const contact::Profile profile = scenes.front().make_profile();
+    const ContactsBySize contacts(profile);
+    const SizeScan scan(profile, Exact::parse(range[0]), Exact::parse(range[1]), 4);
+    const auto where = [&](const Condition& all) {
+        return scan.where([&](const Float128& a) {
+            ContactsBySize::At contact = contacts.at(a);
+            const SizeEnvironment at(contact);
+            return std::ranges::all_of(all, [&](const Relation& r) { return holds(r, at); });
+        });
+    };
+    const SizeSet set = where(condition);
+    Outcome outcome;
+    scan.describe(range, outcome.evidence);
+    outcome.evidence.add("holds_for_a", to_text(set));
+    outcome.verdict = at_sizes(scenes.front(), condition, scan.sizes(), claim, context);
+    const std::string looked_at = " (at " + std::to_string(scan.sizes().size()) + " sizes)";
+    if (outcome.verdict == Verdict::confirmed) {
+        outcome.note = "the size is not given, and it holds at every size" + looked_at;
+    } else if (outcome.verdict == Verdict::undecided) {
+        outcome.note = set.empty() ? "it holds at no size that was examined" + looked_at
+                                   : "the enclosures do not decide at some sizes";
+    } else {
+        outcome.note = "the size is not given; it would hold for a = " + to_text(set, 4);
+        Evidence each;
+        for (const Relation& r : condition) {
+            each.add(relation_text(r), to_text(where({r})));
+        }
+        outcome.evidence.add("each_holds_for_a", each);
+    }
+    return outcome;
+}
+
 namespace {
 
 constexpr std::size_t reading_count = extent_readings.size();
@@ -28,7 +139,7 @@ struct QuotedExtent {
     std::optional<ExtentOf> over; ///< the divisor, if any
     Rational lower;               ///< the numbers that round to the figure: lower end ...
     Rational upper;               ///< ... and upper end (excluded)
-    formula::Exact tolerance;
+    Exact tolerance;
 
     /// Returns the extent, or the quotient of two extents, of a contact under each reading.
     [[nodiscard]] ContactsBySize::Fractions in(ContactsBySize::At contact, bool refined) const {
@@ -56,13 +167,13 @@ QuotedExtent read_quoted_extent(const Claim& claim) {
     for (const char* name : {"edge", "terms", "over_terms", "tolerance", "figure", "unit"}) {
         q.key += "/" + claim.text_or(name, "");
     }
-    q.tolerance = formula::Exact::parse(claim.text("tolerance"));
+    q.tolerance = Exact::parse(claim.text("tolerance"));
     q.of = {claim.edge(), terms("terms"), q.tolerance.to<Float128>()};
     if (claim.has("over_terms")) {
         q.over = ExtentOf{q.of.edge, terms("over_terms"), q.of.tolerance};
     }
-    const Rational figure = formula::Exact::parse(claim.text("figure")).rational();
-    const Rational half = formula::Exact::parse(claim.text("unit")).rational() / 2;
+    const Rational figure = Exact::parse(claim.text("figure")).rational();
+    const Rational half = Exact::parse(claim.text("unit")).rational() / 2;
     q.lower = figure - half;
     q.upper = figure + half;
     if (!(half > 0) || !(q.of.tolerance > 0)) {
@@ -133,12 +244,12 @@ Found find_sizes(const QuotedExtent& q, const SizeScan& scan, const ContactsBySi
 using Reaches = std::vector<EnclosedReach>;
 
 /// Computes the proved extents of an approximation at each size, once in a run.
-std::shared_ptr<const Reaches> reaches(const ExtentOf& of, const formula::Exact& tolerance,
+std::shared_ptr<const Reaches> reaches(const ExtentOf& of, const Exact& tolerance,
                                        const SceneSpec& scene, const std::vector<Float128>& sizes,
                                        const AuditContext& context) {
     const std::string key =
         fmt::format("size-extent/enclosed/{}/{}/{}/{}/{}/{}", scene.family,
-                    of.edge == contact::Edge::right ? "right" : "left", of.terms, tolerance.text(),
+                    of.edge == Edge::right ? "right" : "left", of.terms, tolerance.text(),
                     to_text(sizes.front()), to_text(sizes.back()));
     return context.once<Reaches>(key, [&] {
         Reaches found;
@@ -158,9 +269,9 @@ std::optional<Ball> fraction(const ExtentOf& of, const EnclosedReach& found, con
         return std::nullopt;
     }
     const EnclosedSample sample({scene, std::nullopt, of.edge, {}}, found.bits);
-    const char* side = of.edge == contact::Edge::right ? "a" : "b";
+    const char* side = of.edge == Edge::right ? "a" : "b";
     return (reading.first_exit ? found.extents->first_exit : found.extents->measure) /
-           sample.evaluate(formula::Expr::symbol(reading.of_side ? side : "L"));
+           sample.evaluate(Expr::symbol(reading.of_side ? side : "L"));
 }
 
 /// Decides if a figure holds at every size tried, or fails at every one. A finite list of sizes
@@ -248,15 +359,15 @@ Outcome check_size_extent(const Claim& claim, const AuditContext& context) {
     }
     const auto size = [&](const std::string& text) {
         try {
-            return formula::Exact::parse(text);
+            return Exact::parse(text);
         } catch (const InputError& error) {
             claim.reject("sizes", error.problem(), error.instead());
         }
     };
     const SceneSpec& scene = scenes.front();
     const contact::Profile profile = scene.make_profile();
-    const formula::Exact from = size(range[0]);
-    const formula::Exact to = size(range[1]);
+    const Exact from = size(range[0]);
+    const Exact to = size(range[1]);
     const QuotedExtent quoted = read_quoted_extent(claim);
     const SizeScan scan(profile, from, to);
     const ContactsBySize contacts(profile);

@@ -5,22 +5,70 @@
 #include "edgeproof/precision/error.hpp"
 
 namespace edgeproof::audit {
+
+namespace {
+
+/// Compares with the `digits` of the context, or fewer.
+Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned digits) {
+    const FormulaComparison comparison(claim, context, digits);
+    Outcome outcome;
+    if (comparison.samples() == 0) {
+        outcome.note = "no sample fulfils the condition";
+        return outcome;
+    }
+    outcome.evidence.add("of", claim.text("of"));
+    comparison.judge("agrees at " + std::to_string(comparison.samples()) + " samples", outcome);
+    if (comparison.needs_correction(outcome)) {
+        RefutedFormula refuted = comparison.refuted(outcome.evidence);
+        refuted.passes_screening = Screening(claim, context, claim.formula("of"));
+        refuted.verdict_of = [&](const Expr& e) {
+            return comparison.confirms(expand_definitions(e, claim.vocabulary))
+                       ? std::optional(Verdict::confirmed)
+                       : std::nullopt;
+        };
+        diagnose(refuted, outcome);
+    }
+    return outcome;
+}
+
+/// True if a confirmed claim holds to all digits, at samples spread evenly over the others.
+bool holds_to_all_digits(const Claim& claim, const AuditContext& context, Evidence& evidence) {
+    Outcome more;
+    FormulaComparison(claim, context, context.digits(), ManyDigits::samples).judge("", more);
+    evidence.add("all_digits", std::move(more.evidence));
+    return more.verdict == Verdict::confirmed;
+}
+
+} // namespace
+
+Outcome check_value(const Claim& claim, const AuditContext& context) {
+    const bool integrals = has_binder(claim.formula("says")) || has_binder(claim.formula("of"));
+    if (integrals && context.digits() > ManyDigits::everywhere) {
+        Outcome outcome = compare_values(claim, context, ManyDigits::everywhere);
+        if (outcome.verdict == Verdict::refuted || is_rounded(outcome) ||
+            (outcome.verdict == Verdict::confirmed &&
+             holds_to_all_digits(claim, context, outcome.evidence))) {
+            return outcome;
+        }
+    }
+    return compare_values(claim, context, context.digits());
+}
+
 namespace {
 
 /// Tests candidates with random numbers for the symbols.
-Screening formal_screening(const Claim& claim, const SymbolicCase& under,
-                           const formula::Expr& derived, const std::vector<std::string>& alphabet) {
+Screening formal_screening(const Claim& claim, const SymbolicCase& under, const Expr& derived,
+                           const std::vector<std::string>& alphabet) {
     const PrecisionScope scope(FormalValues::digits);
     Screening screening(claim, FormalValues::digits, pow(Real(10), -30));
     std::set<std::string> names = free_symbols(derived);
     for (const std::string& name : alphabet) {
-        names.merge(
-            free_symbols(expand_definitions(formula::Expr::symbol(name), claim.vocabulary)));
+        names.merge(free_symbols(expand_definitions(Expr::symbol(name), claim.vocabulary)));
     }
     for (std::size_t draw = 0; draw < 40 && screening.points() < 3; ++draw) {
         try {
             const FormalValues values(names, under, draw);
-            screening.add_point([values](const formula::Expr& e) { return values.evaluate(e); },
+            screening.add_point([values](const Expr& e) { return values.evaluate(e); },
                                 values.evaluate(derived));
         } catch (const DomainError&) {
             continue; // a drawn point outside the domain of a root
@@ -32,12 +80,12 @@ Screening formal_screening(const Claim& claim, const SymbolicCase& under,
 } // namespace
 
 Outcome check_identity(const Claim& claim, const AuditContext& context) {
-    const formula::Expr printed = claim.formula("says");
-    const formula::Expr exact = claim.formula("of");
+    const Expr printed = claim.formula("says");
+    const Expr exact = claim.formula("of");
     const SymbolicCase under = symbolic_case(claim, context);
     Outcome outcome;
     outcome.evidence.add("of", claim.text("of"));
-    std::optional<formula::Expr> derived;
+    std::optional<Expr> derived;
     bool proved = false;
     try {
         derived = derive(exact, under);
@@ -65,7 +113,7 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     RefutedFormula refuted = comparison.refuted(outcome.evidence);
     if (derived && !refuted.ratio) {
         try {
-            const formula::Expr ratio = derive(printed / *derived, under);
+            const Expr ratio = derive(printed / *derived, under);
             outcome.evidence.add("ratio", to_text(ratio)).add("ratio_tex", to_tex(ratio));
         } catch (const Error&) {
             outcome.evidence.add("ratio", "no closed form");
@@ -75,8 +123,8 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     refuted.passes_screening =
         derived ? formal_screening(claim, under, *derived, refuted.alphabet.symbols)
                 : Screening(claim, context, exact);
-    refuted.verdict_of = [&](const formula::Expr& e) -> std::optional<Verdict> {
-        const formula::Expr full = expand_definitions(e, claim.vocabulary);
+    refuted.verdict_of = [&](const Expr& e) -> std::optional<Verdict> {
+        const Expr full = expand_definitions(e, claim.vocabulary);
         if (!comparison.confirms(full)) {
             return std::nullopt;
         }

@@ -1,18 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/audit/ledger/family.hpp"
+#include "edgeproof/audit/ledger/judgement.hpp"
 #include "edgeproof/contact/law/contact_law.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/contact/routes/pressure_routes.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
+#include "edgeproof/precision/arithmetic.hpp"
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace edgeproof::audit {
+
+/// An interval of contact sizes a, for claims whose source gives no size. Sizes are searched in
+/// binary128, independently of the digits of the audit: ends are right to about 14 digits and are
+/// the same on every machine.
+struct SizeInterval {
+    Float128 from;
+    Float128 to;
+    bool open_below = false; ///< it begins where the search began
+    bool open_above = false; ///< it ends where the search ended
+};
+
+/// Returns the scene with another right edge a and the same other parameters.
+[[nodiscard]] SceneSpec with_size(SceneSpec scene, const Float128& a);
+
+/// Disjoint intervals in ascending order.
+using SizeSet = std::vector<SizeInterval>;
+
+[[nodiscard]] SizeSet intersection(const SizeSet& x, const SizeSet& y);
+/// Returns "1.23456789012 ... 2.5; 7.5 ... end of the search", each end with `digits` digits.
+[[nodiscard]] std::string to_text(const SizeSet& set, unsigned digits = 12);
+[[nodiscard]] std::string to_text(const Float128& a, unsigned digits = 12);
+/// True for a single interval from one end of the search to the other.
+[[nodiscard]] bool is_everything(const SizeSet& set);
+
+/// The sizes between two given ones, split where an edge meets a knot of the profile: functions of
+/// the size are not smooth there, and the search approaches it from both sides.
+class SizeScan {
+public:
+    /// Throws InputError unless 0 < from < to.
+    SizeScan(const contact::Profile& profile, const Exact& from, const Exact& to,
+             int per_decade = 8);
+
+    using Function = std::function<Float128(const Float128& a)>;
+    using Test = std::function<bool(const Float128& a)>;
+
+    /// The first sizes tried: ascending, with the ends of the range, without sizes at a knot.
+    [[nodiscard]] const std::vector<Float128>& sizes() const noexcept { return sizes_; }
+    /// The sizes at which an edge is on a knot.
+    [[nodiscard]] const std::vector<Float128>& breaks() const noexcept { return breaks_; }
+    /// Adds the range (as the texts of a claim's `sizes`), the number of sizes and the breaks.
+    void describe(const std::vector<std::string>& range, Evidence& evidence) const;
+    /// Returns the set where lower <= f(a) < upper. `at_sizes`: f at sizes(). Between neighbouring
+    /// sizes, f is assumed to cross each bound at most once, except near extrema indicated by three
+    /// successive sizes: sampled, not proved. A jump of f counts as a crossing.
+    [[nodiscard]] SizeSet between(const Function& f, const std::vector<Float128>& at_sizes,
+                                  const Float128& lower, const Float128& upper) const;
+    /// Returns the set where a test holds, in the same way.
+    [[nodiscard]] SizeSet where(const Test& test) const;
+
+private:
+    [[nodiscard]] SizeSet joined(bool inside, std::vector<Float128> ends) const;
+    std::vector<Float128> sizes_;
+    std::vector<Float128> breaks_;
+};
 
 /// The possible readings of "within 1 % of the exact solution for 4 % of the contact": the first
 /// place where the tolerance is exceeded, or the total length within it; as a fraction of the whole
@@ -30,7 +90,7 @@ inline constexpr std::array<ExtentReading, 4> extent_readings{
 
 /// The edge, the number of terms and the tolerance of an approximation.
 struct ExtentOf {
-    contact::Edge edge = contact::Edge::right;
+    Edge edge = Edge::right;
     std::size_t terms = 1;
     Float128 tolerance;
 };
@@ -60,8 +120,7 @@ public:
         [[nodiscard]] Fractions fractions(const ExtentOf& of, bool refined = true);
         [[nodiscard]] const contact::Extent<Float128>& extent() { return fine_.extent(); }
         /// Returns at least c_0 ... c_{count-1}, to about 28 digits.
-        [[nodiscard]] const std::vector<Float128>& coefficients(contact::Edge edge,
-                                                                std::size_t count) {
+        [[nodiscard]] const std::vector<Float128>& coefficients(Edge edge, std::size_t count) {
             return fine_.coefficients(edge, count);
         }
 
@@ -82,14 +141,14 @@ public:
                 }
                 return *extent_;
             }
-            const std::vector<T>& coefficients(contact::Edge edge, std::size_t count) {
+            const std::vector<T>& coefficients(Edge edge, std::size_t count) {
                 std::vector<T>& c = c_.at(index_of(edge));
                 if (c.size() < count) {
                     c = edge_expansion(law_, extent(), edge, count);
                 }
                 return c;
             }
-            T pressure(contact::Edge edge, const T& u) {
+            T pressure(Edge edge, const T& u) {
                 if (!marks_) {
                     marks_.emplace(extent(), law_.slope().knots());
                 }
@@ -114,8 +173,8 @@ public:
             std::optional<contact::Marks<T, T>> marks_; ///< the landmarks of the extent
             std::array<std::vector<T>, 2> c_;
         };
-        [[nodiscard]] const std::vector<Node>& pressures(contact::Edge edge);
-        [[nodiscard]] std::vector<long double> places(contact::Edge edge);
+        [[nodiscard]] const std::vector<Node>& pressures(Edge edge);
+        [[nodiscard]] std::vector<long double> places(Edge edge);
         [[nodiscard]] long double rough_error(const ExtentOf& of, long double u) {
             return rough_.approximation(of, most_terms, u) / rough_.pressure(of.edge, u) - 1;
         }

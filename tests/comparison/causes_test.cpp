@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/comparison.hpp"
-#include "edgeproof/comparison/injected_mistake.hpp"
+#include "edgeproof/comparison/self_test.hpp"
 #include "edgeproof/comparison/spring_bed.hpp"
 
 #include "tests/support/namespaces.hpp"

@@ -2,8 +2,7 @@
 #include "edgeproof/comparison/self_test.hpp"
 
 #include "edgeproof/comparison/comparison.hpp"
-#include "edgeproof/comparison/injected_mistake.hpp"
-#include "edgeproof/comparison/measures/mesh_error.hpp"
+#include "edgeproof/comparison/measures/measures.hpp"
 #include "edgeproof/comparison/spring_bed.hpp"
 #include "tests/support/namespaces.hpp"
 

@@ -121,3 +121,31 @@ TEST_CASE("shear: loads that grow together; q without shear, and shear without q
     CHECK_FALSE(unasked.shear);
     CHECK(has_finding(unasked, "the scene has no [shear]"));
 }
+
+TEST_CASE("shear: the zone left out at the edges is left out at those of the stick zone, too") {
+    // Mindlin: q = f p_0 (sqrt(1 - x^2) - c sqrt(1 - x^2/c^2)), c = sqrt(1 - Q/(f P)) = 0.6.
+    const std::string shear = "Q = \"0.32\"\nfriction = \"0.5\"\n";
+    const double c = 0.6;
+    // A mesh is wrong next to c, where the slope of q is infinite.
+    const auto wrong_at = [&](double place, double by) {
+        return shear_rows([=](double x) {
+            const double stuck = std::abs(x) < c ? c * std::sqrt(1 - x * x / (c * c)) : 0;
+            const double q = 0.5 * unit_p0 * (std::sqrt(1 - x * x) - stuck);
+            return q + (std::abs(std::abs(x) - place) < 1e-9 ? by : 0);
+        });
+    };
+    Tolerances none;
+    none.pressure = 1e-8;
+    CHECK_FALSE(shear_held(shear, wrong_at(0.6, 0.05), none).passes());
+    const FileComparison beside = shear_held(shear, wrong_at(0.6, 0.05), shear_within(1e-8));
+    CHECK_MESSAGE(beside.passes(), beside.failures[0]);
+    CHECK_FALSE(shear_held(shear, wrong_at(0.575, 0.05), shear_within(1e-8)).passes());
+    CHECK_FALSE(shear_held(shear, wrong_at(0.625, 0.05), shear_within(1e-8)).passes());
+    // Data of which the zones leave no node are not right.
+    Tolerances wide = none;
+    wide.zone = parse_edge_zone("0.65");
+    const FileComparison nothing = shear_held(shear, wrong_at(0.6, 0.05), wide);
+    REQUIRE(nothing.shear);
+    CHECK(nothing.shear->nodes == 0);
+    CHECK_FALSE(nothing.passes());
+}

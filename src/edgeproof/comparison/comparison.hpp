@@ -6,8 +6,8 @@
 ///   measures/alignment.hpp      AlignedResult: sign, origin, nodes with their exact pressure
 ///   measures/data_edges.hpp     DataContact: edges, force and elements of the data
 ///   measures/measures.hpp       Errors: relative to the peak, to p itself, in the L2 norm;
-///                               Convergence: orders and extrapolated values of several meshes
-///   measures/mesh_error.hpp     the error that a correct mesh has by itself
+///                               Convergence: orders and extrapolated values of several meshes;
+///                               the error that a correct mesh has by itself
 ///   measures/edge_fit.hpp       EdgeFit: c_0 and c_1 by least squares
 ///   causes/causes.hpp           Diagnosis: mistakes that would explain wrong data
 /// Only the values of the exact contact are proved, if their routes are; edges, fits and
@@ -19,7 +19,6 @@
 #include "edgeproof/comparison/measures/edge_fit.hpp"
 #include "edgeproof/comparison/measures/exact_contact.hpp"
 #include "edgeproof/comparison/measures/measures.hpp"
-#include "edgeproof/comparison/measures/mesh_error.hpp"
 
 #include <array>
 #include <optional>
@@ -127,5 +126,12 @@ void compare_surface(FileComparison& file, const scene::Scene& scene, const Exac
 /// Orders and limits of a, b, P, c_0, the largest pressure and the errors, if every file has them.
 [[nodiscard]] std::vector<Convergence> convergence_of(const std::vector<FileComparison>& files,
                                                       const ExactContact& exact);
+
+/// Throws InputError, with the file, if fewer than three nodes lie inside the exact contact, or if
+/// the edge zones leave none of these: such data cannot be compared. The advice depends on the
+/// loaded part of the data and its width: a finer mesh if fewer than three nodes are loaded,
+/// another origin if the width is half to twice the contact's, otherwise another unit.
+void require_nodes_inside(const FileComparison& file, const ExactContact& exact,
+                          const EdgeZone& zone);
 
 } // namespace edgeproof::comparison

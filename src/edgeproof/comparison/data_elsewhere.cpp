@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/data_elsewhere.hpp"
+#include "edgeproof/comparison/comparison.hpp"
 
 #include "edgeproof/precision/error.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/injected_mistake.hpp"
+#include "edgeproof/comparison/self_test.hpp"
 
 #include "edgeproof/comparison/spring_bed.hpp"
 

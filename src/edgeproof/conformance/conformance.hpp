@@ -2,25 +2,23 @@
 #pragma once
 /// Reference values, and the comparison of other programs' numbers with them.
 ///   questions/question.hpp     Question: a value requested for a contact
-///   questions/recipe.hpp       Recipe, RecipeGrid: grids of contacts with questions, from TOML
-///   questions/reference.hpp    the answers, the same on any number of threads
-///   questions/conditioning.hpp how much of an error the rounding of the inputs explains
+///   questions/recipe_grid.hpp  Recipe, RecipeGrid: grids of contacts with questions, from TOML
+///   questions/reference.hpp    the answers, the same on any number of threads; how much of an
+///   error
+///                              the rounding of the inputs explains
 ///   answers/answers.hpp        the answers of another program, right or wrong; number_text.hpp
 ///   answers/program_driver.hpp asks a program in batches, in CSV or JSON lines
 ///   answers/agreement.hpp      correct digits, ulps, and the position in the contact
 ///   causes/convention.hpp      failures that another convention or interpretation explains
 ///   causes/fit.hpp             how well a cause explains failures
-///   causes/self_test.hpp       known mistakes in right answers: which are named
-///   causes/corruption.hpp      correct answers made wrong, to test that this is detected
+///   causes/self_test.hpp       known mistakes in right answers: which are named; answers made
+///                              wrong, to test that this is detected
 #include "edgeproof/conformance/answers/agreement.hpp"
 #include "edgeproof/conformance/answers/answers.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/conformance/answers/program_driver.hpp"
 #include "edgeproof/conformance/causes/convention.hpp"
-#include "edgeproof/conformance/causes/corruption.hpp"
 #include "edgeproof/conformance/causes/self_test.hpp"
-#include "edgeproof/conformance/questions/conditioning.hpp"
 #include "edgeproof/conformance/questions/question.hpp"
-#include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/conformance/questions/recipe_grid.hpp"
 #include "edgeproof/conformance/questions/reference.hpp"

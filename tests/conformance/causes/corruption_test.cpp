@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/causes/corruption.hpp"
+#include "edgeproof/conformance/causes/self_test.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"
 

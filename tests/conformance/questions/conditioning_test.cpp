@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/agreement.hpp"
-#include "edgeproof/conformance/questions/conditioning.hpp"
+#include "edgeproof/conformance/questions/reference.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>

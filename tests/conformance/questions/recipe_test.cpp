@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/questions/recipe.hpp"
+#include "edgeproof/conformance/questions/recipe_grid.hpp"
 #include "edgeproof/conformance/questions/reference.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"

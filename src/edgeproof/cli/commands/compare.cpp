@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/comparison/comparison.hpp"
-#include "edgeproof/comparison/data_elsewhere.hpp"
 #include "edgeproof/comparison/self_test.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/io/process_cleanup.hpp"

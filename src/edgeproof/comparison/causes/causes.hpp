@@ -101,7 +101,7 @@ struct Diagnosis {
 /// the mesh; the scale of the suspect's values is one within three standard errors (of constant
 /// noise or of noise proportional to the pressure, whichever is larger) plus the allowance; and the
 /// remaining error is less than three tenths of the original one. The allowance is `mesh_error`,
-/// the mesh's own error (measures/mesh_error.hpp), and at most three hundredths of the largest
+/// the mesh's own error (measures/measures.hpp), and at most three hundredths of the largest
 /// pressure. Mistakes whose remaining error is
 /// within a fifth of the best are equally likely: the data do not distinguish them. Data that carry
 /// too few digits, or are binary32, and otherwise agree, have that cause. No cause is proved.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/input/calculix.hpp"
 
-#include "edgeproof/comparison/input/calculix_files.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
 
 #include <fmt/format.h>

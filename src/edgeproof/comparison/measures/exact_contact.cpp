@@ -339,14 +339,14 @@ struct ExactShear::Solved {
         zone.ask.quantities = {scene::QuantityGroup::slip};
         zone.ask.digits = {zone_digits, Rounding::nearest, false};
         const scene::SceneResult result = run_scene(zone);
+        stick = {result.at(scene::Quantity::stick_a).value.midpoint(),
+                 result.at(scene::Quantity::stick_b).value.midpoint()};
         if (spec.bulk_tension.sign() != 0 && profile.symmetric()) {
             normal_contact.emplace(profile, asked.contact_modulus, asked.load, slip_digits);
             slip.emplace(*normal_contact, spec);
             return;
         }
         const PrecisionScope scope(zone_digits + 20);
-        stick = {result.at(scene::Quantity::stick_a).value.midpoint(),
-                 result.at(scene::Quantity::stick_b).value.midpoint()};
         if (profile.axisymmetric()) {
             const contact::AxisymmetricContact contact(profile, asked.contact_modulus, asked.load,
                                                        formula::bits_for(contact_digits));
@@ -429,6 +429,12 @@ std::string ExactShear::scale_text() const {
                                    : "|Q|/" + area + " + |bulk_tension|/4";
 }
 double ExactShear::force() const { return solved_->load.Q.convert_to<double>(); }
+std::vector<double> ExactShear::stick_edges() const {
+    const Solved& s = *solved_;
+    return s.spec.friction && !s.after_steps
+               ? std::vector{s.stick.a.convert_to<double>(), Real(-s.stick.b).convert_to<double>()}
+               : std::vector<double>();
+}
 bool ExactShear::singular() const {
     return !solved_->spec.friction && solved_->spec.path != contact::LoadingPath::together;
 }

@@ -34,6 +34,9 @@ public:
     [[nodiscard]] double scale() const;
     [[nodiscard]] std::string scale_text() const;
     [[nodiscard]] double force() const; ///< Q
+    /// Where the stick zone ends in partial slip: the slope of q is infinite on its inner side.
+    /// Empty without friction, and after steps.
+    [[nodiscard]] std::vector<double> stick_edges() const;
     /// True if q grows without bound towards the edges: no partial slip.
     [[nodiscard]] bool singular() const;
 

@@ -122,9 +122,12 @@ std::optional<Errors> measure_shear(const AlignedResult& data, const ExactContac
     if (data.nodes.empty() || !data.nodes.front().shear) {
         return {};
     }
-    return errors_of(
-        data, exact.shear()->scale(),
-        [&](const Node& node) { return is_counted(node, zone, contact); }, held_traction, false);
+    const double width = zone.length.value_or(zone.elements * contact.mean_element);
+    const auto counts = [&, ends = exact.shear()->stick_edges()](const Node& node) {
+        return is_counted(node, zone, contact) &&
+               std::ranges::none_of(ends, [&](double x) { return std::abs(node.x - x) < width; });
+    };
+    return errors_of(data, exact.shear()->scale(), counts, held_traction, false);
 }
 
 std::vector<DistanceErrors> by_distance(const AlignedResult& data, const ExactContact& exact) {

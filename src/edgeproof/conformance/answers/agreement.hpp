@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/conformance/answers/answers.hpp"
-#include "edgeproof/conformance/questions/conditioning.hpp"
 #include "edgeproof/conformance/questions/reference.hpp"
 
 #include <cstddef>

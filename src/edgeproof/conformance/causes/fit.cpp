@@ -61,7 +61,9 @@ std::optional<bool> is_noise_like(const WrongRows& rows, const std::vector<doubl
     }
     const double least =
         std::max(like_noise, 1 - deviations_of_noise / root(rows.neighbours.size()));
-    return all == 0 || differences > least * all;
+    // Roundoff of a constant remainder need not look like noise.
+    const double roundoff = rounding * rounding * static_cast<double>(rows.neighbours.size());
+    return all <= roundoff || differences > least * all;
 }
 
 } // namespace

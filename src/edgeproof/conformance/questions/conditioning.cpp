@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/questions/conditioning.hpp"
+#include "edgeproof/conformance/questions/reference.hpp"
 
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/questions/recipe.hpp"
+#include "edgeproof/conformance/questions/recipe_grid.hpp"
 
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/text_file.hpp"

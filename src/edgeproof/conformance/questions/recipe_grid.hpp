@@ -129,4 +129,10 @@ private:
     std::size_t pieces_ = 0;
 };
 
+/// Throws InputError with file and line for malformed input: unknown keys and names, empty grids,
+/// ids that occur twice, a question that the contact cannot answer, more than a million questions
+/// (recipe_grid.hpp allows more).
+[[nodiscard]] Recipe read_recipe(const std::filesystem::path& file);
+[[nodiscard]] Recipe parse_recipe(std::string_view text, const std::string& file);
+
 } // namespace edgeproof::conformance

@@ -11,7 +11,8 @@
 namespace edgeproof::conformance {
 namespace {
 
-constexpr double most_rest = 0.105; ///< that a factor with a name may leave
+constexpr double most_rest = 0.105;      ///< that a factor with a name may leave
+constexpr std::size_t part_outside = 20; ///< one row of this number lies outside, on each side
 
 } // namespace
 
@@ -130,6 +131,11 @@ Convention CauseSearch::convention(const Explained& explained) const {
                                            : "a factor that varies, near that number by chance");
         c.equally_likely.emplace_back("factor");
     }
+    // A mistake that leaves a smooth remainder may have nearly the effect of a factor by chance.
+    if (first.rank == 1 && c.remains > unlikely_by_chance) {
+        const auto [least, most] = interval_of(explained.group);
+        add_near_factors(c, least, most);
+    }
     if (first.rank == rank_of_constant) {
         add_near_factors(c, c.factor, c.factor);
     }
@@ -160,16 +166,19 @@ void CauseSearch::add_near_factors(Convention& of, double least, double most) co
     }
 }
 
+std::pair<double, double> CauseSearch::interval_of(const Group& group) const {
+    const WrongRows all = wrong_rows(answers_, agreements_, group.rows);
+    std::vector<double> ratios = remainder_of(all, all_of(all)).off;
+    std::ranges::sort(ratios);
+    const std::size_t outside = ratios.size() / part_outside;
+    return {1 + ratios[outside], 1 + ratios[ratios.size() - 1 - outside]};
+}
+
 std::optional<Convention> CauseSearch::varying_factor(const Group& group) const {
     if (!is_whole(group) || group.rows.size() < least_rows_of_constant) {
         return {};
     }
-    const WrongRows all = wrong_rows(answers_, agreements_, group.rows);
-    std::vector<double> ratios = remainder_of(all, all_of(all)).off;
-    std::ranges::sort(ratios);
-    const std::size_t outside = ratios.size() / 20; // on each side
-    const double least = 1 + ratios[outside];
-    const double most = 1 + ratios[ratios.size() - 1 - outside];
+    const auto [least, most] = interval_of(group);
     Convention c;
     add_near_factors(c, least, most);
     if (c.also.empty()) {
@@ -179,9 +188,9 @@ std::optional<Convention> CauseSearch::varying_factor(const Group& group) const 
     c.relation = fmt::format("{:.3g} to {:.3g} times ours", least, most);
     c.hint = "a factor that is no constant";
     c.name = "varying-factor";
-    c.factor = 1 + ratios[ratios.size() / 2];
-    c.rows = ratios.size() - 2 * outside;
-    c.failing = ratios.size();
+    c.factor = (least + most) / 2;
+    c.failing = group.rows.size();
+    c.rows = c.failing - 2 * (c.failing / part_outside);
     c.held = digits_of(most / least - 1);
     c.without_digits = true;
     return c;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace edgeproof::conformance {
@@ -145,8 +146,9 @@ private:
     /// another cause, is at most a tenth, and a quarter of the error |k - 1| or |1/k - 1|, and k is
     /// not further from the interval than this is wide (unless they are a constant).
     void add_near_factors(Convention& of, double least, double most) const;
-    /// The interval of the ratio of answers and ours, if no cause explains them and named factors
-    /// are near it.
+    /// The interval of the ratio of answers and ours, without a twentieth of the rows on each side.
+    [[nodiscard]] std::pair<double, double> interval_of(const Group& group) const;
+    /// That interval, if no cause explains the answers and named factors are near it.
     [[nodiscard]] std::optional<Convention> varying_factor(const Group& group) const;
     [[nodiscard]] static double digits_of(double off);
 

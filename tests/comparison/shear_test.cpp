@@ -137,8 +137,8 @@ TEST_CASE("shear: the zone left out at the edges is left out at those of the sti
     Tolerances none;
     none.pressure = 1e-8;
     CHECK_FALSE(shear_held(shear, wrong_at(0.6, 0.05), none).passes());
-    const FileComparison beside = shear_held(shear, wrong_at(0.6, 0.05), shear_within(1e-8));
-    CHECK_MESSAGE(beside.passes(), beside.failures[0]);
+    const FileComparison in_zone = shear_held(shear, wrong_at(0.6, 0.05), shear_within(1e-8));
+    CHECK_MESSAGE(in_zone.passes(), in_zone.failures[0]);
     CHECK_FALSE(shear_held(shear, wrong_at(0.575, 0.05), shear_within(1e-8)).passes());
     CHECK_FALSE(shear_held(shear, wrong_at(0.625, 0.05), shear_within(1e-8)).passes());
     // Data of which the zones leave no node are not right.

@@ -294,7 +294,7 @@ TEST_CASE("a constant that is nearly a common factor may be the factor and anoth
     const std::vector<QuestionCells> questions = right_questions();
     const std::vector<double> exact = exact_values(questions);
     const std::vector<std::pair<double, std::string>> constants{
-        {1040.0, "power-of-ten"}, {2.05, "factor-2"}, {1.37, ""}};
+        {1040.0, "power-of-ten"}, {2.05, "factor-2"}, {1.37, "factor-sqrt-2"}, {1.2, ""}};
     for (const auto& tried : constants) {
         std::vector<double> values = exact;
         for (double& v : values) {

@@ -42,6 +42,14 @@ TEST_CASE("the test of the causes: mistakes are named under noise, and none wron
     CHECK(row("").at[4].named == 3); // right answers and two smooth errors, 5 % of noise
 }
 
+TEST_CASE(
+    "the test of the causes: sqrt(2) and a smooth rest under 5 % of noise name no third cause" *
+    doctest::test_suite("slow")) {
+    const MistakeCounts counts = test_causes(91102, 0, {"a wedge", "a piecewise linear profile"});
+    check_causes_named(counts);
+    CHECK(counts.contacts == 2);
+}
+
 TEST_CASE("the test of the causes on all contacts" * doctest::test_suite("slow")) {
     for (const std::uint64_t seed : {11, 12, 13}) {
         CAPTURE(seed);

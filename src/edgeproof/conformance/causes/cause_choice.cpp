@@ -13,6 +13,10 @@ namespace {
 
 constexpr double most_rest = 0.105;      ///< that a factor with a name may leave
 constexpr std::size_t part_outside = 20; ///< one row of this number lies outside, on each side
+/// Answers with fewer digits scatter by percents: a factor with a name and another cause may have
+/// the effect of a third one.
+constexpr double digits_of_percents = 1.5;
+constexpr double noise_in_interval = 3; ///< standard deviations that an interval exceeds
 
 } // namespace
 
@@ -138,6 +142,9 @@ Convention CauseSearch::convention(const Explained& explained) const {
     }
     if (first.rank == rank_of_constant) {
         add_near_factors(c, c.factor, c.factor);
+    } else if (c.held < digits_of_percents) {
+        const auto [least, most] = interval_of(explained.group);
+        add_near_factors(c, (least + most) / 2, (least + most) / 2);
     }
     return c;
 }
@@ -179,6 +186,11 @@ std::optional<Convention> CauseSearch::varying_factor(const Group& group) const 
         return {};
     }
     const auto [least, most] = interval_of(group);
+    const WrongRows all = wrong_rows(answers_, agreements_, group.rows);
+    if (remainder_of(all, all_of(all))
+            .noise_like.value_or(most - least < noise_in_interval * noise_)) {
+        return {};
+    }
     Convention c;
     add_near_factors(c, least, most);
     if (c.also.empty()) {

@@ -148,7 +148,8 @@ private:
     void add_near_factors(Convention& of, double least, double most) const;
     /// The interval of the ratio of answers and ours, without a twentieth of the rows on each side.
     [[nodiscard]] std::pair<double, double> interval_of(const Group& group) const;
-    /// That interval, if no cause explains the answers and named factors are near it.
+    /// That interval, if no cause explains the answers, it is not due to their noise, and named
+    /// factors are near it.
     [[nodiscard]] std::optional<Convention> varying_factor(const Group& group) const;
     [[nodiscard]] static double digits_of(double off);
 

@@ -23,7 +23,7 @@ struct Mutant {
 [[nodiscard]] const std::vector<std::string>& mutation_kinds();
 
 /// Returns every mutant of a formula; no expression tree occurs twice or equals the formula's.
-/// Shares no code with the edits tried by a diagnosis (edits.hpp).
+/// Shares no code with the edits tried by a diagnosis (audit/diagnosis/edits.cpp).
 [[nodiscard]] std::vector<Mutant> mutants_of(const formula::Expr& formula);
 
 /// The result of the check of one mutant.

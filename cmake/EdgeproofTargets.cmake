@@ -3,7 +3,7 @@
 # edgeproof_own_flags(<target> [QUICK]): settings that every target of this build shares. Installed
 # targets do not pass them on, except -ffp-contract=off, which edgeproof_precision does.
 # QUICK: the target does little arithmetic, or calls it in other modules, and release builds compile
-# it with -Og: half of the compiler's time, and no measurable loss at run time.
+# it with -Og, in about half of the compiler's time.
 function(edgeproof_own_flags target)
     cmake_parse_arguments(PARSE_ARGV 1 arg "QUICK" "" "")
     target_compile_features(${target} PRIVATE cxx_std_20)

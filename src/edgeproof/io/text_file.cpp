@@ -4,9 +4,11 @@
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
 
-#include <array>
+#include <boost/locale/utf.hpp>
+
 #include <atomic>
 #include <iostream>
+#include <iterator>
 #include <optional>
 #include <typeinfo>
 #include <utility>
@@ -17,49 +19,29 @@ namespace {
 constexpr std::string_view little_endian_mark = "\xFF\xFE";
 constexpr std::string_view big_endian_mark = "\xFE\xFF";
 
-void append_utf8(std::string& out, char32_t c) {
-    const auto put = [&](char32_t byte) { out += static_cast<char>(byte); };
-    if (c < 0x80) {
-        put(c);
-        return;
-    }
-    const int following = c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
-    constexpr std::array<char32_t, 4> first_byte{0, 0xC0, 0xE0, 0xF0};
-    put(first_byte.at(static_cast<std::size_t>(following)) | c >> 6 * following);
-    for (int k = following - 1; k >= 0; --k) {
-        put(0x80 | (c >> 6 * k & 0x3F));
-    }
+namespace utf = boost::locale::utf;
+
+void append_utf8(std::string& out, utf::code_point c) {
+    utf::utf_traits<char>::encode(c, std::back_inserter(out));
 }
 
-/// The number of bytes that follow the first byte of a character in UTF-8; nothing for other bytes.
-std::optional<std::size_t> following_bytes(unsigned char first) {
-    return first < 0x80                    ? std::optional<std::size_t>(0)
-           : first >= 0xC2 && first < 0xE0 ? std::optional<std::size_t>(1)
-           : first >= 0xE0 && first < 0xF0 ? std::optional<std::size_t>(2)
-           : first >= 0xF0 && first < 0xF5 ? std::optional<std::size_t>(3)
-                                           : std::nullopt;
-}
+bool is_valid(utf::code_point c) { return c != utf::illegal && c != utf::incomplete; }
 
 /// Returns nothing if the text ends within a character, or contains half of a pair.
 std::optional<std::string> utf8_from_utf16(std::string_view text) {
-    const std::size_t high = text.starts_with(big_endian_mark) ? 0 : 1;
     if (text.size() % 2 != 0) {
         return {};
     }
-    const auto unit = [&](std::size_t at) {
-        const auto byte = [&](std::size_t i) {
-            return static_cast<char32_t>(static_cast<unsigned char>(text[i]));
-        };
-        return byte(at + high) << 8 | byte(at + 1 - high);
-    };
-    const auto is_surrogate = [](char32_t c, char32_t first) { return (c & 0xFC00) == first; };
-    std::string out;
+    const std::size_t high = text.starts_with(big_endian_mark) ? 0 : 1;
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    std::u16string units;
     for (std::size_t at = 2; at < text.size(); at += 2) {
-        char32_t c = unit(at);
-        if (is_surrogate(c, 0xD800) && at + 2 < text.size() && is_surrogate(unit(at + 2), 0xDC00)) {
-            c = 0x10000 + ((c & 0x3FF) << 10 | (unit(at + 2) & 0x3FF));
-            at += 2;
-        } else if (is_surrogate(c, 0xD800) || is_surrogate(c, 0xDC00)) {
+        units += static_cast<char16_t>(byte(at + high) << 8 | byte(at + 1 - high));
+    }
+    std::string out;
+    for (auto at = units.cbegin(); at != units.cend();) {
+        const utf::code_point c = utf::utf_traits<char16_t>::decode(at, units.cend());
+        if (!is_valid(c)) {
             return {};
         }
         append_utf8(out, c);
@@ -145,17 +127,10 @@ std::string utf8_text(std::string text, const std::string& file) {
 }
 
 bool is_utf8(std::string_view text) {
-    for (std::size_t at = 0; at < text.size();) {
-        const auto following = following_bytes(static_cast<unsigned char>(text[at]));
-        if (!following || at + *following >= text.size()) {
+    for (auto at = text.begin(); at != text.end();) {
+        if (!is_valid(utf::utf_traits<char>::decode(at, text.end()))) {
             return false;
         }
-        for (std::size_t k = 1; k <= *following; ++k) {
-            if ((static_cast<unsigned char>(text[at + k]) & 0xC0) != 0x80) {
-                return false;
-            }
-        }
-        at += *following + 1;
     }
     return true;
 }

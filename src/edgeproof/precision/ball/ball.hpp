@@ -57,7 +57,8 @@ public:
                                                    std::numeric_limits<long>::max()));
     }
 
-    // Defined in ball.cpp, because inlined they are a large part of the compiled code.
+    // Defined in ball.cpp: of inline functions the linker may keep the slower copy of a module that
+    // is compiled with -Og.
     Ball& operator+=(const Ball& o);
     Ball& operator-=(const Ball& o);
     Ball& operator*=(const Ball& o);

@@ -3,6 +3,7 @@
 #include "edgeproof/audit/checks/parts/comparison.hpp"
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/symbolic/symbolic.hpp"
+#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <tbb/parallel_for.h>
@@ -285,7 +286,14 @@ MutationRun run_mutants(const Ledger& ledger, const MutationOptions& options) {
     MutationRun run;
     run.seed = options.seed;
     Ledger formulas = ledger;
-    std::erase_if(formulas.claims, [](const Claim& c) { return !is_formula_claim(c); });
+    std::erase_if(formulas.claims, [&](const Claim& c) {
+        return !is_formula_claim(c) || !matches(options.audit.only, c.id);
+    });
+    if (formulas.claims.empty() && formulas.errors.empty()) {
+        throw InputError("no formula of " + ledger.file + " has an id like '" + options.audit.only +
+                             "'",
+                         "mutate changes claims of the kinds value and identity");
+    }
     AuditOptions quiet = options.audit;
     quiet.progress = nullptr;
     run.originals = run_audit(formulas, quiet);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/parse.hpp"
+#include "edgeproof/precision/error.hpp"
 #include "lab/mutation/mutants.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -67,6 +68,15 @@ TEST_CASE("every misprint of the eight kinds, and no other") {
     CHECK(mutants("-right_c0") ==
           std::set<std::string>{"sign: right_c0", "left for right: -left_c0"});
     CHECK(mutants("t").empty());
+}
+
+TEST_CASE("a ledger without a formula is refused, with the kinds of claim that are changed") {
+    const std::string independence =
+        "[[claim]]\nid = \"I\"\nkind = \"independence\"\nover = \"hertz\"\n"
+        "of = \"p(x) - p(-x)\"\nat = [\"1/5\"]\n";
+    CHECK_THROWS_WITH_AS(run_all(independence, 1),
+                         doctest::Contains("no formula of small.toml has an id like '*'"),
+                         InputError);
 }
 
 TEST_CASE("wrong mutants are refuted, equal ones are proved equal, and the edit is named") {

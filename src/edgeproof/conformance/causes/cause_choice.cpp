@@ -16,7 +16,13 @@ constexpr std::size_t part_outside = 20; ///< one row of this number lies outsid
 /// Answers with fewer digits scatter by percents: a factor with a name and another cause may have
 /// the effect of a third one.
 constexpr double digits_of_percents = 1.5;
-constexpr double noise_in_interval = 3; ///< standard deviations that an interval exceeds
+/// Relative standard deviations that an interval exceeds: noise of 12 answers has a range of more
+/// than 6 in one case of a thousand.
+constexpr double noise_in_interval = 6;
+/// Many causes are tried, and a constant is fitted to the answers: chance may favour it by more.
+constexpr double favour_of_constant = 2;
+/// If a factor is named, so are those whose rest, over the limits of a rest, is that much larger.
+constexpr double similar_rest = 1.25;
 
 } // namespace
 
@@ -40,7 +46,7 @@ void CauseSearch::add_causes_of_others() {
     }
 }
 
-void CauseSearch::add_doubt(const WrongRows& rows, Explained& to) const {
+void CauseSearch::add_doubt(const WrongRows& rows, Explained& to) {
     const auto ratio = common_ratio(rows, all_of(rows));
     if (to.likely.empty() || !ratio || 4 * ratio->error < unlikely_by_chance) {
         return;
@@ -54,6 +60,7 @@ void CauseSearch::add_doubt(const WrongRows& rows, Explained& to) const {
                          });
     const double unscattered = std::max(same_value, 3 * noise_);
     if (as_well && fit->noise_like.value_or(fit->held <= unscattered)) {
+        noise_ = std::max(noise_, fit->scatter);
         to.likely.push_back(constant(*ratio, std::move(*fit)));
     }
 }
@@ -77,7 +84,8 @@ void CauseSearch::keep_best(Explained& explained) {
     const double unit = unit_of(explained);
     const auto misfit_in_units = [&](const Likely& l) { return misfit(l.fit, unit); };
     const Likely& best = *std::ranges::min_element(likely, {}, misfit_in_units);
-    const double most = misfit_in_units(best) + indistinguishable_misfit(best.fit);
+    const double favour = best.rank == rank_of_constant ? favour_of_constant : 1;
+    const double most = misfit_in_units(best) + favour * indistinguishable_misfit(best.fit);
     if (best.fit.noise_like.value_or(false)) {
         noise_ = std::max(noise_, best.fit.scatter);
     }
@@ -154,21 +162,31 @@ void CauseSearch::add_near_factors(Convention& of, double least, double most) co
         return std::abs(Real(ratio - 1).convert_to<double>());
     };
     const double wide = most - least;
-    for (const NamedFactor& factor : factors_) {
-        const Real k = factor.value;
-        const double left = std::max(rest(Real(least / k)), rest(Real(most / k)));
+    const auto rest_left = [&](const Real& k) {
+        return std::max(rest(Real(least / k)), rest(Real(most / k)));
+    };
+    const auto of_limits = [&](const NamedFactor& factor) {
+        const Real& k = factor.value;
+        const bool apart = wide > 0 && (k < least - wide || k > most + wide);
         const double error = std::max(rest(k), rest(Real(1 / k)));
+        return apart ? std::numeric_limits<double>::max()
+                     : rest_left(k) * std::max(1 / most_rest, least_gain / error);
+    };
+    const double nearest = of_limits(*std::ranges::min_element(factors_, {}, of_limits));
+    if (nearest > 1) {
+        return;
+    }
+    for (const NamedFactor& factor : factors_) {
         const bool known =
             std::ranges::find(of.equally_likely, factor.name) != of.equally_likely.end();
-        const bool apart = wide > 0 && (k < least - wide || k > most + wide);
-        if (known || apart || left > most_rest || error < least_gain * left) {
+        if (known || of_limits(factor) > std::max(1.0, similar_rest * nearest)) {
             continue;
         }
         of.also.push_back(
             wide > 0 ? fmt::format("{}ours, and up to {:.2g} % that have another cause",
-                                   factor.words, 100 * left)
+                                   factor.words, 100 * rest_left(factor.value))
                      : fmt::format("{}ours, and {:+.2g} % that have another cause", factor.words,
-                                   100 * Real(least / k - 1).convert_to<double>()));
+                                   100 * Real(least / factor.value - 1).convert_to<double>()));
         of.equally_likely.emplace_back(factor.name);
     }
 }
@@ -188,7 +206,8 @@ std::optional<Convention> CauseSearch::varying_factor(const Group& group) const 
     const auto [least, most] = interval_of(group);
     const WrongRows all = wrong_rows(answers_, agreements_, group.rows);
     if (remainder_of(all, all_of(all))
-            .noise_like.value_or(most - least < noise_in_interval * noise_)) {
+            .noise_like.value_or(most - least <
+                                 noise_in_interval * noise_ * std::abs(most + least) / 2)) {
         return {};
     }
     Convention c;

@@ -2,6 +2,7 @@
 #include "edgeproof/conformance/causes/cause_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -14,6 +15,9 @@ constexpr std::size_t most_right_rows = 12; // of a quantity: enough to contradi
 /// Rows fail, and are seen here, if they are wrong by more than same_value: they have a common
 /// error of that size by this selection.
 constexpr double least_constant = 1e-5;
+/// Two answers have a common error by chance with about the probability of their difference over
+/// the error. (Those at both edges of a symmetric contact are one.)
+constexpr double chance_of_few = 1e-3;
 
 std::vector<std::size_t> evenly(const std::vector<std::size_t>& rows, std::size_t most) {
     std::vector<std::size_t> some;
@@ -329,9 +333,11 @@ std::optional<Likely> CauseSearch::constant_of(const Group& group, const WrongRo
     }
     auto fit = fit_of(all, times(all_of(all), ratio->value), noise_);
     const double unscattered = std::max(same_value, 3 * noise_);
+    const double same_of_few =
+        std::min(same_value, chance_of_few * std::abs(Real(ratio->value - 1).convert_to<double>()));
     const bool accepted = fit && (is_whole(group) || fit->held <= same_value) &&
                           fit->noise_like.value_or(fit->held <= unscattered) &&
-                          (all.size() >= least_rows_of_constant || fit->held <= same_value);
+                          (all.size() >= least_rows_of_constant || fit->held <= same_of_few);
     return accepted ? std::optional(constant(*ratio, std::move(*fit))) : std::nullopt;
 }
 

@@ -127,7 +127,7 @@ private:
 
     /// Adds a constant without a name, if noise leaves room for one that fits no worse than the
     /// causes found by more than two standard deviations.
-    void add_doubt(const WrongRows& rows, Explained& to) const;
+    void add_doubt(const WrongRows& rows, Explained& to);
 
     /// The standard deviation by which causes are distinguished.
     [[nodiscard]] double unit_of(const Explained& explained) const;
@@ -144,7 +144,9 @@ private:
     [[nodiscard]] Convention convention(const Explained& explained) const;
     /// Adds the named factors k near answers of `least` to `most` times ours: the rest, which has
     /// another cause, is at most a tenth, and a quarter of the error |k - 1| or |1/k - 1|, and k is
-    /// not further from the interval than this is wide (unless they are a constant).
+    /// not further from the interval than this is wide (unless they are a constant). If the
+    /// nearest is just within these limits, those that are nearly as near are added, too: the
+    /// answers do not distinguish them.
     void add_near_factors(Convention& of, double least, double most) const;
     /// The interval of the ratio of answers and ours, without a twentieth of the rows on each side.
     [[nodiscard]] std::pair<double, double> interval_of(const Group& group) const;

@@ -54,6 +54,8 @@ TEST_CASE("the test of the causes: noise by which wrong causes were named once" 
         {12, {"a cylinder, a given", "a flat with rounded edges, a given"}},
         // 1.37 near sqrt(2): the constant is added to the named causes
         {300003, {"two spheres"}},
+        // the noise of p has a mean of several deviations; c_k has the cause
+        {600005, {"two spheres"}},
         // 12 answers that noise spreads over 3.5 deviations
         {300002, {"a cylinder, full stick"}},
         // two answers of 5 digits with the same error

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -25,6 +26,32 @@ constexpr double favour_of_constant = 2;
 constexpr double similar_rest = 1.25;
 
 } // namespace
+
+void CauseSearch::explain_by_others() {
+    std::vector<Explained> more;
+    for (const Group& group : groups_) {
+        if (is_done(group) || !is_whole(group)) {
+            continue;
+        }
+        const WrongRows rows = wrong_rows(answers_, agreements_, group.rows);
+        const double before = remainder_of(rows, all_of(rows)).scatter;
+        Explained explained{group, {}};
+        for (const Explained& other : explained_) {
+            for (Likely cause : other.likely) {
+                cause.fit = remainder_of(rows, values_of(cause, rows));
+                if (cause.fit.noise_like.value_or(false) &&
+                    least_gain * cause.fit.scatter < before) {
+                    explained.likely.push_back(std::move(cause));
+                }
+            }
+        }
+        if (!explained.likely.empty()) {
+            done_.insert(group.rows.begin(), group.rows.end());
+            more.push_back(std::move(explained));
+        }
+    }
+    std::ranges::move(more, std::back_inserter(explained_));
+}
 
 void CauseSearch::add_causes_of_others() {
     const std::vector<Explained> before = explained_;

@@ -123,6 +123,7 @@ std::vector<Convention> CauseSearch::causes() {
             }
         }
     }
+    explain_by_others();
     add_causes_of_others();
     std::vector<Convention> found;
     for (Explained& explained : explained_) {

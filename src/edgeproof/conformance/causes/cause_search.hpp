@@ -121,6 +121,10 @@ private:
     [[nodiscard]] bool constant_is_better(const WrongRows& all, const Explained& named) const;
     [[nodiscard]] Explained by_constant(const Group& group);
 
+    /// Explains a quantity that no cause fits by one of another quantity, if that leaves noise
+    /// only: its noise may have a mean of several deviations by chance.
+    void explain_by_others();
+
     /// Adds to each group the causes of other groups that fit it as well as its own or better: a
     /// cause that is established for one quantity need not change another clearly.
     void add_causes_of_others();

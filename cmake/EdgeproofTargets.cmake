@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+include(${CMAKE_CURRENT_LIST_DIR}/UnitsByFolder.cmake)
 
 # edgeproof_own_flags(<target> [QUICK]): settings that every target of this build shares. Installed
 # targets do not pass them on, except -ffp-contract=off, which edgeproof_precision does.
@@ -14,8 +15,8 @@ function(edgeproof_own_flags target)
     # Double words need each product and sum to be rounded separately. The flag is set for every
     # source, because the linker may keep any source's copy of an inline function.
     target_compile_options(${target} PRIVATE -ffp-contract=off)
-    # Most calls go to MPFR and Arb. Without a stub for each of them, and with calls that may be
-    # inlined in spite of -fPIC, most commands take 1 to 3 % less time.
+    # Most calls go to MPFR and Arb. Commands take up to 3 % less time without a stub for each such
+    # call, and if functions may be inlined in spite of -fPIC.
     target_compile_options(${target} PRIVATE
         $<$<CXX_COMPILER_ID:GNU,Clang>:-fno-plt$<SEMICOLON>-fno-semantic-interposition>)
     # GCC 12 warns of inlined copies in std::string that cannot overlap or overrun (its bugs 105651,
@@ -55,20 +56,13 @@ function(edgeproof_own_flags target)
 endfunction()
 
 # edgeproof_add_units(<target> STATIC|OBJECT <root> <sources> [QUICK]): a library of sources below
-# <root>, with own flags and, in unity builds, one unit for each folder, so that local names of
-# different folders do not collide.
+# <root>, with the flags above and, in unity builds, one unit for each folder.
 function(edgeproof_add_units target kind root sources)
     add_library(${target} ${kind} ${sources})
     edgeproof_own_flags(${target} ${ARGN})
     add_dependencies(${target} include_order)
     if(EDGEPROOF_UNITY)
-        foreach(source IN LISTS sources)
-            cmake_path(GET source PARENT_PATH folder)
-            cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${root})
-            string(MAKE_C_IDENTIFIER "${folder}" folder)
-            set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
-        endforeach()
-        set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+        edgeproof_units_by_folder(${target} ${root} "${sources}")
     endif()
 endfunction()
 

@@ -40,7 +40,7 @@ set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "The program. It computes the pressure and 
 contact to any number of digits, each value with an error bound, and holds
 printed formulas, tables and other programs against them.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox, edgeproof-doc")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "librsvg2-bin, edgeproof-doc")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "python3-edgeproof, edgeproof-mpi")
 
 set(CPACK_DEBIAN_MPI_PACKAGE_NAME edgeproof-mpi)

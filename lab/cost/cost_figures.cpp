@@ -61,7 +61,6 @@ Plot plot_of(std::string id, std::string title, std::string description, Axis x,
     plot.x = std::move(x);
     plot.y = std::move(y);
     plot.columns = {"x"};
-    plot.key_below = true;
     const PrecisionScope scope(20);
     for (const Line& line : lines) {
         std::string column = line.title;

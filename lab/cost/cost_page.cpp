@@ -2,7 +2,7 @@
 #include "lab/cost/cost_page.hpp"
 
 #include "edgeproof/io/output_file.hpp"
-#include "edgeproof/report/figures/figures_gnuplot.hpp"
+#include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/page/comparison_page.hpp"
 #include "edgeproof/report/page/html.hpp"
 #include "edgeproof/report/text/escape.hpp"
@@ -46,16 +46,15 @@ std::string effects_html(const CostReport& report) {
 
 /// Writes the files of the figures, and returns the figures as HTML.
 std::string drawn_figures(const CostReport& report, const std::filesystem::path& folder) {
-    const auto gnuplot = find_gnuplot();
     std::vector<DrawnFigure> figures;
     for (const Figure& figure : cost_figures(report)) {
         figures.push_back({figure.id, figure.title, figure.caption, {}, {}});
         for (const Plot& plot : figure.plots) {
             figures.back().panels.push_back(
-                drawn_panel(plot, gnuplot ? draw_svg(plot, *gnuplot) : "", folder));
+                drawn_panel(plot, draw_svg({plot}), folder));
         }
     }
-    return figures_html(figures, gnuplot.has_value());
+    return figures_html(figures);
 }
 
 std::string page(const CostReport& report, const std::string& figures) {

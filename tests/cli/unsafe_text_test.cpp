@@ -12,7 +12,7 @@ using namespace edgeproof::test;
 
 namespace {
 
-/// Returns a text with commands for gnuplot, a shell, HTML and Coq. If one is executed, the file
+/// Returns a text with commands for a shell, HTML and Coq. If one is executed, the file
 /// `marker` is made.
 std::string hostile(const std::string& marker) {
     return "a `touch " + marker + "` $(touch " + marker + ") ' . system('touch " + marker +

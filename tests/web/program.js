@@ -23,7 +23,7 @@ const pageProgram = (folder) => {
     return (words, files, wanted) => runCommand(factory, compiled, words, files, wanted);
 };
 
-/// Returns the same for the native program, without gnuplot, which the page does not have.
+/// Returns the same for the native program.
 const nativeProgram = (program) => (words, files, wanted = []) => {
     const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'edgeproof-'));
     try {

@@ -7,7 +7,7 @@
 ///   agreement_report.hpp  other programs' answers and the references, as text and as JUnit
 ///   verdict_writers.hpp            comparison of an audit with recorded verdicts
 ///   html.hpp       an audit as a page, with the paper's figures recomputed
-///   figures.hpp           a figure as data, drawn by gnuplot
+///   figures.hpp           a figure as data, drawn as SVG
 ///   program_line.hpp      version, commit and libraries, included in every file
 ///   escape.hpp            text of other authors in each format
 #include "edgeproof/io/output_file.hpp"

@@ -7,6 +7,9 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
+#include <string>
+
 namespace {
 
 /// y = x^2 at 0, 1, 2, with a gap at 1.5, and a single point.
@@ -31,24 +34,75 @@ Plot parabola() {
     return plot;
 }
 
-TEST_SUITE("report: pictures without gnuplot") {
+TEST_SUITE("report: pictures") {
     TEST_CASE("a curve goes through its points in pixels and is broken at a gap") {
-        const std::string svg = svg_without_gnuplot({parabola()});
+        const std::string svg = draw_svg({parabola()});
         CHECK(test::well_formed(svg) == "");
         // The drawing is 468 by 320 pixels: x = 0, 1, 2 are at 0, 234, 468; y = 0, 1, 4 at 320,
         // 240, 0.
         CHECK(svg.find("<path d=\"M0.0 320.0L234.0 240.0M468.0 0.0\"") != std::string::npos);
         CHECK(svg.find("<circle cx=\"234.0\" cy=\"160.0\"") != std::string::npos);
     }
-    TEST_CASE("text is escaped") {
-        const std::string svg = svg_without_gnuplot({parabola()});
-        CHECK(svg.find("<b>") == std::string::npos);
-        CHECK(svg.find("&lt;b&gt;&amp;") != std::string::npos);
+    TEST_CASE("hostile text is escaped wherever a plot has text, also on a page") {
+        for (const std::string text :
+             {"</svg><script>alert(1)</script>", "]]>", "a\"b'c&d", "\x01\x7f"}) {
+            CAPTURE(text);
+            Plot plot = parabola();
+            plot.title = plot.description = plot.x.label = plot.y.label = text;
+            plot.curves.front().title = text;
+            plot.level = {"1", text};
+            plot.bands.push_back({"0", "1", text});
+            const std::string svg = draw_svg({plot});
+            CHECK(test::well_formed(svg) == "");
+            CHECK(test::well_formed(inline_svg(svg, plot)) == "");
+            CHECK(svg.find("<script") == std::string::npos);
+            plot.curves.clear();
+            plot.field = PlaneField{{0, 1}, {0, 1}, {0, 1, 2, 3}, text, false, {0, 1}};
+            CHECK(test::well_formed(draw_svg({plot})) == "");
+        }
+    }
+    TEST_CASE("contours: no finite value is left out without a mark") {
+        Plot plot = parabola();
+        plot.field = PlaneField{{}, {}, {}, "s", false, {0, 1}};
+        PlaneField& field = *plot.field;
+        for (int k = 0; k < 40; ++k) {
+            field.x.push_back(k);
+            field.y.push_back(k);
+        }
+        for (int k = 0; k < 1600; ++k) {
+            field.values.push_back(k % 41);
+        }
+        plot.title = "t";
+        field.values[805] = 60; // (5, 20): above the others, and on the scale
+        std::string svg = draw_svg({plot});
+        CHECK(test::well_formed(svg) == "");
+        CHECK(svg.find(">60</text>") != std::string::npos);
+        CHECK(svg.find("&gt;") == std::string::npos);
+        CHECK(svg.find("greatest of the points drawn: 60 at (5, 20)") != std::string::npos);
+        field.values[805] = 6000; // as near a place where the value is infinite
+        field.values[0] = std::numeric_limits<double>::infinity();
+        svg = draw_svg({plot});
+        CHECK(svg.find(">&gt; 40</text>") != std::string::npos);
+        CHECK(svg.find("greatest of the points drawn: 6000 at (5, 20)") != std::string::npos);
+        field.is_signed = true;
+        field.values[805] = -6000;
+        svg = draw_svg({plot});
+        CHECK(svg.find(">&lt; -40</text>") != std::string::npos);
+        CHECK(svg.find("greatest size of the points drawn: -6000 at (5, 20)") != std::string::npos);
+        field.values.assign(1600, std::numeric_limits<double>::quiet_NaN());
+        CHECK_THROWS_AS((void)draw_svg({plot}), Error);
+    }
+    TEST_CASE("percent: fractions of the data are drawn on an axis of percent") {
+        Plot plot = parabola();
+        plot.y.percent = true;
+        plot.y.range = {"0", "400"};
+        CHECK(draw_svg({plot}).find("<path d=\"M0.0 320.0L234.0 240.0M468.0 0.0\"") !=
+              std::string::npos);
     }
     TEST_CASE("logarithmic axes have powers of ten; values of 0 are left out") {
         Plot plot = parabola();
         plot.x = {"x", true, std::pair{std::string("0.1"), std::string("10")}};
-        const std::string svg = svg_without_gnuplot({plot});
+        const std::string svg = draw_svg({plot});
         CHECK(test::well_formed(svg) == "");
         // log10(1) is the middle of the axis; x = 0 is not drawn.
         CHECK(svg.find("<path d=\"M234.0 240.0M") != std::string::npos);
@@ -58,7 +112,7 @@ TEST_SUITE("report: pictures without gnuplot") {
         Plot plot = parabola();
         plot.rows.clear();
         plot.x.range.reset();
-        CHECK_THROWS_AS((void)svg_without_gnuplot({plot}), Error);
+        CHECK_THROWS_AS((void)draw_svg({plot}), Error);
     }
 }
 

@@ -135,9 +135,6 @@ void write_outputs(const report::ComparisonReport& report, const CompareOptions&
     const std::string junit = o.junit.empty() ? "" : comparison_junit(report);
     std::optional<io::StagedFolder> staged;
     if (!o.figures.empty()) {
-        if (!drawn->with_gnuplot) {
-            throw InputError("there is no gnuplot to draw figures with", "install gnuplot-nox");
-        }
         staged.emplace(o.figures);
         staged->fill([&](const std::filesystem::path& folder) { write_figures(*drawn, folder); });
     }

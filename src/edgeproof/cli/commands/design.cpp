@@ -2,7 +2,7 @@
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/report/figures/figure_option.hpp"
-#include "edgeproof/report/figures/figures_gnuplot.hpp"
+#include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/tables/design_table.hpp"
 #include "edgeproof/scene/design/design_file.hpp"
 

@@ -36,23 +36,20 @@ report::ScenePicture stress_of(const PlotOptions& o, const scene::Scene& scene) 
 int plot(PlotOptions& o) {
     std::string file;
     std::swap(file, o.out); // the file of the picture, not of a table
-    if (!file.empty()) {
-        report::check_picture_name(file);
-        io::check_output(file);
+    if (file.empty()) {
+        throw InputError("there is no file for the picture", "add --out pad.svg");
     }
+    report::check_picture_name(file);
+    io::check_output(file);
     scene::Scene scene = asked_scene(o);
     if (o.from.empty() != o.to.empty() || (!o.from.empty() && o.field.empty())) {
         throw InputError("a line has two ends, and a stress along it",
                          "write --field mises --from X,Z --to X,Z");
     }
-    if (!o.field.empty() && o.from.empty() && file.empty()) {
-        throw InputError("contours are drawn into a file", "add --out stress.svg");
-    }
     const report::ScenePicture picture = o.field.empty() ? picture_of(scene) : stress_of(o, scene);
-    const std::string text = file.empty() ? report::picture_text(picture, terminal_width())
-                                          : report::picture_file(picture, title_of(scene), file);
+    const std::string text = report::picture_file(picture, title_of(scene), file);
     show_as_file(o);
-    io::write_output(file.empty() ? "-" : file, text);
+    io::write_output(file, text);
     return 0;
 }
 
@@ -64,9 +61,9 @@ void add_plot(CLI::App& app, int& code) {
         "a picture of a scene: the pressure, the first terms, and where they are good", plot);
     add_given_scene(sub, o);
     add_tolerance_option(sub, o, " (default: the scene's, else 1%)");
-    sub.add_option("--out,--figure", o.out,
-                   "write to this file, by its ending .svg, .png, .pdf or .html, whole or not at "
-                   "all (default: a small picture of letters)");
+    sub.add_option(
+        "--out,--figure", o.out,
+        "write to this file, by its ending .svg, .png, .pdf or .html, whole or not at all");
     sub.add_option("--field", o.field,
                    "in place of the pressure the contours of a stress below the contact: sxx, szz, "
                    "sxz, tau_max or mises");
@@ -76,9 +73,10 @@ void add_plot(CLI::App& app, int& code) {
     sub.add_option("--body", o.body, "the body of --field: Q acts on A")
         ->capture_default_str()
         ->type_name("A|B");
-    sub.footer("Drawn by gnuplot; a .svg also without it. The edges are those of --edge or of the "
-               "scene, else the right "
-               "one; the terms 1, 2 and 3 unless --terms or the scene say which.");
+    sub.footer(
+        "A .png and a .pdf are made by rsvg-convert. The edges are those of --edge or of the "
+        "scene, else the right "
+        "one; the terms 1, 2 and 3 unless --terms or the scene say which.");
 }
 
 } // namespace edgeproof::cli

@@ -2,7 +2,7 @@
 #include "edgeproof/report/figures/slip_table.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/atomic_file.hpp"
-#include "edgeproof/report/figures/figures_gnuplot.hpp"
+#include "edgeproof/report/figures/figures_svg.hpp"
 
 #include <filesystem>
 
@@ -19,14 +19,9 @@ struct SlipTableRequest : OutputOptions {
 };
 
 void draw_slip_figures(const std::string& folder) {
-    const auto gnuplot = report::find_gnuplot();
-    if (!gnuplot) {
-        throw InputError("there is no gnuplot to draw figures", "install gnuplot-nox, or leave "
-                                                                "--figures out");
-    }
     const PrecisionScope scope(report::figure_digits + 10);
     for (const report::Plot& plot : report::slip_plots(slip_paper)) {
-        write_plot_files(plot, draw_svg(plot, *gnuplot), folder);
+        write_plot_files(plot, report::draw_svg({plot}), folder);
     }
 }
 

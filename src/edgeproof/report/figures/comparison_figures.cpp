@@ -3,7 +3,7 @@
 
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/report/figures/figures_gnuplot.hpp"
+#include "edgeproof/report/figures/figures_svg.hpp"
 
 #include <fmt/format.h>
 
@@ -216,7 +216,6 @@ Plot error_plot(const ComparisonReport& report, const FileComparison& file, cons
         plot.level = {number(100 * *traction.tolerance),
                       fmt::format("tolerance {:g} %", 100 * *traction.tolerance)};
     }
-    plot.key_below = true;
     return plot;
 }
 
@@ -252,7 +251,6 @@ Plot convergence_plot(const ComparisonReport& report) {
                                       exact.c(contact::Edge::right, 0).value)});
     }
     plot.sort_rows();
-    plot.key_below = true;
     return plot;
 }
 
@@ -300,13 +298,10 @@ std::vector<Figure> comparison_figures(const ComparisonReport& report) {
 
 DrawnComparison draw_comparison(const ComparisonReport& report) {
     const PrecisionScope scope(figure_digits + 10);
-    const auto gnuplot = find_gnuplot();
-    DrawnComparison drawn{comparison_figures(report), {}, gnuplot.has_value()};
+    DrawnComparison drawn{comparison_figures(report), {}};
     for (const Figure& figure : drawn.figures) {
         for (const Plot& plot : figure.plots) {
-            if (gnuplot) {
-                drawn.svg.emplace(plot.id.text(), draw_svg(plot, *gnuplot));
-            }
+            drawn.svg.emplace(plot.id.text(), draw_svg({plot}));
         }
     }
     return drawn;

@@ -16,7 +16,6 @@ namespace edgeproof::report {
 struct DrawnComparison {
     std::vector<Figure> figures;
     std::map<std::string, std::string> svg; ///< by the id of a plot
-    bool with_gnuplot = false;              ///< otherwise `svg` is empty
 };
 [[nodiscard]] DrawnComparison draw_comparison(const ComparisonReport& report);
 

@@ -3,7 +3,7 @@
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
-#include "edgeproof/report/figures/figures_gnuplot.hpp"
+#include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/text/percent.hpp"
 
 #include <algorithm>
@@ -97,7 +97,6 @@ Plot design_plot(const scene::DesignScene& design, const scene::DesignResult& re
               : design.unit == contact::ReachUnit::fraction         ? reach + ", fraction of a + b"
                                                             : reach + ", distance from the edge"};
     plot.columns = {name, "reach", "best", "printed"};
-    plot.key_below = true;
     plot.curves.push_back(
         {"reach", "within " + in_percent(design.tolerance), {Pen::Colour::blue, 1}});
     const auto mark = [](const Ball& x) { return to_decimal(x.midpoint(), digits_of_a_mark); };

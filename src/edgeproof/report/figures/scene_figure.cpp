@@ -4,7 +4,6 @@
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/percent.hpp"
@@ -178,7 +177,6 @@ private:
         }
         const Real top = height_ * 1.15;
         plot.y.range = {scene_.shear ? lowest(plot, top) : "0", top.str(6)};
-        plot.key_below = true;
         return plot;
     }
     /// A place along the contact, and its values; none at a corner.
@@ -329,7 +327,6 @@ private:
         }
         plot.x.range = {Real(length * pow(Real(10), -decades)).str(6), length.str(6)};
         plot.y.range = {pow(Real(10), floor(log10(least)) + 2).str(3), "1000"};
-        plot.key_below = true;
         return plot;
     }
 
@@ -353,16 +350,7 @@ ScenePicture scene_picture(const scene::Scene& scene,
 
 namespace {
 
-std::filesystem::path gnuplot_for_picture() {
-    const auto gnuplot = find_gnuplot();
-    if (!gnuplot) {
-        throw InputError("there is no gnuplot to draw with", "install gnuplot-nox");
-    }
-    return *gnuplot;
-}
-
 std::string page_of(const ScenePicture& picture, const std::string& title) {
-    const auto gnuplot = gnuplot_for_picture();
     std::string page =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
         "name=\"viewport\" content=\"width=device-width\">\n<title>" +
@@ -374,7 +362,7 @@ std::string page_of(const ScenePicture& picture, const std::string& title) {
         "svg{width:100%;height:auto}footer{font-size:.8rem}</style>\n</head>\n<body>\n<h1>" +
         escape_html(title) + "</h1>\n<div class=\"panels\">\n";
     for (const Plot& plot : picture.plots) {
-        page += inline_svg(draw_svg(plot, gnuplot), plot) + "\n";
+        page += inline_svg(draw_svg({plot}), plot) + "\n";
     }
     page += "</div>\n<ul>\n";
     for (const std::string& exit : picture.exits) {
@@ -399,35 +387,8 @@ std::string picture_file(const ScenePicture& picture, const std::string& title,
     if (ending == ".html") {
         return page_of(picture, title);
     }
-    if (ending == ".svg" && !find_gnuplot()) {
-        return svg_without_gnuplot(picture.plots);
-    }
-    const auto gnuplot = gnuplot_for_picture();
-    return draw_picture(picture.plots,
-                        ending == ".svg"   ? PictureKind::svg
-                        : ending == ".png" ? PictureKind::png
-                                           : PictureKind::pdf,
-                        0, gnuplot);
-}
-
-std::string picture_text(const ScenePicture& picture, std::size_t width) {
-    const auto gnuplot = gnuplot_for_picture();
-    Plot plot = picture.plots.front();
-    for (Curve& curve : plot.curves) {
-        // The key's columns are narrow in text, and gnuplot cuts its lines; the exits are listed
-        // below.
-        if (curve.title.starts_with("leaves")) {
-            curve.title.clear();
-        } else if (curve.title.ends_with(" edge")) {
-            curve.title.resize(curve.title.size() - std::string_view(" edge").size());
-        }
-    }
-    std::string text = draw_picture({plot}, PictureKind::text, width, gnuplot);
-    text.erase(0, text.find_first_not_of("\f\n"));
-    for (const std::string& exit : picture.exits) {
-        text += exit + "\n";
-    }
-    return text;
+    const std::string svg = draw_svg(picture.plots);
+    return ending == ".svg" ? svg : converted_svg(svg, ending == ".png" ? "png" : "pdf");
 }
 
 } // namespace edgeproof::report

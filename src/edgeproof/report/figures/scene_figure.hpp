@@ -26,14 +26,11 @@ scene_picture(const scene::Scene& scene,
               const std::function<void(std::size_t, std::size_t)>& progress);
 
 /// Returns the picture in the format of the file's ending: .svg, .png, .pdf, .html. Throws
-/// InputError for other endings, and without gnuplot (except for .svg, which is then drawn by
-/// svg_without_gnuplot).
+/// InputError for other endings, and as converted_svg.
 [[nodiscard]] std::string picture_file(const ScenePicture& picture, const std::string& title,
                                        const std::string& file);
 /// Throws InputError for an ending that picture_file does not support.
 void check_picture_name(const std::string& file);
-/// Returns the plot of the pressures as text, `width` columns wide.
-[[nodiscard]] std::string picture_text(const ScenePicture& picture, std::size_t width);
 
 /// The contours of a stress of a body: sxx, szz, sxz, tau_max or mises, below the contact and
 /// around it, as deep as the contact is long. Throws InputError for other quantities, and as

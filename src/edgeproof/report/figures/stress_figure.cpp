@@ -18,18 +18,7 @@ namespace {
 
 constexpr std::size_t columns = 241;
 constexpr std::size_t lines = 121;
-/// The part of the values that the colours leave out at both ends: near singularities they would
-/// take the whole scale.
-constexpr double left_out = 0.002;
 constexpr unsigned line_digits_of_picture = 24; ///< of coordinates and values along a line
-
-std::pair<double, double> range_of(std::vector<double> values) {
-    std::erase_if(values, [](double x) { return !std::isfinite(x); });
-    std::ranges::sort(values);
-    const auto cut = static_cast<std::size_t>(left_out * static_cast<double>(values.size()));
-    const std::pair<double, double> range{values.at(cut), values.at(values.size() - 1 - cut)};
-    return range.first < range.second ? range : std::pair{range.first - 1, range.first + 1};
-}
 
 /// The values of a stress along a line, by the part of the line.
 class StressLine {
@@ -172,7 +161,6 @@ ScenePicture stress_along(const scene::Scene& scene, scene::Quantity quantity,
     if (all->second - all->first > 2 * (high - low)) {
         plot.y.range = {low.str(6), high.str(6)};
     }
-    plot.key_below = true;
     if (along_x || along_z) {
         plot.sort_rows();
     }
@@ -222,7 +210,13 @@ ScenePicture stress_picture(const scene::Scene& scene, scene::Quantity quantity,
     }
     compute_binary64(scene, body, x, z, all);
     field.values = std::move(values[static_cast<std::size_t>(found - std::begin(order))]);
-    field.range = range_of(field.values);
+    if (std::ranges::none_of(field.values, [](double v) { return std::isfinite(v); })) {
+        throw InputError(std::string(row_of(quantity).name) +
+                             " is not finite at any point of the grid",
+                         "draw another stress");
+    }
+    field.is_signed = quantity != Quantity::mises && quantity != Quantity::tau_max;
+    field.contact = {-b, a};
     const auto unit = [&](const std::optional<scene::Unit>& u) {
         return u ? " [" + u->name + "]" : std::string();
     };
@@ -233,8 +227,10 @@ ScenePicture stress_picture(const scene::Scene& scene, scene::Quantity quantity,
     Plot plot{};
     plot.id = "stress";
     plot.title = name + " in body " + body_name;
-    plot.description = "Colours and contours of " + name + " in body " + body_name +
-                       " below the contact, which lies at z = 0.";
+    plot.description =
+        "Colours and contours of " + name + " in body " + body_name +
+        " below the contact, which lies at z = 0. Every finite value is on the scale "
+        "or beyond a marked end of it.";
     plot.x.label = "x" + length;
     plot.y.label = "z" + length;
     plot.field = std::move(field);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/page/comparison_page.hpp"
 
-#include "edgeproof/report/figures/figures_gnuplot.hpp"
+#include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/text/escape.hpp"
 
 #include <vector>
@@ -28,9 +28,6 @@ std::string file_html(const ComparisonReport& report, const FileComparison& file
 }
 
 std::string figure_html(const DrawnComparison& drawn, const Figure& figure) {
-    if (!drawn.with_gnuplot) {
-        return "<p class=\"missing\">There is no gnuplot: no figures.</p>\n";
-    }
     std::string out =
         "<figure id=\"figure-" + escape_html(figure.id) + "\">\n<div class=\"panels\">\n";
     for (const Plot& plot : figure.plots) {

@@ -6,8 +6,8 @@
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/report/figures/figures_gnuplot.hpp"
 #include "edgeproof/report/figures/figures_paper.hpp"
+#include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/page/html_claim.hpp"
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"
@@ -161,19 +161,15 @@ std::string figure_html(const DrawnFigure& figure) {
 }
 
 /// The figures of the paper, or of residuals.
-std::string own_figures_html(const std::vector<DrawnFigure>& figures, bool drawn) {
-    const std::string out = figures_html(figures, drawn);
+std::string own_figures_html(const std::vector<DrawnFigure>& figures) {
+    const std::string out = figures_html(figures);
     return out.empty() ? "<p>No figures are defined for this ledger.</p>\n" : out;
 }
 
 } // namespace
 
-std::string figures_html(const std::vector<DrawnFigure>& figures, bool drawn) {
-    std::string out = drawn
-                          ? ""
-                          : "<p class=\"missing\">gnuplot was not found, so nothing is drawn here; "
-                            "the data of the figures are in the folder figures. With gnuplot "
-                            "installed the next run draws them.</p>\n";
+std::string figures_html(const std::vector<DrawnFigure>& figures) {
+    std::string out;
     for (const DrawnFigure& figure : figures) {
         out += figure_html(figure);
     }
@@ -220,8 +216,8 @@ std::string html_page(const audit::AuditResult& result, const PageFigures& figur
          {"summary", summary(result)},
          {"errata", errata_list(errata, result, figures, head)},
          {"doubtful", doubtful(result, head)},
-         {"figures", own_figures_html(figures.paper, figures.drawn)},
-         {"residuals", own_figures_html(figures.residuals, figures.drawn)},
+         {"figures", own_figures_html(figures.paper)},
+         {"residuals", own_figures_html(figures.residuals)},
          {"claims", claims},
          {"verdict_options", verdict_options},
          {"section_options", section_options},
@@ -236,15 +232,15 @@ namespace {
 struct Job {
     std::function<std::optional<Plot>()> make;
     std::optional<Plot> plot;
-    std::string svg; ///< as written by gnuplot
+    std::string svg;
     std::string problem;
 };
 
-void run_job(Job& job, const std::optional<std::filesystem::path>& gnuplot) {
+void run_job(Job& job) {
     try {
         job.plot = job.make();
-        if (job.plot && gnuplot) {
-            job.svg = draw_svg(*job.plot, *gnuplot);
+        if (job.plot) {
+            job.svg = draw_svg({*job.plot});
         }
     } catch (const std::exception& e) { // an error in one figure does not affect the others
         job.problem = e.what();
@@ -319,7 +315,6 @@ void write_html_report(const audit::AuditResult& result, const audit::Ledger& le
                        const std::string& command) {
     const std::filesystem::path figures_folder = folder / "figures";
     io::make_folder(figures_folder);
-    const auto gnuplot = find_gnuplot();
 
     const auto paper = paper_figures(result.ledger);
     const auto residuals = residual_figures(result.ledger);
@@ -342,11 +337,10 @@ void write_html_report(const audit::AuditResult& result, const audit::Ledger& le
     parallel::work_through(parallel::all_pieces(jobs.size()),
                            static_cast<unsigned>(std::max(threads, 0)), [&](std::size_t i) {
                                check_interruption();
-                               run_job(jobs[i], gnuplot);
+                               run_job(jobs[i]);
                            });
 
     PageFigures page;
-    page.drawn = gnuplot.has_value();
     std::size_t at = 0;
     const auto collect = [&](const std::vector<FigureRecipe>& recipes,
                              std::vector<DrawnFigure>& figures) {

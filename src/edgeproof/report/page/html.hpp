@@ -31,15 +31,13 @@ struct DrawnFigure {
 /// Writes the files of a plot to the folder (write_plot_files), and returns its panel.
 [[nodiscard]] DrawnFigure::Panel drawn_panel(const Plot& plot, const std::string& svg,
                                              const std::filesystem::path& folder);
-/// Returns the figures as HTML, with links to their data in the folder figures. `drawn`: false if
-/// there is no gnuplot, which the text then states.
-[[nodiscard]] std::string figures_html(const std::vector<DrawnFigure>& figures, bool drawn);
+/// Returns the figures as HTML, with links to their data in the folder figures.
+[[nodiscard]] std::string figures_html(const std::vector<DrawnFigure>& figures);
 
 struct PageFigures {
     std::vector<DrawnFigure> paper;
     std::vector<DrawnFigure> residuals;
     std::map<std::string, DrawnFigure::Panel, std::less<>> errata; ///< by the claim's id
-    bool drawn = true;                                             ///< false without gnuplot
 };
 
 /// A claim's theorems for Coq, as shown on the page.
@@ -72,8 +70,7 @@ struct PageHead {
 /// figures of the paper, the residual fits, a plot for each refuted coefficient); each file is
 /// either complete or absent. Figures are computed and drawn in `threads` threads (0: as many as
 /// the machine has) with the same result. `command` is the command named on the page; the date is
-/// that of SOURCE_DATE_EPOCH if this is set. Without gnuplot there are no SVGs, and the page
-/// reports this. Throws InputError if the folder is not writable.
+/// that of SOURCE_DATE_EPOCH if this is set. Throws InputError if the folder is not writable.
 void write_html_report(const audit::AuditResult& result, const audit::Ledger& ledger,
                        const std::filesystem::path& folder, int threads = 0,
                        const std::string& command = "");

@@ -8,7 +8,7 @@
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/report/figures/figure_option.hpp"
-#include "edgeproof/report/figures/figures_gnuplot.hpp"
+#include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/tables/agreement_report.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"
 #include "edgeproof/report/verdicts/verdict_writers.hpp"

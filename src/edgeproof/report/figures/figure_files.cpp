@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/io/child_process.hpp"
+#include "edgeproof/io/output_file.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/report/figures/figures_svg.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+namespace edgeproof::report {
+namespace {
+
+constexpr std::size_t most_message_bytes = 200;
+
+/// Finds an executable program in the folders of PATH. An empty entry would be the current folder,
+/// from which programs are never started.
+std::optional<std::filesystem::path> program_in_path(const std::string& name) {
+    const char* const path = std::getenv("PATH");
+    std::istringstream folders(path == nullptr ? "" : path);
+    for (std::string part; std::getline(folders, part, ':');) {
+        const std::filesystem::path candidate = std::filesystem::path(part) / name;
+        if (!part.empty() && access(candidate.c_str(), X_OK) == 0 &&
+            std::filesystem::is_regular_file(candidate)) {
+            return candidate;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+std::string converted_svg(const std::string& svg, const std::string& format) {
+    const auto program = program_in_path("rsvg-convert");
+    if (!program) {
+        throw InputError("there is no rsvg-convert, which makes a ." + format + " of an SVG",
+                         "install librsvg2-bin, or write a .svg");
+    }
+    io::ProgramCall call;
+    call.arguments = {program->string(), "--format", format, "--zoom", format == "png" ? "2" : "1"};
+    call.input = svg;
+    std::string message;
+    call.said = [&](std::string_view text) { message += text.substr(0, most_message_bytes); };
+    io::ProgramRun run = io::run_program(call);
+    const std::string_view head = format == "png" ? "\x89PNG" : "%PDF";
+    if (!run.ending().empty() || !run.output.starts_with(head)) {
+        throw Error("rsvg-convert made no ." + format + ": " +
+                    printable(shortened(message, most_message_bytes)) + " " + run.ending());
+    }
+    return std::move(run.output);
+}
+
+void write_plot_files(const Plot& plot, const std::string& svg,
+                      const std::filesystem::path& folder) {
+    io::write_whole(folder / plot.id.with(".csv"), to_csv(plot));
+    if (!svg.empty()) {
+        io::write_whole(folder / plot.id.with(".svg"), svg);
+    }
+}
+
+void check_figure(const std::filesystem::path& file) {
+    if (file.extension() != ".svg" && file.extension() != ".csv") {
+        throw InputError("--figure " + file.string() + " is neither .svg nor .csv",
+                         "name the file so");
+    }
+    io::check_output(file);
+}
+
+void write_figure(const Plot& plot, const std::filesystem::path& file) {
+    check_figure(file);
+    io::write_whole(file, file.extension() == ".csv" ? to_csv(plot) : draw_svg({plot}));
+}
+
+} // namespace edgeproof::report

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/report/figures/figures.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What the drawings of curves and of contours share. Lengths are in pixels.
+namespace edgeproof::report::svg {
+
+inline constexpr int panel_width = 560;
+inline constexpr int left_margin = 74;
+inline constexpr int top_margin = 34;
+inline constexpr int drawing_height = 320;
+
+/// A text in SVG. `anchor` is start, middle or end.
+[[nodiscard]] std::string text_at(double x, double y, std::string_view anchor, int size,
+                                  const std::string& escaped);
+/// A position in SVG: with a tenth of a pixel, and never -0.
+[[nodiscard]] std::string number(double pixels);
+
+/// A scale of an axis: its range, and the position of a value as a part of the length.
+class Scale {
+public:
+    /// `values` are the data, from which the ends are taken that the axis leaves open. With
+    /// `to_ticks` these ends are moved outwards to the next tick. Throws Error without any value.
+    Scale(const Axis& axis, const std::vector<Real>& values, bool to_ticks);
+
+    /// Returns 0 at the low end and 1 at the high one.
+    [[nodiscard]] Real part(const Real& value) const;
+    [[nodiscard]] bool has(const Real& value) const { return !logarithmic_ || value > 0; }
+
+    struct Tick {
+        Real part;
+        Real value;
+        std::string label; ///< as SVG
+    };
+    [[nodiscard]] std::vector<Tick> ticks() const;
+
+private:
+    [[nodiscard]] Real on_scale(const Real& value) const;
+    [[nodiscard]] Real step() const;
+
+    bool logarithmic_;
+    Real low_;
+    Real high_;
+};
+
+/// The frame, the grid, the ticks and the labels of a drawing of the given size.
+[[nodiscard]] std::string axes(const Scale& x, const Scale& y, const Plot& plot, int width,
+                               int height, bool downwards);
+
+/// A panel with the contours of plot.field, and its height.
+struct Panel {
+    std::string text;
+    int height;
+};
+/// Throws Error for a field without a finite value.
+[[nodiscard]] Panel contours(const Plot& plot);
+
+} // namespace edgeproof::report::svg

@@ -188,7 +188,6 @@ TEST_CASE("a standard output that is full or closed is an error of every command
                                       "pressure in.toml --digits 5",
                                       "expand in.toml --digits 5",
                                       "explain in.toml",
-                                      "plot in.toml",
                                       "relations b1",
                                       "slip-table --tolerance 5% --digits 3",
                                       "table recipe.toml",

@@ -116,6 +116,13 @@ TEST_CASE("shear: loads that grow together; q without shear, and shear without q
     CHECK(none.passes());
     CHECK_FALSE(none.shear);
     CHECK(has_finding(none, "the data have no q"));
+    Tolerances asked;
+    asked.q = 1e-3;
+    CHECK_FALSE(
+        shear_held("Q = \"0.3\"\n", table(even_places(-1.2, 1.2, 96), unit_p), asked).passes());
+    const FileComparison no_shear = compared(table(even_places(-2, 2, 96), p), asked);
+    CHECK_FALSE(no_shear.passes());
+    CHECK(no_shear.failures.front() == "q is not compared: the scene has no [shear]");
     const FileComparison unasked =
         compared("x,p,q\n-2,0,0\n-1,0.8385254915624212,1\n0,1.125,1\n1,0.8385254915624212,1\n");
     CHECK_FALSE(unasked.shear);
@@ -148,4 +155,11 @@ TEST_CASE("shear: the zone left out at the edges is left out at those of the sti
     REQUIRE(nothing.shear);
     CHECK(nothing.shear->nodes == 0);
     CHECK_FALSE(nothing.passes());
+    // A q outside the contact counts relative to the scale of q.
+    Tolerances local = shear_within(0.03);
+    local.of = Norm::local;
+    CHECK(shear_held(shear, wrong_at(0.6, 0), local).passes());
+    const FileComparison outside = shear_held(shear, wrong_at(0.6, 0) + "1.11,0,0.05\n", local);
+    CHECK(outside.shear->local == doctest::Approx(0.05 / 0.16).epsilon(1e-9)); // |Q|/(a + b)
+    CHECK_FALSE(outside.passes());
 }

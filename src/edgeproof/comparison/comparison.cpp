@@ -75,14 +75,10 @@ private:
             fail("all nodes lie in the edge zones");
             return;
         }
-        const auto counted = static_cast<std::size_t>(
-            std::ranges::count_if(file_.data.nodes, [this](const Node& node) {
-                return node.exact.inside() && is_counted(node, tolerances_.zone, file_.contact);
-            }));
-        if (counted < fewest_inside && file_.inside >= fewest_inside) {
+        if (errors.inside < fewest_inside && file_.inside >= fewest_inside) {
             fail(fmt::format("{} of {} nodes inside the contact lie outside the edge zones: too "
                              "few for a comparison",
-                             counted, file_.inside));
+                             errors.inside, file_.inside));
         }
         digits();
         hold("p", errors, tolerances_.pressure,
@@ -110,13 +106,18 @@ private:
     }
     void shear() {
         if (!file_.shear) {
+            if (tolerances_.q) {
+                fail(exact_.shear() == nullptr
+                         ? "q is not compared: the scene has no [shear]"
+                         : "q is not compared: the data have no q (CSHEAR1, or --columns q=3)");
+            }
             return;
         }
-        if (file_.shear->nodes == 0) {
-            if (!exact_.shear()->stick_edges().empty()) {
-                fail("no q is compared: all nodes lie in the zones at the edges of the contact and "
-                     "of its stick zone");
-            }
+        if (file_.shear->inside < fewest_inside) {
+            fail(fmt::format("q is compared at {} of {} nodes inside the contact, too few: the "
+                             "others lie in the zones at the edges of the contact and of its stick "
+                             "zone, or q is infinite there",
+                             file_.shear->inside, file_.inside));
             return;
         }
         hold("q", *file_.shear, tolerances_.q.value_or(tolerances_.pressure),
@@ -134,16 +135,19 @@ private:
         }
         const auto worst = tolerances_.of == Norm::local ? errors.worst_local : errors.worst;
         std::string where;
+        bool outside = false;
         if (tolerances_.of != Norm::l2 && worst) {
             const Node& node = file_.data.nodes[*worst];
+            outside = !node.exact.inside();
             const auto [data, exact] = values(node);
             where = fmt::format(": line {}, x = {:.6g}, {} = {:.6g}, exact {:.6g}", node.line,
                                 node.x, symbol, data, exact);
         }
         fail(fmt::format("the error of {}, {} {}, is more than {}{}", symbol, percent(error),
-                         tolerances_.of == Norm::peak    ? std::string(of_scale)
-                         : tolerances_.of == Norm::local ? fmt::format("of {} itself", symbol)
-                                                         : std::string("in the L2 norm"),
+                         tolerances_.of == Norm::l2 ? std::string("in the L2 norm")
+                         : tolerances_.of == Norm::peak || outside
+                             ? std::string(of_scale)
+                             : fmt::format("of {} itself", symbol),
                          percent(tolerance), where));
     }
     /// The difference between a value of the data and the result of the same rule for the exact

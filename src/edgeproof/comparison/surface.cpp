@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <memory>
 
 namespace edgeproof::comparison {
@@ -64,109 +65,153 @@ private:
 class SurfaceComparison {
 public:
     SurfaceComparison(FileComparison& file, const scene::Scene& scene, const ExactContact& exact,
-                      const EdgeZone& zone)
-        : file_(file), scene_(scene), exact_(exact), zone_(zone) {}
+                      const Tolerances& tolerances)
+        : file_(file), scene_(scene), exact_(exact), tolerances_(tolerances) {}
 
-    void gap() {
-        constexpr std::size_t fewest = 3; // nodes outside the contact: the gap near it is small
-        std::size_t outside = 0;
-        for (std::size_t i = 0; i < file_.data.nodes.size(); ++i) {
-            const bool given = file_.table.rows[i].surface[0].has_value();
-            outside += given && !file_.data.nodes[i].exact.inside() ? 1 : 0;
+    void compare_all() {
+        if (usable(0, "gap")) {
+            keep(compare(0, "gap", scene::Quantity::gap, scene::Body::A, {1},
+                         "of the largest exact gap at these nodes"));
         }
-        if (has(0) && outside < fewest) {
-            note(
-                fmt::format("the gap is not compared: {} of the nodes that have one {} outside the "
-                            "contact",
-                            outside, outside == 1 ? "lies" : "lie"));
-            return;
+        slip();
+        if (usable(2, "sxx")) {
+            sxx();
         }
-        compare(
-            0, "gap", scene::Quantity::gap, scene::Body::A, {1}, [](const Node&) { return true; },
-            "of the largest exact gap at these nodes");
-    }
-    void slip() {
-        if (std::ranges::none_of(file_.table.rows, [](const ResultRow& row) {
-                return row.surface[1].value_or(0) != 0;
-            })) {
-            return;
+        if (tolerances_.surface && !any_column_) {
+            file_.failures.emplace_back("neither gap nor slip nor sxx is compared: the data have "
+                                        "no values of them (COPEN, CSLIP1, S11)");
         }
-        if (!scene_.shear || !scene_.shear->friction) {
-            note("the slip is not compared: the scene has no friction");
-            return;
-        }
-        compare(
-            1, "slip", scene::Quantity::slip_displacement, scene::Body::A, {1, -1},
-            [](const Node& node) { return node.exact.inside(); },
-            "of the largest exact slip at these nodes");
-    }
-    void sxx() {
-        if (!has(2)) {
-            return;
-        }
-        const auto one = [&](scene::Body body) {
-            const auto before = file_.surface.size();
-            compare(
-                2, "sxx", scene::Quantity::sxx, body, {1}, [](const Node&) { return true; },
-                exact_.scale().mean ? "of the mean pressure" : "of the peak");
-            return file_.surface.size() > before;
-        };
-        if (!one(scene::Body::A) || !scene_.shear) {
-            return;
-        }
-        const SurfaceErrors of_A = file_.surface.back();
-        file_.surface.pop_back();
-        const bool of_B = one(scene::Body::B) && file_.surface.back().peak < of_A.peak;
-        if (!of_B) {
-            file_.surface.back() = of_A;
-        }
-        note(fmt::format("sxx is compared with that of body {}, which agrees better",
-                         of_B ? "B" : "A"));
     }
 
 private:
-    [[nodiscard]] bool has(std::size_t k) const {
-        return std::ranges::any_of(
-            file_.table.rows, [k](const ResultRow& row) { return row.surface[k].has_value(); });
-    }
-    void note(std::string text) { file_.data.findings.push_back(std::move(text)); }
-
-    template <class Counts>
-    void compare(std::size_t k, const char* name, scene::Quantity quantity, scene::Body body,
-                 std::initializer_list<double> signs, const Counts& counts, const char* reference) {
-        if (!has(k)) {
+    void slip() {
+        const bool friction = scene_.shear && scene_.shear->friction;
+        const bool zero = std::ranges::all_of(
+            file_.table.rows, [](const ResultRow& row) { return row.surface[1].value_or(0) == 0; });
+        if ((zero && !friction) || !usable(1, "slip")) {
+            return; // programs write zeros for a contact without friction
+        }
+        if (!friction) {
+            not_compared("slip", "the scene has no friction");
             return;
         }
-        SurfaceValues exact(scene_, quantity, body);
-        struct Pair {
-            std::size_t node;
-            double data;
-            double exact;
+        keep(compare(1, "slip", scene::Quantity::slip_displacement, scene::Body::A, {1, -1},
+                     "of the largest exact slip at these nodes"));
+    }
+    void sxx() {
+        const auto of = [&](scene::Body body) {
+            return compare(2, "sxx", scene::Quantity::sxx, body, {1},
+                           exact_.scale().mean ? "of the mean pressure" : "of the peak");
         };
+        const auto of_A = of(scene::Body::A);
+        if (!of_A || !scene_.shear) {
+            keep(of_A);
+            return;
+        }
+        const auto of_B = of(scene::Body::B);
+        const bool B = of_B && of_B->peak < of_A->peak;
+        keep(B ? of_B : of_A);
+        file_.data.findings.push_back(fmt::format(
+            "sxx is compared with that of body {}, which agrees better", B ? "B" : "A"));
+    }
+
+    /// True if the data have the quantity, and each cell of its column is a number or empty.
+    bool usable(std::size_t k, const char* name) {
+        const auto& rows = file_.table.rows;
+        if (std::ranges::none_of(
+                rows, [k](const ResultRow& row) { return row.surface[k].has_value(); })) {
+            return false;
+        }
+        any_column_ = true;
+        const auto bad = std::ranges::find_if(
+            rows, [k](const ResultRow& row) { return std::isnan(row.surface[k].value_or(0)); });
+        if (bad != rows.end()) {
+            not_compared(name, fmt::format("its cell in line {} is no number; leave the cell empty "
+                                           "if there is no value",
+                                           bad->line));
+        }
+        return bad == rows.end();
+    }
+    /// A quantity that has a tolerance fails if it is not compared.
+    void not_compared(const std::string& name, const std::string& why) {
+        (tolerances_.surface ? file_.failures : file_.data.findings)
+            .push_back(name + " is not compared: " + why);
+    }
+    void keep(const std::optional<SurfaceErrors>& found) {
+        if (!found) {
+            return;
+        }
+        file_.surface.push_back(*found);
+        if (tolerances_.surface && !(found->peak <= *tolerances_.surface)) {
+            const Node& node = file_.data.nodes[found->worst];
+            file_.failures.push_back(fmt::format(
+                "the error of {}, {:.3g} % {}, is more than {:.3g} %: line {}, x = {:.6g}, {} = "
+                "{:.6g}, exact {:.6g}",
+                found->name, 100 * found->peak, found->reference, 100 * *tolerances_.surface,
+                node.line, node.x, found->name, found->data, found->exact));
+        }
+    }
+
+    struct Pair {
+        std::size_t node;
+        double data;
+        double exact;
+    };
+
+    /// The largest error for the better one of the `signs`; nothing, with the reason, if too few
+    /// nodes have a value.
+    std::optional<SurfaceErrors> compare(std::size_t k, const char* name, scene::Quantity quantity,
+                                         scene::Body body, std::initializer_list<double> signs,
+                                         const char* reference) {
+        const bool gap = quantity == scene::Quantity::gap;
+        SurfaceValues exact(scene_, quantity, body);
         std::vector<Pair> pairs;
         double largest = 0;
+        std::size_t given = 0; // nodes whose value shows whether the quantity is right
+        std::size_t unknown = 0;
         for (std::size_t i = 0; i < file_.data.nodes.size(); ++i) {
             const Node& node = file_.data.nodes[i];
             const auto& data = file_.table.rows[i].surface[k];
-            if (!data || !is_counted(node, zone_, file_.contact) || !counts(node)) {
+            const bool inside = node.exact.inside();
+            if (!data || !is_counted(node, tolerances_.zone, file_.contact) ||
+                (quantity == scene::Quantity::slip_displacement && !inside)) {
                 continue;
             }
-            const bool closed = quantity == scene::Quantity::gap && node.exact.inside();
+            const bool closed = gap && inside;
+            constexpr double on_an_edge = 1e-9; // no value is necessary there
             if (const auto value = closed ? std::optional(0.0) : exact(node.x)) {
                 pairs.push_back({i, *data, *value});
                 largest = std::max(largest, std::abs(*value));
+                given += closed ? 0 : 1;
+            } else if (std::abs(node.exact.u()) > on_an_edge * exact_.length()) {
+                ++unknown;
             }
         }
-        SurfaceErrors found{name, reference, exact.route(),
-                            quantity == scene::Quantity::sxx ? exact_.scale().value : largest};
-        if (!(largest > 0)) {
-            note(
-                fmt::format("{} is not compared: {}", name,
-                            exact.why().empty() ? "the exact one is 0 at all nodes" : exact.why()));
-            return;
+        if (unknown > 0) {
+            not_compared(fmt::format("{} at {}", name,
+                                     unknown == 1 ? "1 node" : fmt::format("{} nodes", unknown)),
+                         exact.why());
         }
-        found.nodes = pairs.size();
-        found.peak = INFINITY;
+        if (given < fewest_inside) {
+            not_compared(name, fmt::format("{} of the nodes {}the edge zones {} it; at least {} "
+                                           "are necessary",
+                                           given, gap ? "outside the contact and " : "outside ",
+                                           given == 1 ? "has" : "have", fewest_inside));
+            return {};
+        }
+        if (!(largest > 0)) {
+            if (std::ranges::any_of(pairs, [](const Pair& pair) { return pair.data != 0; })) {
+                not_compared(name, "the exact one is 0 at all nodes");
+            }
+            return {};
+        }
+        return largest_error(pairs, signs,
+                             {name, reference, exact.route(),
+                              quantity == scene::Quantity::sxx ? exact_.scale().value : largest,
+                              pairs.size(), INFINITY});
+    }
+    static SurfaceErrors largest_error(const std::vector<Pair>& pairs,
+                                       std::initializer_list<double> signs, SurfaceErrors found) {
         for (const double sign : signs) {
             SurfaceErrors one = found;
             one.peak = -1;
@@ -183,33 +228,21 @@ private:
                 found = one;
             }
         }
-        file_.surface.push_back(found);
+        return found;
     }
 
     FileComparison& file_;
     const scene::Scene& scene_;
     const ExactContact& exact_;
-    const EdgeZone& zone_;
+    const Tolerances& tolerances_;
+    bool any_column_ = false; ///< the data have gap, slip or sxx
 };
 
 } // namespace
 
 void compare_surface(FileComparison& file, const scene::Scene& scene, const ExactContact& exact,
                      const Tolerances& tolerances) {
-    SurfaceComparison comparison(file, scene, exact, tolerances.zone);
-    comparison.gap();
-    comparison.slip();
-    comparison.sxx();
-    for (const SurfaceErrors& e : file.surface) {
-        if (tolerances.surface && !(e.peak <= *tolerances.surface)) {
-            const Node& node = file.data.nodes[e.worst];
-            file.failures.push_back(fmt::format(
-                "the error of {}, {:.3g} % {}, is more than {:.3g} %: line {}, x = {:.6g}, {} = "
-                "{:.6g}, exact {:.6g}",
-                e.name, 100 * e.peak, e.reference, 100 * *tolerances.surface, node.line, node.x,
-                e.name, e.data, e.exact));
-        }
-    }
+    SurfaceComparison(file, scene, exact, tolerances).compare_all();
 }
 
 } // namespace edgeproof::comparison

@@ -162,6 +162,10 @@ TEST_CASE("CalculiX: a file that is cut, binary, or without places is refused in
               .find("node 378 has no place") != std::string::npos);
     CHECK(refusal_of_calculix(changed_text(frd, " -1       378-1.5", " -1       378-x.5"))
               .find("is no number") != std::string::npos);
+    const std::size_t row = frd.find(" -1       378", frd.find("-4  CONTACT"));
+    const std::string line = frd.substr(row, frd.find('\n', row) + 1 - row);
+    CHECK(refusal_of_calculix(std::string(frd).insert(row, line)).find("node 378 has two rows") !=
+          std::string::npos);
     CHECK(refusal_of_calculix(dat, "/nowhere/r.dat").find("no places of the nodes") !=
           std::string::npos);
     CHECK(refusal_of_calculix(changed_text(dat, "  0.000000E+00\n", "\n"),

@@ -199,6 +199,23 @@ TEST_CASE("results: rows without a number before the first complete row are refu
     CHECK(contains_text(refusal("x,p\n-1,-\n0,1\n1,0\n"), "r.csv:2: '-' of p is no number"));
 }
 
+TEST_CASE("results: no row is left out because of text in its cells") {
+    const std::pair<const char*, const char*> cases[] = {
+        {"n,x,p\n1,0,1\nn2,1,1\n3,2,1\n", "r.csv:3: 'n2' of column 1 is no number"},
+        {"x,p\n0,1\n1 mm,2 MPa\n2,1\n3,1\n", "r.csv:3: '1 mm' of x is no number"},
+        {"x,p\n0 mm,1 MPa\n1,2\n2,1\n", "r.csv:2: '0 mm' of x is no number"},
+        {"0 mm,1 MPa\n1,2\n2,1\n", "r.csv:1: '0 mm' of x is no number"},
+        {"set,x,p\nA,0,1\nA,1mm,2MPa\nA,2,1\n", "r.csv:3: '1mm' of x is no number"},
+        {"x p\n0 1\n1 mm 2 MPa\n2 1\n3 1\n", "r.csv:3: 'mm' of p is no number"},
+        {"x p\n0 1\n***** 2\n2 1\n3 1\n", "r.csv:3: '*****' of x is no number"},
+    };
+    for (const auto& [text, message] : cases) {
+        CAPTURE(text);
+        const std::string found = refusal(text);
+        CHECK_MESSAGE(begins(found, message), found);
+    }
+}
+
 TEST_CASE("results that cannot be read: one line, with the place") {
     CHECK(begins(refusal(""), "r.csv: the file is empty"));
     CHECK(begins(refusal("\n \n"), "r.csv: the file is empty"));
@@ -254,6 +271,19 @@ TEST_CASE("results: of several load steps at the same places the last is compare
     check_three(last);
     CHECK(found(last, "column 1 has 2 steps: the last, '2', is compared"));
     CHECK(last.rows[1].line == 6);
+    // Steps are numbers, in any order, and increments are parts of them.
+    check_three(
+        parsed_result("Step,x,p\n2,-0.5,1\n2.0,0,1.5\n2,0.5,1\n1,-0.5,7\n1,0,8\n1,0.5,7\n"));
+    check_three(parsed_result("x,p,Step\n-0.5,7,Step-9\n0,8,Step-9\n0.5,7,Step-9\n"
+                              "-0.5,1,Step-10\n0,1.5,Step-10\n0.5,1,Step-10\n"));
+    check_three(parsed_result("inc,step,x,p\n9,1,-0.5,7\n9,1,0,8\n9,1,0.5,7\n"
+                              "2,2,-0.5,1\n2,2,0,1.5\n2,2,0.5,1\n1,2,-0.5,3\n1,2,0,3\n"));
+    check_three(parsed_result("x,solid.Tn (Pa) @ t=10,solid.Tn (Pa) @ t=9\n-0.5,1,7\n0,1.5,8\n"
+                              "0.5,1,7\n"));
+    CHECK(begins(refusal("step,x,p\n1,-0.5,1\n2,0,1.5\n1,0.5,1\n2,-0.5,1\n"),
+                 "r.csv:4: the steps are mixed"));
+    CHECK(begins(refusal("step,x,p\nload,0,1\nload,1,1\nunload,0,2\nunload,1,2\n"),
+                 "r.csv:2: 'load' is no number of a step"));
     // A column of another name does not divide the rows, and neither do steps at other places.
     CHECK(parsed_result("part,x,p\n" + rows).rows.size() == 6);
     check_three(parsed_result("time,x,p\n1,-0.5,1\n2,0,1.5\n3,0.5,1\n"));

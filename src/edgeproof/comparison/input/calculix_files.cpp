@@ -49,6 +49,12 @@ public:
                                    : std::string();
     }
     [[nodiscard]] const std::string& file() const { return file_; }
+    /// Adds the row of a node. A second one in the same block is refused.
+    void add(NodeTable& table, const std::string& node, NodeValues row) const {
+        if (!table.emplace(node, std::move(row)).second) {
+            reject("node " + printable(node) + " has two rows", "give one row for each node");
+        }
+    }
 
 private:
     std::string_view text_;
@@ -155,7 +161,7 @@ private:
                 }
                 row.values.push_back(number_at(3 + width + value_width * index, value_width));
             }
-            table.insert_or_assign(lines_.cell(3, width), std::move(row));
+            lines_.add(table, lines_.cell(3, width), std::move(row));
         } while (lines_.next());
         lines_.reject("the file ends inside a block", "give the whole file");
     }
@@ -206,8 +212,7 @@ CalculixContents read_dat(std::string_view text, const std::string& file) {
                 lines.reject("a row of contact output has a node and three numbers",
                              "give the file as CalculiX writes it");
             }
-            table->insert_or_assign(words[0],
-                                    NodeValues{{words.begin() + 1, words.end()}, lines.number()});
+            lines.add(*table, words[0], {{words.begin() + 1, words.end()}, lines.number()});
         }
     }
     for (auto& [node, row] : contents.contact) {
@@ -247,7 +252,7 @@ NodeTable nodes_of_deck(std::string_view text, const std::string& file) {
                                  "write number, x, y, z");
                 }
             }
-            nodes.insert_or_assign(node, NodeValues{std::move(values), lines.number()});
+            lines.add(nodes, node, {std::move(values), lines.number()});
         }
     }
     return nodes;

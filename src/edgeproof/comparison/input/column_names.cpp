@@ -43,7 +43,7 @@ constexpr KnownNames known_names[] = {
     {"contsfri", ColumnRole::shear, 3},
     {"tt tau", ColumnRole::shear, 4},
     {"copen gap contgap", ColumnRole::gap, 1},
-    {"cslip1 cslip contslid", ColumnRole::slip, 1},
+    {"cslip1 cslip slip contslid", ColumnRole::slip, 1},
     {"s11 sxx sigmaxx sx", ColumnRole::sxx, 1},
 };
 
@@ -52,9 +52,9 @@ constexpr std::string_view other_names =
     "label number no id partinstance partinstancename y z ycoord ycoordinate zcoord zcoordinate "
     "coordinatey coordinatez cstatus status ylocation zlocation noeud coory coorz yposition "
     "zposition knoten knotennummer knotennr";
-/// Columns that number the steps of a computation, or give their time.
+/// Columns that number the steps of a computation, or give their time; a step has increments.
 constexpr std::string_view step_names =
-    "step stepnumber stepid loadstep substep time steptime inst increment inc frame numordre";
+    "step stepnumber stepid loadstep substep increment inc frame numordre time steptime inst";
 constexpr std::size_t most_words_of_a_name = 4; // for example "True distance along path"
 constexpr std::size_t most_words_of_a_header = 64;
 
@@ -71,13 +71,17 @@ bool has_word(std::string_view words, std::string_view word) {
 
 } // namespace
 
-bool is_step_name(std::string_view plain_name) { return has_word(step_names, plain_name); }
+std::optional<int> step_rank(std::string_view plain_name) {
+    const std::vector<std::string_view> all = io::split_words(step_names);
+    const auto found = std::ranges::find(all, plain_name);
+    return found == all.end() ? std::nullopt : std::optional(static_cast<int>(found - all.begin()));
+}
 
 namespace {
 
 bool is_known(const std::string& written) {
     const std::string plain = read_column_name(written).plain;
-    return role_of(plain).has_value() || is_step_name(plain) || has_word(other_names, plain);
+    return role_of(plain).has_value() || step_rank(plain) || has_word(other_names, plain);
 }
 
 /// True for a word that does not occur in prose.

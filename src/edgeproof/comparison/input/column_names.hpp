@@ -35,8 +35,9 @@ struct NamedRole {
 };
 [[nodiscard]] std::optional<NamedRole> role_of(std::string_view plain_name);
 
-/// True for the usual names of a column that numbers the load steps, or gives their time.
-[[nodiscard]] bool is_step_name(std::string_view plain_name);
+/// The rank of a column that numbers load steps or their parts, or gives their time: the steps come
+/// first. Nothing for another name.
+[[nodiscard]] std::optional<int> step_rank(std::string_view plain_name);
 
 /// Divides the words of a header into `count` names, some of them of several words ("Node Label",
 /// "x mm"). Returns nothing if there is more than one way, or if a word belongs to no known name: a

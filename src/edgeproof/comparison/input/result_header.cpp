@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/input/result_lines.hpp"
 
+#include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -45,6 +46,17 @@ std::string wide_gaps_as_tabs(const std::string& text) {
 /// The name of a column of one step: COMSOL writes "solid.Tn (Pa) @ t=0.5" for each time.
 std::string_view without_step(std::string_view name) {
     return trimmed(name.substr(0, name.find('@')));
+}
+/// The number of that step: 0.5. Nothing for a name of another form.
+std::optional<Rational> step_of(std::string_view name) {
+    const std::size_t equals = name.rfind('=');
+    if (name.find('@') > equals || equals == std::string_view::npos) {
+        return {};
+    }
+    const std::string_view text = trimmed(name.substr(equals + 1));
+    const auto number = conformance::written_number(text.substr(0, text.find(' ')));
+    return number.kind == conformance::WrittenNumber::Kind::number ? std::optional(number.value)
+                                                                   : std::nullopt;
 }
 
 class HeaderReader {
@@ -106,7 +118,7 @@ private:
         std::optional<std::size_t> index;
         std::optional<std::size_t> twin; ///< another column of the same rank
         int rank = 100;
-        std::size_t steps = 1; ///< columns of the same name; `index` is the last
+        std::size_t steps = 1; ///< columns of the same name; `index` has the greatest step
     };
     [[nodiscard]] static std::map<ColumnRole, Found> roles_in(const std::vector<Cell>& names) {
         std::map<ColumnRole, Found> roles;
@@ -118,13 +130,17 @@ private:
             Found& found = roles[named->role];
             if (named->rank < found.rank) {
                 found = {i, {}, named->rank};
-            } else if (named->rank == found.rank &&
-                       without_step(names[i].text) == without_step(names[*found.index].text) &&
-                       names[i].text.find('@') != std::string::npos) {
-                found.index = i;
-                ++found.steps;
             } else if (named->rank == found.rank) {
-                found.twin = i;
+                const std::string& other = names[*found.index].text;
+                const auto step = step_of(names[i].text);
+                const auto greatest = step_of(other);
+                if (step && greatest && *step != *greatest &&
+                    without_step(names[i].text) == without_step(other)) {
+                    found.index = *step > *greatest ? i : *found.index;
+                    ++found.steps;
+                } else {
+                    found.twin = i;
+                }
             }
         }
         return roles;
@@ -189,12 +205,14 @@ private:
             text_.reject(header_line_, "one column is taken for two quantities",
                          "name them by --columns x=1,p=2");
         }
-        const auto step = std::ranges::find_if(header_, [](const Cell& name) {
-            return is_step_name(read_column_name(name.text).plain);
-        });
-        if (step != header_.end()) {
-            found_.step = at_column(static_cast<std::size_t>(step - header_.begin()));
+        for (std::size_t i = 0; i < header_.size(); ++i) {
+            if (step_rank(read_column_name(header_[i].text).plain)) {
+                found_.steps.push_back(at_column(i));
+            }
         }
+        std::ranges::stable_sort(found_.steps, {}, [](const UsedColumn& column) {
+            return step_rank(column.name.plain);
+        });
         find_units();
         find_surface(roles);
         found_.findings.push_back(fmt::format("columns: x is {}, p is {}{}; {} separate them",
@@ -207,7 +225,14 @@ private:
         const scene::Units units = reading_.units.value_or(scene::Units{});
         for (std::size_t k = 0; k < surface_roles.size(); ++k) {
             const auto found = roles.find(surface_roles[k]);
-            if (found == roles.end() || found->second.twin) {
+            if (found == roles.end()) {
+                continue;
+            }
+            if (found->second.twin) {
+                found_.findings.push_back(
+                    fmt::format("{} is not compared: columns {} and {} may both be it",
+                                printable(header_[*found->second.index].text),
+                                *found->second.index + 1, *found->second.twin + 1));
                 continue;
             }
             UsedColumn& c = found_.surface[k].emplace(at_column(*found->second.index));

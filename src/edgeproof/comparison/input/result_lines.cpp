@@ -21,6 +21,10 @@ constexpr std::array all_separators{Separator::tab, Separator::semicolon, Separa
 bool is_comment(std::string_view line) {
     line = trimmed(line, white);
     line.remove_prefix(line.starts_with('"') ? 1 : 0); // a spreadsheet quotes it
+    if (line.find_first_not_of("*0123456789+-.eEdD,;| \t") == std::string_view::npos &&
+        line.find_first_of("0123456789") != std::string_view::npos) {
+        return false; // a row with a number that does not fit into its column, in Fortran
+    }
     return std::ranges::any_of(std::array<std::string_view, 5>{"#", "%", "!", "//", "**"},
                                [line](std::string_view mark) { return line.starts_with(mark); });
 }

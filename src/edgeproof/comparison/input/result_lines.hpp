@@ -113,7 +113,7 @@ struct TableHeader {
     std::optional<UsedColumn> q;
     /// Gap, slip and sxx along the surface, in the order of surface_roles.
     std::array<std::optional<UsedColumn>, surface_roles.size()> surface;
-    std::optional<UsedColumn> step;    ///< of several load steps
+    std::vector<UsedColumn> steps;     ///< numbers of load steps, then of increments, then times
     std::vector<std::string> findings; ///< notes on how they were found
 };
 

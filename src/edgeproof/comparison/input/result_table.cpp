@@ -67,14 +67,19 @@ public:
     }
 
 private:
-    /// Refuses lines between the names and the first row in which only one of x and p is a number.
+    /// Refuses rows before the first complete one: one of x and p is a number, or both begin like
+    /// one.
     void check_before_first_row() {
-        for (std::size_t i = 0; header_.line > 0 && i < text_.first_row; ++i) {
+        for (std::size_t i = 0; i < text_.first_row; ++i) {
             const ResultLine& line = text_.lines[i];
             const auto cells = text_.cells(line);
-            if (line.number > header_.line && !line.comment && cells.size() == text_.size &&
-                text_.is_number(cells[header_.x.index]) !=
-                    text_.is_number(cells[header_.p.index])) {
+            if (line.number <= header_.line || line.comment || cells.size() != text_.size) {
+                continue;
+            }
+            const Cell& x = cells[header_.x.index];
+            const Cell& p = cells[header_.p.index];
+            if ((header_.line > 0 && text_.is_number(x) != text_.is_number(p)) ||
+                (begins_like_number(x) && begins_like_number(p))) {
                 read_line(line);
             }
         }
@@ -90,13 +95,11 @@ private:
         const auto cells = text_.cells(line);
         const std::size_t last =
             std::max({header_.x.index, header_.p.index, header_.q ? header_.q->index : 0});
-        const std::size_t numbers = text_.numbers_in(cells);
         const auto unusable = [&](const UsedColumn& c) {
             return c.index >= cells.size() || !text_.is_number(cells[c.index]);
         };
-        if (numbered_ && !cells.empty() && !cells[0].text.empty() && !text_.is_number(cells[0]) &&
-            !is_nan_or_infinite(cells[0]) && header_.x.index != 0 && header_.p.index != 0) {
-            skip(line); // "Total", "Minimum" instead of a node's number
+        if (cells.empty() || (numbered_ && is_summary(cells[0]))) {
+            skip(line);
             return;
         }
         if (!unusable(header_.x) && !unusable(header_.p) && !(header_.q && unusable(*header_.q))) {
@@ -105,6 +108,11 @@ private:
                              fmt::format("the row has {} cells and the others have {}",
                                          cells.size(), text_.size),
                              "write all rows alike");
+            }
+            if (numbered_ && !cells[0].text.empty() && !text_.is_number(cells[0]) &&
+                !is_nan_or_infinite(cells[0])) {
+                text_.reject(line.number, shown_cell(cells[0].text) + " of column 1 is no number",
+                             "number all rows, or take the row out if it is none of a node");
             }
             keep(line, cells);
             return;
@@ -116,8 +124,7 @@ private:
                              "leave out places where the program has no value");
             }
         }
-        // A line of text: a title, a repeated header, a total.
-        if (numbers == 0 || (cells.size() != text_.size && has_new_text(cells))) {
+        if (is_text(cells)) {
             skip(line);
             return;
         }
@@ -137,6 +144,31 @@ private:
                                                        : "q"),
                      "write a decimal such as 1.5e-3, without marks between thousands, or take the "
                      "row out");
+    }
+
+    static bool begins_like_number(const Cell& cell) {
+        const std::size_t digit = cell.text.find_first_of("0123456789");
+        return digit != std::string::npos && cell.text.find_first_not_of("+-.,") == digit;
+    }
+    /// True for the first cell of a line after the rows, with their total or mean.
+    static bool is_summary(const Cell& cell) {
+        constexpr std::string_view words =
+            "total sum minimum maximum min max mean average at summe mittelwert somme moyenne";
+        const auto all = io::split_words(words);
+        const std::string lower = lower_case(cell.text);
+        return std::ranges::find(all, lower.substr(0, lower.find_first_of(" :"))) != all.end();
+    }
+    /// True for a line of text: a title, a repeated header. A row with text in a cell is none.
+    [[nodiscard]] bool is_text(const std::vector<Cell>& cells) const {
+        const auto like_number = [&](std::size_t i) {
+            return i < cells.size() && begins_like_number(cells[i]);
+        };
+        const bool alike = cells.size() == text_.size;
+        if (numbered_ ? like_number(0) : !alike && like_number(header_.x.index)) {
+            return false;
+        }
+        return alike ? !like_number(header_.x.index) && !like_number(header_.p.index)
+                     : text_.numbers_in(cells) == 0 || has_new_text(cells);
     }
 
     /// True if there is text where the rows have numbers.
@@ -182,33 +214,75 @@ private:
         }
         for (std::size_t k = 0; k < row.surface.size(); ++k) {
             const auto& column = header_.surface[k];
-            if (column && column->index < cells.size() && text_.is_number(cells[column->index])) {
-                row.surface[k] =
-                    value(line, *number_of(cells[column->index], text_.separator), column->factor)
-                        .convert_to<double>();
+            if (column && column->index < cells.size() && !cells[column->index].text.empty()) {
+                const auto number = number_of(cells[column->index], text_.separator);
+                row.surface[k] = number ? value(line, *number, column->factor).convert_to<double>()
+                                        : std::numeric_limits<double>::quiet_NaN();
             }
         }
-        if (header_.step) {
-            const bool given = header_.step->index < cells.size();
-            steps_.push_back(given ? cells[header_.step->index].text : "");
+        auto& step = steps_.emplace_back();
+        for (const UsedColumn& column : header_.steps) {
+            const Cell cell = column.index < cells.size() ? cells[column.index] : Cell{};
+            step.push_back(number_of(cell, text_.separator).value_or(cell.text));
         }
         table_.rows.push_back(std::move(row));
     }
 
-    /// Keeps the rows of the last load step if several steps have the same places.
+    /// The number of a step: "2", "Step-2".
+    [[nodiscard]] Rational step_number(std::size_t row, const std::string& text) const {
+        const std::size_t digit = std::min(text.find_first_of("0123456789"), text.size());
+        for (const std::string_view number :
+             {std::string_view(text), std::string_view(text).substr(digit)}) {
+            const auto written = conformance::written_number(number);
+            if (written.kind == conformance::WrittenNumber::Kind::number) {
+                return written.value;
+            }
+        }
+        text_.reject(table_.rows[row].line,
+                     shown_cell(text) + " is no number of a step, and places are repeated",
+                     "number the steps, or give the rows of one step only");
+    }
+    /// Keeps the rows of the greatest load step if several steps have the same places.
     void keep_last_step() {
         auto& rows = table_.rows;
         std::set<Rational> places;
         std::ranges::for_each(rows, [&](const ResultRow& row) { places.insert(row.x); });
-        const std::set<std::string> steps(steps_.begin(), steps_.end());
-        if (steps.size() < 2 || places.size() == rows.size()) {
+        if (std::ranges::adjacent_find(steps_, std::not_equal_to()) == steps_.end() ||
+            places.size() == rows.size()) {
             return;
         }
-        const std::string last = steps_.back();
+        std::vector<std::vector<Rational>> numbers(rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            for (const std::string& step : steps_[i]) {
+                numbers[i].push_back(step_number(i, step));
+            }
+        }
+        const std::size_t count = std::set(numbers.begin(), numbers.end()).size();
+        const auto greatest = std::ranges::max_element(numbers);
+        const std::vector<Rational> last = *greatest;
+        std::string shown;
+        for (const std::string& step :
+             steps_[static_cast<std::size_t>(greatest - numbers.begin())]) {
+            shown += (shown.empty() ? "" : ", ") + step;
+        }
+        places.clear();
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (numbers[i] == last) {
+                places.insert(rows[i].x);
+            }
+        }
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (!places.contains(rows[i].x)) {
+                text_.reject(rows[i].line,
+                             "the steps are mixed: the last one, " + shown_cell(shown) +
+                                 ", has no row at this place",
+                             "give the rows of one step only");
+            }
+        }
         const auto keep_last = [&](auto& list) {
             std::size_t kept = 0;
             for (std::size_t i = 0; i < list.size(); ++i) {
-                if (steps_[i] == last) {
+                if (numbers[i] == last) {
                     std::swap(list[kept++], list[i]);
                 }
             }
@@ -220,9 +294,11 @@ private:
         if (header_.q) {
             keep_last(q_texts_);
         }
-        table_.findings.push_back(fmt::format("column {} has {} steps: the last, {}, is compared",
-                                              header_.step->index + 1, steps.size(),
-                                              shown_cell(last)));
+        if (count > 1) {
+            table_.findings.push_back(
+                fmt::format("column {} has {} steps: the last, {}, is compared",
+                            header_.steps.front().index + 1, count, shown_cell(shown)));
+        }
     }
 
     [[nodiscard]] bool is_even() const {
@@ -242,9 +318,7 @@ private:
                          fmt::format("{} may be {}, or a decimal", shown_cell(number->text), whole),
                          "use one decimal mark, and no mark between thousands");
         }
-        if (!rows.empty() && header_.step) {
-            keep_last_step();
-        }
+        keep_last_step();
         if (rows.size() < 2) {
             text_.reject(
                 rows.empty() ? 0 : rows.front().line,
@@ -301,7 +375,7 @@ private:
     std::vector<std::string> x_texts_;
     std::vector<std::string> p_texts_;
     std::vector<std::string> q_texts_;
-    std::vector<std::string> steps_; ///< of each row
+    std::vector<std::vector<std::string>> steps_; ///< of each row, in each of header_.steps
     std::size_t skipped_ = 0;
     std::size_t first_skipped_ = 0;
 };

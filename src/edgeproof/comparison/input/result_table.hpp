@@ -18,7 +18,8 @@ struct ResultRow {
     Rational x;
     Rational p;
     std::optional<Rational> q;
-    /// Gap, slip and sxx along the surface, in the order of surface_roles; not an exact value.
+    /// Gap, slip and sxx along the surface, in the order of surface_roles; not an exact value. NaN
+    /// for a cell that is no number, nothing for an empty one.
     std::array<std::optional<double>, surface_roles.size()> surface = {};
     /// Half a unit of the last digit of x in its column; 0 for an even grid, which is exact.
     double x_rounding = 0;
@@ -56,7 +57,8 @@ struct ResultReading {
 /// header, units below it, lines at the end) and comments are recognised; columns are found by name
 /// or according to `reading`. Throws InputError, with file and line, for a row that is incomplete
 /// or contains anything but numbers (NaN and infinity are not allowed), if x or p are not found or
-/// found twice, for a unit of the wrong kind, and for fewer than two places.
+/// found twice, for a unit of the wrong kind, for load steps at different places, and for fewer
+/// than two places.
 [[nodiscard]] ResultTable parse_result(std::string_view text, const std::string& file,
                                        const ResultReading& reading = {});
 [[nodiscard]] ResultTable read_result(const std::filesystem::path& file,

@@ -3,7 +3,9 @@
 #include "edgeproof/comparison/input/result_table.hpp"
 #include "edgeproof/comparison/measures/exact_contact.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -76,10 +78,15 @@ template <class Value>
            });
 }
 
-/// Half the distance between the neighbours of node i.
+/// Half the distance between the neighbouring places of node i, divided among the nodes at its
+/// place. `nodes`: by x.
 template <class Nodes> [[nodiscard]] double width_of_node(const Nodes& nodes, std::size_t i) {
-    return 0.5 * ((i + 1 < nodes.size() ? nodes[i + 1].x : nodes[i].x) -
-                  (i > 0 ? nodes[i - 1].x : nodes[i].x));
+    const double x = nodes[i].x;
+    const auto here =
+        std::ranges::equal_range(nodes, x, {}, [](const auto& node) { return node.x; });
+    const double before = here.begin() != nodes.begin() ? std::prev(here.begin())->x : x;
+    const double after = here.end() != nodes.end() ? here.end()->x : x;
+    return 0.5 * (after - before) / static_cast<double>(here.size());
 }
 
 /// A node of the data in double precision, for the search of the origin.

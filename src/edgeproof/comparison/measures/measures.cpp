@@ -62,14 +62,16 @@ Errors errors_of(const AlignedResult& data, double scale,
             errors.peak = error / scale;
             errors.worst = i;
         }
-        if (node.exact.inside() && *value.exact != 0) {
-            const double size = std::abs(*value.exact);
+        errors.inside += node.exact.inside() ? 1 : 0;
+        const bool has_size = node.exact.inside() && *value.exact != 0;
+        const double size = has_size ? std::abs(*value.exact) : scale;
+        if (error / size > errors.local || !errors.worst_local) {
+            errors.local = error / size;
+            errors.worst_local = i;
+        }
+        if (has_size) {
             local.push_back(error / size);
             errors.as_written = std::max(errors.as_written, std::abs(value.error) / size);
-            if (local.back() > errors.local || !errors.worst_local) {
-                errors.local = local.back();
-                errors.worst_local = i;
-            }
         }
     }
     errors.l2 = exact_square > 0 ? std::sqrt(square / exact_square) : 0;

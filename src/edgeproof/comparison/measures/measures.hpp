@@ -29,14 +29,17 @@ struct EdgeZone {
 /// written digits explains is not counted.
 struct Errors {
     std::size_t nodes = 0;
-    double peak = 0;  ///< the largest |error|, relative to the scale of p or q
-    double local = 0; ///< the largest |error/exact|, over nodes inside
-    double l2 = 0;    ///< the L2 norm of the error, relative to that of the exact value
-    double median_local = 0;
+    std::size_t inside = 0; ///< of these, inside the exact contact
+    double peak = 0;        ///< the largest |error|, relative to the scale of p or q
+    /// The largest |error/exact|; where the exact value is 0, as outside, relative to the scale.
+    double local = 0;
+    double l2 = 0;           ///< the L2 norm of the error, relative to that of the exact value
+    double median_local = 0; ///< over nodes inside
     std::optional<std::size_t> worst; ///< the node of `peak`
     std::optional<std::size_t> worst_local;
 
-    double as_written = 0; ///< as `local`, including the rounding of the written digits
+    /// As `local`, over nodes inside, including the rounding of the written digits.
+    double as_written = 0;
     /// -log10 of `as_written`, at least 0 and at most 16.
     [[nodiscard]] double digits() const;
 };

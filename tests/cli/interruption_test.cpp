@@ -119,8 +119,6 @@ std::vector<LongRun> long_runs() {
         {"partial slip", "slip in --digits 20000 --tolerance 1%", slipping},
         {"a table of slip", "slip-table --digits 1000 --terms 1,2,3,4,5,6", ""},
         {"an optimum", "design in --digits 1000 --gap 1e-300 --out d.csv", optimum},
-        {"theorems", "certify in --out new/folder",
-         hertz_head + hertz_claim("nested", nested) + hertz_wrong},
         {"results that do not come", "compare in /dev/stdin", tilted("u = [\"1/9\"]\n")},
     };
     return all;

@@ -25,10 +25,10 @@ TEST_CASE("an empty input does not pass: every command that compares") {
     std::filesystem::create_directory(folder.path() / "pack");
     for (const char* const command :
          {"bounds hard-cases cases.toml", "verify head.toml", "check --ledger head.toml",
-          "certify head.toml --out theorems", "mutate head.toml", "mutate wrong.toml",
-          "mutate wrong.toml --mutants 0", "verify wrong.toml --only NONE", "compare scene.toml",
-          "compare scene.toml rows.csv", "compare scene.toml empty.csv", "check empty.csv", "check",
-          "table recipe.toml --check", "points recipe.toml", "pack pack --check"}) {
+          "mutate head.toml", "mutate wrong.toml", "mutate wrong.toml --mutants 0",
+          "verify wrong.toml --only NONE", "compare scene.toml", "compare scene.toml rows.csv",
+          "compare scene.toml empty.csv", "check empty.csv", "check", "table recipe.toml --check",
+          "points recipe.toml", "pack pack --check"}) {
         CAPTURE(std::string(command));
         const Outcome outcome = run(folder, command);
         CHECK(outcome.code == 2);

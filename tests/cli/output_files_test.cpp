@@ -163,8 +163,7 @@ TEST_CASE("bad input creates no output folder; good input creates it") {
           "compare good.toml bad.csv --junit new/x.xml",
           "check recipe.toml bad.csv --junit new/x.xml",
           "check recipe.toml bad.csv --figure new/x.svg", "verify bad.toml --out new/x",
-          "mutate bad.toml --out new/x.csv", "certify bad.toml --out new/x",
-          "pack new/x --threads none"}) {
+          "mutate bad.toml --out new/x.csv", "pack new/x --threads none"}) {
         CAPTURE(command);
         CHECK(run(folder, command).code == 2);
         CHECK(folder.files() == before);
@@ -200,7 +199,6 @@ TEST_CASE("a standard output that is full or closed is an error of every command
                                       "pack pack --check",
                                       "mutate ledger.toml --mutants 1 --digits 10",
                                       "verify ledger.toml",
-                                      "certify ledger.toml --out theorems",
                                       "check --ledger ledger.toml",
                                       "bounds count --values 1 --digits 5",
                                       "cost in.toml --digits 16 --points 1"}) {

@@ -129,7 +129,7 @@ def problems_of(command, outcome, mode, folder):
             found += [f"exit status {code}, standard output: {problem}"] if problem else []
         found += [p for name, form in command.written.items() if (p := written_problem(folder, name, form))]
     # If one output could not be written, another complete one may exist.
-    if code == 2 and b"cannot write" not in outcome.err and command.arguments[0] not in ("verify", "certify"):
+    if code == 2 and b"cannot write" not in outcome.err and command.arguments[0] != "verify":
         command.written = {}
     left = left_over(folder, command)
     return found + ([f"exit status {code}, left behind: {' '.join(left)}"] if left else [])

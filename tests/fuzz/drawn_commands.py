@@ -284,12 +284,6 @@ def mutate(rng, library, command):
     return words
 
 
-def certify(rng, library, command):
-    command.files["in.toml"] = library.drawn(rng.choice(["ledger", "ledger", "scene"]), rng)
-    command.written["theorems"] = "folder"
-    return ["in.toml", "--out", "theorems", "--threads", "1", *maybe(rng, 0.2, "--only", value(rng, ["?*", "EQ*", "x"]))]
-
-
 def bounds(rng, library, command):
     kind = rng.choice(["hard-cases"] * 6 + ["count"] * 3 + ["binary64"] * 3 + ["speed", "honesty", "", "x"])
     if kind == "hard-cases":
@@ -337,7 +331,7 @@ def verify(rng, library, command):
 COMMANDS = {"pressure": (pressure, 20), "expand": (expand, 12), "extent": (extent, 10), "slip": (slip, 10),
             "explain": (explain, 6), "plot": (plot, 3), "slip-table": (slip_table, 0.6), "relations": (relations, 8),
             "design": (design, 2), "table": (table, 6), "points": (points, 6), "check": (check, 10), "compare": (compare, 10),
-            "pack": (pack, 0.6), "mutate": (mutate, 3), "certify": (certify, 3), "bounds": (bounds, 4), "cost": (cost, 3),
+            "pack": (pack, 0.6), "mutate": (mutate, 3), "bounds": (bounds, 4), "cost": (cost, 3),
             "verify": (verify, 10)}
 
 

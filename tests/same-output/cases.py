@@ -48,7 +48,7 @@ def shipped_scenes():
             [], ["--out", "plot.svg"], ["--out", "plot.html"], ["--out", "plot.png"], ["--out", "plot.pdf"])]
         steps += [["pressure", scene, "--round", r, "--digits", "17", "--binary64", "--out", f"{r}.csv"]
                   for r in ("nearest", "down", "up", "enclosure")]
-        steps += [["expand", scene, "--edge", "both", "--terms", "5"], ["certify", scene, "--out", "theorems", *ONE],
+        steps += [["expand", scene, "--edge", "both", "--terms", "5"],
                   ["extent", scene, "--tolerance", "2%", "--figure", "figure.csv"]]
         yield Case(f"scene {path.stem}", steps, read(path), seconds=4)
     for name in ("fig3b-hertz", "fig5a-flat-and-rounded"):
@@ -90,8 +90,7 @@ def shipped_checks(seed):
     files = read("verify/moore-hills.toml", "verify/moore-hills.expected.csv")
     ledger = ["moore-hills.toml", *ONE, "--only"]
     for group in sorted({i + "*" for i in re.findall(r'(?m)^id = "(\w{3})', files["moore-hills.toml"].decode())}):
-        yield Case(f"verify moore-hills {group}", [["verify", *ledger, group, "--digits", "15", "--out", "verdicts"],
-                                                   ["certify", *ledger, group, "--out", "theorems"]], files, seconds=6)
+        yield Case(f"verify moore-hills {group}", [["verify", *ledger, group, "--digits", "15", "--out", "verdicts"]], files, seconds=6)
     yield Case("verify profile", [["verify", *ledger, "EQ05", "--digits", "20", "--profile", "--record", "--strict"]], files)
     yield Case("mutate moore-hills", [["mutate", *ledger, "EQ2*", "--mutants", "8", "--digits", "15", "--out", "m.csv"]],
                files, seconds=6)
@@ -129,8 +128,6 @@ def scene_cases(seed, count, library):
         steps[2] += ["--run"] if words[2] == "explain" else []
         if number % 4 == 0:
             steps.append(["plot", "s.toml", *rng.choice([[], ["--out", "plot.svg"], ["--out", "plot.csv"]])])
-        if number % 8 == 0:
-            steps.append(["certify", "s.toml", "--out", "theorems", *ONE])
         yield Case(f"drawn scene {number}", steps, {"s.toml": text.encode("utf-8", "surrogatepass")})
 
 
@@ -157,8 +154,7 @@ def ledger_cases(seed, claims):
     for number, (ledger, digits) in enumerate(drawn_ledgers(seed, claims, [], (15, 20, 30, 50))):
         steps = [["verify", "l.toml", "--digits", str(digits), *ONE, "--out", "verdicts"]]
         if number % 3 == 0:
-            steps += [["certify", "l.toml", "--out", "theorems", *ONE],
-                      ["mutate", "l.toml", "--mutants", "1", "--digits", "10", *ONE]]
+            steps += [["mutate", "l.toml", "--mutants", "1", "--digits", "10", *ONE]]
         yield Case(f"drawn ledger {ledger.name}", steps, {"l.toml": ledger.text().encode()}, seconds=4)
 
 

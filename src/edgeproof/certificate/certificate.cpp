@@ -1,410 +1,278 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/certificate/certificate.hpp"
-#include "edgeproof/audit/symbolic/symbolic.hpp"
-#include "edgeproof/certificate/parts.hpp"
-#include "edgeproof/io/output_file.hpp"
+
+#include "edgeproof/formula/expr.hpp"
+#include "edgeproof/io/csv.hpp"
+#include "edgeproof/io/sha256.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/message.hpp"
-#include "edgeproof/report/text/escape.hpp"
 
-#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
+#include <set>
 #include <string_view>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace edgeproof::certificate {
-std::string in_comment(std::string text) {
-    text = printable_lines(text);
-    for (const auto& [from, to] :
-         {std::pair{"(*", "( *"}, std::pair{"*)", "* )"}, std::pair{"\"", "''"}}) {
-        boost::replace_all(text, from, to);
-    }
-    return text;
-}
-
 namespace {
 
-/// The keywords of Coq's reference manual (chapter "Basic notions", 8.16; `exists`, `exists2`,
-/// `IF`, `mod` and `using` of its notations and of earlier versions), words that begin a statement,
-/// and the names of the library that theorems use.
-constexpr auto words_of_coq = std::to_array<std::string_view>(
-    {"_",         "Assumptions", "Axiom", "CoFixpoint", "Definition", "Fixpoint", "Hypothesis",
-     "Parameter", "Prop",        "SProp", "Set",        "Theorem",    "Type",     "Variable",
-     "as",        "at",          "cofix", "else",       "end",        "fix",      "for",
-     "forall",    "fun",         "if",    "in",         "let",        "match",    "return",
-     "then",      "where",       "with",  "IF",         "exists",     "exists2",  "mod",
-     "using",     "by",          "is",    "of",         "Lemma",      "Proof",    "Qed",
-     "Print",     "R",           "PI",    "sqrt",       "exp",        "ln",       "sin",
-     "cos",       "tan",         "asin",  "acos",       "atan",       "Rabs",     "Rpower",
-     "Rmax",      "Rmin",        "Rplus", "Rmult",      "Rdiv",       "Rinv",     "is_RInt",
-     "RInt"});
+namespace fs = std::filesystem;
+using audit::Claim;
+using audit::Family;
+using audit::Ledger;
 
-/// Whether a Coq file defines or states something of that name.
-bool defines(std::string_view file, std::string_view name) {
-    constexpr auto starts = std::to_array<std::string_view>(
-        {"Definition ", "Fixpoint ", "Inductive ", "Record ", "Lemma ", "Theorem ", "Ltac "});
-    return std::ranges::any_of(starts, [&](std::string_view start) {
-        const std::string sought = std::string(start) + std::string(name);
-        for (std::size_t at = file.find(sought); at != std::string_view::npos;
-             at = file.find(sought, at + 1)) {
-            const std::size_t end = at + sought.size();
-            if (end == file.size() ||
-                std::string_view(" :\n({.").find(file[end]) != std::string_view::npos) {
-                return true;
-            }
+/// Each part ends with a line feed, and parts of it are separated by tabs, so that two different
+/// claims have two different texts. Fields of a ledger have neither character unescaped.
+std::string line_of(const std::vector<std::string>& parts) {
+    std::string line;
+    for (std::string part : parts) {
+        for (char& c : part) {
+            c = c == '\t' || c == '\n' ? '\x1f' : c;
         }
-        return false;
-    });
-}
-
-} // namespace
-
-std::string coq_name(const std::string& id) {
-    std::string name = io::FileStem(id).text();
-    for (char& c : name) {
-        const bool plain =
-            (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-        c = plain ? c : '_';
+        line += part + '\t';
     }
-    const bool letter = !name.empty() && (name.front() < '0' || name.front() > '9');
-    const bool is_taken = std::ranges::find(words_of_coq, name) != words_of_coq.end() ||
-                          std::ranges::any_of(theory_files(), [&](const TheoryFile& f) {
-                              return f.name == name || defines(f.content, name);
-                          });
-    return letter && !is_taken ? name : "claim_" + name;
+    return line + '\n';
 }
 
-bool is_same_for_all(const Expr& x, const Expr& y, Edge edge) {
-    const Expr a = Expr::symbol("a");
-    const Expr b = Expr::symbol("b");
-    const Expr at = Expr::symbol("x");
-    const Expr u = edge == Edge::right ? a - at : b + at;
-    const auto free = [&](Expr e) {
-        for (const std::string& name : free_symbols(e)) {
-            if (name.starts_with("right_") || name.starts_with("left_")) {
-                e = substitute(e, name, Expr::symbol("k_" + name));
-            }
-        }
-        return substitute(e, "u", u);
-    };
-    try {
-        return audit::proved_equal(free(x), free(y), {});
-    } catch (const Error&) {
-        return false; // a part has no symbolic meaning
-    }
-}
-
-std::vector<std::string> profiles_of(const Ledger& ledger, std::string_view family) {
-    const Family& f = ledger.family(family);
-    if (f.union_of.empty()) {
-        return {f.profile};
-    }
-    std::vector<std::string> all;
-    for (const std::string& member : f.union_of) {
-        for (std::string& profile : profiles_of(ledger, member)) {
-            all.push_back(std::move(profile));
-        }
-    }
-    return all;
-}
-
-std::string file_comment(const Claim& claim, const Ledger& ledger) {
-    return fmt::format(
-        "(* Claim {} of the ledger {}, lines {} to {} of its source.\n   Printed: {}\n"
-        "   Says: {} *)\n",
-        in_comment(claim.id), in_comment(ledger.name), claim.lines.first, claim.lines.second,
-        in_comment(claim.printed), claim.has("says") ? in_comment(claim.text("says")) : "in words");
-}
-
-std::string convex_hypothesis(bool symmetric) {
-    return symmetric ? "  rises_at g1 y /\\ y < a ->\n"
-                     : "  rises_at g1 y /\\ y < a /\\ rises_at (mirrored g1) z /\\ z < b a ->\n";
-}
-
-std::string imports_text(const std::vector<std::string>& files) {
-    std::string text = "From Coq Require Import Reals Lra.\nFrom Coquelicot Require Import "
-                       "Coquelicot.\nFrom Interval Require Import Tactic.\nFrom Edgeproof Require "
-                       "Import";
-    for (const std::string& file : files) {
-        text += " " + file;
-    }
-    return text + ".\nOpen Scope R_scope.\n\n";
-}
-
-bool is_symmetric(const std::vector<std::string>& profiles) {
-    return std::ranges::all_of(profiles, [](const std::string& profile) {
-        return profile.find("tilted") == std::string::npos && profile != "piecewise";
-    });
-}
-
-std::string file_head(const Claim& claim, const Ledger& ledger, const Theory& theory) {
-    return file_comment(claim, ledger) + imports_text(theory.imports);
-}
-
-Certificate certify(const ClaimResult& result, const Ledger& ledger) {
-    Certificate certificate;
-    certificate.id = result.claim.id;
-    certificate.verdict = std::string(name_of(result.outcome.verdict));
-    certificate.file = coq_name(result.claim.id) + ".v";
-    static const std::map<std::string_view, Certify*> kinds{
-        {"identity", certify_identity},
-        {"value", certify_value},
-        {"extent", certify_extent},
-        {"expansion", certify_expansion},
-        {"monotone", certify_monotone},
-        {"vanishing", certify_vanishing},
-        {"uniformity", certify_uniformity},
-        {"figure", certify_figure},
-        {"superposition", certify_superposition},
-        {"relation", certify_relation}};
-    try {
-        require_usual_meaning(result.claim, ledger);
-        if (certify_listed(result, ledger, certificate)) {
-            return certificate;
-        }
-        const auto kind = kinds.find(result.claim.kind);
-        if (kind == kinds.end()) {
-            throw NotStated(fmt::format("claims of kind {} are not stated", result.claim.kind));
-        }
-        kind->second(result, ledger, certificate);
-    } catch (const NotStated& reason) {
-        certificate.theorems.clear();
-        certificate.text.clear();
-        certificate.leaves_out = reason.what();
-    }
-    return certificate;
-}
-
-namespace {
-
-std::string index_csv(const std::vector<Certificate>& certificates) {
-    std::string text = "claim,verdict,file,theorem,states,leaves_out\n";
-    for (const Certificate& c : certificates) {
-        const auto row = [&](const std::string& file, const std::string& theorem,
-                             const std::string& states) {
-            text += fmt::format("{},{},{},{},{},{}\n", report::csv_text_cell(c.id), c.verdict, file,
-                                theorem, report::csv_text_cell(states),
-                                report::csv_text_cell(c.leaves_out));
-        };
-        for (const Certificate::Theorem& theorem : c.theorems) {
-            row(c.file, theorem.name, theorem.states);
-        }
-        if (c.theorems.empty()) {
-            row("", "", "");
-        }
-    }
-    return text;
-}
-
-/// Returns the file that prints the axioms of all theorems at once, because to print those of one
-/// theorem takes longer than most proofs.
-std::string assumptions(const std::vector<Certificate>& certificates) {
-    std::string files;
-    std::string theorems;
-    for (const Certificate& c : certificates) {
-        if (c.theorems.empty()) {
+std::string text_of(const Claim& claim) {
+    std::string text = line_of({"claim", claim.id, claim.kind, claim.printed, claim.reading});
+    for (const auto& [name, field] : claim.fields) {
+        if (name == "remark") {
             continue;
         }
-        const std::string file = std::filesystem::path(c.file).stem().string();
-        files += fmt::format("From Edgeproof Require {}.\n", file);
-        for (const Certificate::Theorem& theorem : c.theorems) {
-            theorems += fmt::format("  let _ := {}.{} in\n", file, theorem.name);
+        std::vector<std::string> parts{"field", name};
+        if (const auto* one = std::get_if<std::string>(&field.value)) {
+            parts.push_back(*one);
+        } else if (const auto* list = std::get_if<audit::Field::List>(&field.value)) {
+            parts.insert(parts.end(), list->begin(), list->end());
+        } else {
+            for (const auto& [key, values] : std::get<audit::Field::Table>(field.value)) {
+                parts.push_back(key + " =");
+                parts.insert(parts.end(), values.begin(), values.end());
+            }
         }
+        text += line_of(parts);
     }
-    return fmt::format("(* Prints the axioms on which the theorems rest. *)\n{}\nDefinition "
-                       "all_theorems : True :=\n{}  I.\nPrint Assumptions all_theorems.\n",
-                       files, theorems);
+    for (const Claim& reading : claim.readings) {
+        text += text_of(reading);
+    }
+    return text;
 }
 
-std::string makefile(const std::vector<Certificate>& certificates) {
-    std::string theory;
-    std::string needs;
-    for (const TheoryFile& file : theory_files()) {
-        theory += fmt::format(" {}.vo", file.name);
-        if (!file.needs.empty()) {
-            needs += fmt::format("{}.vo: {}\n", file.name, file.needs);
-        }
-    }
-    std::string claims;
-    for (const Certificate& c : certificates) {
-        if (!c.theorems.empty()) {
-            claims += fmt::format(" \\\n    {}o", c.file);
-        }
-    }
-    return fmt::format(
-        "# Checks every certificate: make -j2. Needs Coq and Coq-Interval\n"
-        "# (Debian: coq, libcoq-interval).\n"
-        "COQC ?= coqc\nCOQFLAGS = -q -R . Edgeproof -w -ambiguous-paths\n"
-        "SHELL = bash\nTHEORY ={}\nCLAIMS ={}\n\nall: Assumptions.vo\n\n"
-        "# Prints the processor time of each, in seconds.\n"
-        "# NAME.accepted states which files coqc has compiled; certify --record "
-        "reads it.\n"
-        "%.vo: %.v\n"
-        "\t@rm -f $@ $*.accepted; inputs=$$(sha256sum $< $(filter %.vo,$^)) && \\\n"
-        "\t{{ TIMEFORMAT='$<: %U s'; time $(COQC) $(COQFLAGS) $<; }} && \\\n"
-        "\t[ \"$$inputs\" = \"$$(sha256sum $< $(filter %.vo,$^))\" ] && \\\n"
-        "\toutput=$$(sha256sum $@) && version=$$($(COQC) --print-version) && \\\n"
-        "\tprintf 'Coq %s\\n%s\\n%s\\n' \"$${{version%% *}}\" \"$$inputs\" \"$$output\" \\\n"
-        "\t    > $*.accepted\n\n"
-        "{}$(CLAIMS): $(THEORY)\nAssumptions.vo: $(CLAIMS)\n\n"
-        "clean:\n"
-        "\trm -f *.vo *.vok *.vos *.glob *.accepted .*.aux .lia.cache .nia.cache\n\n"
-        ".PHONY: all clean\n",
-        theory, claims, needs);
+std::vector<std::string> texts_of(const std::vector<formula::Expr>& all) {
+    std::vector<std::string> texts;
+    std::ranges::transform(all, std::back_inserter(texts),
+                           [](const formula::Expr& e) { return to_text(e); });
+    return texts;
 }
 
-std::string readme(const std::vector<Certificate>& certificates, const FolderTitle& title) {
-    const auto with = std::ranges::count_if(
-        certificates, [](const Certificate& c) { return !c.theorems.empty(); });
-    return fmt::format(R"(# Certificates of {0}
+std::string text_of(const Family& family, const Ledger& ledger) {
+    std::string text =
+        line_of({"family", family.profile, family.axisymmetric ? "axisymmetric" : "plane"});
+    const auto add = [&](std::string name, std::vector<std::string> values) {
+        values.insert(values.begin(), std::move(name));
+        text += line_of(values);
+    };
+    for (const auto& [name, values] : family.parameters) {
+        add(name, texts_of(values));
+    }
+    add("knots", texts_of(family.knots));
+    add("slopes", texts_of(family.slopes));
+    for (const std::string& member : family.union_of) {
+        text += text_of(ledger.family(member), ledger);
+    }
+    return text;
+}
 
-Theorems about {1} of {2} {5}, for Coq to check. Made by edgeproof {3}:
+/// Whether a name occurs in a text as a whole word.
+bool has_word(std::string_view text, std::string_view word) {
+    const auto part_of_name = [](char c) {
+        return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+               c == '_';
+    };
+    for (std::size_t at = text.find(word); at != std::string_view::npos;
+         at = text.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || !part_of_name(text[at - 1])) &&
+            (end == text.size() || !part_of_name(text[end]))) {
+            return true;
+        }
+    }
+    return false;
+}
 
-    {4}
+/// Adds to a text the definitions whose names occur in it, and those that these use.
+std::string with_definitions(std::string text, const Claim& claim) {
+    std::set<std::string> added;
+    for (bool more = true; more;) {
+        more = false;
+        for (const audit::Vocabulary::Definition& d : claim.vocabulary.definitions) {
+            if (!added.contains(d.name) && has_word(text, d.name)) {
+                added.insert(d.name);
+                text += line_of({"define", d.name, d.argument.value_or(""), to_text(d.body)});
+                more = true;
+            }
+        }
+    }
+    return text;
+}
 
-Check them with Coq and Coq-Interval (Debian: `coq`, `libcoq-interval`), and record which theorems
-Coq has accepted in `accepted.csv`:
+struct Listed {
+    std::string verdict;
+    std::string file;
+    std::string fields_sha256;
+    bool whole = false;
+    std::vector<std::string> theorems;
+};
 
-    make -j2
-    {4} --record
+/// A CSV file of the folder, with exactly these columns.
+io::Csv read_table(const fs::path& file, const std::vector<std::string>& columns) {
+    io::Csv csv = io::parse_csv(io::read_text(file, "table of theorems"), file.string());
+    const std::string wanted = fmt::format("{}", fmt::join(columns, ","));
+    if (csv.header.cells != columns) {
+        throw InputError("the first line is not '" + wanted + "'",
+                         "write it with scripts/certificates")
+            .at(csv.file, csv.header.line);
+    }
+    for (const io::Csv::Row& row : csv.rows) {
+        if (row.cells.size() != columns.size()) {
+            throw InputError(
+                fmt::format("a row of {} cells, not {}", row.cells.size(), columns.size()),
+                "write '" + wanted + "'")
+                .at(csv.file, row.line);
+        }
+    }
+    return csv;
+}
 
-`index.csv` says what each theorem states and what it leaves out, and of the other {5} why they
-have none.
+/// The files of theorems by the id of their claim.
+std::map<std::string, Listed> read_index(const fs::path& folder) {
+    const io::Csv csv =
+        read_table(folder / "index.csv", {"claim", "verdict", "file", "theorem", "states",
+                                          "leaves_out", "whole", "fields_sha256"});
+    std::map<std::string, Listed> all;
+    for (const io::Csv::Row& row : csv.rows) {
+        const std::vector<std::string>& c = row.cells;
+        if (c[2].empty()) {
+            continue; // the reason why the claim has no theorem
+        }
+        if (c[2].find('/') != std::string::npos || !c[2].ends_with(".v") ||
+            (c[6] != "whole" && c[6] != "part") || c[3].empty()) {
+            throw InputError("this row names no theorem of a file NAME.v in the same folder, as "
+                             "whole or part",
+                             "write for example EQ18,refuted,EQ18.v,EQ18_refuted,...,whole,...")
+                .at(csv.file, row.line);
+        }
+        const Listed listed{c[1], c[2], c[7], c[6] == "whole", {}};
+        Listed& known = all.emplace(c[0], listed).first->second;
+        if (std::tie(known.verdict, known.file, known.fields_sha256, known.whole) !=
+            std::tie(listed.verdict, listed.file, listed.fields_sha256, listed.whole)) {
+            throw InputError("two rows of the claim " + c[0] + " contradict each other",
+                             "write the same verdict, file, part and hash")
+                .at(csv.file, row.line);
+        }
+        known.theorems.push_back(c[3]);
+    }
+    return all;
+}
 
-## What is trusted
+/// What accepted.csv records for a theorem of a file: the hashes of the file and of the
+/// definitions.
+using Accepted = std::map<std::pair<std::string, std::string>, std::pair<std::string, std::string>>;
 
-- Coq's kernel, and the axioms that `Assumptions.v` prints for all theorems: those of Coq's real
-  numbers, classical logic and functional extensionality. Coq-Interval adds the primitive integers
-  and floating-point numbers of Coq, where it was built to use them.
-- The reading of the definitions, which are the mechanics, not a way to compute them: `Contact.v`
-  says what the load of a contact, the condition of consistency and the pressure (Barber and
-  Mossakovskii's integral) are; `Edges.v` what the coefficients at an edge are; `slope` in a profile's
-  file is its g'(x).
-- The reading of what is certified: a printed formula's text in the theorem next to the TeX, both in the
-  claim's file; the numbers of a scene.
+Accepted read_accepted(const fs::path& folder) {
+    Accepted accepted;
+    if (!fs::is_regular_file(folder / "accepted.csv")) {
+        return accepted;
+    }
+    const io::Csv csv =
+        read_table(folder / "accepted.csv", {"theorem", "file", "sha256", "imports_sha256", "coq"});
+    for (const io::Csv::Row& row : csv.rows) {
+        if (!accepted
+                 .emplace(std::pair(row.cells[1], row.cells[0]),
+                          std::pair(row.cells[2], row.cells[3]))
+                 .second) {
+            throw InputError("the theorem " + row.cells[0] + " a second time", "keep one row")
+                .at(csv.file, row.line);
+        }
+    }
+    return accepted;
+}
 
-Not trusted: the program that wrote the files. A theorem that is false, for any error in the
-program, is not accepted.
+std::string file_sha256(const fs::path& file) {
+    return fs::is_regular_file(file) ? io::sha256(io::read_text(file, "file of theorems")) : "";
+}
 
-A theorem says that there is one pressure or coefficient as defined, and no other (`is_the_...` in
-`Unique.v`), and that it differs from the one that is printed, or agrees with it. Where `index.csv` says
-so, this is stated for one contact, and not for all. Theorems about the pressures or coefficients of all
-contacts take the punch to be convex.
-)",
-                       title.of, with, certificates.size(), title.version, title.command,
-                       title.things);
+/// The SHA-256 of what `sha256sum` prints for the definitions that all theorems may import: the
+/// other files NAME.v of the folder, in the order of their names.
+std::string imports_sha256(const fs::path& folder, const std::map<std::string, Listed>& index) {
+    std::set<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        const bool claim = std::ranges::any_of(
+            index, [&](const auto& listed) { return listed.second.file == name; });
+        if (name.ends_with(".v") && name != "Assumptions.v" && !claim) {
+            names.insert(name);
+        }
+    }
+    std::string lines;
+    for (const std::string& name : names) {
+        lines += fmt::format("{}  {}\n", file_sha256(folder / name), name);
+    }
+    return io::sha256(lines);
 }
 
 } // namespace
 
-void write_certificates(const std::vector<Certificate>& certificates,
-                        const std::filesystem::path& folder, const FolderTitle& title) {
-    std::map<std::string, std::string> ids; // the id for each file name
-    for (const Certificate& c : certificates) {
-        const auto [known, is_new] = ids.emplace(c.file, c.id);
-        if (!is_new) {
-            throw InputError(fmt::format("the claims '{}' and '{}' have the same name in Coq",
-                                         known->second, c.id),
-                             "rename one, or choose by --only");
-        }
+std::string fields_sha256(const Claim& claim, const Ledger& ledger) {
+    std::string text = text_of(claim);
+    for (const Family& family : ledger.families) {
+        const bool used = std::ranges::any_of(claim.fields, [&](const auto& field) {
+            const auto* name = std::get_if<std::string>(&field.second.value);
+            return name != nullptr && *name == family.name;
+        });
+        text += used ? text_of(family, ledger) : "";
     }
-    for (const TheoryFile& file : theory_files()) {
-        io::write_whole(folder / fmt::format("{}.v", file.name), std::string(file.content));
-    }
-    for (const Certificate& c : certificates) {
-        if (!c.theorems.empty()) {
-            io::write_whole(folder / c.file, c.text);
-        }
-    }
-    io::write_whole(folder / "Assumptions.v", assumptions(certificates));
-    io::write_whole(folder / "index.csv", index_csv(certificates));
-    io::write_whole(folder / "Makefile", makefile(certificates));
-    io::write_whole(folder / "README.md", readme(certificates, title));
+    return io::sha256(with_definitions(std::move(text), claim));
 }
 
-void attach_certificates(audit::AuditResult& result, const Ledger& ledger,
-                         const std::filesystem::path& folder, const std::string& shown) {
-    const auto holds = [&](const std::string& name, std::string_view text) {
-        std::error_code none;
-        return std::filesystem::is_regular_file(folder / name, none) &&
-               io::read_text(folder / name, "certificate") == text;
-    };
-    for (const TheoryFile& file : theory_files()) {
-        if (!holds(fmt::format("{}.v", file.name), file.content)) {
-            return;
-        }
+void attach_certificates(audit::AuditResult& result, const Ledger& ledger, const fs::path& folder,
+                         const std::string& shown) {
+    for (audit::ClaimResult& claim : result.claims) {
+        claim.fields_sha256 = fields_sha256(claim.claim, ledger);
     }
-    const AcceptedTheorems accepted = AcceptedTheorems::read(folder);
-    for (ClaimResult& claim : result.claims) {
-        const Certificate today = certify(claim, ledger);
-        if (!today.theorems.empty() && holds(today.file, today.text)) {
-            claim.certificate = {(std::filesystem::path(shown) / today.file).generic_string(),
-                                 today.whole_verdict, accepted.contain(today),
-                                 (folder / today.file).string()};
-        }
+    if (!fs::is_regular_file(folder / "index.csv")) {
+        return;
     }
-}
-
-std::string_view theory_text(std::string_view name) {
-    return std::ranges::find(coq_files::embedded, fmt::format("{}.v", name),
-                             [](const auto& file) { return file.first; })
-        ->second;
-}
-
-const std::vector<TheoryFile>& theory_files() {
-    static const std::vector<TheoryFile> all = [] {
-        std::vector<TheoryFile> files;
-        for (const auto& [name, needs] : std::initializer_list<std::array<std::string_view, 2>>{
-                 {"Contact", ""},
-                 {"Coefficients", "Contact.vo"},
-                 {"Edges", "Coefficients.vo"},
-                 {"ClosedForm", "Contact.vo"},
-                 {"Symmetric", "Edges.vo ClosedForm.vo"},
-                 {"TiltedWedge", "Edges.vo ClosedForm.vo"},
-                 {"FlatAndRounded", "Contact.vo"},
-                 {"Shear", "Contact.vo"},
-                 {"Unique", "Symmetric.vo TiltedWedge.vo Shear.vo"},
-                 {"Scaling", "Unique.vo"},
-                 {"Tactics", "Unique.vo"},
-                 {"Expansions", "Tactics.vo"},
-                 {"HalfPowers", "Expansions.vo"},
-                 {"PressureExpansions", "HalfPowers.vo"},
-                 {"Uniform", "Expansions.vo"},
-                 {"Curved", "Unique.vo"},
-                 {"Sides", "Tactics.vo"},
-                 {"Limits", "Tactics.vo"},
-                 {"Stick", "Unique.vo"},
-                 {"Orders", "PressureExpansions.vo Sides.vo"},
-                 {"Gamma", "Coefficients.vo"},
-                 {"PowerLaw", "Tactics.vo Gamma.vo"},
-                 {"ShearTerms", "Shear.vo Coefficients.vo"},
-                 {"TiltedRounded", ""},
-                 {"Inversion", "Stick.vo"},
-                 {"Flatness", "PowerLaw.vo"},
-                 {"PowerSides", "Sides.vo PowerLaw.vo"},
-                 {"PowerError", "Orders.vo PowerLaw.vo"},
-                 {"Similar", "Stick.vo PowerLaw.vo"},
-                 {"Resultant", "Coefficients.vo"},
-                 {"Places", "Coefficients.vo"},
-                 {"LoadOfPressure", "Resultant.vo Places.vo Limits.vo PowerLaw.vo"},
-                 {"Forward", "Sides.vo Inversion.vo LoadOfPressure.vo"},
-                 {"RoundedSides", "Limits.vo"},
-                 {"Dilogarithm", "Resultant.vo"},
-                 {"LogPressure", "Stick.vo Dilogarithm.vo"},
-                 {"ForwardPunches", "Similar.vo Forward.vo LogPressure.vo"},
-                 {"RoundedShape", "ForwardPunches.vo"},
-                 {"Consistency", "TiltedRounded.vo LogPressure.vo Places.vo"},
-                 {"Readings", "Forward.vo Orders.vo"}}) {
-            files.push_back({name, theory_text(name), needs});
+    const std::map<std::string, Listed> index = read_index(folder);
+    const Accepted accepted = read_accepted(folder);
+    const std::string imports = imports_sha256(folder, index);
+    for (audit::ClaimResult& claim : result.claims) {
+        const auto found = index.find(claim.claim.id);
+        if (found == index.end()) {
+            continue;
         }
-        return files;
-    }();
-    return all;
+        const Listed& listed = found->second;
+        const std::string text = file_sha256(folder / listed.file);
+        const bool recorded = std::ranges::all_of(listed.theorems, [&](const std::string& theorem) {
+            const auto row = accepted.find({listed.file, theorem});
+            return row != accepted.end() && row->second == std::pair(text, imports);
+        });
+        std::string problem;
+        if (listed.fields_sha256 != claim.fields_sha256) {
+            problem = "it is about another text of the claim";
+        } else if (listed.verdict != name_of(claim.outcome.verdict)) {
+            problem = "it is about the verdict " + listed.verdict;
+        } else if (!recorded) {
+            problem = "it is not recorded that Coq accepts it as it is";
+        }
+        claim.certificate = {(fs::path(shown) / listed.file).generic_string(), listed.whole,
+                             problem.empty(), (folder / listed.file).string(), problem};
+    }
 }
 
 } // namespace edgeproof::certificate

@@ -62,8 +62,7 @@ constexpr CommandHelp helps[] = {
      {"--columns", "--tolerance", "--html", "--format", "--out-dir"}},
     {"verify",
      "edgeproof verify moore-hills --only EQ18 --digits 20",
-     {"--out-dir", "--only", "--digits", "--strict", "--certificates"}},
-    {"certify", "edgeproof certify fretting-pad --out-dir certificates", {}},
+     {"--out-dir", "--only", "--digits", "--strict"}},
 };
 
 const CommandHelp* help_of(const CLI::App& app) {

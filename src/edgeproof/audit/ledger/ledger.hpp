@@ -66,6 +66,7 @@ struct TheoremFile {
     bool whole_verdict = false; ///< the theorems prove all of the verdict
     bool accepted = false;      ///< it is recorded that Coq has accepted the theorems
     std::string file;           ///< the path of the file
+    std::string problem;        ///< why the theorems do not count; empty if they are accepted
 };
 
 /// The result for one claim: the outcome under each reading, and the combined outcome.
@@ -74,6 +75,7 @@ struct ClaimResult {
     Outcome outcome;
     std::vector<std::pair<std::string, Outcome>> readings;
     std::optional<TheoremFile> certificate; ///< set by certificate::attach_certificates
+    std::string fields_sha256;              ///< set by it, too
     std::optional<double> seconds;          ///< processor time, if it was measured
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/text_file.hpp"
+#include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/report/figures/figure_option.hpp"
 #include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/tables/design_table.hpp"

@@ -21,7 +21,6 @@ struct VerifyOptions {
     long long digits = 50;
     std::string out;
     std::string only = "*";
-    std::string certificates;
     int threads = 0;
     bool record = false;
     bool strict = false;
@@ -34,24 +33,6 @@ constexpr long long most_digits_of_a_formula = 10000;
 bool some_claim_fails(const audit::AuditResult& result) {
     return std::any_of(result.claims.begin(), result.claims.end(),
                        [](const audit::ClaimResult& r) { return !holds(r.outcome.verdict); });
-}
-
-/// Attaches the certificates of the folder in --certificates, or of `certificates` next to the
-/// ledger.
-void attach_certificates(const VerifyOptions& o, const audit::Ledger& ledger,
-                         audit::AuditResult& result) {
-    namespace fs = std::filesystem;
-    const fs::path ledger_folder = fs::path(o.ledger).parent_path();
-    const fs::path folder =
-        o.certificates.empty() ? ledger_folder / "certificates" : fs::path(o.certificates);
-    if (!o.certificates.empty() && !fs::is_directory(folder)) {
-        throw InputError(
-            fmt::format("--certificates {} is no folder", o.certificates),
-            fmt::format("make one: edgeproof certify {} --out {}", o.ledger, o.certificates));
-    }
-    certificate::attach_certificates(
-        result, ledger, folder,
-        fs::proximate(folder, ledger_folder.empty() ? "." : ledger_folder).string());
 }
 
 /// Returns the command for the report. The output folder is left out, so that the report is the
@@ -100,7 +81,9 @@ int verify(VerifyOptions& o) {
                                                        .threads = o.threads,
                                                        .only = o.only,
                                                        .timed = o.profile});
-    attach_certificates(o, ledger, result);
+    certificate::attach_certificates(
+        result, ledger, std::filesystem::path(o.ledger).parent_path() / "certificates",
+        "certificates");
     if (staged) {
         write_files(result, ledger, *staged, o);
     }
@@ -145,8 +128,6 @@ void add_verify(CLI::App& app, int& code) {
     sub.add_option("--out,--out-dir", o.out,
                    "folder for verdicts.json, .csv, .md, .tex, report.html and errata.tex");
     sub.add_option("--only", o.only, "claims whose id matches, such as 'EQ2*'");
-    sub.add_option("--certificates", o.certificates,
-                   "folder of theorems made by certify (certificates next to the ledger)");
     add_threads_option(sub, o.threads);
     sub.add_flag("--record", o.record, "write the golden verdicts next to the ledger");
     sub.add_flag("--strict", o.strict,

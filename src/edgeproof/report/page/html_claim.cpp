@@ -162,7 +162,7 @@ std::string theorem_html(const audit::Claim& claim, const PageHead& head) {
         "Coq</summary>\n<p class=\"soft\">The statements of the file "
         "<code>{}</code> (SHA-256 <code>{}</code>), without their proofs, which are "
         "in the file. The predicates are defined in the folder "
-        "<code>share/edgeproof/coq</code> of the program.</p>\n{}</details>\n",
+        "<code>verify/certificates</code> of the program.</p>\n{}</details>\n",
         escape_html(claim.id), escape_html(theorem.path), theorem.sha256,
         scroll("theorem for " + claim.id, "<pre>" + escape_html(theorem.statements) + "</pre>"));
 }

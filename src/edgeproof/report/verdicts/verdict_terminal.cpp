@@ -75,9 +75,11 @@ std::string remark(const audit::ClaimResult& r) {
         text += (text.empty() ? "" : "; ") + r.outcome.note;
     }
     if (r.certificate) {
-        text += (text.empty() ? "" : "; ") +
-                std::string(r.certificate->accepted ? "theorem: " : "not recorded as a theorem: ") +
-                r.certificate->path;
+        text +=
+            (text.empty() ? "" : "; ") +
+            std::string(r.certificate->accepted ? "theorem: " : "does not count as a theorem: ") +
+            r.certificate->path +
+            (r.certificate->accepted ? "" : " (" + r.certificate->problem + ")");
     }
     return printable(text);
 }
@@ -105,7 +107,7 @@ std::string refutations_line(const audit::AuditResult& result) {
     return refuted ? "all refutations rest on disjoint enclosures\n" : "";
 }
 
-/// States how many certificates do not count, because no acceptance by Coq is recorded.
+/// States how many certificates do not count, for the reasons given with the claims.
 std::string unaccepted_line(const audit::AuditResult& result) {
     const auto count =
         std::count_if(result.claims.begin(), result.claims.end(), [](const audit::ClaimResult& r) {
@@ -113,9 +115,7 @@ std::string unaccepted_line(const audit::AuditResult& result) {
         });
     return count == 0
                ? ""
-               : fmt::format("{} of the certificates do not count: it is not recorded that Coq "
-                             "accepts them (make, then certify --record)\n",
-                             count);
+               : fmt::format("{} of the certificates do not count (docs/certificates.md)\n", count);
 }
 
 /// Returns a row for each verdict that occurs: the number of claims, their bases (audit::Basis),

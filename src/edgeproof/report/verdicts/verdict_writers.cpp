@@ -160,6 +160,7 @@ std::string verdicts_json(const audit::AuditResult& result) {
         c["note"] = r.outcome.note;
         c["rests_on"] = name_of(basis_of(r));
         c["certificate"] = or_null(certificate_of(r));
+        c["fields_sha256"] = r.fields_sha256;
         Json evidence = Json::object();
         evidence["lines"] = or_null(lines_of(r.claim));
         evidence["kind"] = r.claim.kind;

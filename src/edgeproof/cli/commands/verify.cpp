@@ -81,9 +81,9 @@ int verify(VerifyOptions& o) {
                                                        .threads = o.threads,
                                                        .only = o.only,
                                                        .timed = o.profile});
-    certificate::attach_certificates(
-        result, ledger, std::filesystem::path(o.ledger).parent_path() / "certificates",
-        "certificates");
+    certificate::attach_certificates(result, ledger,
+                                     std::filesystem::path(o.ledger).parent_path() / "certificates",
+                                     "certificates");
     if (staged) {
         write_files(result, ledger, *staged, o);
     }

@@ -82,7 +82,7 @@ function(edgeproof_python_module)
     # file. The prefix is known only at installation.
     install(CODE "set(EDGEPROOF_PYTHON_EXECUTABLE ${Python3_EXECUTABLE})" COMPONENT python)
     install(CODE [[
-        execute_process(COMMAND "${EDGEPROOF_PYTHON_EXECUTABLE}" -c "import site, sys
+        execute_process(COMMAND "${EDGEPROOF_PYTHON_EXECUTABLE}" -I -c "import site, sys
 prefix = sys.argv[1].rstrip('/')
 version = 'python%d.%d' % sys.version_info[:2]
 print('lib/python3/dist-packages' if prefix == '/usr' else

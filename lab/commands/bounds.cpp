@@ -177,7 +177,7 @@ struct Peer {
     const char* run; ///< the shell command; $0 is the script
 };
 constexpr Peer peers[] = {
-    {"mpmath quad", "python3 -c 'import mpmath' 2>/dev/null", "mpmath_quad.py", "python3 \"$0\""},
+    {"mpmath quad", "python3 -P -c 'import mpmath' 2>/dev/null", "mpmath_quad.py", "python3 \"$0\""},
     {"PARI intnum", "command -v gp >/dev/null", "pari_intnum.gp",
      "gp -q -f \"$0\" 3<&0 </dev/null"},
 };

@@ -29,6 +29,7 @@ except ImportError as error:
     from ._missing import explanation
 
     raise ImportError(explanation(error)) from None
+from . import _value  # noqa: F401: completes Value
 from .audit import Audit, Claim, verify
 from .comparison import Comparison, Cause, Held, Limit, MeshErrors, MeshResult, compare
 from .conformance import Agreement, Case, Convention, check, questions

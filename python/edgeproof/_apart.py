@@ -26,12 +26,16 @@ MOST_DIGITS_HERE = 5000
 # The same for curved slopes, which are integrated: the nodes of a rule are made in one operation.
 MOST_DIGITS_HERE_INTEGRATED = 600
 
+# Started with -I, so that no file of the current folder is run; the package is named by its place.
 _CHILD = """
-import pickle, sys
-sys.path[:] = pickle.load(sys.stdin.buffer)
-from edgeproof import _apart
-_apart.serve()
+import sys
+from importlib import util
+spec = util.spec_from_file_location("edgeproof", sys.argv[1])
+package = sys.modules["edgeproof"] = util.module_from_spec(spec)
+spec.loader.exec_module(package)
+sys.modules["edgeproof._apart"].serve()
 """
+_PACKAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "__init__.py")
 
 
 def can_start() -> bool:
@@ -48,7 +52,7 @@ def _end(child: subprocess.Popen[bytes]) -> None:
 
 
 def _values(text: str, file: str, asked: dict[str, Any]) -> dict[str, Any]:
-    return NativeScene(text, file).run(asked)
+    return NativeScene.from_text(text, file).run(asked)
 
 
 _WORK: dict[str, Callable[..., Any]] = {"values": _values, "relations": relations}
@@ -57,11 +61,11 @@ _WORK: dict[str, Callable[..., Any]] = {"values": _values, "relations": relation
 def run(work: str, *arguments: Any) -> Any:
     """Returns _WORK[work](*arguments). An exception that ends the wait ends the child, too."""
     # In a session of its own: a terminal sends Ctrl-C only to this process, which may continue.
-    with subprocess.Popen([sys.executable, "-c", _CHILD], stdin=subprocess.PIPE,
-                          stdout=subprocess.PIPE, start_new_session=True) as child:
+    with subprocess.Popen([sys.executable, "-I", "-c", _CHILD, _PACKAGE],
+                          stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                          start_new_session=True) as child:
         assert child.stdin is not None and child.stdout is not None
         try:
-            pickle.dump(sys.path, child.stdin)
             pickle.dump((work, arguments), child.stdin)
             child.stdin.flush()  # left open: if this process ends, the child reads the end
             found = pickle.load(child.stdout)

@@ -10,6 +10,7 @@ from fractions import Fraction
 from typing import Any
 
 from ._edgeproof import Value, nearest_to
+from ._lazy import imported
 from .errors import UndecidedError
 
 # Fields whose texts are exact numbers.
@@ -70,8 +71,7 @@ def _cells(row: Any) -> Iterable[tuple[str, Any]]:
 
 def columns(rows: Iterable[Any]) -> dict[str, Any]:
     """Returns a dict of arrays; a column without any content is left out."""
-    import numpy
-
+    numpy = imported("numpy")
     cells = [dict(_cells(row)) for row in rows]
     names = list(dict.fromkeys(name for row in cells for name, content in row.items()
                                if content is not None))

@@ -10,6 +10,8 @@ import tomllib
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from ._lazy import imported
+
 if TYPE_CHECKING:
     import matplotlib.figure
 
@@ -25,8 +27,7 @@ _TALLEST = 4  # pressures are drawn up to this multiple of the height that most 
 
 
 def _sum(coefficients: Any, u: Any) -> Any:
-    import numpy
-
+    numpy = imported("numpy")
     total = numpy.zeros_like(u)
     for c in reversed(coefficients):
         total = total * u + float(c)
@@ -49,8 +50,7 @@ def _terms(n: int) -> str:
 
 def _pressures(scene: Any, length: float, edge: str) -> Any:
     """Distances from the edge and pressures there, denser at both edges and where p is curved."""
-    import numpy
-
+    numpy = imported("numpy")
     angles = numpy.linspace(0, numpy.pi, 62)
     p = scene.pressures(length * (1 - numpy.cos(angles)) / 2, edge)
     finite = p[numpy.isfinite(p)]
@@ -73,11 +73,9 @@ def _pressures(scene: Any, length: float, edge: str) -> Any:
             top if top < _TALLEST * usual else 2 * usual)
 
 
-def plot(scene: Any, terms: list[int], edge: str) -> matplotlib.figure.Figure:
-    import numpy
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(11, 4.8), layout="constrained")
+def plot(scene: Any, terms: Any, edge: str) -> matplotlib.figure.Figure:
+    numpy = imported("numpy")
+    figure: matplotlib.figure.Figure = imported("matplotlib.figure").Figure(figsize=(11, 4.8), layout="constrained")
     whole, near = figure.subplots(1, 2)
     a, b = float(scene.contact(20).a), float(scene.contact(20).b)
     length = a + b

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from . import _edgeproof
+from ._arguments import checked
 from ._shipped import file_or_shipped
 
 __all__ = ["Audit", "Claim", "verify"]
@@ -96,6 +97,7 @@ class Audit:
                 "claims": [claim.to_dict() for claim in self.claims]}
 
 
+@checked
 def verify(ledger: str | os.PathLike[str], digits: int = 50, only: str = "*", threads: int = 0,
            progress: Callable[[int, int], object] | None = None) -> Audit:
     """Compares a ledger of printed claims (TOML; verify/README.md) with the mechanics.

@@ -11,10 +11,11 @@ import json
 import math
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, Union, cast
 
 from . import _edgeproof
-from ._numbers import exact_text, text_or_none
+from ._arguments import checked, mapping, read_as, READERS
+from ._numbers import exact_text, text
 from .errors import InputError
 from .profiles import Number
 from .scene import Scene, read_scene
@@ -230,17 +231,20 @@ def _written(x: Iterable[Any], p: Iterable[Any], name: str) -> str:
     return "x,p\n" + "".join(lines)
 
 
-def _tables(results: Any) -> list[tuple[str, str]]:
-    if isinstance(results, Mapping):
-        raise TypeError("results is a mapping: give a file, or a tuple (x, p) of two arrays")
-    many: Sequence[Any] = [results] if _is_file(results) or _is_pair(results) else list(results)
+def _tables(results: Any, name: str) -> list[tuple[str, str]]:
+    if _is_file(results) or _is_pair(results):
+        results = [results]
+    if isinstance(results, Mapping) or not hasattr(results, "__iter__"):
+        raise TypeError(f"{name} is {type(results).__name__}: give a file, or a tuple (x, p) of two "
+                        "arrays")
+    many = list(results)
     if not many:
         raise InputError("there is no result", "give a file, or (x, p)")
     tables = []
     for i, result in enumerate(many):
         if _is_file(result):
-            name = os.fspath(result)
-            tables.append((_edgeproof.read_text(name, "result (a table of x and p)"), name))
+            file = READERS["str | os.PathLike[str]"](result, "a result")
+            tables.append((_edgeproof.read_text(file, "result (a table of x and p)"), file))
         elif _is_pair(result):
             name = "(x, p)" if len(many) == 1 else f"result {i + 1}"
             x, p = result
@@ -251,31 +255,52 @@ def _tables(results: Any) -> list[tuple[str, str]]:
     return tables
 
 
-def _pairs(given: str | Mapping[str, Any] | None) -> str:
-    if given is None or isinstance(given, str):
-        return given or ""
-    return ",".join(f"{k}={v}" for k, v in given.items())
+def _columns(given: Any, name: str) -> str:
+    if isinstance(given, str):
+        return text(given, name)
+    return ",".join(f"{k}={exact_text(v, k)}" for k, v in mapping(given, name).items())
 
 
-def _decimal_text(value: Number, name: str) -> str:
+def _scale(given: Any, name: str) -> str:
+    if isinstance(given, str):
+        return text(given, name)
+    return ",".join(f"{k}={_decimal_text(v, f'{name}[{k!r}]')}"
+                    for k, v in mapping(given, name).items())
+
+
+def _decimal_text(value: Any, name: str) -> str:
     """Returns a number without a quotient, for a table of numbers."""
-    text = exact_text(value, name)
-    if "/" not in text or isinstance(value, str):
-        return text
-    ratio = fractions.Fraction(text)
+    number = exact_text(value, name)
+    if "/" not in number or isinstance(value, str):
+        return number
+    ratio = fractions.Fraction(number)
     try:
         with decimal.localcontext() as context:
             context.prec = 1100  # enough for every binary64
             context.traps[decimal.Inexact] = True
             return str(decimal.Decimal(ratio.numerator) / ratio.denominator)
     except decimal.Inexact:
-        raise InputError(f"{name} = {text} is no decimal number", "give one that ends") from None
+        raise InputError(f"{name} = {number} is no decimal number", "give one that ends") from None
 
 
-def compare(scene: Scene | str | os.PathLike[str], results: OneResult | Sequence[OneResult], *,
-            columns: str | Mapping[str, str | int] | None = None,
-            scale: str | Mapping[str, Number] | None = None, origin: Number | None = None,
-            tolerance: Number | None = None, of: str = "peak", edge_zone: Number = 0,
+def _scene(given: Any, name: str) -> Scene:
+    return given if isinstance(given, Scene) else read_scene(given)
+
+
+AScene = Union[Scene, str, "os.PathLike[str]"]
+Results = Union[OneResult, Sequence[OneResult]]
+Columns = Union[str, Mapping[str, Union[str, int]]]
+Scale = Union[str, Mapping[str, Number]]
+Length = Number
+for _kind, _reader in (("AScene", _scene), ("Results", _tables), ("Columns", _columns),
+                       ("Scale", _scale), ("Length", _decimal_text)):
+    read_as(_kind, _reader)
+
+
+@checked
+def compare(scene: AScene, results: Results, *, columns: Columns | None = None,
+            scale: Scale | None = None, origin: Number | None = None,
+            tolerance: Number | None = None, of: str = "peak", edge_zone: Length = 0,
             tolerance_a: Number | None = None, tolerance_P: Number | None = None,
             tolerance_c0: Number | None = None, partial: bool = False,
             progress: Callable[[int, int], object] | None = None) -> Comparison:
@@ -298,15 +323,11 @@ def compare(scene: Scene | str | os.PathLike[str], results: OneResult | Sequence
     the data are estimates. Raises InputError, with file and line, for malformed files; wrong data
     never raise an exception.
     """
-    asked = scene if isinstance(scene, Scene) else read_scene(scene)
-    if isinstance(scale, Mapping):
-        scale = {k: _decimal_text(v, f"scale[{k!r}]") for k, v in scale.items()}
-    found = _edgeproof.compare(
-        asked._native, asked.file or asked.title or "a scene", _tables(results), _pairs(columns),
-        _pairs(scale), text_or_none(origin, "origin"), text_or_none(tolerance, "tolerance"), of,
-        _decimal_text(edge_zone, "edge_zone"), text_or_none(tolerance_a, "tolerance_a"),
-        text_or_none(tolerance_P, "tolerance_P"), text_or_none(tolerance_c0, "tolerance_c0"),
-        bool(partial), progress)
+    asked = cast(Scene, scene)
+    given: Any = (columns or "", scale or "", origin, tolerance, of, edge_zone, tolerance_a,
+                  tolerance_P, tolerance_c0, partial, progress)
+    found = _edgeproof.compare(asked._native, asked.file or asked.title or "a scene",
+                               cast(Any, results), *given)
     data = json.loads(found["json"])
     return Comparison(
         passed=data["passes"], tolerance=data["tolerance"], units=data["units"],

@@ -9,11 +9,13 @@ import io
 import math
 import os
 from collections.abc import Callable, Iterator
-from typing import Any
+from typing import Any, Union
 
 from . import _edgeproof
+from ._arguments import checked, read_as, READERS
 from ._numbers import exact_text
 from ._shipped import file_or_shipped
+from .errors import InputError
 
 __all__ = ["Agreement", "Case", "Convention", "check", "questions"]
 
@@ -96,6 +98,7 @@ class Agreement:
         return dataclasses.asdict(self)
 
 
+@checked
 def questions(recipe: str | os.PathLike[str]) -> list[dict[str, str]]:
     """The questions of a recipe (TOML; reference/README.md), a dict each; values are exact text.
 
@@ -122,6 +125,11 @@ def _written(value: Any) -> str:
     return exact_text(value, "the answer")
 
 
+Answers = Union[str, "os.PathLike[str]", Callable[[dict[str, str]], Any]]
+read_as("Answers", lambda value, name: (
+    value if callable(value) else READERS["str | os.PathLike[str]"](value, name)))
+
+
 def _answers_of(function: Callable[[dict[str, str]], Any], recipe: str) -> str:
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
@@ -131,7 +139,8 @@ def _answers_of(function: Callable[[dict[str, str]], Any], recipe: str) -> str:
     return out.getvalue()
 
 
-def check(answers: str | os.PathLike[str] | Callable[[dict[str, str]], Any] | None = None, *,
+@checked
+def check(answers: Answers | None = None, *,
           recipe: str | os.PathLike[str] | None = None, command: str | None = None,
           digits: float | None = None, ulps: float | None = None, conditioned: bool = False,
           lines: str = "csv", timeout: float = 600.0, threads: int = 0,
@@ -150,8 +159,6 @@ def check(answers: str | os.PathLike[str] | Callable[[dict[str, str]], Any] | No
 
     Raises InputError for malformed files; a wrong answer never raises an exception.
     """
-    from .errors import InputError
-
     if lines not in ("csv", "json"):
         raise InputError(f"lines = {lines!r} is no way to speak", 'write "csv" or "json"')
     for name, target in (("digits", digits), ("ulps", ulps), ("timeout", timeout)):
@@ -173,8 +180,8 @@ def check(answers: str | os.PathLike[str] | Callable[[dict[str, str]], Any] | No
             assert callable(answers)
             text = _answers_of(answers, asked)
     else:
-        assert answers is not None
-        name = os.fspath(answers)
+        assert isinstance(answers, str)
+        name = answers
         text = _edgeproof.read_text(name, "file of answers (CSV)")
     found = _edgeproof.check(text, name, asked, command, lines == "json", timeout, digits, ulps,
                              conditioned, threads, progress)

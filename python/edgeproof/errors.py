@@ -26,10 +26,10 @@ class Error(Exception):
         super().__init__(problem, advice, file, line)
 
     def __str__(self) -> str:
-        place = "" if self.file is None else self.file
+        place = "" if self.file is None else str(self.file)
         if place and self.line is not None:
             place += f":{self.line}"
-        return (f"{place}: " if place else "") + self.problem + (
+        return (f"{place}: " if place else "") + str(self.problem) + (
             f"; {self.advice}" if self.advice else "")
 
 

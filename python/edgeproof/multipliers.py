@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from . import _apart, _edgeproof
-from ._numbers import whole
+from ._arguments import checked
 from .errors import InputError
 
 __all__ = ["Relation", "Relations", "relations"]
@@ -62,6 +62,7 @@ class Relations:
         return copy.deepcopy(self._data)
 
 
+@checked
 def relations(quantities: Sequence[str], degree: int = 4, *, symmetric: bool = False,
               given: Mapping[str, str] | None = None, free: Sequence[str] = ()) -> Relations:
     """Finds all polynomial relations with rational coefficients between quantities.
@@ -78,15 +79,13 @@ def relations(quantities: Sequence[str], degree: int = 4, *, symmetric: bool = F
     is released, and Ctrl-C ends the call with KeyboardInterrupt. Raises InputError for malformed
     formulas, unknown names, and more monomials than can be tried.
     """
-    asked = [quantities] if isinstance(quantities, str) else list(quantities)
-    if not asked:
+    if not quantities:
         raise InputError("there is no quantity", 'give some, such as ["left.c0", "right.c0", "b1"]')
-    named = [free] if isinstance(free, str) else list(free)
-    arguments = (asked, whole(degree, "degree"), symmetric, list((given or {}).items()), named)
+    arguments = (quantities, degree, symmetric, list((given or {}).items()), free)
     found = (_apart.run("relations", *arguments) if _apart.can_start()
              else _edgeproof.relations(*arguments))
     data = json.loads(found)
-    return Relations(quantities=tuple(asked), degree=int(data["degree"]),
+    return Relations(quantities=tuple(quantities), degree=int(data["degree"]),
                      relations=tuple(Relation(**row) for row in data["rows"]),
                      complete=data["complete"] == "yes", monomials=int(data["monomials"]),
                      notes=tuple(data["notes"]), _data=data)

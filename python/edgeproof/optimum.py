@@ -8,11 +8,11 @@ import dataclasses
 import json
 import os
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any, cast
 
 from . import _edgeproof
+from ._arguments import checked
 from ._edgeproof import Value
-from ._numbers import exact_text, text_or_none, whole
 from ._shipped import file_or_shipped
 from .profiles import Number
 
@@ -73,6 +73,7 @@ class Design:
         return copy.deepcopy(self._data)
 
 
+@checked
 def design(file: str | os.PathLike[str] | None = None, *, text: str | None = None,
            maximise: str | None = None, terms: int | None = None,
            tolerance: Number | None = None, edge: str | None = None, gap: Number = "1e-6",
@@ -106,8 +107,7 @@ def design(file: str | os.PathLike[str] | None = None, *, text: str | None = Non
     if text is None:
         text = _edgeproof.read_text(name, "scene (TOML)")
     found = _edgeproof.design(
-        text, name, exact_text(gap, "gap"), whole(digits, "digits"), maximise,
-        text_or_none(tolerance, "tolerance"), edge, None if terms is None else whole(terms, "terms"),
+        text, name, cast(str, gap), digits, maximise, cast("str | None", tolerance), edge, terms,
         progress)
     data = json.loads(found.pop("json"))
     return Design(title=data["title"], tolerance=data["tolerance"], terms=int(data["terms"]),

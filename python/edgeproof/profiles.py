@@ -8,7 +8,8 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import Any, Protocol, SupportsIndex, Union
 
-from ._numbers import exact_text
+from ._arguments import checked, mapping, read_as
+from ._numbers import exact_text, is_many, texts
 
 __all__ = ["Number", "Profile", "hertz", "wedge", "sphere", "cone", "power_law", "flat_and_rounded",
            "tilted_wedge", "tilted_flat_and_rounded", "piecewise"]
@@ -26,6 +27,17 @@ Number = Union[str, int, float, Fraction, Decimal, SupportsIndex, _Ratio, _Mpf]
 """An exact number: str ("0.4", "pi/16", "3/2"), int, Fraction, Decimal, mpmath.mpf, numpy scalars;
 a float is exactly its binary64 number: 0.1 is not one tenth, "0.1" is."""
 
+Parameter = Union[Number, bool, Iterable[Number]]
+
+
+def _parameter(value: Any, name: str) -> str | bool | list[str]:
+    return (value if isinstance(value, bool) else texts(value, name) if is_many(value) else
+            exact_text(value, name))
+
+
+read_as("Mapping[str, Parameter]", lambda value, name: {
+    key: _parameter(v, key) for key, v in mapping(value, name).items()})
+
 
 class Profile:
     """The slope g'(x) of the gap; made by hertz(), power_law() and the other functions here.
@@ -38,9 +50,10 @@ class Profile:
     kind: str
     parameters: Mapping[str, Any]
 
-    def __init__(self, kind: str, parameters: Mapping[str, Any]) -> None:
+    @checked
+    def __init__(self, kind: str, parameters: Mapping[str, Parameter]) -> None:
         object.__setattr__(self, "kind", kind)
-        object.__setattr__(self, "parameters", dict(parameters))
+        object.__setattr__(self, "parameters", parameters)
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError("a Profile is not changed; make another")
@@ -71,68 +84,74 @@ class Profile:
         return [("kind", self.kind), *self.parameters.items()]
 
 
+@checked
 def hertz(R: Number) -> Profile:
     """A parabola: g' = x/R (two cylinders; R is the relative radius of curvature, a length)."""
-    return Profile("hertz", {"R": exact_text(R, "R")})
+    return Profile("hertz", {"R": R})
 
 
+@checked
 def wedge(phi: Number) -> Profile:
     """An upright wedge: g' = phi sgn(x). phi: the slope of its faces."""
-    return Profile("wedge", {"phi": exact_text(phi, "phi")})
+    return Profile("wedge", {"phi": phi})
 
 
+@checked
 def sphere(R: Number) -> Profile:
     """Two spheres, or one on a flat: g' = r/R (R is the relative radius of curvature, a length)."""
-    return Profile("sphere", {"R": exact_text(R, "R")})
+    return Profile("sphere", {"R": R})
 
 
+@checked
 def cone(phi: Number) -> Profile:
     """A cone: g' = phi, the slope of its face."""
-    return Profile("cone", {"phi": exact_text(phi, "phi")})
+    return Profile("cone", {"phi": phi})
 
 
+@checked
 def power_law(m: Number, C: Number) -> Profile:
     """g' = C sgn(x) |x|^m, m >= 0, C > 0 (1/length^m)."""
-    return Profile("power-law", {"m": exact_text(m, "m"), "C": exact_text(C, "C")})
+    return Profile("power-law", {"m": m, "C": C})
 
 
+@checked
 def flat_and_rounded(t: Number, R: Number) -> Profile:
     """A flat of length 2t between arcs of radius R: t >= 0, R > 0, lengths."""
-    return Profile("flat-and-rounded", {"t": exact_text(t, "t"), "R": exact_text(R, "R")})
+    return Profile("flat-and-rounded", {"t": t, "R": R})
 
 
+@checked
 def tilted_wedge(phi: Number, alpha: Number | None = None) -> Profile:
     """A wedge whose faces make the angle phi with the surface, turned clockwise by alpha.
 
     Angles in radians, |alpha| < phi. Without alpha the tilt is found from P and M.
     """
-    given = {"phi": exact_text(phi, "phi")}
+    given = {"phi": phi}
     if alpha is not None:
-        given["alpha"] = exact_text(alpha, "alpha")
+        given["alpha"] = alpha
     return Profile("tilted-wedge", given)
 
 
+@checked
 def tilted_flat_and_rounded(t: Number, R: Number, alpha: Number | None = None) -> Profile:
     """A flat of length 2t between arcs of radius R, turned clockwise by alpha >= 0 (radians).
 
     The origin is at its lowest point. Without alpha the tilt is found from P and M.
     """
-    given = {"t": exact_text(t, "t"), "R": exact_text(R, "R")}
+    given = {"t": t, "R": R}
     if alpha is not None:
-        given = {"alpha": exact_text(alpha, "alpha"), **given}
+        given = {"alpha": alpha, **given}
     return Profile("tilted-flat-and-rounded", given)
 
 
-def piecewise(knots: Iterable[Number], slopes: Iterable[str], symmetric: bool = False) -> Profile:
+@checked
+def piecewise(knots: Iterable[Number], slopes: Iterable[Number], symmetric: bool = False) -> Profile:
     """A slope g'(x) in pieces: slopes[i], a formula in x, holds between knots[i-1] and knots[i].
 
     With symmetric=True both lists are for x > 0, and g'(-x) = -g'(x). g' must not decrease, and
     must change sign at x = 0. Example: piecewise([], ["x + x^3"], symmetric=True).
     """
-    given: dict[str, Any] = {
-        "knots": [exact_text(k, f"knots[{i}]") for i, k in enumerate(knots)],
-        "slopes": [str(s) for s in slopes],
-    }
+    given: dict[str, Any] = {"knots": knots, "slopes": slopes}
     if symmetric:
         given["symmetric"] = True
     return Profile("piecewise", given)

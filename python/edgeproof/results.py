@@ -8,6 +8,7 @@ import itertools
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple, TypeVar
 
+from ._arguments import checked
 from ._columns import columns
 from ._edgeproof import Value
 from .errors import InputError
@@ -279,6 +280,7 @@ class Result(_Plain):
     stresses: Rows[Stress] = Rows()
     displacements: Rows[Displacement] = Rows()
 
+    @checked
     def columns(self, of: str = "points") -> dict[str, Any]:
         """The rows of "points", "coefficients", "extents", "slips", "stresses" or "displacements".
 

@@ -7,11 +7,13 @@ import dataclasses
 import os
 import tomllib
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, cast, overload
 
 from . import _apart, _edgeproof
+from ._arguments import checked, read_as
 from ._edgeproof import Value
-from ._numbers import exact_text, whole, wholes
+from ._lazy import imported
+from ._numbers import is_many, texts
 from ._shipped import file_or_shipped
 from .errors import InputError
 from .profiles import Number, Profile
@@ -35,20 +37,11 @@ if TYPE_CHECKING:
 
 __all__ = ["Scene", "read_scene"]
 
+Places = Any
+"""A Number, or a list or array of them."""
+
 _MOST_DIGITS = 100_000
 _LOAD = ("a", "P", "M", "delta", "contact_modulus", "E1", "nu1", "E2", "nu2", "nu")
-
-
-def _is_many(u: Any) -> bool:
-    return not isinstance(u, (str, bytes)) and hasattr(u, "__iter__") and getattr(u, "shape", None) != ()
-
-
-def _texts(places: Any, name: str) -> list[str]:
-    if not _is_many(places):
-        return [exact_text(places, name)]
-    if hasattr(places, "ravel"):  # an array
-        places = places.ravel()
-    return [exact_text(x, f"{name}[{i}]") for i, x in enumerate(places)]
 
 
 def _given_places(u: Any, x: Any) -> tuple[str, Any]:
@@ -60,37 +53,37 @@ def _given_places(u: Any, x: Any) -> tuple[str, Any]:
 
 def _like(places: Any, values: Sequence[Any]) -> Any:
     """Returns the values in the form of the places: one, a list, or a numpy array."""
-    if not _is_many(places):
+    if not is_many(places):
         return values[0]
     if not hasattr(places, "ravel") or not hasattr(places, "shape"):
         return list(values)
-    import numpy
-
-    found = numpy.empty(len(values), dtype=object)
+    found = imported("numpy").empty(len(values), dtype=object)
     found[:] = values
     return found.reshape(places.shape)
 
 
-def _binary64(places: Any, name: str) -> numpy.typing.NDArray[numpy.float64]:
+def _binary64(places: Any, name: str) -> Any:
     """Returns the places as an array of float64. Raises TypeError if that would change them."""
-    import numpy
-
-    if numpy.ma.is_masked(places):  # type: ignore[no-untyped-call]
+    np = imported("numpy")
+    if np.ma.is_masked(places):
         raise InputError(f"{name} is an array with masked elements", f"give {name}.compressed(), "
                          f"or put numbers in their place by {name}.filled(0.1)")
-    array = numpy.asarray(places)
+    array = np.asarray(places)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name} is an array of {array.dtype}: give float64, or ask pressure(), "
                         "shear() or approximation(), which take exact numbers")
     if array.dtype.itemsize > 8:
-        exact = array.astype(numpy.float64)
+        exact = array.astype(np.float64)
         if not (exact == array).all():
             raise TypeError(f"{name} is an array of {array.dtype} with numbers that float64 does "
                             "not hold: give float64")
         array = exact
     elif array.dtype.kind in "iu" and array.size and (abs(array.astype(object)) > 2**53).any():
         raise TypeError(f"{name} has whole numbers that float64 does not hold: give float64")
-    return array.astype(numpy.float64, copy=False)
+    return array.astype(np.float64, copy=False)
+
+
+read_as("numpy.typing.ArrayLike", _binary64)
 
 
 def _shown(value: Any) -> str:
@@ -102,6 +95,7 @@ def _shown(value: Any) -> str:
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
+@checked
 def read_scene(file: str | os.PathLike[str]) -> Scene:
     """Reads a scene file (TOML; docs/file-formats.md), or one that came with the program.
 
@@ -110,6 +104,14 @@ def read_scene(file: str | os.PathLike[str]) -> Scene:
     """
     name = file_or_shipped(file, "examples/scenes")
     return Scene.from_text(_edgeproof.read_text(name, "scene (TOML)"), name)
+
+
+class _Unmade:
+    """The native scene of an object that Scene.__new__ made alone."""
+
+    def __getattr__(self, name: str) -> Any:
+        raise TypeError("the Scene has no profile: write Scene(...), Scene.from_text() or "
+                        "read_scene()")
 
 
 class Scene:
@@ -146,8 +148,9 @@ class Scene:
     digits.
     """
 
-    _native: _edgeproof.NativeScene
+    _native: _edgeproof.NativeScene = cast(Any, _Unmade())
 
+    @checked
     def __init__(self, profile: Profile, *, a: Number | None = None, P: Number | None = None,
                  M: Number | None = None, contact_modulus: Number | None = None,
                  E1: Number | None = None, nu1: Number | None = None, E2: Number | None = None,
@@ -166,14 +169,11 @@ class Scene:
                                  "give E and nu for two equal bodies, or E1, nu1, E2 and nu2")
             E1, nu1, E2, nu2, nu = E, nu, E, nu, None
         given = dict(zip(_LOAD, (a, P, M, delta, contact_modulus, E1, nu1, E2, nu2, nu)))
-        load = [(k, exact_text(v, k)) for k, v in given.items() if v is not None]
-        shear = [(k, exact_text(v, k))
-                 for k, v in (("Q", Q), ("bulk_tension", bulk_tension), ("bulk_A", bulk_A),
-                              ("friction", friction))
+        load = [(k, v) for k, v in given.items() if v is not None]
+        shear = [(k, v) for k, v in (("Q", Q), ("bulk_tension", bulk_tension), ("bulk_A", bulk_A),
+                                     ("friction", friction), ("path", path))
                  if v is not None]
-        if path is not None:
-            shear.append(("path", str(path)))
-        history = [[(k, exact_text(v, k)) for k, v in step.items()] for step in steps]
+        history = [list(step.items()) for step in steps]
         self._set(_edgeproof.NativeScene.from_entries(title, profile._entries(), load, shear, history))
 
     def _set(self, native: _edgeproof.NativeScene) -> None:
@@ -181,10 +181,11 @@ class Scene:
         self._contacts: dict[int, Contact] = {}
 
     @classmethod
+    @checked
     def from_text(cls, text: str, file: str = "") -> Scene:
         """Makes a scene from the text of a scene file; `file` is its name in errors."""
         scene = cls.__new__(cls)
-        scene._set(_edgeproof.NativeScene(text, file))
+        scene._set(_edgeproof.NativeScene.from_text(text, file))
         return scene
 
     @property
@@ -228,7 +229,7 @@ class Scene:
         return self._native.slips
 
     def __repr__(self) -> str:
-        if not hasattr(self, "_native"):
+        if isinstance(self._native, _Unmade):
             return "<edgeproof.Scene, not made>"
         sections = tomllib.loads(self.text, parse_float=str)
         profile = sections["profile"]
@@ -253,7 +254,7 @@ class Scene:
         return Scene.from_text, (self.text, self.file or "")
 
     def _run(self, digits: int | None, **asked: Any) -> Result:
-        count = self.digits if digits is None else whole(digits, "digits")
+        count = self.digits if digits is None else digits
         if not 2 <= count <= _MOST_DIGITS:
             raise InputError(f"digits = {count} is out of range",
                              f"give a number from 2 to {_MOST_DIGITS}")
@@ -266,6 +267,7 @@ class Scene:
 
     # The contact.
 
+    @checked
     def contact(self, digits: int | None = None) -> Contact:
         """Both edges, force and moment, and the tilt if it is found: a Contact of Values."""
         wanted = self.digits if digits is None else digits
@@ -302,14 +304,14 @@ class Scene:
 
     # At points.
 
-    def _points(self, u: Any, x: Any, edge: str, quantity: str, terms: Sequence[int],
+    def _points(self, u: Any, x: Any, edge: str, quantity: str, terms: Any,
                 digits: int | None) -> tuple[Any, tuple[Point, ...]]:
         """Returns the places that are given, and a Point for each."""
         name, places = _given_places(u, x)
-        texts = _texts(places, name)
-        if not texts:
+        every = texts(places, name)
+        if not every:
             return places, ()
-        asked: dict[str, Any] = {name: texts}
+        asked: dict[str, Any] = {name: every}
         return places, self._run(digits, edges=[edge], quantities=[quantity], terms=list(terms),
                                  **asked).points
 
@@ -328,8 +330,9 @@ class Scene:
     def pressure(self, u: None = ..., edge: str = ..., digits: int | None = ..., *,
                  x: Any) -> Any: ...
 
-    def pressure(self, u: Any = None, edge: str = "right", digits: int | None = None, *,
-                 x: Any = None) -> Any:
+    @checked
+    def pressure(self, u: Places = None, edge: str = "right", digits: int | None = None, *,
+                 x: Places = None) -> Any:
         """The pressure p at the distance u from an edge ("right" or "left"), or at the place x.
 
         p is in the unit of the contact modulus, a Value. A list of places gives a list of Values, a
@@ -354,8 +357,9 @@ class Scene:
     def shear(self, u: None = ..., edge: str = ..., digits: int | None = ..., *,
               x: Any) -> Any: ...
 
-    def shear(self, u: Any = None, edge: str = "right", digits: int | None = None, *,
-              x: Any = None) -> Any:
+    @checked
+    def shear(self, u: Places = None, edge: str = "right", digits: int | None = None, *,
+              x: Places = None) -> Any:
         """The shear traction q at the distance u from an edge, or at x, as pressure() does.
 
         q is in the unit of the contact modulus, under full stick or, with friction, partial slip.
@@ -364,8 +368,9 @@ class Scene:
         places, points = self._points(u, x, edge, "shear", (), digits)
         return _like(places, [row.q for row in points])
 
-    def slip_state(self, u: Any = None, edge: str = "right", digits: int | None = None, *,
-                   x: Any = None) -> Any:
+    @checked
+    def slip_state(self, u: Places = None, edge: str = "right", digits: int | None = None, *,
+                   x: Places = None) -> Any:
         """The state of the place at the distance u from an edge: "slip", "stick" or "undecided".
 
         A list of places gives a list. "undecided": the place is too near the end of the stick zone
@@ -375,16 +380,18 @@ class Scene:
         places, points = self._points(u, x, edge, "shear", (), digits)
         return _like(places, [row.state for row in points])
 
-    def approximation(self, u: Any = None, terms: int | Sequence[int] = 1, edge: str = "right",
-                      digits: int | None = None, *, x: Any = None) -> Any:
+    @checked
+    def approximation(self, u: Places = None, terms: int | Sequence[int] = 1, edge: str = "right",
+                      digits: int | None = None, *, x: Places = None) -> Any:
         """p at one place, and the sums of the first `terms` terms with their errors.
 
         The result is a Point: .p, and .p_local, an Approximation for each number of terms. Several
         places give Rows of Points; for arrays of float see local_pressures(), relative_errors().
         """
-        places, points = self._points(u, x, edge, "pressure", wholes(terms, "terms"), digits)
-        return Rows(points) if _is_many(places) else points[0]
+        places, points = self._points(u, x, edge, "pressure", terms, digits)
+        return Rows(points) if is_many(places) else points[0]
 
+    @checked
     def peak(self, digits: int | None = None) -> Value:
         """The greatest pressure, in the unit of the contact modulus.
 
@@ -404,7 +411,7 @@ class Scene:
         contact = self.contact()
         right = edge == "right"
         end = contact.a if right else contact.b
-        distances = _texts(u, "u")
+        distances = texts(u, "u")
         if end.exact is not None:
             return [f"{end.exact} - ({d})" if right else f"({d}) - {end.exact}"
                     for d in distances], None
@@ -412,8 +419,9 @@ class Scene:
                 lambda i: end - _edgeproof.given(distances[i], self.digits) if right else
                 _edgeproof.given(distances[i], self.digits) - end)
 
-    def stress(self, x: Any = None, z: Any = 0, body: str = "A", digits: int | None = None, *,
-               u: Any = None, edge: str = "right") -> Any:
+    @checked
+    def stress(self, x: Places = None, z: Places = 0, body: str = "A", digits: int | None = None, *,
+               u: Places = None, edge: str = "right") -> Any:
         """The stresses at the depth z into a body below the place x: a Stress, tension positive.
 
         x, z  lengths; x from the origin. Lists, or arrays, of the same length (or one of them a
@@ -428,28 +436,29 @@ class Scene:
         """
         name, places = _given_places(u, x)
         if name == "x":
-            across = _texts(x, "x")
+            across = texts(x, "x")
         else:
             across, formulas = self._coordinates(u, edge)
             if formulas is not None:
                 raise InputError(f"the {edge} edge is not a number that is known exactly",
                                  "give the places by x")
-        depths = _texts(z, "z")
+        depths = texts(z, "z")
         count = max(len(across), len(depths))
-        for texts, argument in ((across, name), (depths, "z")):
-            if len(texts) not in (1, count):
-                raise InputError(f"{argument} has {len(texts)} numbers, not {count}",
+        for given, argument in ((across, name), (depths, "z")):
+            if len(given) not in (1, count):
+                raise InputError(f"{argument} has {len(given)} numbers, not {count}",
                                  f"give as many x as z, or one {argument}")
-        across, depths = (texts * count if len(texts) == 1 else texts for texts in (across, depths))
-        many = _is_many(places) or _is_many(z)
+        across, depths = (given * count if len(given) == 1 else given for given in (across, depths))
+        many = is_many(places) or is_many(z)
         if many and not count:
             return Rows()
         found = self._run(digits, quantities=["stress"], points_x=across, points_z=depths,
                           body=body).stresses
         return found if many else found[0]
 
-    def displacement(self, x: Any = None, digits: int | None = None, *, u: Any = None,
-                     edge: str = "right", reference: Any = None, body: str = "A") -> Any:
+    @checked
+    def displacement(self, x: Places = None, digits: int | None = None, *, u: Places = None,
+                     edge: str = "right", reference: Number | None = None, body: str = "A") -> Any:
         """The gap between the surfaces at x outside the contact, or the slip inside.
 
         x is a length from the origin, or a formula in a and b ("a + 1/10"); in place of it, u is a
@@ -459,24 +468,25 @@ class Scene:
         surface of a body, "A" (on which Q acts) or "B", too. Raises InputError for curved slopes.
         """
         name, places = _given_places(u, x)
-        texts, x_of = self._coordinates(u, edge) if name == "u" else (_texts(x, "x"), None)
-        if not texts:
+        every, x_of = self._coordinates(u, edge) if name == "u" else (texts(x, "x"), None)
+        if not every:
             return Rows()
         asked: dict[str, Any] = {"quantities": ["displacement"]}
         if reference is not None:
             asked = {"quantities": ["displacement", "surface"], "body": body,
-                     "reference": _texts(reference, "reference")[0]}
-        found = self._run(digits, edges=["right"], x=texts, **asked).displacements
+                     "reference": reference}
+        found = self._run(digits, edges=["right"], x=every, **asked).displacements
         if x_of is not None:
             found = Rows(dataclasses.replace(row, x=x_of(i)) for i, row in enumerate(found))
-        return found if _is_many(places) else found[0]
+        return found if is_many(places) else found[0]
 
     # At points, in binary64.
 
     def _many(self, quantity: str, terms: int, u: Any, x: Any, edge: str) -> Any:
         name, places = _given_places(u, x)
-        return self._native.binary64(quantity, terms, edge, name == "x", _binary64(places, name))
+        return self._native.binary64(quantity, terms, edge, name == "x", places)
 
+    @checked
     def pressures(self, u: numpy.typing.ArrayLike | None = None, edge: str = "right", *,
                   x: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float64]:
         """Pressures at a whole numpy array of distances from an edge, or of places x.
@@ -491,8 +501,9 @@ class Scene:
         if x is not None:
             found: numpy.typing.NDArray[numpy.float64] = self._many("p", 0, u, x, edge)
             return found
-        return self._native.pressures(edge, _binary64(_given_places(u, x)[1], "u"))
+        return self._native.pressures(edge, _given_places(u, x)[1])
 
+    @checked
     def shears(self, u: numpy.typing.ArrayLike | None = None, edge: str = "right", *,
                x: numpy.typing.ArrayLike | None = None) -> numpy.typing.NDArray[numpy.float64]:
         """Shear tractions at a whole numpy array of places, as pressures() does.
@@ -503,6 +514,7 @@ class Scene:
         found: numpy.typing.NDArray[numpy.float64] = self._many("q", 0, u, x, edge)
         return found
 
+    @checked
     def stresses(self, x: numpy.typing.ArrayLike, z: numpy.typing.ArrayLike,
                  body: str = "A") -> dict[str, numpy.typing.NDArray[numpy.float64]]:
         """The stresses at whole numpy arrays of places x and depths z of a body, in binary64.
@@ -513,13 +525,12 @@ class Scene:
         pressure P/(a + b), or 2^-52 of the value where it is large. Power laws, curved slopes and
         points on a knot take much longer than other points. Raises InputError as stress() does.
         """
-        import numpy
-
-        across, depths = numpy.broadcast_arrays(_binary64(x, "x"), _binary64(z, "z"))
+        across, depths = imported("numpy").broadcast_arrays(x, z)
         found: dict[str, numpy.typing.NDArray[numpy.float64]] = self._native.stresses(
             body, across, depths)
         return found
 
+    @checked
     def local_pressures(self, u: numpy.typing.ArrayLike | None = None, terms: int = 1,
                         edge: str = "right", *, x: numpy.typing.ArrayLike | None = None
                         ) -> numpy.typing.NDArray[numpy.float64]:
@@ -528,9 +539,10 @@ class Scene:
         Raises InputError for places that are not inside the contact.
         """
         found: numpy.typing.NDArray[numpy.float64] = self._many(
-            "local", whole(terms, "terms"), u, x, edge)
+            "local", terms, u, x, edge)
         return found
 
+    @checked
     def relative_errors(self, u: numpy.typing.ArrayLike | None = None, terms: int = 1,
                         edge: str = "right", *, x: numpy.typing.ArrayLike | None = None
                         ) -> numpy.typing.NDArray[numpy.float64]:
@@ -539,15 +551,16 @@ class Scene:
         Raises InputError for places that are not inside the contact.
         """
         found: numpy.typing.NDArray[numpy.float64] = self._many(
-            "rel", whole(terms, "terms"), u, x, edge)
+            "rel", terms, u, x, edge)
         return found
 
     # At edges.
 
     def _expansion(self, terms: int, edge: str, digits: int | None) -> Coefficients:
         return self._run(digits, edges=[edge], quantities=["coefficients"],
-                         terms=[whole(terms, "terms")]).coefficients[0]
+                         terms=[terms]).coefficients[0]
 
+    @checked
     def coefficients(self, terms: int = 3, edge: str = "right",
                      digits: int | None = None) -> tuple[Value, ...]:
         """c_0 ... c_{terms-1} of p = sum c_k u^(k + 1/2) at an edge (at most 400 terms).
@@ -556,6 +569,7 @@ class Scene:
         """
         return self._expansion(terms, edge, digits).c
 
+    @checked
     def shear_coefficients(self, terms: int = 3, edge: str = "right",
                            digits: int | None = None) -> Coefficients:
         """The coefficients .s of q at an edge, from the power u^(.s_half_powers/2) on."""
@@ -563,6 +577,7 @@ class Scene:
             raise InputError("the scene has no shear", "give Q or bulk_tension")
         return self._expansion(terms, edge, digits)
 
+    @checked
     def extent(self, terms: int = 1, tolerance: Number = "1%", edge: str = "right",
                part: tuple[Number, Number] = (0, 1), process_zone: Number | None = None,
                digits: int | None = None) -> Extent:
@@ -573,10 +588,10 @@ class Scene:
         process_zone  a length from the edge; the result states whether the extent covers it
         """
         return self._run(
-            digits, edges=[edge], quantities=["extent"], terms=[whole(terms, "terms")],
-            tolerance=exact_text(tolerance, "tolerance"),
-            part=[exact_text(p, "part") for p in part],
-            process_zone="" if process_zone is None else exact_text(process_zone, "process_zone"),
+            digits, edges=[edge], quantities=["extent"], terms=[terms],
+            tolerance=tolerance,
+            part=part,
+            process_zone="" if process_zone is None else process_zone,
         ).extents[0]
 
     def _needs_friction(self) -> None:
@@ -584,6 +599,7 @@ class Scene:
             raise InputError("the scene has no friction, so that nothing slips",
                              "give friction and Q")
 
+    @checked
     def slip(self, edge: str = "right", terms: int | Sequence[int] = (1, 2, 3),
              tolerance: Number | None = None, digits: int | None = None) -> Slip:
         """The slip zone at an edge, its approximations by n terms, and the stick zone: a Slip.
@@ -597,15 +613,17 @@ class Scene:
         """
         self._needs_friction()
         return self._run(
-            digits, edges=[edge], quantities=["slip"], terms=wholes(terms, "terms"),
-            tolerance="" if tolerance is None else exact_text(tolerance, "tolerance")).slips[0]
+            digits, edges=[edge], quantities=["slip"], terms=terms,
+            tolerance="" if tolerance is None else tolerance).slips[0]
 
     # As a whole.
 
+    @checked
     def run(self, digits: int | None = None) -> Result:
         """Answers all questions of the scene file ([ask])."""
         return self._run(digits)
 
+    @checked
     def plot(self, terms: int | Sequence[int] = (1, 2), edge: str = "right",
              file: str | os.PathLike[str] | None = None) -> matplotlib.figure.Figure:
         """Plots the pressure with the sums of the first terms; their relative errors on log axes.
@@ -615,7 +633,7 @@ class Scene:
         """
         from ._plot import plot
 
-        figure = plot(self, wholes(terms, "terms"), edge)
+        figure = plot(self, terms, edge)
         if file is not None:
-            figure.savefig(os.fspath(file))
+            figure.savefig(file)
         return figure

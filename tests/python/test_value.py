@@ -222,7 +222,9 @@ def test_no_order_with_other_types(root):
 
 def test_copies(root, hertz):
     for v in (root, hertz.a, hertz.M):
-        for other in (pickle.loads(pickle.dumps(v)), copy.copy(v), copy.deepcopy(v)):
+        pickled = [pickle.loads(pickle.dumps(v, protocol))
+                   for protocol in range(pickle.HIGHEST_PROTOCOL + 1)]
+        for other in (*pickled, copy.copy(v), copy.deepcopy(v)):
             assert (other.text, other.bound, other.proved, other.route, other.digits) == (
                 v.text, v.bound, v.proved, v.route, v.digits)
             assert other.interval() == v.interval() and other.exact == v.exact

@@ -65,6 +65,9 @@ private:
     std::string advice_;
 };
 
+/// Makes T.__new__(T) a TypeError: the object would have no value.
+void refuse_new(const pybind11::handle& type);
+
 void bind_errors(pybind11::module_& module);
 void bind_value(pybind11::module_& module);
 /// Adds + - * /, the sign and abs() of values.

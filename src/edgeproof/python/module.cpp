@@ -32,6 +32,14 @@ void raise(const char* kind, const py::object& problem, const py::object& advice
 
 } // namespace
 
+void refuse_new(const py::handle& type) {
+    reinterpret_cast<PyTypeObject*>(type.ptr())->tp_new = [](PyTypeObject* of, PyObject*,
+                                                             PyObject*) -> PyObject* {
+        PyErr_Format(PyExc_TypeError, "%s objects are made by the library only", of->tp_name);
+        return nullptr;
+    };
+}
+
 void bind_errors(py::module_&) {
     py::register_exception_translator([](std::exception_ptr thrown) {
         try {

@@ -220,12 +220,15 @@ Value given(const std::string& text, unsigned digits) {
 } // namespace
 
 void bind_scene(py::module_& module) {
-    py::class_<NativeScene>(module, "NativeScene")
-        .def(py::init([](const std::string& text, const std::string& file) {
-                 return without_gil(
-                     [&] { return NativeScene(text, scene::parse_scene(text, file)); });
-             }),
-             py::arg("text"), py::arg("file"))
+    py::class_<NativeScene> native(module, "NativeScene");
+    native
+        .def_static(
+            "from_text",
+            [](const std::string& text, const std::string& file) {
+                return without_gil(
+                    [&] { return NativeScene(text, scene::parse_scene(text, file)); });
+            },
+            py::arg("text"), py::arg("file"))
         .def_static("from_entries", &from_entries, py::arg("title"), py::arg("profile"),
                     py::arg("load"), py::arg("shear"), py::arg("steps"))
         .def_property_readonly("text", &NativeScene::text)
@@ -248,6 +251,7 @@ void bind_scene(py::module_& module) {
         .def("binary64", &binary64, py::arg("quantity"), py::arg("terms"), py::arg("edge"),
              py::arg("by_x"), py::arg("places"))
         .def("stresses", &stresses, py::arg("body"), py::arg("x"), py::arg("z"));
+    refuse_new(native);
     module.def("nearest_to", &nearest_to, py::arg("text"));
     module.def("given", &given, py::arg("text"), py::arg("digits"));
     module.def(

@@ -117,7 +117,11 @@ py::tuple state_of(const Value& v) {
         exactly ? py::object(py::str(exactly->str())) : py::object(py::none()), v.digits());
 }
 
+/// The inverse of state_of(); pickle calls it.
 Value from_state(const py::tuple& state) {
+    if (state.size() != 6) {
+        throw InputError("this is not a pickled Value", "");
+    }
     scene::BoundedValue value{loaded(state[0].cast<std::string>(), state[1].cast<long>()),
                               state[2].cast<bool>(), state[3].cast<std::string>()};
     if (!state[4].is_none()) {
@@ -157,9 +161,14 @@ std::string shown(const Value& v) {
     return "<edgeproof.Value " + text + digits + ", " + accuracy(v) + ">";
 }
 
+/// Returns a module that may not have been imported.
+py::object imported(const char* name) {
+    return py::module_::import("edgeproof._lazy").attr("imported")(name);
+}
+
 /// Returns the value for a notebook: the text, and the whole of it where it is shortened.
 std::string html(const Value& v) {
-    const py::object escape = py::module_::import("html").attr("escape");
+    const py::object escape = imported("html").attr("escape");
     const auto escaped = [&](const std::string& text) { return escape(text).cast<std::string>(); };
     return "<span title=\"" + escaped(v.printed().text) + "\"><code>" +
            escaped(shortened(v.printed().text)) + "</code> (" + escaped(accuracy(v)) + ")</span>";
@@ -167,7 +176,7 @@ std::string html(const Value& v) {
 
 py::object mpmath_of(const Value& v) {
     const Rational q = parse_decimal(one_number(v));
-    const py::module_ mpmath = py::module_::import("mpmath");
+    const py::object mpmath = imported("mpmath");
     const py::object scope = mpmath.attr("workdps")(v.digits() + 5);
     scope.attr("__enter__")();
     py::object number = mpmath.attr("fdiv")(integer_of(numerator(q)), integer_of(denominator(q)));
@@ -326,7 +335,12 @@ treated as independent: x - x is an enclosure of 0, not 0. Raises ZeroDivisionEr
                 return d;
             },
             "to_dict()\n\n{\"text\", \"bound\", \"proved\", \"route\"}.")
-        .def(py::pickle(&state_of, &from_state));
+        .def("__reduce__", [](const Value& v) {
+            return py::make_tuple(py::module_::import("edgeproof._value").attr("restored"),
+                                  state_of(v));
+        });
+    module.def("value_of_state", &from_state, py::arg("state"));
+    refuse_new(value);
     bind_arithmetic(value);
     value.attr("__hash__") = py::none(); // the bounds may not decide whether two values are equal
     value.attr("__module__") = "edgeproof";

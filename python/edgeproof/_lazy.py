@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Imports packages when they are first needed."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from typing import Any
+
+
+def imported(name: str) -> Any:
+    """Returns a module, imported as `python -P` does: a prompt's "" in sys.path is left out.
+
+    The current folder may have changed since the program began, to one with files of others.
+    """
+    if name not in sys.modules:
+        path = sys.path[:]
+        sys.path[:] = [folder for folder in path if folder]
+        try:
+            importlib.import_module(name)
+        finally:
+            sys.path[:] = path
+    return sys.modules[name]

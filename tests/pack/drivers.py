@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pack's drivers accept the example's answers, and name the factor where its pressures are doubled.
+"""The pack's drivers accept the example's answers, name the factor where its pressures are doubled, and refuse
+a file that lacks a row.
 Languages without a compiler are left out."""
 import pathlib
 import shutil
@@ -46,8 +47,11 @@ for language, (example, right, doubled, build, command) in LANGUAGES.items():
         assert right in text, example
         (folder / example).write_text(text.replace(right, doubled))
         status, causes = run(folder, build, command)
+        lines = (folder / "cases.csv").read_text().splitlines(keepends=True)
+        (folder / "cases.csv").write_text("".join(lines[:-1]))
+        cut = run(folder, build, command)[0]
     good = (accepted == (0, []) and status == 1 and len(causes) == 1 and causes[0].endswith(": factor-2")
-            and " p are 2" in causes[0])
-    print(f"{language}: {'named' if good else f'FAILS: {accepted}, {status}, {causes}'}")
+            and " p are 2" in causes[0] and cut == 2)
+    print(f"{language}: {'named' if good else f'FAILS: {accepted}, {status}, {causes}, {cut}'}")
     failures += not good
 sys.exit(1 if failures else 0)

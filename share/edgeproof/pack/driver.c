@@ -112,9 +112,12 @@ int main(int argc, char** argv) {
         }
         static char line[longest_line];
         int in_rows = 0;
+        long rows = 0;
+        long stated = -1;
         while (fgets(line, sizeof line, file) != NULL) {
             char* cell[columns];
             if (line[0] == '#') {
+                sscanf(line, "# rows: %ld", &stated);
                 continue;
             }
             if (!in_rows) {
@@ -130,6 +133,7 @@ int main(int argc, char** argv) {
                 fprintf(stderr, "%s: a row is cut off\n", argv[i]);
                 return 2;
             }
+            ++rows;
             struct edgeproof_case c;
             copy(c.id, sizeof c.id, cell[0]);
             copy(c.kind, sizeof c.kind, cell[1]);
@@ -156,6 +160,13 @@ int main(int argc, char** argv) {
             }
         }
         fclose(file);
+        if (rows != stated) {
+            fprintf(stderr,
+                    "%s: the file is not whole: it has %ld rows, and its line # rows has "
+                    "another number\n",
+                    argv[i], rows);
+            return 2;
+        }
     }
     printf("level %c: %ld answered, %ld wrong, %ld not answered\n", level, answered, wrong,
            not_there);

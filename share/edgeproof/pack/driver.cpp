@@ -99,11 +99,14 @@ int main(int argc, char** argv) {
             return 2;
         }
         bool in_rows = false;
+        long rows = 0;
+        long stated = -1;
         for (std::string line; std::getline(file, line);) {
             if (!line.empty() && line.back() == '\r') {
                 line.pop_back();
             }
             if (line.rfind('#', 0) == 0) {
+                std::sscanf(line.c_str(), "# rows: %ld", &stated);
                 continue;
             }
             if (!in_rows) {
@@ -119,6 +122,7 @@ int main(int argc, char** argv) {
                 std::cerr << argv[i] << ": a row is cut off\n";
                 return 2;
             }
+            ++rows;
             EdgeproofCase c;
             c.id = cell[0];
             c.kind = cell[1];
@@ -143,6 +147,11 @@ int main(int argc, char** argv) {
                     std::printf("%s: %.17g, exact %.17g\n", c.id.c_str(), *value, exact);
                 }
             }
+        }
+        if (rows != stated) {
+            std::cerr << argv[i] << ": the file is not whole: it has " << rows
+                      << " rows, and its line # rows has another number\n";
+            return 2;
         }
     }
     std::printf("level %c: %ld answered, %ld wrong, %ld not answered\n", level, answered, wrong,

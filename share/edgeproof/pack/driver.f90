@@ -43,7 +43,7 @@ contains
     subroutine hold_file(name)
         character(len=*), intent(in) :: name
         character(len=2048) :: line
-        integer :: unit, status
+        integer :: unit, status, rows, stated
         logical :: in_rows
         open (newunit=unit, file=name, status='old', action='read', iostat=status)
         if (status /= 0) then
@@ -51,9 +51,12 @@ contains
             stop 2
         end if
         in_rows = .false.
+        rows = 0
+        stated = -1
         do
             read (unit, '(a)', iostat=status) line
             if (status /= 0) exit
+            if (line(1:8) == '# rows: ') read (line(9:), *, iostat=status) stated
             if (line(1:1) == '#') cycle
             if (.not. in_rows) then
                 if (trim(line) /= header) then
@@ -63,9 +66,15 @@ contains
                 in_rows = .true.
                 cycle
             end if
+            rows = rows + 1
             call hold_row(trim(line))
         end do
         close (unit)
+        if (rows /= stated) then
+            print '(a,a,i0,a)', name, ': the file is not whole: it has ', rows, &
+                ' rows, and its line # rows has another number'
+            stop 2
+        end if
     end subroutine hold_file
 
     subroutine hold_row(line)

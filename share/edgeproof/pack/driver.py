@@ -69,9 +69,15 @@ def main(arguments):
     ratios = {}
     for name in arguments[1:]:
         with open(name, encoding="utf-8", newline="") as file:
-            rows = csv.DictReader(line for line in file if not line.startswith("#"))
+            lines = list(file)
+            rows = csv.DictReader(line for line in lines if not line.startswith("#"))
             if rows.fieldnames != COLUMNS:
                 print(name + ": the columns are those of another pack", file=sys.stderr)
+                return 2
+            rows = list(rows)
+            if f"# rows: {len(rows)}" not in map(str.rstrip, lines):
+                print(f"{name}: the file is not whole: its line '# rows' has another number than {len(rows)}",
+                      file=sys.stderr)
                 return 2
             for row in rows:
                 question = {key: row[key] if key in WORDS else

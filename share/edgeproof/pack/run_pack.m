@@ -23,12 +23,17 @@ function status = run_pack(level, files)
             return;
         end
         in_rows = false;
+        rows = 0;
+        stated = -1;
         while true
             line = fgetl(file);
             if ~ischar(line)
                 break;
             end
             if ~isempty(line) && line(1) == '#'
+                if strncmp(line, '# rows: ', 8)
+                    stated = str2double(line(9:end));
+                end
                 continue;
             end
             if ~in_rows
@@ -40,6 +45,7 @@ function status = run_pack(level, files)
                 in_rows = true;
                 continue;
             end
+            rows = rows + 1;
             cells = strsplit(line, ',');
             question = struct();
             for k = 1:numel(names)
@@ -68,6 +74,11 @@ function status = run_pack(level, files)
             end
         end
         fclose(file);
+        if rows ~= stated
+            printf(['%s: the file is not whole: it has %d rows, and its line # rows has another ' ...
+                    'number\n'], files{i}, rows);
+            return;
+        end
     end
     printf('level %s: %d answered, %d wrong, %d not answered\n', level, answered, wrong, ...
            not_there);

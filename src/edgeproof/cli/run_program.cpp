@@ -82,7 +82,7 @@ int run_program(int argc, char** argv, std::initializer_list<AddCommand*> comman
     } catch (const Error& e) {
         say_at_the_end(safe_line(e.what()));
     } catch (const std::bad_alloc&) {
-        say_line("out of memory; ask for fewer digits");
+        say_line("out of memory; ask for fewer digits, points or scenes");
     } catch (const std::filesystem::filesystem_error& e) {
         say_line("a file or folder cannot be used: " + e.code().message() +
                  "; give another name, or a folder that is there");

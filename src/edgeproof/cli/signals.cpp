@@ -115,7 +115,8 @@ void wait_for_signals(const sigset_t& set) {
     end_without_threads(bad_input, line);
 }
 
-constexpr const char* no_memory = "edgeproof: out of memory; ask for fewer digits";
+constexpr const char* no_memory =
+    "edgeproof: out of memory; ask for fewer digits, points or scenes";
 constexpr const char* beyond_library =
     "edgeproof: a number grows beyond what the arithmetic libraries can hold; ask for fewer "
     "digits, or for smaller exponents";

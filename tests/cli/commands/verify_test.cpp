@@ -81,6 +81,10 @@ TEST_CASE("verify: malformed text is reported with file, line and correction; ex
         {head + hertz_claim("one", "Es*(C/2"), "own.toml:22: "},
         {with("m = [\"1\"]", "m = [\"-1\"]"),
          "own.toml:4: the power-law exponent m = -1 is negative; "},
+        {with("count = 3", "count = 1000000"), "own.toml:7: count = 1000000 is out of range; "},
+        {with("points = 2", "points = 50000"),
+         "own.toml:8: 3 scenes of 50000 points each are samples for more than 1 GB of memory; give "
+         "count and points with a product of at most 100000"},
         {with("m = [\"1\"]", "m = [\"nan\"]"), "own.toml:11: unknown name 'nan'"},
         {with("a = [\"3/2\", \"0.02\"]", "a = [\"0\"]"), "own.toml:4: a = 0 is not positive; "},
         {with("a = [\"3/2\", \"0.02\"]", "a = [\"inf\"]"), "own.toml:13: unknown name 'inf'"},

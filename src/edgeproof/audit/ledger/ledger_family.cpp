@@ -41,7 +41,7 @@ public:
         }
         table_.allow({"name", "union", "count"});
         family_.union_of = table_.written_list("union");
-        family_.count = table_.has("count") ? table_.count("count", 1, most_scenes) : 0;
+        family_.count = table_.has("count") ? table_.count("count", 1, most_samples) : 0;
         for (const std::string& member : family_.union_of) {
             if (!is_above(member)) {
                 table_.reject("union", "there is no family '" + member + "' above",
@@ -59,8 +59,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_scenes = 1000000;
-    static constexpr std::size_t most_points = 10000;
+    static constexpr std::size_t most_samples = 100'000; ///< about 10 kB each, so 1 GB
 
     void read_own() {
         family_.profile = table_.written("profile");
@@ -80,9 +79,16 @@ private:
         family_.knots = formulas("knots", names_);
         family_.slopes = formulas("slopes", with_x);
         read_fractions();
-        family_.count = table_.has("count") ? table_.count("count", 1, most_scenes)
+        family_.count = table_.has("count") ? table_.count("count", 1, most_samples)
                                             : std::max<std::size_t>(longest, 8);
-        family_.points = table_.has("points") ? table_.count("points", 1, most_points) : 1;
+        family_.points = table_.has("points") ? table_.count("points", 1, most_samples) : 1;
+        if (family_.points > most_samples / family_.count) {
+            table_.reject(
+                "points",
+                std::to_string(family_.count) + " scenes of " + std::to_string(family_.points) +
+                    " points each are samples for more than 1 GB of memory",
+                "give count and points with a product of at most " + std::to_string(most_samples));
+        }
     }
 
     void read_geometry() {

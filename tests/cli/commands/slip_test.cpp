@@ -80,6 +80,22 @@ TEST_CASE("pressure of a scene with friction: the state behind q") {
     CHECK(has(o.out, ",stick\n"));
 }
 
+// Hertz with a = R = E* = 1 and f = 1/2: d_1 = Q/(2 f P) + sigma_0 at the right edge, less than 0
+// for the first tension, while d = 1 - sqrt(1 - Q/(f P)) + sigma_0 = 0.0003.
+TEST_CASE("slip: a negative size by n terms has a remark") {
+    const Folder folder;
+    const std::string hertz = "[profile]\nkind = \"hertz\"\nR = \"1\"\n[load]\na = \"1\"\n"
+                              "contact_modulus = \"1\"\n[shear]\nQ = \"0.02\"\n"
+                              "friction = \"0.5\"\nbulk_tension = ";
+    folder.write("s.toml", hertz + "\"-0.0255\"\n");
+    const std::string out = run(folder, "slip s.toml --digits 8 --terms 1,2").out;
+    CHECK(has(out, "d_1 is negative at the right edge"));
+    CHECK_FALSE(has(out, "d_2 is negative"));
+    CHECK_FALSE(has(out, "at the left edge:"));
+    folder.write("s.toml", hertz + "\"-0.025\"\n");
+    CHECK_FALSE(has(run(folder, "slip s.toml --digits 8 --terms 1,2").out, "negative"));
+}
+
 TEST_CASE("slip: bad input") {
     const Folder folder;
     folder.write("none.toml", "[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n[load]\n"

@@ -176,9 +176,8 @@ int pressure(const SceneOptions& o) {
                            : "slip where that is 1, stick where it is less") +
             "; the q columns are as those of p");
         if (!scene.history || scene.history->stick) {
-            table.remarks.push_back("warning: full stick does not hold: the contact slips beyond "
-                                    "the stick zone, -stick_b < x < stick_a (edgeproof slip has "
-                                    "the sizes of the slip zones)");
+            table.remarks.push_back("the contact slips outside -stick_b < x < stick_a (edgeproof "
+                                    "slip has the sizes of the slip zones)");
         }
     } else if (result.plan.shear) {
         table.notes.emplace_back(

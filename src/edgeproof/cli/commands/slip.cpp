@@ -20,6 +20,19 @@ scene::BoundedValue marked_size(const scene::RowsAt& edge, const std::vector<std
     return size;
 }
 
+/// Adds a remark for each size by n terms that is negative.
+void remark_negative_sizes(std::vector<std::string>& remarks, const scene::RowsAt& edge,
+                           const std::vector<std::size_t>& terms) {
+    for (const std::size_t n : terms) {
+        if (certainly_negative(edge.at(scene::Quantity::slip_terms, n).value)) {
+            remarks.push_back("d_" + std::to_string(n) + " is negative at the " +
+                              scene::edge_name(edge.edge()) +
+                              " edge: with this number of terms the series gives no slip zone; "
+                              "use d, or more terms");
+        }
+    }
+}
+
 int slip(const SceneOptions& o) {
     scene::Scene scene = asked_scene(o);
     ask_for(scene, o, scene::QuantityGroup::slip, {scene::QuantityGroup::contact});
@@ -108,7 +121,11 @@ int slip(const SceneOptions& o) {
                  })
             .role = report::Column::Role::route;
     }
-    columns.write(table, result.at_edges(scene::QuantityGroup::slip));
+    const std::vector<RowsAt> edges = result.at_edges(scene::QuantityGroup::slip);
+    for (const RowsAt& edge : edges) {
+        remark_negative_sizes(table.remarks, edge, terms);
+    }
+    columns.write(table, edges);
     emit(table, o);
     return 0;
 }

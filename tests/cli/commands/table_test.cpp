@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstring>
 #include <map>
 
 using namespace edgeproof::test;
@@ -119,7 +120,7 @@ TEST_CASE("table --check: a changed digit, a lost row, a row moved or added are 
     };
     const std::string digit = said(spoilt(good, "hertz:left:u=2/5:p"));
     CHECK(digit.find("row hertz:left:u=2/5:p: value is 0.4000010000") != std::string::npos);
-    CHECK(digit.find("the checksum is not that of the rows") != std::string::npos);
+    CHECK(digit.find("the head has checksum: fnv1a-64 ") != std::string::npos);
     auto all = lines(good);
     const auto joined = [](const std::vector<std::string>& list) {
         std::string text;
@@ -141,10 +142,35 @@ TEST_CASE("table --check: a changed digit, a lost row, a row moved or added are 
     auto twice = all;
     twice.push_back(all.back());
     CHECK(said(joined(twice)).find("row " + lost + " occurs twice") != std::string::npos);
+    // The head states what the table has, once.
+    for (const auto& [key, other] : {std::pair{"digits: 20", "digits: 40"},
+                                     {"rounding: nearest", "rounding: down"},
+                                     {"estimates: 0", "estimates: 3"},
+                                     {"rows: 11", "rows: 12"},
+                                     {"digits: 20", "digits: 20\n# digits: 50"},
+                                     {"digits: 20", "many digits"}}) {
+        CAPTURE(std::string(other));
+        const std::string wrong =
+            said(std::string(good).replace(good.find(key), std::strlen(key), other));
+        CHECK(lines(wrong).size() == 1);
+        CHECK(wrong.find(std::string(", and the table has ") + key) != std::string::npos);
+    }
     // A table with other digits is refused because of its rows.
     folder.write("h.toml", std::string(hertz_recipe).replace(hertz_recipe.find("20"), 2, "21"));
     CHECK(said(good).find("row hertz:P: value is 0.78539816339744830962, made anew "
                           "0.785398163397448309616") != std::string::npos);
+}
+
+TEST_CASE("table --check --every passes a right table whose sample lacks a column's quantities") {
+    const Folder folder;
+    folder.write("h.toml", std::string(hertz_recipe)
+                               .replace(hertz_recipe.find("\"M\"]"), 4,
+                                        "\"M\", \"extent_1\"]\ntolerance = [\"1%\""));
+    CHECK(run(folder, "table h.toml --out h.csv").code == 0);
+    for (const char* every : {"2", "3", "5", "100"}) {
+        CAPTURE(std::string(every));
+        CHECK(run(folder, std::string("table h.toml --check --every ") + every).code == 0);
+    }
 }
 
 TEST_CASE("table and points: bad input is one line with file and line; exit 2; no file") {

@@ -232,6 +232,15 @@ TEST_CASE("an error in a recipe is reported with its own line") {
     CHECK(refusal(replaced(grid, "\"left\"", "\"top\""))
               .rfind("r.toml:3: there is no edge 'top'", 0) == 0);
     CHECK(refusal("digits = 20\n").rfind("r.toml:", 0) == 0);
+    // A program that answers right would fail: tables of text mark such ids, or two are the same.
+    for (const char* name : {"\"=1+1\"", "\"+a\"", "-a", "\"@a\"", "\"a\\tb\"", "\"\""}) {
+        CAPTURE(name);
+        std::string renamed = radii;
+        for (std::size_t at = 0; (at = renamed.find("scenes.s", at)) != std::string::npos; ++at) {
+            renamed.replace(at + 7, 1, name);
+        }
+        CHECK(refusal(renamed).starts_with("r.toml:2: the scene name '"));
+    }
 }
 
 TEST_CASE("questions in binary64 are decimals that a double holds exactly") {

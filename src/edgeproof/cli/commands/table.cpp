@@ -22,12 +22,12 @@ struct TableOptions : OutputOptions {
 };
 
 std::vector<conformance::Reference> reference_values(const TableOptions& o,
-                                                     const conformance::Recipe& recipe) {
+                                                     const conformance::Recipe& recipe,
+                                                     const conformance::Questions& some) {
     conformance::ReferenceOptions options;
     options.digits = recipe.digits;
     options.threads = threads_of(o.threads);
-    return with_progress("values", options.progress,
-                         [&] { return references(recipe.questions, options); });
+    return with_progress("values", options.progress, [&] { return references(some, options); });
 }
 
 /// Returns the file of the table: --out, else next to the recipe.
@@ -36,19 +36,18 @@ std::filesystem::path table_of(const TableOptions& o) {
                          : std::filesystem::path(o.out);
 }
 
-int check(const TableOptions& o, conformance::Recipe& recipe) {
+int check(const TableOptions& o, const conformance::Recipe& recipe) {
     const std::filesystem::path file = table_of(o);
     const io::Csv old = io::parse_csv(io::read_text(file, "table (CSV)"), file.string());
     const std::size_t every =
         o.every.empty() ? 1 : whole_number("--every", o.every, 1, 1'000'000'000);
-    const conformance::Questions all = recipe.questions;
-    if (every > 1) {
-        recipe.questions.list.clear();
-        for (std::size_t i = 0; i < all.list.size(); i += every) {
-            recipe.questions.list.push_back(all.list[i]);
-        }
+    conformance::Questions some = recipe.questions;
+    some.list.clear();
+    for (std::size_t i = 0; i < recipe.questions.list.size(); i += every) {
+        some.list.push_back(recipe.questions.list[i]);
     }
-    const report::Table made = report::reference_table(recipe, reference_values(o, recipe));
+    const report::Table made =
+        report::reference_table(recipe, some, reference_values(o, recipe, some));
     const auto said = table_differences(old, made, every > 1);
     for (std::size_t i = 0; i < said.size() && i < most_said; ++i) {
         std::fprintf(stderr, "%s\n", said[i].c_str());
@@ -116,7 +115,7 @@ int table(TableOptions& o) {
     if (o.check) {
         return check(o, recipe);
     }
-    emit(report::reference_table(recipe, reference_values(o, recipe)), o);
+    emit(report::reference_table(recipe, reference_values(o, recipe, recipe.questions)), o);
     return 0;
 }
 

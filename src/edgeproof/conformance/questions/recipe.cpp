@@ -265,6 +265,15 @@ RecipeGrid RecipeGrid::parse(std::string_view text, const std::string& file) {
     std::vector<GridScene> scenes;
     for (const std::string& name : named.keys()) {
         const io::TomlSection scene = named.section(name);
+        if (name.empty() || std::string_view("=+-@").find(name.front()) != std::string_view::npos ||
+            printable(name) != name) {
+            top.reject(scene.line(),
+                       "the scene name '" + printable(name) +
+                           "' is empty, begins with one of = + - @, or has a character that is not "
+                           "printed: "
+                           "a spreadsheet or a program would change the ids",
+                       "write a name of letters and digits");
+        }
         scene.allow({"profile", "load", "shear", "steps", "edges", "u", "points", "bodies",
                      "tolerance", "quantities"});
         io::at_place(file, scene.line(), [&] {

@@ -6,6 +6,7 @@
 #include "edgeproof/report/text/program_line.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -182,14 +183,14 @@ Table ReferenceRows::table(std::size_t rows, std::size_t estimates, std::uint64_
     return table;
 }
 
-Table reference_table(const conformance::Recipe& recipe,
+Table reference_table(const conformance::Recipe& recipe, const conformance::Questions& some,
                       const std::vector<conformance::Reference>& values) {
     const ReferenceRows rows(recipe);
     std::vector<std::vector<std::string>> cells;
     std::size_t estimates = 0;
     std::uint64_t hash = rows.header_checksum();
     for (std::size_t i = 0; i < values.size(); ++i) {
-        cells.push_back(rows.row(recipe.questions, i, values[i]));
+        cells.push_back(rows.row(some, i, values[i]));
         hash = io::fnv1a(csv_line(cells.back()), hash);
         estimates += values[i].value.proved ? 0 : 1;
     }
@@ -197,6 +198,52 @@ Table reference_table(const conformance::Recipe& recipe,
     table.rows = std::move(cells);
     return table;
 }
+
+Table reference_table(const conformance::Recipe& recipe,
+                      const std::vector<conformance::Reference>& values) {
+    return reference_table(recipe, recipe.questions, values);
+}
+
+namespace {
+
+/// Returns the facts that the head of a table states wrongly, or does not state, a sentence each.
+std::vector<std::string> wrong_facts(const io::Csv& old, const Table& made) {
+    const auto route = old.column("route");
+    std::uint64_t hash = io::fnv1a(csv_line(old.header.cells));
+    std::size_t estimates = 0;
+    for (const io::Csv::Row& row : old.rows) {
+        hash = io::fnv1a(csv_line(row.cells), hash);
+        estimates += route && *route < row.cells.size() &&
+                             row.cells[*route].find("(estimate)") != std::string::npos
+                         ? 1
+                         : 0;
+    }
+    std::map<std::string, std::string> expected{
+        {"rows", std::to_string(old.rows.size())},
+        {"estimates", std::to_string(estimates)},
+        {std::string(checksum_key), checksum_text(hash)},
+    };
+    for (const Fact& fact : made.facts) {
+        if (fact.key == "digits" || fact.key == "rounding") {
+            expected[fact.key] = fact.value;
+        }
+    }
+    std::vector<std::string> wrong;
+    for (const auto& [key, value] : expected) {
+        std::vector<std::string> stated;
+        std::ranges::copy_if(old.notes, std::back_inserter(stated),
+                             [&](const std::string& note) { return note.starts_with(key + ":"); });
+        if (stated != std::vector{key + ": " + value}) {
+            wrong.push_back(fmt::format(
+                "the head {}, and the table has {}: {}",
+                stated.empty() ? "has no " + key : fmt::format("has {}", fmt::join(stated, ", ")),
+                key, value));
+        }
+    }
+    return wrong;
+}
+
+} // namespace
 
 Table question_table(const conformance::Questions& questions, const std::string& title) {
     const std::vector<std::string> keys = questions.columns();
@@ -246,16 +293,13 @@ std::vector<std::string> table_differences(const io::Csv& old, const Table& made
         return said;
     }
     std::map<std::string, const io::Csv::Row*, std::less<>> by_id;
-    std::uint64_t hash = io::fnv1a(csv_line(columns));
     for (const io::Csv::Row& row : old.rows) {
-        hash = io::fnv1a(csv_line(row.cells), hash);
         if (!by_id.emplace(row.cells.front(), &row).second) {
             say(row.line, "row " + row.cells.front() + " occurs twice");
         }
     }
-    if (std::ranges::find(old.notes, fmt::format("{}: {}", checksum_key, checksum_text(hash))) ==
-        old.notes.end()) {
-        say(1, "the checksum is not that of the rows");
+    for (const std::string& wrong : wrong_facts(old, made)) {
+        say(1, wrong);
     }
     std::size_t last = 0;
     std::set<std::string, std::less<>> ids;

@@ -54,14 +54,20 @@ private:
 [[nodiscard]] Table reference_table(const conformance::Recipe& recipe,
                                     const std::vector<conformance::Reference>& values);
 
+/// The same for some of the recipe's questions.
+[[nodiscard]] Table reference_table(const conformance::Recipe& recipe,
+                                    const conformance::Questions& some,
+                                    const std::vector<conformance::Reference>& values);
+
 /// Returns the questions as a table to be answered: id, parameters, quantity, edge, u, x; the other
 /// program adds a column `value`. x is left out if it is not rational.
 [[nodiscard]] Table question_table(const conformance::Questions& questions,
                                    const std::string& title);
 
 /// Returns the differences between a table on disk and a new one, one line each: rows that differ,
-/// are missing, superfluous or out of order, and a wrong checksum. `sample`: the new table has only
-/// some of the rows. Empty if all digits agree.
+/// are missing, superfluous or out of order, and a head that states other digits, another rounding,
+/// or another number of rows or estimates or another checksum than that of its rows. `sample`: the
+/// new table has only some of the rows. Empty if all digits agree.
 [[nodiscard]] std::vector<std::string> table_differences(const io::Csv& old, const Table& made,
                                                          bool sample);
 

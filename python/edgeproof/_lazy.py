@@ -13,11 +13,11 @@ def imported(name: str) -> Any:
 
     The current folder may have changed since the program began, to one with files of others.
     """
-    if name not in sys.modules:
-        path = sys.path[:]
-        sys.path[:] = [folder for folder in path if folder]
-        try:
-            importlib.import_module(name)
-        finally:
-            sys.path[:] = path
-    return sys.modules[name]
+    if name in sys.modules:
+        return importlib.import_module(name)
+    path = sys.path[:]
+    sys.path[:] = [folder for folder in path if folder]
+    try:
+        return importlib.import_module(name)
+    finally:
+        sys.path[:] = path

@@ -75,7 +75,8 @@ def _pressures(scene: Any, length: float, edge: str) -> Any:
 
 def plot(scene: Any, terms: Any, edge: str) -> matplotlib.figure.Figure:
     numpy = imported("numpy")
-    figure: matplotlib.figure.Figure = imported("matplotlib.figure").Figure(figsize=(11, 4.8), layout="constrained")
+    figure: matplotlib.figure.Figure = imported("matplotlib.figure").Figure(
+        figsize=(11, 4.8), layout="constrained")
     whole, near = figure.subplots(1, 2)
     a, b = float(scene.contact(20).a), float(scene.contact(20).b)
     length = a + b

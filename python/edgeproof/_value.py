@@ -29,5 +29,5 @@ def _with_one_sentence(method: Callable[..., Any]) -> Callable[..., Any]:
     return called
 
 
-for _name in ("interval", "rounded", "fraction", "decimal", "mpmath", "to_dict"):
+for _name in ("interval", "rounded", "fraction", "decimal", "mpmath", "to_dict", "__format__"):
     setattr(Value, _name, _with_one_sentence(getattr(Value, _name)))

@@ -235,8 +235,8 @@ def _tables(results: Any, name: str) -> list[tuple[str, str]]:
     if _is_file(results) or _is_pair(results):
         results = [results]
     if isinstance(results, Mapping) or not hasattr(results, "__iter__"):
-        raise TypeError(f"{name} is {type(results).__name__}: give a file, or a tuple (x, p) of two "
-                        "arrays")
+        raise TypeError(f"{name} is {type(results).__name__}: give a file, or a tuple (x, p) of "
+                        "two arrays")
     many = list(results)
     if not many:
         raise InputError("there is no result", "give a file, or (x, p)")

@@ -145,7 +145,8 @@ def tilted_flat_and_rounded(t: Number, R: Number, alpha: Number | None = None) -
 
 
 @checked
-def piecewise(knots: Iterable[Number], slopes: Iterable[Number], symmetric: bool = False) -> Profile:
+def piecewise(knots: Iterable[Number], slopes: Iterable[Number],
+              symmetric: bool = False) -> Profile:
     """A slope g'(x) in pieces: slopes[i], a formula in x, holds between knots[i-1] and knots[i].
 
     With symmetric=True both lists are for x > 0, and g'(-x) = -g'(x). g' must not decrease, and

@@ -169,12 +169,13 @@ class Scene:
                                  "give E and nu for two equal bodies, or E1, nu1, E2 and nu2")
             E1, nu1, E2, nu2, nu = E, nu, E, nu, None
         given = dict(zip(_LOAD, (a, P, M, delta, contact_modulus, E1, nu1, E2, nu2, nu)))
-        load = [(k, v) for k, v in given.items() if v is not None]
-        shear = [(k, v) for k, v in (("Q", Q), ("bulk_tension", bulk_tension), ("bulk_A", bulk_A),
-                                     ("friction", friction), ("path", path))
-                 if v is not None]
-        history = [list(step.items()) for step in steps]
-        self._set(_edgeproof.NativeScene.from_entries(title, profile._entries(), load, shear, history))
+        load: list[Any] = [(k, v) for k, v in given.items() if v is not None]
+        tractions = {"Q": Q, "bulk_tension": bulk_tension, "bulk_A": bulk_A, "friction": friction,
+                     "path": path}
+        shear: list[Any] = [(k, v) for k, v in tractions.items() if v is not None]
+        history: list[Any] = [list(step.items()) for step in steps]
+        self._set(_edgeproof.NativeScene.from_entries(title, profile._entries(), load, shear,
+                                                      history))
 
     def _set(self, native: _edgeproof.NativeScene) -> None:
         self._native = native

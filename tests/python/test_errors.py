@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import inspect
+import operator
 import pathlib
 import pickle
 import subprocess
@@ -184,6 +185,15 @@ def test_an_argument_of_another_type_is_an_error_in_one_sentence(call, arguments
         with pytest.raises((TypeError, edgeproof.Error)) as raised:
             call(*range(20)) if wrong is None else call(**wrong)
         assert "\n" not in str(raised.value)
+
+
+def test_operators_with_another_type():
+    for operation in (operator.add, operator.mul, operator.lt, operator.eq, format):
+        for other in OTHERS:
+            try:
+                operation(SCENE.a, other)
+            except (TypeError, ValueError, edgeproof.Error) as error:
+                assert str(error) and "\n" not in str(error) and "C++" not in str(error)
 
 
 def test_every_public_call_reads_its_arguments():

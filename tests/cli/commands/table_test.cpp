@@ -165,7 +165,7 @@ TEST_CASE("table --check --every passes a right table whose sample lacks a colum
     const Folder folder;
     folder.write("h.toml", std::string(hertz_recipe)
                                .replace(hertz_recipe.find("\"M\"]"), 4,
-                                        "\"M\", \"extent_1\"]\ntolerance = [\"1%\""));
+                                        "\"M\", \"extent_1\"]\ntolerance = [\"1%\"]"));
     CHECK(run(folder, "table h.toml --out h.csv").code == 0);
     for (const char* every : {"2", "3", "5", "100"}) {
         CAPTURE(std::string(every));

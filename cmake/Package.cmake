@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # `cpack -G DEB` in the build folder makes edgeproof (the program, its manual pages and the files that
-# it finds by name), edgeproof-mpi (what the program loads under mpirun, if it was built),
+# it finds by name),
 # libedgeproof-dev, python3-edgeproof (if it was built) and edgeproof-doc. The dependencies are those
 # of the Debian on which it runs.
 set(EDGEPROOF_MAINTAINER "" CACHE STRING
@@ -25,9 +25,6 @@ set(CPACK_COMPONENTS_ALL program development documentation)
 if(EDGEPROOF_PYTHON_BUILT)
     list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
-if(TARGET edgeproof_mpi)
-    list(APPEND CPACK_COMPONENTS_ALL mpi)
-endif()
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -41,13 +38,7 @@ contact to any number of digits, each value with an error bound, and holds
 printed formulas, tables and other programs against them.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "librsvg2-bin, edgeproof-doc")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "python3-edgeproof, edgeproof-mpi")
-
-set(CPACK_DEBIAN_MPI_PACKAGE_NAME edgeproof-mpi)
-set(CPACK_DEBIAN_MPI_DESCRIPTION "Tables made by several processes under Open MPI. The program edgeproof
-loads this module when mpirun or srun starts it.")
-set(CPACK_DEBIAN_MPI_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "edgeproof (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "python3-edgeproof")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libedgeproof-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

@@ -83,7 +83,7 @@ def _built(settings: dict) -> pathlib.Path:
         python = getattr(sys, "_base_executable", None) or sys.executable
         defined = ["EDGEPROOF_PYTHON=ON", "EDGEPROOF_PYTHON_REQUIRED=ON",
                    f"EDGEPROOF_PYTHON_EXECUTABLE={python}", "EDGEPROOF_TESTS=OFF",
-                   "EDGEPROOF_MPI=OFF", *defined]
+                   *defined]
     if defined:
         _run("cmake", "--preset", "release", "-B", str(build), *(f"-D{d}" for d in defined))
     _run("cmake", "--build", str(build), "--target", "edgeproof_python_package", "--parallel",

@@ -93,11 +93,8 @@ std::vector<LongRun> long_runs() {
          tilted("terms = [2, 3, 4]\ntolerance = \"0.01\"\nu = [\"1/9\"]\n")},
         {"a run explained", "explain in --run --digits 20000", tilted(many_u)},
         {"table", "table in", tilted_recipe(3000, 1000)},
-        {"table in parts",
-         "table in --out t.csv --threads 1",
-         tilted_recipe(3000, 1000),
-         {"t.csv.part"}},
-        {"mutants", "mutate in --digits 1000", hertz_head + hertz_claim("nested", nested)},
+        {"table in parts", "table in --part 1/2 --out t.csv --threads 1",
+         tilted_recipe(3000, 1000)},
         {"mutants kept",
          "mutate in --digits 1000 --state kept --out m.csv",
          hertz_head + hertz_claim("nested", nested),
@@ -270,20 +267,6 @@ void interrupt_all(const std::vector<LongRun>& all, std::chrono::milliseconds af
 TEST_CASE("every subcommand is interrupted at any place: its own exit status, no files left") {
     interrupt_all(long_runs(), std::chrono::milliseconds(200),
                   [](std::size_t i) { return i % 2 == 0 ? SIGINT : SIGTERM; });
-}
-
-TEST_CASE("saved work continues after an interruption, and the message states it") {
-    const std::vector<LongRun> all{
-        {"table", "table in --out t.csv --threads 1", tilted_recipe(3000, 1000), {"t.csv.part"}}};
-    Running run(all.front());
-    const auto last = Clock::now() + longest_end;
-    while (!run.files().contains("t.csv.part") && Clock::now() < last) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    run.send(SIGTERM);
-    CHECK(run.end(Clock::now() + longest_end) == 143);
-    CHECK(has(run.err(), "kept in t.csv.part; the same command goes on from there"));
-    CHECK(run.files() == std::set<std::string>{"in", "t.csv.part"});
 }
 
 TEST_CASE("a second signal ends the program at once, and the exit status names the first") {

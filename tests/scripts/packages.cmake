@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -D BUILD=<build> -D WORK=<scratch> -D PYTHON=<python3, or empty> -D MPI=<true if built>
+# cmake -D BUILD=<build> -D WORK=<scratch> -D PYTHON=<python3, or empty>
 #       -P packages.cmake
 # Makes the Debian packages of a build, checks them with lintian if it is installed, unpacks them
 # together, and runs their programs.
@@ -26,9 +26,6 @@ file(GLOB packages ${WORK}/packages/*.deb)
 set(expected edgeproof_ libedgeproof-dev_ edgeproof-doc_)
 if(PYTHON)
     list(APPEND expected python3-edgeproof_)
-endif()
-if(MPI)
-    list(APPEND expected edgeproof-mpi_)
 endif()
 list(LENGTH packages count)
 list(LENGTH expected wanted)
@@ -63,13 +60,6 @@ foreach(package IN LISTS packages)
             message(FATAL_ERROR "${name} and '${file}': all of the program belongs to edgeproof")
         endif()
     endforeach()
-    if(NOT name STREQUAL "edgeproof-mpi" AND "${contents}${depends}" MATCHES "openmpi|edgeproof_mpi")
-        message(FATAL_ERROR "${name} needs MPI, or contains it: ${depends}")
-    endif()
-    if(name STREQUAL "edgeproof-mpi" AND NOT (depends MATCHES "libopenmpi" AND contents MATCHES
-            "/edgeproof/mpi/edgeproof_mpi.so"))
-        message(FATAL_ERROR "edgeproof-mpi: ${depends}\n${contents}")
-    endif()
 endforeach()
 
 # Only their own folders are used, without environment variables.

@@ -3,7 +3,6 @@
 /// The program's subcommands, one file each. Every add_... function adds its command to the command
 /// line; the command that is run writes its exit status to `code`: 0 good, 1 differs or fails the
 /// target, 2 bad input. An interruption (130, 143) is thrown (below).
-#include "edgeproof/parallel/distributed_work.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <CLI/CLI.hpp>
@@ -155,15 +154,6 @@ inline constexpr std::string_view shipped_designs = "examples/design";
 
 /// Returns the names of the files in that folder that file_or_shipped finds, in order.
 [[nodiscard]] std::vector<std::string> shipped_names(std::string_view folder);
-
-/// Returns the processes that mpirun or srun started together with this one, or null if it was
-/// started alone (then only the environment is read). Throws InputError if it is one of several
-/// processes that it cannot reach: in a build without MPI, or under an srun that does not connect
-/// them.
-[[nodiscard]] std::unique_ptr<parallel::Processes> launched_together();
-
-/// Returns the number of processes started together, 1 for one alone.
-[[nodiscard]] std::size_t launched_count();
 
 // The end of the program (signals.cpp).
 

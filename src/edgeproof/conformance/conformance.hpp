@@ -2,7 +2,7 @@
 #pragma once
 /// Reference values, and the comparison of other programs' numbers with them.
 ///   questions/question.hpp     Question: a value requested for a contact
-///   questions/recipe_grid.hpp  Recipe, RecipeGrid: grids of contacts with questions, from TOML
+///   questions/recipe.hpp  Recipe: grids of contacts with questions, from TOML
 ///   questions/reference.hpp    the answers, the same on any number of threads; how much of an
 ///   error
 ///                              the rounding of the inputs explains
@@ -20,5 +20,5 @@
 #include "edgeproof/conformance/causes/convention.hpp"
 #include "edgeproof/conformance/causes/self_test.hpp"
 #include "edgeproof/conformance/questions/question.hpp"
-#include "edgeproof/conformance/questions/recipe_grid.hpp"
+#include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/conformance/questions/reference.hpp"

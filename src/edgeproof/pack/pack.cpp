@@ -2,7 +2,7 @@
 #include "edgeproof/pack/pack.hpp"
 #include "edgeproof/comparison/measures/exact_contact.hpp"
 #include "edgeproof/conformance/causes/readings.hpp"
-#include "edgeproof/conformance/questions/recipe_grid.hpp"
+#include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/conformance/questions/reference.hpp"
 #include "edgeproof/io/sha256.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"

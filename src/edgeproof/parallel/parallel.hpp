@@ -1,4 +1,3 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/parallel/distributed_work.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"

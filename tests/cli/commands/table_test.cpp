@@ -232,3 +232,47 @@ TEST_CASE("the reference tables: a sample is reproduced") {
 TEST_CASE("the reference tables: all rows are reproduced" * doctest::test_suite("slow")) {
     CHECK(check_reference_tables("") >= 5000);
 }
+
+TEST_CASE(
+    "table --part and --merge: the bytes of the table made at once; a complete part is kept") {
+    const Folder folder;
+    folder.write("r.toml", hertz_recipe);
+    REQUIRE(run(folder, "table r.toml --out whole.csv").code == 0);
+    for (const char* part : {"3/3", "1/3", "2/3"}) {
+        const std::string name = std::string("p") + part[0] + ".csv";
+        REQUIRE(run(folder, std::string("table r.toml --part ") + part + " --out " + name).code ==
+                0);
+    }
+    REQUIRE(run(folder, "table --merge p2.csv p1.csv p3.csv --out merged.csv").code == 0);
+    CHECK(file_text(folder.path() / "merged.csv") == file_text(folder.path() / "whole.csv"));
+    CHECK(has(run(folder, "table r.toml --part 1/3 --out p1.csv").err,
+              "p1.csv: part 1/3 is complete"));
+    // Another recipe, or a changed row: the part is made again.
+    const std::string right = file_text(folder.path() / "p1.csv");
+    std::string spoilt_part = right;
+    spoilt_part.back() = 'x';
+    folder.write("p1.csv", spoilt_part + "\n");
+    CHECK(run(folder, "table r.toml --part 1/3 --out p1.csv").err.empty());
+    CHECK(file_text(folder.path() / "p1.csv") == right);
+    folder.write("r.toml", hertz_recipe + "# another text\n");
+    CHECK(run(folder, "table r.toml --part 1/3 --out p1.csv").err.empty());
+
+    folder.write("spoilt.csv", spoilt_part);
+    for (const auto& [arguments, message] :
+         std::initializer_list<std::pair<const char*, const char*>>{
+             {"--merge p1.csv p2.csv p3.csv",
+              "p2.csv:1: this is a part of another table than p1.csv"},
+             {"--merge p2.csv", "p2.csv:1: part 1 of 3 is not given"},
+             {"--merge p2.csv p2.csv", "p2.csv:1: part 2 is given twice"},
+             {"--merge whole.csv", "whole.csv:1: this is no part of a table"},
+             {"--merge spoilt.csv", "spoilt.csv:1: rows are missing or have changed"},
+             {"r.toml --part 4/3 --out x.csv", "--part 4/3 names no part"},
+             {"r.toml --part 1/3", "--part writes a file in CSV"},
+             {"r.toml --merge p2.csv", "a table has one recipe, or parts to merge"},
+             {"", "a table has one recipe, or parts to merge"}}) {
+        CAPTURE(message);
+        const Outcome o = run(folder, std::string("table ") + arguments);
+        CHECK(o.code == 2);
+        CHECK(has(o.err, message));
+    }
+}

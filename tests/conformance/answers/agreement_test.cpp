@@ -2,7 +2,7 @@
 #include "edgeproof/conformance/answers/agreement.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/conformance/causes/convention.hpp"
-#include "edgeproof/conformance/questions/recipe_grid.hpp"
+#include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "tests/support/namespaces.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/program_driver.hpp"
-#include "edgeproof/conformance/questions/recipe_grid.hpp"
+#include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/io/child_process.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"

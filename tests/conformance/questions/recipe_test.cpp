@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/questions/recipe_grid.hpp"
+#include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/conformance/questions/reference.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"
@@ -88,38 +88,6 @@ TEST_CASE("a grid becomes questions in a fixed order, with ids that describe the
           std::vector<std::string>{"kind", "m", "C", "a", "contact_modulus"});
 }
 
-namespace {
-
-/// Compares the rows and questions of the pieces with the whole list; returns the numbers of rows
-/// and pieces, or the first difference.
-std::string pieces_against_list(const std::string& text) {
-    const RecipeGrid pieces = RecipeGrid::parse(text, "r.toml");
-    const Questions all = pieces.questions();
-    std::vector<std::size_t> held(pieces.rows(), 0);
-    for (std::size_t p = 0; p < pieces.pieces(); ++p) {
-        const RecipeGrid::Piece piece = pieces.piece(p);
-        for (std::size_t k = 0; k < piece.rows.size(); ++k) {
-            const std::size_t row = piece.rows[k];
-            const Question& q = piece.questions.list[k];
-            ++held[row];
-            if (q.id != all.list[row].id || pieces.piece_of(row) != p ||
-                parameter_text(piece.questions.contacts[q.contact], "m") !=
-                    parameter_text(all.contacts[all.list[row].contact], "m") ||
-                (k > 0 && !(piece.rows[k - 1] < row))) {
-                return "row " + std::to_string(row);
-            }
-        }
-    }
-    for (const std::size_t times : held) {
-        if (times != 1) {
-            return "a row is held " + std::to_string(times) + " times";
-        }
-    }
-    return std::to_string(pieces.rows()) + " rows, " + std::to_string(pieces.pieces()) + " pieces";
-}
-
-} // namespace
-
 TEST_CASE("contacts given by radii, by widths and by the kinds of scenes") {
     const Recipe recipe = parse_recipe(R"(digits = 20
 [scenes.cylinders]
@@ -170,40 +138,6 @@ contact_modulus = "1"
     CHECK(value(5) == 2);
 }
 
-TEST_CASE("the pieces of a recipe contain every row of the whole list once") {
-    // 7 questions for each contact: 2 contacts in a piece.
-    CHECK(pieces_against_list(grid) == "28 rows, 2 pieces");
-    const std::string many = replaced(grid, "m = [\"1\", \"2\"]",
-                                      "m = [\"1\", \"2\", \"3\", \"4\", \"5\", \"6\", \"7\"]");
-    CHECK(pieces_against_list(many) == "98 rows, 7 pieces");
-    // 203 questions for each contact: 3 without a point in one piece, 200 points in 2.
-    const std::string long_ones = replaced(grid, "u = [\"1/2\", \"1e-3\"]",
-                                           "u = { from = \"1/1000\", to = \"1/2\", points = 100 }");
-    CHECK(pieces_against_list(long_ones) == "812 rows, 12 pieces");
-    CHECK(pieces_against_list(replaced(many, "[scenes.hertz.load]",
-                                       "[scenes.other]\nquantities = [\"c_0\"]\n"
-                                       "[scenes.other.profile]\nkind = \"power-law\"\nm = \"1\"\n"
-                                       "C = \"1\"\n[scenes.other.load]\na = \"1\"\n"
-                                       "contact_modulus = \"1\"\n[scenes.hertz.load]")) ==
-          "99 rows, 8 pieces");
-}
-
-TEST_CASE("a recipe of a hundred million rows is read at once, and any piece of it") {
-    std::string big = replaced(grid, "u = [\"1/2\", \"1e-3\"]",
-                               "u = { from = \"1/1000000\", to = \"1/2\", points = 20000 }");
-    std::string values;
-    for (int i = 1; i <= 625; ++i) {
-        values += (i == 1 ? "\"" : ", \"") + std::to_string(i) + "\"";
-    }
-    big = replaced(big, "C = \"1\"", "C = [" + values + "]");
-    CHECK_THROWS_AS((void)parse_recipe(big, "r.toml"), InputError);
-    const RecipeGrid pieces = RecipeGrid::parse(big, "r.toml");
-    CHECK(pieces.rows() == std::size_t{2} * 625 * 2 * (3 + 2 * 20000));
-    const RecipeGrid::Piece last = pieces.piece(pieces.pieces() - 1);
-    CHECK(last.rows.back() == pieces.rows() - 1);
-    CHECK(last.questions.list.back().id == "hertz:m=2:C=625:a=3/2:right:u=1/2:p");
-}
-
 TEST_CASE("an error in a recipe is reported with its own line") {
     const std::string radii = "digits = 20\n[scenes.s]\nquantities = [\"P\"]\n"
                               "[scenes.s.profile]\nkind = \"hertz\"\nR1 = \"1\"\nR2 = \"-1\"\n"
@@ -250,4 +184,15 @@ TEST_CASE("questions in binary64 are decimals that a double holds exactly") {
     // 0.1 in binary64 is 3602879701896397/2^55.
     CHECK(asked.list[3].u->text() == "0.1000000000000000055511151231257827021181583404541015625");
     CHECK(asked.list[3].id == "hertz:m=1:a=1:left:u=0.1:p");
+}
+
+TEST_CASE("a recipe of more than a million questions is refused before its grids are expanded") {
+    std::string big = replaced(grid, "u = [\"1/2\", \"1e-3\"]",
+                               "u = { from = \"1/1000000\", to = \"1/2\", points = 20000 }");
+    std::string values;
+    for (int i = 1; i <= 625; ++i) {
+        values += (i == 1 ? "\"" : ", \"") + std::to_string(i) + "\"";
+    }
+    CHECK(refusal(replaced(big, "C = \"1\"", "C = [" + values + "]"))
+              .find("more than a million questions; split the recipe") != std::string::npos);
 }

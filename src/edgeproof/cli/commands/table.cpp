@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/commands/table_in_parts.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/atomic_file.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"
+#include "edgeproof/report/tables/table_in_parts.hpp"
 
 #include <cstdio>
 #include <optional>
@@ -18,6 +18,8 @@ struct TableOptions : OutputOptions {
     std::string recipe;
     std::string threads;
     std::string every;
+    std::string part;
+    std::vector<std::string> merge;
     bool check = false;
 };
 
@@ -62,58 +64,56 @@ int check(const TableOptions& o, const conformance::Recipe& recipe) {
     return said.empty() ? 0 : 1;
 }
 
-int to_file(const TableOptions& o) {
-    const auto processes = launched_together();
-    const bool leads = processes == nullptr || processes->number() == 0;
-    std::optional<conformance::RecipeGrid> recipe;
-    std::optional<TableInParts> table;
-    unsigned threads = 0;
-    try {
-        threads = processes != nullptr && o.threads.empty() ? 1 : threads_of(o.threads);
-        recipe = conformance::RecipeGrid::read(o.recipe);
-        table.emplace(*recipe, o.out, format_of(o.format), !o.no_notes);
-        if (leads) {
-            io::check_output(o.out);
-            table->open();
-        }
-    } catch (const Error& error) {
-        if (leads && processes != nullptr) {
-            dismiss(*processes);
-        }
-        if (leads) {
-            throw;
-        }
-        follow_failed(*processes, error.what()); // the first process reports it
+/// Makes the rows of a part, unless the file holds them already.
+int make_part(const TableOptions& o, const conformance::Recipe& recipe) {
+    const report::PartOfTable part = report::part_named(o.part, o.recipe);
+    if (report::is_complete_part(o.out, part)) {
+        std::fprintf(stderr, "%s: part %s is complete\n", o.out.c_str(), o.part.c_str());
         return 0;
     }
-    if (leads) {
-        table->make(threads, processes.get());
-    } else {
-        table->help(threads, *processes);
-        check_interruption(); // also gives this process the status of an interruption
+    conformance::Questions some = recipe.questions;
+    some.list.clear();
+    for (std::size_t i = part.number - 1; i < recipe.questions.list.size(); i += part.of) {
+        some.list.push_back(recipe.questions.list[i]);
     }
+    report::Table table = report::reference_table(recipe, some, reference_values(o, recipe, some));
+    for (report::Fact& fact : report::facts_of(part)) {
+        table.facts.push_back(std::move(fact));
+    }
+    emit(table, o);
     return 0;
 }
 
 int table(TableOptions& o) {
-    o.recipe = file_or_shipped(o.recipe, shipped_recipes);
     (void)format_of(o.format);
-    if (!o.every.empty() && !o.check) {
-        throw InputError("--every " + o.every + " takes a sample of a check", "add --check");
-    }
-    if (launched_count() > 1 && (o.check || o.out.empty() || o.out == "-")) {
-        throw InputError("several processes share the making of a file, and nothing else",
-                         "add --out FILE, or start one process");
-    }
-    if (!o.out.empty() && !o.check) {
-        if (o.out != "-" && !io::OutputTarget::of(o.out).special) {
-            return to_file(o);
+    const auto need = [](bool fulfilled, const std::string& problem, const std::string& instead) {
+        if (!fulfilled) {
+            throw InputError(problem, instead);
         }
-        io::check_output(o.out); // a device has no part file
+    };
+    need(o.merge.empty() != o.recipe.empty(), "a table has one recipe, or parts to merge",
+         "write edgeproof table RECIPE, or edgeproof table --merge PART... --out FILE");
+    need(o.every.empty() || o.check, "--every " + o.every + " takes a sample of a check",
+         "add --check");
+    need((o.part.empty() && o.merge.empty()) || !o.check, "--check compares a whole table",
+         "leave --check out");
+    if (!o.out.empty() && !o.check) {
+        io::check_output(o.out);
     }
-    conformance::Recipe recipe = conformance::read_recipe(o.recipe);
+    if (!o.merge.empty()) {
+        io::write_output(o.out.empty() ? "-" : o.out, report::merged_parts(o.merge));
+        return 0;
+    }
+    o.recipe = file_or_shipped(o.recipe, shipped_recipes);
+    const conformance::Recipe recipe = conformance::read_recipe(o.recipe);
     if (o.check) {
         return check(o, recipe);
+    }
+    if (!o.part.empty()) {
+        need(!o.out.empty() && o.out != "-" && format_of(o.format) == report::TableFormat::csv &&
+                 !o.no_notes,
+             "--part writes a file in CSV, with its notes", "add --out FILE.csv");
+        return make_part(o, recipe);
     }
     emit(report::reference_table(recipe, reference_values(o, recipe, recipe.questions)), o);
     return 0;
@@ -124,15 +124,16 @@ int table(TableOptions& o) {
 void add_table(CLI::App& app, int& code) {
     auto [sub, o] = add_command<TableOptions>(app, code, "table",
                                               "a table of reference values from a recipe", table);
-    sub.add_option("recipe", o.recipe, "the recipe (TOML)")->required();
-    sub.add_option("--out", o.out,
-                   "write to this file, whole or not at all; what is done of a long table is "
-                   "kept next to it (.part), and the same command goes on from there");
+    sub.add_option("recipe", o.recipe, "the recipe (TOML)");
+    sub.add_option("--out", o.out, "write to this file, whole or not at all");
     sub.add_option("--format", o.format, "default: csv")->type_name("csv|json|md|tex");
     sub.add_flag("--no-notes", o.no_notes, "leave out the facts and notes around the rows");
-    sub.add_option("--threads", o.threads,
-                   "threads (default: one a processor; one each of several processes that "
-                   "mpirun or srun started)");
+    sub.add_option("--threads", o.threads, "threads (default: one a processor)");
+    sub.add_option("--part", o.part,
+                   "K/N: every Nth row from the Kth only; nothing is done where --out is this part "
+                   "already");
+    sub.add_option("--merge", o.merge, "write the table of these parts, in any order")
+        ->type_name("PART...");
     sub.add_flag("--check", o.check,
                  "make the table anew and compare it with --out (default: the .csv next to the "
                  "recipe); exit 1 where a digit differs");

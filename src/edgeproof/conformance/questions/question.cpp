@@ -232,44 +232,4 @@ std::vector<Parameter> rounded_to_binary64(std::vector<Parameter> parameters) {
     return parameters;
 }
 
-void AskedList::add(std::vector<Question> each, const std::optional<std::string>& before_point) {
-    const std::size_t count = each.size() * (before_point ? points_.size() : 1);
-    if (count > 0) {
-        parts_.push_back({size_, std::move(each), before_point});
-        size_ += count;
-    }
-}
-
-const AskedList::Part& AskedList::part_of(std::size_t i) const {
-    return *std::prev(std::ranges::upper_bound(parts_, i, {}, &Part::first));
-}
-
-const Question& AskedList::pattern(std::size_t i) const {
-    const Part& part = part_of(i);
-    return part.each[(i - part.first) % part.each.size()];
-}
-
-Question AskedList::at(std::size_t i) const {
-    const Part& part = part_of(i);
-    Question q = part.each[(i - part.first) % part.each.size()];
-    if (part.before_point) {
-        scene::AskedPoint point = points_.at((i - part.first) / part.each.size());
-        q.id = *part.before_point + point.u.text() + q.id;
-        q.u = std::move(point.u);
-        q.line = point.line;
-    }
-    return q;
-}
-
-std::vector<Question> AskedList::sample() const {
-    std::vector<Question> questions;
-    for (const Part& part : parts_) {
-        const std::size_t points = part.before_point && !points_.range ? points_.size() : 1;
-        for (std::size_t k = 0; k < part.each.size() * points; ++k) {
-            questions.push_back(at(part.first + k));
-        }
-    }
-    return questions;
-}
-
 } // namespace edgeproof::conformance

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/questions/recipe_grid.hpp"
+#include "edgeproof/conformance/questions/recipe.hpp"
 
+#include "edgeproof/conformance/questions/recipe_grid.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
+#include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/scene/input/points.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 namespace edgeproof::conformance {
@@ -101,28 +105,26 @@ std::vector<GridAxis> read_axes(const io::TomlSection& scene) {
     return axes;
 }
 
-AskedPoints read_points(const io::TomlSection& scene) {
-    AskedPoints points;
+std::vector<scene::AskedPoint> read_points(const io::TomlSection& scene) {
+    std::vector<scene::AskedPoint> points;
     if (!scene.has("u")) {
         return points;
     }
-    const std::size_t line = scene.line("u");
-    const auto check = [&](const formula::Exact& u, std::size_t at) {
-        if (u.sign() <= 0) {
-            scene.reject(at, "u = " + u.text() + " is not inside the contact",
+    if (scene.is_table("u")) {
+        for (const formula::Exact& u : read_range(scene, "u").all()) {
+            points.push_back({u, scene.line("u")});
+        }
+    } else {
+        for (const auto& item : scene.exacts("u")) {
+            points.push_back({item.value, item.line});
+        }
+    }
+    for (const scene::AskedPoint& point : points) {
+        if (point.u.sign() <= 0) {
+            scene.reject(point.line, "u = " + point.u.text() + " is not inside the contact",
                          "give distances from the edge, 0 < u < a + b");
         }
-    };
-    if (!scene.is_table("u")) {
-        for (const auto& item : scene.exacts("u")) {
-            check(item.value, item.line);
-            points.listed.push_back({item.value, item.line});
-        }
-        return points;
     }
-    points.range_line = line;
-    points.range = read_range(scene, "u");
-    check(points.range->at(0), line); // the others are greater
     return points;
 }
 
@@ -162,7 +164,7 @@ std::vector<formula::Exact> read_tolerances(const io::TomlSection& scene) {
 }
 
 /// Reads the questions for one contact, in the order of the rows. `line`: of the quantities.
-AskedList read_asked(const io::TomlSection& scene, std::size_t& line) {
+std::vector<Question> read_asked(const io::TomlSection& scene, std::size_t& line) {
     std::vector<scene::NamedQuantity> quantities;
     line = scene.line("quantities");
     for (const std::string& name : scene.texts("quantities")) {
@@ -182,7 +184,7 @@ AskedList read_asked(const io::TomlSection& scene, std::size_t& line) {
         }
         edges.push_back(*edge);
     }
-    AskedPoints u = read_points(scene);
+    const std::vector<scene::AskedPoint> points = read_points(scene);
     const std::vector<formula::Exact> tolerances = read_tolerances(scene);
     /// Makes questions for the quantities with `is(row)`, each a copy of `like`.
     const auto questions = [&](const std::string& from, const scene::AskedValue& like,
@@ -204,7 +206,7 @@ AskedList read_asked(const io::TomlSection& scene, std::size_t& line) {
         scene.reject("quantities", "an extent is requested and there is no tolerance",
                      "add tolerance = \"1%\"");
     }
-    if (u.size() == 0 && !questions("", {}, at_point).empty()) {
+    if (points.empty() && !questions("", {}, at_point).empty()) {
         scene.reject("quantities", "p or q is requested and there are no points",
                      "add u = [\"1e-3\", \"0.1\"]");
     }
@@ -219,47 +221,56 @@ AskedList read_asked(const io::TomlSection& scene, std::size_t& line) {
         scene.reject("quantities", "a stress is requested and there are no points",
                      "add points = [[\"0\", \"1/2\"]] (x, z)");
     }
-    AskedList list(std::move(u));
-    list.add(questions("", {}, [&](const auto& row) { return !row.at_edge() && !in_body(row); }));
+    std::vector<Question> list;
+    const auto add = [&](std::vector<Question> more) {
+        std::ranges::move(more, std::back_inserter(list));
+    };
+    add(questions("", {}, [&](const auto& row) { return !row.at_edge() && !in_body(row); }));
     for (const scene::BodyPoint& point :
          scene.has("points") ? read_body_points(scene) : std::vector<scene::BodyPoint>{}) {
         const scene::AskedValue value{.in_body = point};
-        list.add(questions(std::string(":") + (point.body == scene::Body::A ? "A" : "B") +
-                               ":x=" + point.x.text() + ":z=" + point.z.text(),
-                           value, in_body));
+        add(questions(std::string(":") + (point.body == scene::Body::A ? "A" : "B") +
+                          ":x=" + point.x.text() + ":z=" + point.z.text(),
+                      value, in_body));
     }
     for (const contact::Edge edge : edges) {
         const std::string from = ":" + scene::edge_name(edge);
         scene::AskedValue value{.edge = edge};
-        list.add(questions(from, value, [](const auto& row) {
+        add(questions(from, value, [](const auto& row) {
             return row.at_edge() && !row.at_point() && !row.tolerance;
         }));
         for (const formula::Exact& tolerance : tolerances) {
             value.tolerance = tolerance;
-            list.add(questions(from + ":tolerance=" + tolerance.text(), value, to_tolerance));
+            add(questions(from + ":tolerance=" + tolerance.text(), value, to_tolerance));
         }
         value.tolerance.reset();
-        list.add(questions("", value, at_point), from + ":u=");
+        for (const scene::AskedPoint& point : points) {
+            value.u = point.u;
+            for (Question& q : questions(from + ":u=" + point.u.text(), value, at_point)) {
+                q.line = point.line;
+                list.push_back(std::move(q));
+            }
+        }
     }
     return list;
 }
 
 } // namespace
 
-RecipeGrid RecipeGrid::parse(std::string_view text, const std::string& file) {
+Recipe parse_recipe(std::string_view text, const std::string& file) {
     const io::TomlSection top = io::TomlSection::parse(text, file);
     expect_file_kind(top, scene::FileKind::recipe);
     top.allow({"title", "digits", "rounding", "scenes"});
-    RecipeGrid recipe;
-    recipe.file_ = file;
-    recipe.title_ = top.has("title") ? top.text("title") : "";
-    recipe.digits_.binary64 = true;
+    Recipe recipe;
+    recipe.file = file;
+    recipe.title = top.has("title") ? top.text("title") : "";
+    recipe.digits.binary64 = true;
     if (top.has("digits")) {
-        recipe.digits_.count =
+        recipe.digits.count =
             static_cast<unsigned>(top.count("digits", 2, most_digits_of_a_recipe));
     }
     if (top.has("rounding")) {
-        recipe.digits_.rounding = rounding_of(top);
+        recipe.digits.rounding = rounding_of(top);
     }
     const io::TomlSection named = top.section("scenes");
     std::vector<GridScene> scenes;
@@ -285,20 +296,13 @@ RecipeGrid RecipeGrid::parse(std::string_view text, const std::string& file) {
     if (scenes.empty()) {
         top.reject(named.line(), "the recipe has no questions", "add [scenes.NAME]");
     }
-    for (GridScene& scene : scenes) {
-        recipe.add(std::move(scene));
-    }
+    recipe.questions = questions_of(scenes, file);
     return recipe;
 }
 
-Recipe parse_recipe(std::string_view text, const std::string& file) {
-    const RecipeGrid grid = RecipeGrid::parse(text, file);
-    return {file, grid.title(), grid.digits(), grid.questions()};
-}
-
 Recipe read_recipe(const std::filesystem::path& file) {
-    const RecipeGrid grid = RecipeGrid::read(file);
-    return {io::input_name(file), grid.title(), grid.digits(), grid.questions()};
+    return parse_recipe(io::read_text(file, "recipe (TOML)", io::most_toml_bytes),
+                        io::input_name(file));
 }
 
 } // namespace edgeproof::conformance

@@ -147,12 +147,13 @@ Reference placed_answer(const Questions& questions, std::size_t i, const Answers
                         [&] { return answering().answer(i); });
 }
 
-/// Divides n questions into pieces: similar questions of one contact, at most most_in_a_piece each.
-template <class QuestionAt> std::vector<Piece> cut(std::size_t n, const QuestionAt& question_at) {
+} // namespace
+
+std::vector<Piece> pieces_of(const Questions& questions) {
     std::vector<Piece> pieces;
     std::map<std::tuple<std::size_t, int, std::string>, std::size_t> open;
-    for (std::size_t i = 0; i < n; ++i) {
-        const Question& q = question_at(i);
+    for (std::size_t i = 0; i < questions.list.size(); ++i) {
+        const Question& q = questions.list[i];
         const int kind = q.at_point() ? 1 : q.to_a_tolerance() ? 2 : 0;
         const auto [found, first] =
             open.try_emplace({q.contact, kind, q.tolerance ? q.tolerance->text() : ""}, 0);
@@ -163,26 +164,6 @@ template <class QuestionAt> std::vector<Piece> cut(std::size_t n, const Question
         pieces[found->second].push_back(i);
     }
     return pieces;
-}
-
-} // namespace
-
-std::vector<Piece> pieces_of(const Questions& questions) {
-    return cut(questions.list.size(),
-               [&](std::size_t i) -> const Question& { return questions.list[i]; });
-}
-
-std::vector<Piece> pieces_of(const AskedList& asked) {
-    return cut(asked.size(), [&](std::size_t i) -> const Question& { return asked.pattern(i); });
-}
-
-void references_in_turn(const Questions& questions, const scene::Digits& digits,
-                        const std::function<void(std::size_t, const Reference&)>& take) {
-    for (const Piece& piece : pieces_of(questions)) {
-        answer_piece(questions, piece, digits, [&](std::size_t i, const auto& answering) {
-            take(i, placed_answer(questions, i, answering));
-        });
-    }
 }
 
 std::vector<Reference> references(const Questions& questions, const ReferenceOptions& options) {

@@ -44,17 +44,11 @@ struct ReferenceOrWhy {
 [[nodiscard]] std::vector<ReferenceOrWhy> references_or_why(const Questions& questions,
                                                             const ReferenceOptions& options);
 
-/// Computes the answers piece by piece in this thread; calls `take` with each answer and its
-/// number. Throws as references() does.
-void references_in_turn(const Questions& questions, const scene::Digits& digits,
-                        const std::function<void(std::size_t, const Reference&)>& take);
-
 /// Questions (by index) of one contact that are answered together. The division into pieces does
 /// not depend on the number of threads, and an answer depends on nothing outside its piece.
 using Piece = std::vector<std::size_t>;
 inline constexpr std::size_t most_in_a_piece = 128;
 [[nodiscard]] std::vector<Piece> pieces_of(const Questions& questions);
-[[nodiscard]] std::vector<Piece> pieces_of(const AskedList& asked);
 
 /// The dependence of a value on the numbers of its question.
 struct Conditioning {

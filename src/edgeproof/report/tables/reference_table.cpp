@@ -18,10 +18,6 @@
 namespace edgeproof::report {
 namespace {
 
-constexpr std::string_view checksum_key = "checksum";
-
-std::string checksum_text(std::uint64_t hash) { return fmt::format("fnv1a-64 {:016x}", hash); }
-
 /// This format identifies x.
 std::string seventeen_digits(double x) { return fmt::format("{:.17g}", x); }
 
@@ -68,6 +64,8 @@ std::string exact_place(const conformance::AskedContact& contact, const conforma
 
 } // namespace
 
+std::string checksum_text(std::uint64_t hash) { return fmt::format("fnv1a-64 {:016x}", hash); }
+
 std::string csv_line(const std::vector<std::string>& cells) {
     std::string text;
     for (const std::string& cell : cells) {
@@ -81,83 +79,72 @@ std::string csv_line(const std::vector<std::string>& cells) {
     return text;
 }
 
-ReferenceRows::ReferenceRows(const conformance::Recipe& recipe)
-    : recipe_(std::filesystem::path(recipe.file).filename().string()), title_(recipe.title),
-      digits_(recipe.digits), keys_(recipe.questions.columns()),
-      tolerances_(recipe.questions.has_tolerances()), bodies_(recipe.questions.has_body_points()),
-      quantities_(recipe.questions.quantities()) {}
+namespace {
 
-template <class Take>
-void ReferenceRows::each_cell(const conformance::Questions& questions, std::size_t i,
-                              const conformance::Reference& reference, const Take& take) const {
+std::vector<std::string> row_of(const conformance::Questions& questions, std::size_t i,
+                                const conformance::Reference& reference,
+                                const std::vector<std::string>& keys, const scene::Digits& digits,
+                                bool tolerances, bool bodies) {
     const conformance::Question& q = questions.list[i];
-    take(q.id);
-    for (const std::string& key : keys_) {
-        take(parameter_text(questions.contacts[q.contact], key));
+    std::vector<std::string> row{q.id};
+    for (const std::string& key : keys) {
+        row.push_back(parameter_text(questions.contacts[q.contact], key));
     }
-    take(q.at_edge() ? scene::edge_name(q.edge) : "");
-    if (tolerances_) {
-        take(q.tolerance ? q.tolerance->text() : "");
+    row.push_back(q.at_edge() ? scene::edge_name(q.edge) : "");
+    if (tolerances) {
+        row.push_back(q.tolerance ? q.tolerance->text() : "");
     }
-    take(q.u ? q.u->text() : "");
-    if (bodies_) {
-        take(body_name(q));
+    row.push_back(q.u ? q.u->text() : "");
+    if (bodies) {
+        row.push_back(body_name(q));
     }
-    take(reference.x ? printed_text(*reference.x, digits_) : q.in_body ? q.in_body->x.text() : "");
-    if (bodies_) {
-        take(q.in_body ? q.in_body->z.text() : "");
+    row.push_back(reference.x ? printed_text(*reference.x, digits)
+                  : q.in_body ? q.in_body->x.text()
+                              : "");
+    if (bodies) {
+        row.push_back(q.in_body ? q.in_body->z.text() : "");
     }
-    take(symbol_of(q));
-    const scene::PrintedValue value = printed(reference.value, digits_);
-    take(value.text);
-    take(value.bound);
-    take(value.binary64     ? seventeen_digits(*value.binary64)
-         : digits_.binary64 ? "[" + seventeen_digits(value.binary64_between[0]) + ", " +
-                                  seventeen_digits(value.binary64_between[1]) + "]"
-                            : "");
-    take(how(reference.value, value));
-}
-
-std::vector<std::string> ReferenceRows::row(const conformance::Questions& questions, std::size_t i,
-                                            const conformance::Reference& reference) const {
-    std::vector<std::string> row;
-    each_cell(questions, i, reference, [&](std::string_view cell) { row.emplace_back(cell); });
+    row.push_back(symbol_of(q));
+    const scene::PrintedValue value = printed(reference.value, digits);
+    row.push_back(value.text);
+    row.push_back(value.bound);
+    row.push_back(value.binary64    ? seventeen_digits(*value.binary64)
+                  : digits.binary64 ? "[" + seventeen_digits(value.binary64_between[0]) + ", " +
+                                          seventeen_digits(value.binary64_between[1]) + "]"
+                                    : "");
+    row.emplace_back(how(reference.value, value));
     return row;
 }
 
-void ReferenceRows::add_line(std::string& text, const conformance::Questions& questions,
-                             std::size_t i, const conformance::Reference& reference) const {
-    each_cell(questions, i, reference, [&](std::string_view cell) {
-        add_csv_cell(text, cell);
-        text += ',';
-    });
-    text.back() = '\n';
-}
+} // namespace
 
-std::vector<Column> ReferenceRows::columns() const {
-    return exact_columns(keys_, tolerances_, bodies_,
-                         {"edge", "tolerance", "u", "body", "x", "z", "quantity", "value", "bound",
-                          "binary64", "route"},
-                         Column::Kind::number);
-}
-
-std::uint64_t ReferenceRows::header_checksum() const {
-    return io::fnv1a(csv_line(names_of(columns())));
-}
-
-Table ReferenceRows::table(std::size_t rows, std::size_t estimates, std::uint64_t checksum) const {
+Table reference_table(const conformance::Recipe& recipe, const conformance::Questions& some,
+                      const std::vector<conformance::Reference>& values) {
+    const bool tolerances = recipe.questions.has_tolerances();
+    const bool bodies = recipe.questions.has_body_points();
+    const std::vector<std::string> keys = recipe.questions.columns();
     Table table;
-    table.title = title_;
+    table.title = recipe.title;
     table.notes_first = true;
-    table.columns = columns();
+    table.columns = exact_columns(keys, tolerances, bodies,
+                                  {"edge", "tolerance", "u", "body", "x", "z", "quantity", "value",
+                                   "bound", "binary64", "route"},
+                                  Column::Kind::number);
+    std::size_t estimates = 0;
+    std::uint64_t hash = io::fnv1a(csv_line(names_of(table.columns)));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        table.rows.push_back(row_of(some, i, values[i], keys, recipe.digits, tolerances, bodies));
+        hash = io::fnv1a(csv_line(table.rows.back()), hash);
+        estimates += values[i].value.proved ? 0 : 1;
+    }
     table.facts = {
-        {"recipe", recipe_},
+        {"recipe", std::filesystem::path(recipe.file).filename().string()},
         {"program", program_line()},
-        {"digits", std::to_string(digits_.count)},
-        {"rounding", std::string(rounding_name(digits_.rounding))},
-        {"rows", std::to_string(rows)},
+        {"digits", std::to_string(recipe.digits.count)},
+        {"rounding", std::string(rounding_name(recipe.digits.rounding))},
+        {"rows", std::to_string(values.size())},
         {"estimates", std::to_string(estimates)},
-        {std::string(checksum_key), checksum_text(checksum)},
+        {std::string(checksum_key), checksum_text(hash)},
     };
     table.notes = {
         "u: distance inwards from the edge; x: place; c_k: coefficient of u^(k + 1/2) in p; s_k: "
@@ -166,36 +153,20 @@ Table ReferenceRows::table(std::size_t rows, std::size_t estimates, std::uint64_
         "(estimate): then bound and digits are what the quadrature estimates of itself",
         "binary64: the one nearest to the exact value, in 17 digits",
     };
-    if (bodies_) {
+    if (bodies) {
         table.notes.emplace_back("x, z: place and depth in the body; tension positive");
     }
-    if (tolerances_) {
+    if (tolerances) {
         table.notes.emplace_back(
             "extent_n: the first u at which |1 - (the sum of n terms)/p| reaches "
             "the tolerance; measure_n: the length of all that lies within it");
     }
-    for (const scene::Quantity quantity : quantities_) {
+    for (const scene::Quantity quantity : recipe.questions.quantities()) {
         const scene::QuantityRow& row = scene::row_of(quantity);
         if (!row.meaning.empty()) {
             table.notes.push_back(scene::family_of({quantity}) + ": " + std::string(row.meaning));
         }
     }
-    return table;
-}
-
-Table reference_table(const conformance::Recipe& recipe, const conformance::Questions& some,
-                      const std::vector<conformance::Reference>& values) {
-    const ReferenceRows rows(recipe);
-    std::vector<std::vector<std::string>> cells;
-    std::size_t estimates = 0;
-    std::uint64_t hash = rows.header_checksum();
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        cells.push_back(rows.row(some, i, values[i]));
-        hash = io::fnv1a(csv_line(cells.back()), hash);
-        estimates += values[i].value.proved ? 0 : 1;
-    }
-    Table table = rows.table(cells.size(), estimates, hash);
-    table.rows = std::move(cells);
     return table;
 }
 

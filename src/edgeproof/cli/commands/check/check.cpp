@@ -3,7 +3,7 @@
 #include "edgeproof/cli/ledger_command.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/conformance/answers/program_driver.hpp"
-#include "edgeproof/conformance/questions/recipe_grid.hpp"
+#include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

@@ -2,7 +2,7 @@
 #include "edgeproof/cli/commands/check/check_kinds.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/conformance/causes/self_test.hpp"
-#include "edgeproof/conformance/questions/recipe_grid.hpp"
+#include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/report/tables/agreement_report.hpp"

@@ -4,6 +4,7 @@
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/message.hpp"
 
 #include <algorithm>
 #include <array>
@@ -359,6 +360,11 @@ DecimalMarks::ambiguous(const std::vector<DecimalMarks>& columns) {
         }
     }
     return {};
+}
+
+std::string shown_cell(std::string_view text) {
+    constexpr std::size_t longest = 40;
+    return "'" + shortened(printable(text), longest) + "'";
 }
 
 bool is_nan_or_infinite(const Cell& cell) {

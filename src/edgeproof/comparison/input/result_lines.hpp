@@ -36,6 +36,8 @@ enum class Separator { tab, semicolon, bar, comma, comma_and_blank, blank };
 /// Returns nothing if the cell is not a number; nan and inf are not numbers.
 [[nodiscard]] std::optional<std::string> number_of(const Cell& cell, Separator separator);
 [[nodiscard]] bool is_nan_or_infinite(const Cell& cell);
+/// The text of a cell for a message: quoted, printable, not long.
+[[nodiscard]] std::string shown_cell(std::string_view text);
 
 /// The decimal marks of one column, to find numbers such as `1,031` that may be 1031 or 1.031.
 class DecimalMarks {
@@ -121,5 +123,18 @@ struct TableHeader {
 /// comment. Throws InputError if x or p are not found, or are found twice, and for a unit of the
 /// wrong kind.
 [[nodiscard]] TableHeader read_header(const ResultText& text, const ResultReading& reading);
+
+/// The last of several load steps with the same places.
+struct LastStep {
+    std::vector<bool> has; ///< each row
+    std::string finding;
+};
+/// Compares the steps as numbers. `steps`: the cells of each row in the columns header.steps.
+/// Returns nothing if there is one step, or if no place occurs twice: the steps then do not divide
+/// the rows. Throws InputError for a step without a number, and if a row of another step has a
+/// place that the last one has not.
+[[nodiscard]] std::optional<LastStep> last_step(const ResultText& text, const TableHeader& header,
+                                                const std::vector<ResultRow>& rows,
+                                                const std::vector<std::vector<std::string>>& steps);
 
 } // namespace edgeproof::comparison

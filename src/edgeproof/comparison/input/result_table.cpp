@@ -7,7 +7,6 @@
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
@@ -17,17 +16,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <set>
 #include <utility>
 
 namespace edgeproof::comparison {
 namespace {
-
-constexpr std::size_t longest_shown_cell = 40;
-
-std::string shown_cell(std::string_view text) {
-    return "'" + shortened(printable(text), longest_shown_cell) + "'";
-}
 
 /// Sums and differences of numbers up to this limit are finite in double precision.
 const Rational& largest_number() {
@@ -228,77 +220,27 @@ private:
         table_.rows.push_back(std::move(row));
     }
 
-    /// The number of a step: "2", "Step-2".
-    [[nodiscard]] Rational step_number(std::size_t row, const std::string& text) const {
-        const std::size_t digit = std::min(text.find_first_of("0123456789"), text.size());
-        for (const std::string_view number :
-             {std::string_view(text), std::string_view(text).substr(digit)}) {
-            const auto written = conformance::written_number(number);
-            if (written.kind == conformance::WrittenNumber::Kind::number) {
-                return written.value;
-            }
-        }
-        text_.reject(table_.rows[row].line,
-                     shown_cell(text) + " is no number of a step, and places are repeated",
-                     "number the steps, or give the rows of one step only");
-    }
-    /// Keeps the rows of the greatest load step if several steps have the same places.
     void keep_last_step() {
-        auto& rows = table_.rows;
-        std::set<Rational> places;
-        std::ranges::for_each(rows, [&](const ResultRow& row) { places.insert(row.x); });
-        if (std::ranges::adjacent_find(steps_, std::not_equal_to()) == steps_.end() ||
-            places.size() == rows.size()) {
+        const auto last = last_step(text_, header_, table_.rows, steps_);
+        if (!last) {
             return;
-        }
-        std::vector<std::vector<Rational>> numbers(rows.size());
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            for (const std::string& step : steps_[i]) {
-                numbers[i].push_back(step_number(i, step));
-            }
-        }
-        const std::size_t count = std::set(numbers.begin(), numbers.end()).size();
-        const auto greatest = std::ranges::max_element(numbers);
-        const std::vector<Rational> last = *greatest;
-        std::string shown;
-        for (const std::string& step :
-             steps_[static_cast<std::size_t>(greatest - numbers.begin())]) {
-            shown += (shown.empty() ? "" : ", ") + step;
-        }
-        places.clear();
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            if (numbers[i] == last) {
-                places.insert(rows[i].x);
-            }
-        }
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            if (!places.contains(rows[i].x)) {
-                text_.reject(rows[i].line,
-                             "the steps are mixed: the last one, " + shown_cell(shown) +
-                                 ", has no row at this place",
-                             "give the rows of one step only");
-            }
         }
         const auto keep_last = [&](auto& list) {
             std::size_t kept = 0;
             for (std::size_t i = 0; i < list.size(); ++i) {
-                if (numbers[i] == last) {
+                if (last->has[i]) {
                     std::swap(list[kept++], list[i]);
                 }
             }
             list.resize(kept);
         };
-        keep_last(rows);
+        keep_last(table_.rows);
         keep_last(x_texts_);
         keep_last(p_texts_);
         if (header_.q) {
             keep_last(q_texts_);
         }
-        if (count > 1) {
-            table_.findings.push_back(
-                fmt::format("column {} has {} steps: the last, {}, is compared",
-                            header_.steps.front().index + 1, count, shown_cell(shown)));
-        }
+        table_.findings.push_back(last->finding);
     }
 
     [[nodiscard]] bool is_even() const {

@@ -3,6 +3,7 @@
 
 #include "edgeproof/cli/all_commands.hpp"
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "lab/commands/bounds_tables.hpp"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <optional>
 #include <set>
 
 namespace edgeproof::cli {
@@ -95,14 +95,13 @@ void print(const report::CostReport& report, bool usual) {
 }
 
 int cost(const CostArguments& a) {
-    std::optional<io::StagedFolder> staged; // fails before minutes of work, not after them
     if (!a.out.empty()) {
-        staged.emplace(a.out);
+        io::check_folder(a.out); // fails before minutes of work, not after them
     }
     const report::CostReport report = measured(a);
-    if (staged) {
-        staged->fill([&](const std::filesystem::path& folder) { write_cost_page(report, folder); });
-        staged->commit();
+    if (!a.out.empty()) {
+        io::write_folder(
+            a.out, [&](const std::filesystem::path& folder) { write_cost_page(report, folder); });
     }
     if (a.json) {
         std::fputs(cost_json(report).c_str(), stdout);

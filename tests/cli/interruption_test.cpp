@@ -114,7 +114,6 @@ std::vector<LongRun> long_runs() {
         {"self-test", "check --self-test in --files 100000", recipe_of_answers(3)},
         {"input that does not come", "check -", ""},
         {"partial slip", "slip in --digits 20000 --tolerance 1%", slipping},
-        {"a table of slip", "slip-table --digits 1000 --terms 1,2,3,4,5,6", ""},
         {"an optimum", "design in --digits 1000 --gap 1e-300 --out d.csv", optimum},
         {"results that do not come", "compare in /dev/stdin", tilted("u = [\"1/9\"]\n")},
     };

@@ -308,7 +308,7 @@ TEST_CASE("a whole number is refused as a tolerance: it is a slip for a percenta
     folder.write("s.toml", "[profile]\nkind = \"hertz\"\nR = 1\n[load]\na = 1\n"
                            "contact_modulus = 1\n");
     for (const char* command : {"extent s.toml", "plot s.toml --out p.svg", "compare s.toml m.csv",
-                                "extent --hertz --R 1 --a 1 --contact-modulus 1", "slip-table"}) {
+                                "extent --hertz --R 1 --a 1 --contact-modulus 1"}) {
         CAPTURE(command);
         const Outcome one = run(folder, std::string(command) + " --tolerance 1");
         CHECK(one.code == 2);

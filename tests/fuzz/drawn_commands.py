@@ -169,12 +169,6 @@ def plot(rng, library, command):
     return words
 
 
-def slip_table(rng, _library, command):
-    words = maybe(rng, 0.8, "--tolerance", value(rng, ["1%", "5%,10%"])) + ["--terms", value(rng, ["1", "2"])]
-    words += ["--digits", count(rng, ["3", "5"])] + format_of(rng, command)
-    return words + output(rng, command, command.printed)
-
-
 def relations(rng, _library, command):
     def formula():
         return rng.choice(["m*P1/a", "P1/a", "0", "2", "a^2", "b", "P2", "P3", "sqrt(a)", "L", "right.c0", "a+b", "P1^2"]) \
@@ -329,7 +323,7 @@ def verify(rng, library, command):
 
 # The commands, each with the weight of its probability.
 COMMANDS = {"pressure": (pressure, 20), "expand": (expand, 12), "extent": (extent, 10), "slip": (slip, 10),
-            "explain": (explain, 6), "plot": (plot, 3), "slip-table": (slip_table, 0.6), "relations": (relations, 8),
+            "explain": (explain, 6), "plot": (plot, 3), "relations": (relations, 8),
             "design": (design, 2), "table": (table, 6), "points": (points, 6), "check": (check, 10), "compare": (compare, 10),
             "pack": (pack, 0.6), "mutate": (mutate, 3), "bounds": (bounds, 4), "cost": (cost, 3),
             "verify": (verify, 10)}

@@ -193,49 +193,18 @@ TEST_CASE("a part file that is in use, removed, or in no folder is an error in o
 TEST_CASE("a file is seen when it is whole, and not before") {
     const Folder folder;
     const fs::path file = folder.path / "t.csv";
-    write(file, "old");
+    write(file, "the text of the run, old");
     {
         AtomicFile whole(file);
-        whole.write("new");
-        CHECK(read_text(file, "file") == "old");
+        whole.write("the text of the run, new");
+        CHECK(read_text(file, "file") == "the text of the run, old");
     }
-    CHECK(read_text(file, "file") == "old");
+    CHECK(read_text(file, "file") == "the text of the run, old");
     {
         AtomicFile whole(file);
-        whole.write("new");
+        whole.write("the text of the run, new");
         whole.commit();
     }
-    CHECK(read_text(file, "file") == "new");
+    CHECK(read_text(file, "file") == "the text of the run, new");
     CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 1);
-}
-
-TEST_CASE("temporary files of a killed run are removed, those of a running one are not") {
-    const Folder folder;
-    const fs::path file = folder.path / "t.csv";
-    const pid_t gone = ::fork();
-    if (gone == 0) {
-        ::_exit(0);
-    }
-    ::waitpid(gone, nullptr, 0);
-    const fs::path left = file.string() + "." + std::to_string(gone) + ".tmp";
-    const fs::path living = file.string() + "." + std::to_string(::getppid()) + ".tmp";
-    const fs::path another = folder.path / "t.csv.notes.tmp";
-    for (const fs::path& p : {left, living, another}) {
-        write(p, "half");
-    }
-    const int held = ::open(living.c_str(), O_RDONLY); // the lock that a writer holds
-    REQUIRE(::flock(held, LOCK_SH) == 0);
-    const auto write_new = [&] {
-        AtomicFile whole(file);
-        whole.write("new");
-        whole.commit();
-    };
-    write_new();
-    CHECK_FALSE(fs::exists(left));
-    CHECK(fs::exists(living));
-    ::close(held);
-    write_new();
-    CHECK_FALSE(fs::exists(living)); // another process now has this number
-    CHECK(fs::exists(another));
-    CHECK(read_text(file, "file") == "new");
 }

@@ -127,6 +127,7 @@ TEST_CASE("CSV: UTF-16 with a byte order mark is read as the same text in UTF-8,
             bytes += big_endian ? high : low;
             bytes += big_endian ? low : high;
         }
+        std::filesystem::remove(file);
         write_whole(file, bytes);
         CsvReader from_file(file, "table");
         CsvReader from_text(std::string_view(bytes), "f.csv");

@@ -7,14 +7,16 @@
 
 #include <doctest/doctest.h>
 
-#include <fcntl.h>
-#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -43,10 +45,15 @@ private:
     fs::path path_;
 };
 
-void fill(const StagedFolder& staged) {
-    make_folder(staged.path() / "figures");
-    write_whole(staged.path() / "a.csv", "new");
-    write_whole(staged.path() / "figures" / "b.svg", "new");
+void fill_folder(const fs::path& folder) {
+    make_folder(folder / "figures");
+    write_whole(folder / "a.csv", "new");
+    write_whole(folder / "figures" / "b.svg", "new");
+}
+
+void give_up(const fs::path& folder) {
+    fill_folder(folder);
+    throw Interrupted();
 }
 
 std::string text_of(const fs::path& file) {
@@ -56,61 +63,55 @@ std::string text_of(const fs::path& file) {
     return text;
 }
 
+void write_user_file(const fs::path& file) { std::ofstream(file) << "of the user"; }
+
 using Names = std::set<std::string>;
 const Names whole{"out/", "out/a.csv", "out/figures/", "out/figures/b.svg"};
 
 } // namespace
 
-TEST_CASE("a staged folder: no file is there before the commit, all are there after it") {
+TEST_CASE("a folder: no file is there before the end, all are there after it") {
     for (const char* name : {"out", "out/", "./out"}) {
         CAPTURE(name);
         const OwnFolder own;
-        {
-            StagedFolder staged(own.path() / name);
-            fill(staged);
+        write_folder(own.path() / name, [&](const fs::path& folder) {
+            fill_folder(folder);
             CHECK_FALSE(fs::exists(own.path() / "out"));
-            staged.commit();
-            CHECK(own.all() == whole);
-        }
+        });
         CHECK(own.all() == whole);
-        {
-            StagedFolder given_up(own.path() / "other" / name);
-            fill(given_up);
-        }
+        CHECK_THROWS_AS(write_folder(own.path() / "other" / name, give_up), Interrupted);
         CHECK(own.all() == whole); // the parent folder is removed, too
     }
 }
 
-TEST_CASE("a staged folder whose parent folders are missing: all of them appear at once") {
+TEST_CASE("a folder whose parent folders are missing: all of them appear at once") {
     for (const char* name : {"x/y/out", "x/y/out/", "x/../x/./y/out"}) {
         CAPTURE(name);
         const OwnFolder own;
-        {
-            StagedFolder staged(own.path() / name);
-            fill(staged);
+        write_folder(own.path() / name, [&](const fs::path& folder) {
+            fill_folder(folder);
             CHECK_FALSE(fs::exists(own.path() / "x"));
-            staged.commit();
-        }
+        });
         CHECK(own.all() == Names{"x/", "x/y/", "x/y/out/", "x/y/out/a.csv", "x/y/out/figures/",
                                  "x/y/out/figures/b.svg"});
     }
     const OwnFolder own;
-    {
-        StagedFolder staged(own.path() / "x" / "out");
-        fill(staged);
+    write_folder(own.path() / "x" / "out", [&](const fs::path& folder) {
+        fill_folder(folder);
         fs::create_directories(own.path() / "x"); // by another process
-        write_whole(own.path() / "x" / "mine", "mine");
-        staged.commit();
-    }
+        write_user_file(own.path() / "x" / "mine");
+    });
     CHECK(own.all() ==
           Names{"x/", "x/mine", "x/out/", "x/out/a.csv", "x/out/figures/", "x/out/figures/b.svg"});
 }
 
-TEST_CASE("a staged folder: an error while it is filled names the requested folder") {
+TEST_CASE("a folder: an error while it is written names the requested folder") {
     const OwnFolder own;
-    const StagedFolder staged(own.path() / "out");
+    write_user_file(own.path() / "file");
+    CHECK_THROWS_AS(write_folder(own.path() / "file", fill_folder), InputError);
+    CHECK_THROWS_AS(write_folder(own.path() / "file" / "out", fill_folder), InputError);
     try {
-        staged.fill([](const fs::path& folder) {
+        write_folder(own.path() / "out", [](const fs::path& folder) {
             throw InputError("cannot write " + (folder / "a.csv").string(), "x");
         });
         FAIL("no error");
@@ -119,68 +120,152 @@ TEST_CASE("a staged folder: an error while it is filled names the requested fold
     }
 }
 
-TEST_CASE("a staged folder that replaces an existing one: the other files in it remain") {
+TEST_CASE("a folder that exists: its files are replaced, the other files in it remain") {
     const OwnFolder own;
-    fs::create_directories(own.path() / "out" / "figures");
-    write_whole(own.path() / "out" / "a.csv", "old");
-    write_whole(own.path() / "out" / "mine", "mine");
-    {
-        StagedFolder given_up(own.path() / "out");
-        fill(given_up);
-        CHECK(text_of(own.path() / "out" / "a.csv") == "old");
-    }
-    CHECK(own.all() == Names{"out/", "out/a.csv", "out/mine", "out/figures/"});
-    {
-        StagedFolder staged(own.path() / "out");
-        fill(staged);
-        staged.commit();
-    }
-    CHECK(text_of(own.path() / "out" / "a.csv") == "new");
+    write_folder(own.path() / "out", fill_folder);
+    write_user_file(own.path() / "out" / "mine");
+    CHECK_THROWS_AS(write_folder(own.path() / "out", give_up), Interrupted);
     Names with_mine = whole;
     with_mine.insert("out/mine");
     CHECK(own.all() == with_mine);
+    std::ofstream(own.path() / "out" / "a.csv")
+        << "x,y\n1,2\n# program: edgeproof 0.1.0 (commit 1)\n";
+    write_folder(own.path() / "out", fill_folder);
+    CHECK(text_of(own.path() / "out" / "a.csv") == "new");
+    CHECK(own.all() == with_mine);
 }
 
-TEST_CASE("a staged folder: temporary folders of killed runs next to it are removed") {
-    const OwnFolder own;
-    // No process has this number, because it exceeds the largest on Linux.
-    fs::create_directories(own.path() / "out.99999999.tmp" / "figures");
-    fs::create_directories(own.path() / "out" / ".edgeproof.99999999.tmp");
-    {
-        StagedFolder staged(own.path() / "out");
-        fill(staged);
-        staged.commit();
+TEST_CASE("a folder of the user: whatever stands in the way, nothing in it changes") {
+    struct Case {
+        const char* name;
+        std::function<void(const fs::path&)> make; ///< puts it into the folder "out"
+    };
+    const std::vector<Case> cases{
+        {"a file of the user's", [](const fs::path& out) { write_user_file(out / "a.csv"); }},
+        {"a later file of the user's",
+         [](const fs::path& out) {
+             fs::create_directory(out / "figures");
+             write_user_file(out / "figures" / "b.svg");
+         }},
+        {"a folder for a file", [](const fs::path& out) { fs::create_directory(out / "a.csv"); }},
+        {"a file for a folder", [](const fs::path& out) { write_user_file(out / "figures"); }},
+        {"a link for a file",
+         [](const fs::path& out) {
+             write_user_file(out / "mine");
+             fs::create_symlink("mine", out / "a.csv");
+         }},
+        {"a dangling link", [](const fs::path& out) { fs::create_symlink("no", out / "a.csv"); }},
+        {"a link for a folder",
+         [](const fs::path& out) {
+             fs::create_directory(out / "mine");
+             fs::create_directory_symlink("mine", out / "figures");
+         }},
+        {"a FIFO", [](const fs::path& out) { ::mkfifo((out / "a.csv").c_str(), 0666); }},
+    };
+    for (const Case& c : cases) {
+        CAPTURE(c.name);
+        const OwnFolder own;
+        fs::create_directory(own.path() / "out");
+        c.make(own.path() / "out");
+        const Names before = own.all();
+        CHECK_THROWS_AS(write_folder(own.path() / "out", fill_folder), InputError);
+        CHECK(own.all() == before);
     }
-    CHECK(own.all() == whole);
 }
 
-TEST_CASE("a staged folder: unchanged by an interruption; files of killed runs are removed") {
+TEST_CASE("a folder: files and folders with names like temporary ones remain") {
     const OwnFolder own;
     // No process has this number, because it exceeds the largest on Linux.
     fs::create_directories(own.path() / "out.99999999.tmp" / "figures");
-    fs::create_directories(own.path() / "out.1.tmp"); // of another live process, which holds it
-    const int held = ::open((own.path() / "out.1.tmp").c_str(), O_RDONLY | O_DIRECTORY);
-    REQUIRE(::flock(held, LOCK_SH) == 0);
-    fs::create_directories(own.path() / "out.2.tmp"); // of an ended process
-    StagedFolder staged(own.path() / "out");
-    CHECK_FALSE(fs::exists(own.path() / "out.99999999.tmp"));
-    CHECK(fs::exists(own.path() / "out.1.tmp"));
-    CHECK_FALSE(fs::exists(own.path() / "out.2.tmp"));
-    ::close(held);
-    fill(staged);
-    request_interruption(2);
-    CHECK_THROWS_AS(staged.commit(), Interrupted);
-    withdraw_interruption();
-    CHECK_FALSE(fs::exists(own.path() / "out"));
+    write_user_file(own.path() / "out.99999999.tmp" / "mine");
+    fs::create_directories(own.path() / "mine");
+    const std::string own_number = std::to_string(::getpid());
+    fs::create_directory_symlink("mine", own.path() / ("out." + own_number + ".tmp"));
+    write_user_file(own.path() / ("t.csv." + own_number + ".tmp"));
+    write_user_file(own.path() / "t.csv.99999999.tmp");
+    const Names before = own.all();
+    write_folder(own.path() / "out", fill_folder);
+    write_folder(own.path() / "out", fill_folder);
+    write_whole(own.path() / "t.csv", "new");
+    Names after = before;
+    after.insert(whole.begin(), whole.end());
+    after.insert("t.csv");
+    CHECK(own.all() == after);
 }
 
-TEST_CASE("a staged folder: errors name the requested folder, and come before the work") {
+TEST_CASE("a folder: files that vanish while it is written are an error, and nothing appears") {
+    const std::vector<std::function<void(const fs::path&)>> removals{
+        [](const fs::path& folder) { fs::remove(folder / "a.csv"); },
+        [](const fs::path& folder) { fs::remove_all(folder); },
+        [](const fs::path& folder) {
+            fs::remove_all(folder.parent_path());
+            write_whole(folder / "c.csv", "new"); // makes its folder anew
+        }};
+    for (const bool there : {false, true}) {
+        for (const auto& remove : removals) {
+            const OwnFolder own;
+            if (there) {
+                fs::create_directory(own.path() / "out");
+            }
+            const Names before = own.all();
+            CHECK_THROWS_AS(write_folder(own.path() / "out",
+                                         [&](const fs::path& folder) {
+                                             fill_folder(folder);
+                                             remove(folder);
+                                         }),
+                            InputError);
+            CHECK(own.all() == before);
+        }
+    }
+}
+
+TEST_CASE("a folder: runs that share it do not fail each other, and no files are mixed") {
     const OwnFolder own;
-    write_whole(own.path() / "file", "x");
-    CHECK_THROWS_AS(StagedFolder(own.path() / "file"), InputError);
-    CHECK_THROWS_AS(StagedFolder(own.path() / "file" / "out"), InputError);
-    const StagedFolder staged(own.path() / "out");
-    const InputError error("cannot write " + (staged.path() / "a.csv").string() + ": full", "x");
-    CHECK(staged.with_final_names(error).problem() ==
-          "cannot write " + (own.path() / "out" / "a.csv").string() + ": full");
+    constexpr int runs = 8;
+    std::vector<pid_t> started;
+    for (int run = 0; run < runs; ++run) {
+        started.push_back(::fork());
+        if (started.back() == 0) {
+            int failed = 0;
+            try {
+                for (int time = 0; time < 20; ++time) {
+                    write_folder(own.path() / "out", [&](const fs::path& folder) {
+                        for (const char* name : {"a", "b", "c", "d"}) {
+                            write_whole(folder / name, "the same beginning " + std::to_string(run));
+                        }
+                    });
+                }
+            } catch (const std::exception&) {
+                failed = 1;
+            }
+            ::_exit(failed);
+        }
+    }
+    for (const pid_t run : started) {
+        int status = -1;
+        ::waitpid(run, &status, 0);
+        CHECK(status == 0);
+    }
+    CHECK(own.all() == Names{"out/", "out/a", "out/b", "out/c", "out/d"});
+    for (const char* name : {"b", "c", "d"}) {
+        CHECK(text_of(own.path() / "out" / name) == text_of(own.path() / "out" / "a"));
+    }
+}
+
+TEST_CASE("a folder: unchanged by an interruption") {
+    const OwnFolder own;
+    for (const bool there : {false, true}) {
+        if (there) {
+            fs::create_directory(own.path() / "out");
+        }
+        const Names before = own.all();
+        CHECK_THROWS_AS(write_folder(own.path() / "out",
+                                     [](const fs::path& folder) {
+                                         fill_folder(folder);
+                                         request_interruption(2);
+                                     }),
+                        Interrupted);
+        withdraw_interruption();
+        CHECK(own.all() == before);
+    }
 }

@@ -222,7 +222,6 @@ SCENE = "examples/scenes/partial-slip.toml"
     ["extent", "examples/scenes/fretting-pad.toml", "--binary64"],
     pytest.param(["design", "examples/design/pad.toml", "--digits", "10", "--gap", "1e-2"],
                  marks=pytest.mark.slow),
-    pytest.param(["slip-table", "--terms", "1", "--digits", "4"], marks=pytest.mark.slow),
 ], ids=lambda c: c[0])
 def test_tables_that_are_written(command):
     data = json.loads(run(*command, "--format", "json"))

@@ -105,7 +105,6 @@ def shipped_checks(seed):
         options = ([], ["--csv"], ["--json"], ["--md"], ["--state", "state"])
         yield Case(f"bounds {kind}", [words + o for o in options], seconds=4)
     yield Case("bounds speed", [["bounds", "speed", "--scenes", "1", "--digits", "15", "--csv"]], seconds=4)
-    yield Case("slip-table", in_formats("slip-table") + [["slip-table", "--figures", "figures"]], seconds=4)
     yield Case("relations", [s for words in (
         "left.c0 right.c0", "left.c1 left.c0 left.s0 --degree 2",
         "right.c1 right.c0 P --symmetric --given P2=m*P1/a --free m")

@@ -42,7 +42,6 @@ constexpr CommandHelp helps[] = {
     {"plot",
      "edgeproof plot fretting-pad --tolerance 1%",
      {"--out", "--tolerance", "--terms", "--edge", "--u"}},
-    {"slip-table", "edgeproof slip-table --tolerance 1% --terms 1 --digits 4", {}},
     {"explain",
      "edgeproof explain fretting-pad --run",
      {"--run", "--edge", "--terms", "--digits", "--format"}},

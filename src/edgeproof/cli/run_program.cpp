@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/io/output_file.hpp"
+#include "edgeproof/io/own_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
@@ -34,6 +35,7 @@ void run_command(CLI::App& app, int argc, char** argv) {
 
 int run_program(int argc, char** argv, std::initializer_list<AddCommand*> commands) {
     int code = 0;
+    io::protect_inputs();
     CLI::App app{
         "Contact pressures near an edge, to any number of digits, and printed claims verified",
         "edgeproof"};

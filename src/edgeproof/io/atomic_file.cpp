@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/io/atomic_file.hpp"
 
+#include "edgeproof/io/own_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
+#include <fmt/format.h>
+
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <cstring>
+#include <random>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -21,7 +24,10 @@ namespace edgeproof::io {
 namespace {
 
 constexpr std::size_t write_at_once = 1 << 20;
-const std::string after = ".tmp";
+constexpr std::size_t most_of_head = 4096;
+
+/// The files that commit() has created.
+std::atomic<std::size_t> created{0};
 
 std::filesystem::path folder_of(const std::filesystem::path& file) {
     return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
@@ -36,20 +42,6 @@ int open_unnamed(const std::filesystem::path& folder) {
     }
 #endif
     return -1;
-}
-
-/// True if the process that wrote this has ended. Its number may belong to another process now, but
-/// a process that still writes has a lock.
-bool is_left_over(const std::filesystem::path& path, pid_t process) {
-    if (::kill(process, 0) != 0 && errno == ESRCH) {
-        return true;
-    }
-    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-    const bool free = fd >= 0 && ::flock(fd, LOCK_EX | LOCK_NB) == 0;
-    if (fd >= 0) {
-        ::close(fd);
-    }
-    return free;
 }
 
 /// Returns N for a name of this process's descriptor N, else -1.
@@ -111,24 +103,12 @@ OutputTarget OutputTarget::of(const std::filesystem::path& file) {
     return target;
 }
 
-void remove_left_over(const std::filesystem::path& file) {
-    const std::string before = file.filename().string() + ".";
-    std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_of(file), ignored)) {
-        const std::string name = entry.path().filename().string();
-        if (name.size() <= before.size() + after.size() || !name.starts_with(before) ||
-            !name.ends_with(after)) {
-            continue;
-        }
-        pid_t process = 0;
-        const char* const end = name.data() + name.size() - after.size();
-        const auto [stop, error] = std::from_chars(name.data() + before.size(), end, process);
-        const bool ours = error == std::errc{} && stop == end && process > 0;
-        if (ours && process != ::getpid() && is_left_over(entry.path(), process)) {
-            std::filesystem::remove_all(entry.path(), ignored);
-        }
-    }
+std::filesystem::path temporary_name(const std::filesystem::path& target) {
+    std::random_device random;
+    return target.string() + fmt::format(".{:08x}{:08x}.tmp", random(), random());
 }
+
+std::size_t files_created() { return created; }
 
 int write_all(int fd, const std::string& text) {
     std::size_t at = 0;
@@ -144,9 +124,7 @@ int write_all(int fd, const std::string& text) {
 
 AtomicFile::AtomicFile(std::filesystem::path file, Content content)
     : file_(std::move(file)), target_(OutputTarget::of(file_)),
-      aside_(
-          std::filesystem::path(target_.path.string() + "." + std::to_string(::getpid()) + after)),
-      content_(content) {
+      aside_(temporary_name(target_.path)), content_(content) {
     if (target_.special) {
         fd_ = target_.descriptor >= 0
                   ? ::fcntl(target_.descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)
@@ -158,17 +136,14 @@ AtomicFile::AtomicFile(std::filesystem::path file, Content content)
     }
     std::error_code reported_below;
     std::filesystem::create_directories(folder_of(target_.path), reported_below);
-    remove_left_over(target_.path);
     fd_ = open_unnamed(folder_of(target_.path));
     if (fd_ < 0) {
         named_ = true;
-        fd_ = ::open(aside_.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW,
-                     0666);
+        fd_ = ::open(aside_.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     }
     if (fd_ < 0 || (target_.mode && ::fchmod(fd_, *target_.mode) != 0)) {
         cannot("write", file_, errno);
     }
-    (void)::flock(fd_, LOCK_SH | LOCK_NB); // shows others that it is in use
 }
 
 AtomicFile::~AtomicFile() {
@@ -181,6 +156,9 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::write(const std::string& text) {
+    if (head_.size() < most_of_head) {
+        head_ += text.substr(0, most_of_head);
+    }
     waiting_ += text;
     if (waiting_.size() >= write_at_once) {
         flush();
@@ -196,7 +174,6 @@ void AtomicFile::flush() {
 
 void AtomicFile::give_name() {
     const std::string by_number = "/proc/self/fd/" + std::to_string(fd_);
-    ::unlink(aside_.path().c_str());
     if (::linkat(AT_FDCWD, by_number.c_str(), AT_FDCWD, aside_.path().c_str(), AT_SYMLINK_FOLLOW) !=
         0) {
         cannot("write", file_, errno);
@@ -214,6 +191,9 @@ void AtomicFile::commit() {
         fd_ = -1;
         return;
     }
+    if (content_ == Content::result) {
+        require_replaceable(file_, head_);
+    }
     if (::fsync(fd_) != 0) {
         cannot("write", file_, errno);
     }
@@ -225,6 +205,7 @@ void AtomicFile::commit() {
         cannot("write", file_, errno);
     }
     aside_.keep_locked();
+    created += target_.mode ? 0 : 1;
     ::close(fd_);
     fd_ = -1;
 }

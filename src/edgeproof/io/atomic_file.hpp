@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/io/process_cleanup.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -17,9 +18,12 @@ inline constexpr const char* give_writable_folder =
 /// Throws InputError: "cannot WHAT PATH: the text of the error number".
 [[noreturn]] void cannot(const std::string& what, const std::filesystem::path& path, int error);
 
-/// Removes the temporary files that ended processes left next to a file or folder, with names such
-/// as "t.csv.4711.tmp". Files of running processes are locked (flock) and are kept.
-void remove_left_over(const std::filesystem::path& file);
+/// Returns a name next to a file or folder that no other process uses
+/// ("t.csv.0123456789abcdef.tmp").
+[[nodiscard]] std::filesystem::path temporary_name(const std::filesystem::path& target);
+
+/// The files that did not exist before an AtomicFile of this process wrote them.
+[[nodiscard]] std::size_t files_created();
 
 /// The target of a file to be written: links are followed, devices and FIFOs are detected.
 struct OutputTarget {
@@ -32,11 +36,11 @@ struct OutputTarget {
 };
 
 /// A file written in parts, visible to others only when it is complete. Until then it has no name,
-/// or, if the file system does not support that, a name with the process number ("t.csv.4711.tmp").
-/// A missing folder is created. Throws InputError if the file cannot be written, Interrupted after
-/// an interruption; the text written so far is then removed, as it is without commit(). Leftover
-/// files of killed runs are removed first. A link is kept, and its target is written; an existing
-/// file keeps its permissions; a device, a FIFO or an open descriptor is written directly.
+/// or, if the file system does not support that, a temporary one. A missing folder is created.
+/// Throws InputError if the file cannot be written or replaced (require_replaceable), Interrupted
+/// after an interruption; the text written so far is then removed, as it is without commit(). A
+/// link is kept, and its target is written; an existing file keeps its permissions; a device, a
+/// FIFO or an open descriptor is written directly.
 class AtomicFile {
 public:
     /// A checkpoint is also valid in an interrupted process. A result is not written there, since
@@ -59,6 +63,7 @@ private:
     OutputTarget target_;
     TemporaryPath aside_; ///< its temporary name
     Content content_;
+    std::string head_; ///< the beginning of the text
     std::string waiting_;
     int fd_ = -1;
     bool named_ = false;

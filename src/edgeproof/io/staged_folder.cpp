@@ -3,15 +3,21 @@
 
 #include "edgeproof/io/atomic_file.hpp"
 #include "edgeproof/io/output_file.hpp"
+#include "edgeproof/io/own_file.hpp"
+#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <ranges>
 #include <string>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 namespace edgeproof::io {
@@ -43,97 +49,182 @@ fs::path in_stage(const fs::path& stage, const fs::path& target, const fs::path&
     return target == top ? stage : stage / target.lexically_relative(top);
 }
 
-/// The beginning of the temporary names of this target; the process number and ".tmp" follow.
-fs::path stage_base(const fs::path& target, bool inside) {
-    return inside ? target / ".edgeproof" : first_missing(target);
-}
-
-/// Creates the stage by its given name, so that errors name the folder as the user does.
-fs::path make_stage(const fs::path& target, bool inside) {
-    check_folder(target); // its error names the target
-    const fs::path base = stage_base(target, inside);
-    if (inside) {
-        remove_left_over(base);
+/// A new folder next to, or in, the target, removed with its contents.
+class Stage {
+public:
+    /// `base`: the beginning of its name.
+    Stage(const fs::path& base, const fs::path& target)
+        : path_([&] {
+              const fs::path path = temporary_name(base);
+              if (::mkdir(path.c_str(), 0777) != 0) {
+                  cannot("write", target, errno);
+              }
+              return path;
+          }) {}
+    ~Stage() {
+        std::error_code ignored;
+        fs::remove_all(path_.path(), ignored);
     }
-    remove_left_over(first_missing(target));
-    const fs::path stage = base.string() + "." + std::to_string(::getpid()) + ".tmp";
-    make_folder(inside ? stage : in_stage(stage, target, base));
-    return stage;
-}
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+    [[nodiscard]] const fs::path& path() const noexcept { return path_.path(); }
 
-} // namespace
+private:
+    TemporaryPath path_;
+};
 
-StagedFolder::StagedFolder(const fs::path& target)
-    : target_(plain_target(target)), inside_(fs::exists(fs::status(target_))),
-      top_(inside_ ? target_ : first_missing(target_)),
-      stage_([this] { return make_stage(target_, inside_); }),
-      path_(in_stage(stage_.path(), target_, top_)),
-      lock_(::open(stage_.path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (lock_ >= 0) {
-        (void)::flock(lock_, LOCK_SH | LOCK_NB);
+/// While it exists, no other run moves files into the folder.
+class FolderLock {
+public:
+    explicit FolderLock(const fs::path& folder)
+        : fd_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        (void)::flock(fd_, LOCK_EX);
     }
-}
+    ~FolderLock() { ::close(fd_); }
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
 
-StagedFolder::~StagedFolder() {
-    if (lock_ >= 0) {
-        ::close(lock_);
+private:
+    int fd_;
+};
+
+/// All files and folders in a folder, relative to it; a folder stands before its contents.
+std::vector<fs::path> entries_of(const fs::path& folder) {
+    std::vector<fs::path> all;
+    std::error_code ends; // a folder that vanished has none
+    for (const auto& entry : fs::recursive_directory_iterator(folder, ends)) {
+        all.push_back(entry.path().lexically_relative(folder));
     }
-    std::error_code ignored;
-    fs::remove_all(stage_.path(), ignored);
+    return all;
 }
 
-void StagedFolder::fill(const std::function<void(const fs::path&)>& write) const {
-    try {
-        write(path());
-    } catch (const InputError& error) {
-        throw with_final_names(error);
+std::string head_of(const fs::path& file) {
+    std::string head(4096, '\0');
+    std::ifstream in(file, std::ios::binary);
+    in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(in.gcount()));
+    return head;
+}
+
+/// Moves files into the target: all, or, if one cannot be moved, none. `kept` is a folder for
+/// copies of the files that are replaced.
+class Moves {
+public:
+    Moves(const fs::path& from, const fs::path& to, fs::path kept)
+        : from_(from), to_(to), kept_(std::move(kept)), entries_(entries_of(from)) {}
+    /// Throws before anything is changed.
+    void check() const {
+        for (const fs::path& entry : entries_) {
+            const fs::path to = to_ / entry;
+            const fs::file_status found = fs::symlink_status(to); // a link is not followed
+            const bool folder = fs::is_directory(from_ / entry);
+            if (fs::exists(found) &&
+                (folder ? !fs::is_directory(found) : !fs::is_regular_file(found))) {
+                throw InputError(to.string() + " is no " + (folder ? "folder" : "ordinary file"),
+                                 "remove it, or give another folder");
+            }
+            check_folder(to.parent_path());
+            if (fs::exists(found) && !folder) {
+                require_replaceable(to, head_of(from_ / entry));
+                fs::create_directories((kept_ / entry).parent_path());
+                fs::copy_file(to, kept_ / entry);
+            }
+        }
     }
-}
+    void make() {
+        try {
+            for (const fs::path& entry : entries_) {
+                if (!fs::is_directory(from_ / entry)) {
+                    fs::rename(from_ / entry, to_ / entry);
+                } else if (!fs::create_directory(to_ / entry)) {
+                    continue; // it was there
+                }
+                made_.push_back(entry);
+            }
+        } catch (const fs::filesystem_error&) {
+            undo();
+            throw;
+        }
+    }
 
-InputError StagedFolder::with_final_names(const InputError& error) const {
+private:
+    void undo() const {
+        std::error_code ignored;
+        for (const fs::path& entry : made_ | std::views::reverse) {
+            if (fs::exists(kept_ / entry)) {
+                fs::rename(kept_ / entry, to_ / entry, ignored);
+            } else {
+                fs::remove(to_ / entry, ignored);
+            }
+        }
+    }
+
+    const fs::path& from_;
+    const fs::path& to_;
+    fs::path kept_;
+    std::vector<fs::path> entries_;
+    std::vector<fs::path> made_;
+};
+
+/// Replaces `stage` in the message by the folder that the user named.
+InputError with_final_names(const InputError& error, const std::string& stage,
+                            const std::string& target) {
     std::string problem = error.problem();
-    const std::string stage = path().string();
     for (std::size_t at = 0; (at = problem.find(stage, at)) != std::string::npos;) {
-        problem.replace(at, stage.size(), target_.string());
-        at += target_.string().size();
+        problem.replace(at, stage.size(), target);
+        at += target.size();
     }
     return {problem, error.instead()};
 }
 
-void StagedFolder::commit() {
+void move_files(const fs::path& from, const fs::path& target, const fs::path& kept) {
+    make_folder(target);
+    const FolderLock only_this_run(target);
     const auto lock = hold_cleanup(); // a signal acts either before or after all of it
     check_interruption();
-    std::error_code failed;
-    if (!inside_) {
-        fs::rename(stage_.path(), top_, failed);
+    try {
+        Moves moves(from, target, kept);
+        moves.check();
+        moves.make();
+    } catch (const fs::filesystem_error& error) {
+        cannot("write", error.path2().empty() ? error.path1() : error.path2(),
+               error.code().value());
+    }
+}
+
+} // namespace
+
+void write_folder(const fs::path& folder, const std::function<void(const fs::path&)>& write) {
+    check_folder(folder); // its error names the folder as the user does
+    const fs::path target = plain_target(folder);
+    const bool there = fs::exists(fs::status(target));
+    const fs::path top = there ? target : first_missing(target);
+    const Stage stage(there ? target / ".edgeproof" : top, target);
+    const fs::path whole = stage.path() / "new"; // becomes `top`
+    const fs::path from = in_stage(whole, target, top);
+    const std::size_t before = files_created();
+    try {
+        make_folder(from);
+        write(from);
+    } catch (const InputError& error) {
+        throw with_final_names(error, from.string(), target.string());
+    }
+    const auto is_file = [&](const fs::path& entry) { return !fs::is_directory(from / entry); };
+    const auto files = std::ranges::count_if(entries_of(from), is_file);
+    if (static_cast<std::size_t>(files) != files_created() - before) {
+        throw InputError("files of " + target.string() + " vanished while they were written",
+                         "run it again, and let no other program remove temporary files");
+    }
+    if (!there) {
+        const auto lock = hold_cleanup();
+        check_interruption();
+        std::error_code failed;
+        fs::rename(whole, top, failed);
         if (!failed) {
-            stage_.keep_locked();
             return;
         }
-        failed.clear(); // another process has created it meanwhile
-    }
-    if (fs::create_directories(target_, failed); failed) {
-        cannot("write", target_, failed.value());
-    }
-    std::vector<std::pair<fs::path, fs::path>> moves;
-    for (const auto& entry : fs::recursive_directory_iterator(path(), failed)) {
-        const fs::path to = target_ / fs::relative(entry.path(), path());
-        if (!entry.is_directory()) {
-            moves.emplace_back(entry.path(), to);
-        } else if (fs::create_directories(to, failed); failed) {
-            cannot("write", to, failed.value());
-        }
-    }
-    if (failed) {
-        cannot("write", target_, failed.value());
-    }
-    for (const auto& [from, to] : moves) {
-        fs::rename(from, to, failed);
-        if (failed) {
-            cannot("write", to, failed.value());
-        }
-    }
-    fs::remove_all(stage_.path(), failed);
+    } // else another process has created it meanwhile
+    move_files(from, target, stage.path() / "old");
 }
 
 } // namespace edgeproof::io

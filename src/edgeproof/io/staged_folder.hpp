@@ -1,46 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/io/process_cleanup.hpp"
-#include "edgeproof/precision/error.hpp"
-
 #include <filesystem>
 #include <functional>
-#include <string>
 
 namespace edgeproof::io {
 
-/// The files of one result, which appear together. They are written into a temporary folder.
-/// commit() renames it to the target folder, or moves its files into that folder if it exists
-/// already. Without commit(), also after a signal, nothing changes. Leftovers of killed runs are
-/// removed first.
+/// Writes the files of one result, which appear together: `write` writes them into a temporary
+/// folder, which then becomes the target, or whose files are moved into the target if that exists.
+/// If that fails, the target remains as it was. Throws InputError (in the target's names) if a file
+/// cannot be written or must not be replaced (own_file.hpp), or if files vanish meanwhile;
+/// Interrupted. For a check before long work: check_folder.
 ///
-/// If the target exists, only SIGKILL or a loss of power between two moves (some microseconds) can
-/// leave files of two runs in it; even then each file is complete.
-class StagedFolder {
-public:
-    /// Throws InputError if `target` cannot be created or is not writable.
-    explicit StagedFolder(const std::filesystem::path& target);
-    ~StagedFolder();
-    StagedFolder(const StagedFolder&) = delete;
-    StagedFolder& operator=(const StagedFolder&) = delete;
-
-    /// The folder to write into.
-    [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
-    /// Calls `write` with that path. Errors name the target folder.
-    void fill(const std::function<void(const std::filesystem::path&)>& write) const;
-    /// Returns the error for the user if a file cannot be written there: with the final name of the
-    /// file.
-    [[nodiscard]] InputError with_final_names(const InputError& error) const;
-    /// Throws InputError; or Interrupted, and then nothing is moved.
-    void commit();
-
-private:
-    std::filesystem::path target_;
-    bool inside_;               ///< the target exists
-    std::filesystem::path top_; ///< the highest folder that commit() creates; else the target
-    TemporaryPath stage_;       ///< becomes top_
-    std::filesystem::path path_;
-    int lock_; ///< a lock on the stage: shows other runs that it is in use
-};
+/// Only SIGKILL or a loss of power can leave the temporary folder ("out.0123456789abcdef.tmp"), or,
+/// within some microseconds, files of two runs. No run removes a folder that it did not make.
+void write_folder(const std::filesystem::path& target,
+                  const std::function<void(const std::filesystem::path&)>& write);
 
 } // namespace edgeproof::io

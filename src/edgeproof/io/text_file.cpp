@@ -2,6 +2,7 @@
 #include "edgeproof/io/text_file.hpp"
 
 #include "edgeproof/io/error_place.hpp"
+#include "edgeproof/io/own_file.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <boost/locale/utf.hpp>
@@ -73,6 +74,7 @@ TextReader::TextReader(const std::filesystem::path& file, const std::string& wha
         in_ = &std::cin;
     } else {
         opened_.open(file, std::ios::binary);
+        remember_input(file);
     }
     if (!*in_) {
         refuse("the file cannot be read", "check its permissions");

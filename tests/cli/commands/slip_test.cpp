@@ -112,16 +112,4 @@ TEST_CASE("slip: bad input") {
     refused("slip s.toml --tolerance 0", "edgeproof: --tolerance 0: a tolerance of 0");
     refused("slip s.toml --terms 0", "edgeproof: --terms 0 is out of range");
     refused("slip s.toml --terms 61", "s.toml:");
-    refused("slip-table --tolerance x", "edgeproof: --tolerance x");
-}
-
-// Hertz has the closed form 4 (tol - tol^2); a wedge's size is linear in Q, so that one term is
-// exact.
-TEST_CASE("slip-table: the paper's profiles") {
-    const Folder folder;
-    const Outcome o = run(folder, "slip-table --digits 6");
-    CHECK(o.code == 0);
-    CHECK(has(o.out, "profile,edge,n,within 1%,within 5%,within 10%"));
-    CHECK(has(o.out, "\"Hertz, m = 1\",both,1,0.0396000,0.190000,0.360000"));
-    CHECK(has(o.out, "\"wedge, m = 0\",both,1,1.00000,1.00000,1.00000"));
 }

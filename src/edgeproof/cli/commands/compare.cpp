@@ -133,14 +133,10 @@ void write_outputs(const report::ComparisonReport& report, const CompareOptions&
     }
     const std::string page = o.html.empty() ? "" : comparison_page(report, *drawn);
     const std::string junit = o.junit.empty() ? "" : comparison_junit(report);
-    std::optional<io::StagedFolder> staged;
-    if (!o.figures.empty()) {
-        staged.emplace(o.figures);
-        staged->fill([&](const std::filesystem::path& folder) { write_figures(*drawn, folder); });
-    }
     WrittenSoFar written;
-    if (staged) {
-        staged->commit();
+    if (!o.figures.empty()) {
+        io::write_folder(
+            o.figures, [&](const std::filesystem::path& folder) { write_figures(*drawn, folder); });
         written.add(o.figures);
     }
     for (const auto& output : {std::pair(&o.html, &page), std::pair(&o.junit, &junit)}) {

@@ -91,8 +91,7 @@ int make(const PackCommandOptions& o) {
     if (o.check) {
         return check_pack(o.folder, files);
     }
-    io::StagedFolder staged(o.folder);
-    staged.fill([&](const std::filesystem::path& folder) {
+    io::write_folder(o.folder, [&](const std::filesystem::path& folder) {
         for (const pack::PackFile& file : files) {
             io::write_whole(folder / file.name, file.text);
         }
@@ -101,7 +100,6 @@ int make(const PackCommandOptions& o) {
             manifest(files, {fmt::format("edgeproof {}", report::program_version), o.commit,
                              o.date.empty() ? today() : o.date, "edgeproof pack " + o.folder}));
     });
-    staged.commit();
     std::printf("%s: %zu files\n", o.folder.c_str(), files.size() + 1);
     return 0;
 }

@@ -2,6 +2,7 @@
 #include "edgeproof/certificate/certificate.hpp"
 #include "edgeproof/cli/ledger_command.hpp"
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/report.hpp"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <optional>
 
 namespace edgeproof::cli {
 namespace {
@@ -43,15 +43,14 @@ std::string command_text(const VerifyOptions& o) {
 }
 
 void write_files(const audit::AuditResult& result, const audit::Ledger& ledger,
-                 io::StagedFolder& staged, const VerifyOptions& o) {
-    staged.fill([&](const std::filesystem::path& out) {
+                 const VerifyOptions& o) {
+    io::write_folder(o.out, [&](const std::filesystem::path& out) {
         io::write_whole(out / "verdicts.json", report::verdicts_json(result));
         io::write_whole(out / "verdicts.csv", report::verdicts_csv(result));
         io::write_whole(out / "verdicts.md", report::verdicts_markdown(result));
         io::write_whole(out / "verdicts.tex", report::verdicts_latex(result));
         report::write_html_report(result, ledger, out, o.threads, command_text(o));
     });
-    staged.commit();
 }
 
 int verify(VerifyOptions& o) {
@@ -73,9 +72,8 @@ int verify(VerifyOptions& o) {
     if (ledger.claims.empty() && !ledger.errors.empty()) {
         return report_claim_errors(ledger.errors);
     }
-    std::optional<io::StagedFolder> staged; // fails before minutes of work, not after them
     if (!o.out.empty()) {
-        staged.emplace(o.out);
+        io::check_folder(o.out); // fails before minutes of work, not after them
     }
     audit::AuditResult result = judged_ledger(ledger, {.digits = static_cast<unsigned>(o.digits),
                                                        .threads = o.threads,
@@ -84,8 +82,8 @@ int verify(VerifyOptions& o) {
     certificate::attach_certificates(result, ledger,
                                      std::filesystem::path(o.ledger).parent_path() / "certificates",
                                      "certificates");
-    if (staged) {
-        write_files(result, ledger, *staged, o);
+    if (!o.out.empty()) {
+        write_files(result, ledger, o);
     }
     std::fputs(report::verdicts_terminal(result, terminal_width(), stdout_takes_colour()).c_str(),
                stdout);

@@ -4,9 +4,14 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/figures/figures_svg.hpp"
+#include "edgeproof/report/text/program_line.hpp"
+
+#include <boost/crc.hpp>
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <sstream>
@@ -33,6 +38,29 @@ std::optional<std::filesystem::path> program_in_path(const std::string& name) {
     return std::nullopt;
 }
 
+std::string big_endian(std::uint32_t n) {
+    std::string bytes;
+    for (const unsigned shift : {24U, 16U, 8U, 0U}) {
+        bytes += static_cast<char>(n >> shift & 0xffU);
+    }
+    return bytes;
+}
+
+/// Names the program in the picture, since only a file that it wrote is replaced.
+std::string with_program(std::string picture, const std::string& format) {
+    if (format == "pdf") {
+        return picture + "% " + program_line() + "\n";
+    }
+    constexpr std::size_t last_chunk = 12;
+    const std::string text = std::string("tEXtSoftware") + '\0' + program_line();
+    boost::crc_32_type crc;
+    crc.process_bytes(text.data(), text.size());
+    picture.insert(picture.size() - std::min(picture.size(), last_chunk),
+                   big_endian(static_cast<std::uint32_t>(text.size() - 4)) + text +
+                       big_endian(crc.checksum()));
+    return picture;
+}
+
 } // namespace
 
 std::string converted_svg(const std::string& svg, const std::string& format) {
@@ -52,7 +80,7 @@ std::string converted_svg(const std::string& svg, const std::string& format) {
         throw Error("rsvg-convert made no ." + format + ": " +
                     printable(shortened(message, most_message_bytes)) + " " + run.ending());
     }
-    return std::move(run.output);
+    return with_program(std::move(run.output), format);
 }
 
 void write_plot_files(const Plot& plot, const std::string& svg,

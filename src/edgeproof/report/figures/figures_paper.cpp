@@ -13,6 +13,16 @@
 namespace edgeproof::report {
 namespace {
 
+/// The pen of the exact curve in a figure with such terms.
+constexpr Pen exact_pen{Pen::Colour::black, 1, {}, 2.5};
+
+/// Adds the curves of one, two and three terms, with the columns `prefix`1 ... `prefix`3.
+void add_term_curves(Plot& plot, const std::string& prefix) {
+    plot.curves.push_back({prefix + "1", "one term", {Pen::Colour::purple, 2, {}, 2}});
+    plot.curves.push_back({prefix + "2", "two terms", {Pen::Colour::blue, 4, {}, 2}});
+    plot.curves.push_back({prefix + "3", "three terms", {Pen::Colour::green, 1, {}, 2}});
+}
+
 constexpr const char* moore_hills = "moore-hills";
 constexpr unsigned working = figure_digits + 10;
 constexpr std::size_t most_terms = 3;
@@ -174,12 +184,6 @@ std::vector<PanelScene> both_edges(const std::string& id, const contact::Profile
 }
 
 } // namespace
-
-void add_term_curves(Plot& plot, const std::string& prefix) {
-    plot.curves.push_back({prefix + "1", "one term", {Pen::Colour::purple, 2, {}, 2}});
-    plot.curves.push_back({prefix + "2", "two terms", {Pen::Colour::blue, 4, {}, 2}});
-    plot.curves.push_back({prefix + "3", "three terms", {Pen::Colour::green, 1, {}, 2}});
-}
 
 std::vector<FigureRecipe> paper_figures(const std::string& name) {
     if (name != moore_hills) {

@@ -27,11 +27,6 @@ struct FigureRecipe {
 /// left out. Panels of pressures have even steps of x.
 [[nodiscard]] std::vector<FigureRecipe> paper_figures(const std::string& name);
 
-/// Adds the curves of one, two and three terms, with the columns `prefix`1 ... `prefix`3.
-void add_term_curves(Plot& plot, const std::string& prefix);
-/// The pen of the exact curve in a figure with such terms.
-inline constexpr Pen exact_pen{Pen::Colour::black, 1, {}, 2.5};
-
 /// The contacts of the paper's figures, one for each profile and set of parameters.
 struct NamedScene {
     std::string id;

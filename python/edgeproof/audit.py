@@ -29,6 +29,7 @@ class Claim:
     note      what was found, a sentence
     rests_on  "theorem", "identity", "enclosures", "text" or "none" (docs/trust.md)
     certificate  file of theorems about it for Coq, from the ledger's folder; None where there is none
+    fields_sha256  the hash of what the claim states (docs/file-formats.md)
     evidence  what the verdict rests on
     """
 
@@ -41,6 +42,7 @@ class Claim:
     note: str
     rests_on: str
     certificate: str | None
+    fields_sha256: str
     evidence: dict[str, Any]
 
     @property

@@ -40,12 +40,13 @@ TEST_CASE("every file names the program, its commit and its libraries") {
     folder.write("s.toml", hertz_scene);
     for (const char* format : {"csv", "json", "md"}) {
         CAPTURE(std::string(format));
-        const Outcome o = run(folder, std::string("pressure s.toml --out t --format ") + format);
+        const Outcome o =
+            run(folder, std::string("pressure s.toml --format ") + format + " --out t." + format);
         CHECK(o.code == 0);
-        CHECK(names_program(file_text(folder.path() / "t")));
+        CHECK(names_program(file_text(folder.path() / (std::string("t.") + format))));
     }
-    CHECK(run(folder, "expand s.toml --format tex --out t").code == 0);
-    CHECK(names_program(file_text(folder.path() / "t")));
+    CHECK(run(folder, "expand s.toml --format tex --out t.tex").code == 0);
+    CHECK(names_program(file_text(folder.path() / "t.tex")));
 
     folder.write("own.toml", hertz_head + hertz_right);
     REQUIRE(run(folder, "verify own.toml --out out --digits 20").code == 0);

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -57,15 +58,24 @@ TEST_CASE("an existing file is replaced only if the program wrote it") {
         {"another JSON", "{\"mine\": 1}", "{\n \"rows\": []\n}", false},
         {"the name of the program only", "edge\n# edgeproof 0.2.0\n", table, false},
     };
+    std::vector<std::string> refused_late; // since only the new text decides
     for (const Case& c : cases) {
         CAPTURE(c.name);
         write_target(c.before);
         if (c.replaced) {
+            check_output(target);
             write_whole(target, c.text);
         } else {
             CHECK_THROWS_AS(write_whole(target, c.text), InputError);
+            try {
+                check_output(target);
+                refused_late.emplace_back(c.name);
+            } catch (const InputError&) { // before the work
+            }
         }
         CHECK((read_text(target, "") == c.text) == c.replaced);
         fs::remove(target);
     }
+    CHECK(refused_late ==
+          std::vector<std::string>{"another table", "a paper that quotes a table", "another JSON"});
 }

@@ -252,6 +252,52 @@ TEST_CASE("a folder: runs that share it do not fail each other, and no files are
     }
 }
 
+TEST_CASE("a folder: if one file cannot be moved, the files moved before it are put back") {
+    if (::geteuid() != 0) {
+        return; // only root can give a file to another user
+    }
+    const OwnFolder own;
+    const fs::path out = own.path() / "out";
+    fs::create_directory(out);
+    fs::permissions(out, fs::perms(01777)); // in it, a user moves only files of his own
+    const auto write_as_a_user = [&](const std::vector<std::string>& names, const char* end) {
+        const pid_t user = ::fork();
+        if (user == 0) {
+            int failed = ::setuid(65534);
+            try {
+                write_folder(out, [&](const fs::path& folder) {
+                    make_folder(folder / end);
+                    for (const std::string& name : names) {
+                        write_whole(folder / name, std::string("the same beginning, ") + end);
+                    }
+                });
+            } catch (const InputError&) {
+                failed = 2;
+            }
+            ::_exit(failed);
+        }
+        int status = -1;
+        ::waitpid(user, &status, 0);
+        return WEXITSTATUS(status);
+    };
+    const std::vector<std::string> old{"a", "b", "c", "d", "e", "f", "g", "h"};
+    REQUIRE(write_as_a_user(old, "old") == 0);
+    const Names before = own.all();
+    std::vector<std::string> more = old;
+    more.insert(more.end(), {"i", "j", "k", "l", "m", "n"});
+    for (const std::string& stuck : old) { // the order of the moves is the file system's
+        CAPTURE(stuck);
+        REQUIRE(::chown((out / stuck).c_str(), 0, 0) == 0);
+        CHECK(write_as_a_user(more, "new") == 2);
+        REQUIRE(::chown((out / stuck).c_str(), 65534, 65534) == 0);
+        CHECK(own.all() == before);
+        for (const std::string& name : old) {
+            CHECK(text_of(out / name) == "the same beginning, old");
+        }
+    }
+    CHECK(write_as_a_user(more, "new") == 0);
+}
+
 TEST_CASE("a folder: unchanged by an interruption") {
     const OwnFolder own;
     for (const bool there : {false, true}) {

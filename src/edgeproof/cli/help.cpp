@@ -40,7 +40,7 @@ constexpr CommandHelp helps[] = {
      "edgeproof displacement stress --x 0 2",
      {"--x", "--reference", "--body", "--digits", "--format"}},
     {"plot",
-     "edgeproof plot fretting-pad --tolerance 1%",
+     "edgeproof plot fretting-pad --tolerance 1% --out pad.svg",
      {"--out", "--tolerance", "--terms", "--edge", "--u"}},
     {"explain",
      "edgeproof explain fretting-pad --run",
@@ -61,7 +61,7 @@ constexpr CommandHelp helps[] = {
      {"--columns", "--tolerance", "--html", "--format", "--out-dir"}},
     {"verify",
      "edgeproof verify moore-hills --only EQ18 --digits 20",
-     {"--out-dir", "--only", "--digits", "--strict"}},
+     {"--out-dir", "--only", "--digits", "--strict", "--record"}},
 };
 
 const CommandHelp* help_of(const CLI::App& app) {

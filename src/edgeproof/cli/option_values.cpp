@@ -117,11 +117,12 @@ void check_state(const std::string& file) {
     if (file.empty()) {
         return;
     }
-    io::check_output(file);
-    if (file == "-" || io::OutputTarget::of(file).special) {
+    const io::OutputTarget target = io::OutputTarget::of(file);
+    if (file == "-" || target.special) {
         throw InputError("--state " + file + ": a state is read again, which that cannot be",
                          "name a file");
     }
+    io::check_folder(target.path.parent_path());
 }
 
 } // namespace edgeproof::cli

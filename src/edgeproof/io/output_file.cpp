@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/atomic_file.hpp"
+#include "edgeproof/io/own_file.hpp"
 #include "edgeproof/io/sha256.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -63,6 +64,7 @@ void check_output(const std::filesystem::path& file) {
     if (!target.special) {
         const auto folder = target.path.parent_path();
         check_folder(folder.empty() ? std::filesystem::path(".") : folder);
+        require_replaceable(file);
     } else if (target.descriptor < 0 && ::access(target.path.c_str(), W_OK) != 0) {
         cannot("write", file, errno);
     }

@@ -5,9 +5,11 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cctype>
 #include <fstream>
+#include <functional>
 #include <mutex>
 #include <set>
 #include <string>
@@ -27,6 +29,14 @@ struct Inputs {
 Inputs& inputs() {
     static Inputs read;
     return read;
+}
+
+std::string first_bytes(const std::filesystem::path& file) {
+    std::string head(4096, '\0');
+    std::ifstream in(file, std::ios::binary);
+    in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(in.gcount()));
+    return head;
 }
 
 /// Returns the beginning without blanks, which depend on the width of columns.
@@ -62,28 +72,55 @@ bool names_program(std::string_view line) {
     return false;
 }
 
+bool contains_program(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    for (std::string line; std::getline(in, line);) {
+        if (names_program(line)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 char kind_of(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 ? 'a' : c; }
 
 /// A text of the user's may quote a result, but it then begins in another way.
 bool is_own(const std::filesystem::path& file, std::string_view head) {
-    std::ifstream in(file, std::ios::binary);
-    std::string line(4096, '\0');
-    in.read(line.data(), static_cast<std::streamsize>(line.size()));
-    line.resize(static_cast<std::size_t>(in.gcount()));
+    const std::string line = first_bytes(file);
     if (!begins_like_any(head) && beginning_of(line) == beginning_of(head)) {
         return true;
     }
     if (line.empty() || head.empty() || kind_of(line.front()) != kind_of(head.front())) {
         return false;
     }
-    in.clear();
-    in.seekg(0);
-    while (std::getline(in, line)) {
-        if (names_program(line)) {
-            return true;
-        }
+    return contains_program(file);
+}
+
+/// True for a file that names the program, or whose first line may be that of a table without
+/// notes.
+bool may_be_own(const std::filesystem::path& file) {
+    std::string line = first_bytes(file);
+    line.resize(std::min(line.find('\n'), line.size()));
+    constexpr std::string_view other_formats = "{|%\\"; // JSON, Markdown, LaTeX
+    return line.find(',') != std::string::npos ||
+           (!line.empty() && other_formats.find(line.front()) != std::string_view::npos &&
+            !line.starts_with("%PDF")) ||
+           contains_program(file);
+}
+
+void require(const std::filesystem::path& file, const std::function<bool()>& is_own_file) {
+    struct stat found {};
+    if (::stat(file.c_str(), &found) != 0 || found.st_size == 0) {
+        return;
     }
-    return false;
+    const std::lock_guard lock(inputs().mutex);
+    if (inputs().all.contains({found.st_dev, found.st_ino})) {
+        throw InputError(file.string() + " is an input of this command", "name another output");
+    }
+    if (!is_own_file()) {
+        throw InputError(file.string() + " is there, and Edgeproof did not write it",
+                         "remove it, or name another output");
+    }
 }
 
 } // namespace
@@ -99,18 +136,11 @@ void remember_input(const std::filesystem::path& file) {
 }
 
 void require_replaceable(const std::filesystem::path& file, std::string_view head) {
-    struct stat found {};
-    if (::stat(file.c_str(), &found) != 0 || found.st_size == 0) {
-        return;
-    }
-    const std::lock_guard lock(inputs().mutex);
-    if (inputs().all.contains({found.st_dev, found.st_ino})) {
-        throw InputError(file.string() + " is an input of this command", "name another output");
-    }
-    if (!is_own(file, head)) {
-        throw InputError(file.string() + " is there, and Edgeproof did not write it",
-                         "remove it, or name another output");
-    }
+    require(file, [&] { return is_own(file, head); });
+}
+
+void require_replaceable(const std::filesystem::path& file) {
+    require(file, [&] { return may_be_own(file); });
 }
 
 } // namespace edgeproof::io

@@ -19,4 +19,8 @@ void remember_input(const std::filesystem::path& file);
 /// like the new text.
 void require_replaceable(const std::filesystem::path& file, std::string_view head);
 
+/// Throws InputError if no text may replace the file, also no table without notes, which only its
+/// beginning identifies. For use before long work.
+void require_replaceable(const std::filesystem::path& file);
+
 } // namespace edgeproof::io

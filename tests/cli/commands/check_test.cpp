@@ -264,7 +264,9 @@ TEST_CASE("check --json: the outcome, and the cause by its name") {
     folder.write("minus.csv", answers(-modulus));
     const Outcome right = run(folder, "check right.csv --digits 12 --json");
     CHECK(right.code == 0);
-    CHECK(nlohmann::json::parse(right.out) ==
+    auto found = nlohmann::json::parse(right.out);
+    CHECK(found.erase("program") == 1);
+    CHECK(found ==
           nlohmann::json::parse(R"({"passes": true, "rows": 5, "failures": 0, "causes": []})"));
     const Outcome wrong = run(folder, "check e.csv --digits 12 --json");
     CHECK(wrong.code == 1);

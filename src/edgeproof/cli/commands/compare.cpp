@@ -10,6 +10,7 @@
 #include "edgeproof/report/figures/comparison_figures.hpp"
 #include "edgeproof/report/page/comparison_page.hpp"
 #include "edgeproof/report/tables/comparison_report.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <cstdio>
 #include <functional>
@@ -207,7 +208,9 @@ int compare_results(const CompareOptions& o) {
     write_outputs(report, o);
     const std::string text =
         json ? comparison_json(report) : printable_lines(comparison_text(report));
-    io::write_output(o.out.empty() ? "-" : o.out, text);
+    const bool printed = o.out.empty() || o.out == "-";
+    const std::string end = json || printed ? "" : "program: " + report::program_line() + "\n";
+    io::write_output(printed ? "-" : o.out, text + end);
     return report.comparison.passes() ? 0 : 1;
 }
 

@@ -74,6 +74,10 @@ int verify(VerifyOptions& o) {
     }
     if (!o.out.empty()) {
         io::check_folder(o.out); // fails before minutes of work, not after them
+        for (const char* name : {"verdicts.json", "verdicts.csv", "verdicts.md", "verdicts.tex",
+                                 "report.html", "errata.tex"}) {
+            io::check_output(std::filesystem::path(o.out) / name);
+        }
     }
     audit::AuditResult result = judged_ledger(ledger, {.digits = static_cast<unsigned>(o.digits),
                                                        .threads = o.threads,

@@ -3,6 +3,7 @@
 
 #include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/text/escape.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <vector>
 
@@ -98,8 +99,9 @@ std::string comparison_page(const ComparisonReport& report, const DrawnCompariso
     return parts_page("Edgeproof compare: " + (report.title.empty() ? report.scene : report.title),
                       report.scene + (report.units ? ": " + report.units->text() : ""), parts,
                       false,
-                      "Made by edgeproof compare. Exact values have the routes that are named; "
-                      "edges, fits and limits of data are estimates.");
+                      "Made by " + program_line() +
+                          ". Exact values have the routes that are named; "
+                          "edges, fits and limits of data are estimates.");
 }
 
 } // namespace edgeproof::report

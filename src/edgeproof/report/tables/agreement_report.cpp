@@ -313,6 +313,7 @@ std::string ConformanceSummary::json() const {
         {"rows", cases_},
         {"failures", failures_.count},
         {"causes", causes},
+        {"program", program_line()},
     };
     return all.dump(2) + "\n";
 }

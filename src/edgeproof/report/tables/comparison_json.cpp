@@ -2,6 +2,7 @@
 #include "edgeproof/report/tables/comparison_report.hpp"
 
 #include "edgeproof/precision/message.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -138,6 +139,7 @@ std::string comparison_json(const ComparisonReport& report) {
     const comparison::Comparison& c = report.comparison;
     ordered_json j;
     j["scene"] = printable(report.scene);
+    j["program"] = program_line();
     j["passes"] = c.passes();
     j["tolerance"] = tolerance_text(c.tolerances);
     j["units"] = report.units ? ordered_json(report.units->text()) : ordered_json();

@@ -2,6 +2,7 @@
 #include "edgeproof/report/tables/comparison_report.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/text/escape.hpp"
+#include "edgeproof/report/text/program_line.hpp"
 
 #include <fmt/format.h>
 
@@ -325,9 +326,9 @@ std::string comparison_junit(const ComparisonReport& report) {
                         xml_text(file.table.file), std::max<std::size_t>(1, file.failures.size()),
                         file.failures.size(), cases);
     }
-    return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"edgeproof "
-                       "compare\" failures=\"{}\">\n{}</testsuites>\n",
-                       failures, suites);
+    return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- {} -->\n"
+                       "<testsuites name=\"edgeproof compare\" failures=\"{}\">\n{}</testsuites>\n",
+                       xml_text(program_line()), failures, suites);
 }
 
 } // namespace edgeproof::report

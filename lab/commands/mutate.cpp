@@ -35,7 +35,7 @@ std::vector<std::string> false_alarms(const audit::MutationRun& run, const std::
     std::vector<std::string> all;
     const auto golden = report::golden_file(ledger);
     for (const audit::ClaimResult& r : run.originals.claims) {
-        if (std::filesystem::exists(golden)) {
+        if (report::has_golden_file(ledger)) {
             audit::AuditResult one;
             one.digits = run.originals.digits;
             one.claims.push_back(r);

@@ -47,4 +47,9 @@ TEST_CASE("patterns of ids") {
     CHECK(matches("EQ?4.N", "EQ24.N"));
     CHECK_FALSE(matches("EQ2", "EQ24"));
     CHECK_FALSE(matches("eq2*", "EQ24"));
+    std::string stars; // a naive search would try 2^30 ways and more
+    for (int k = 0; k < 30; ++k) {
+        stars += "*a";
+    }
+    CHECK_FALSE(matches(stars + "b", std::string(100, 'a')));
 }

@@ -7,8 +7,10 @@
 
 #include <doctest/doctest.h>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <fstream>
 #include <stdexcept>
 
@@ -57,6 +59,21 @@ TEST_CASE("read_text: returns a whole file, or the reason why it cannot be read"
           folder.string() + ": this is a folder, not a file; give the path of a scene (TOML)");
     CHECK(said_of(folder / "none", 10) ==
           (folder / "none").string() + ": there is no such file; give the path of a scene (TOML)");
+    std::filesystem::create_symlink("none", folder / "link");
+    CHECK(said_of(folder / "link", 10) ==
+          (folder / "link").string() +
+              ": this is a link to a file that is not there; give the path of a scene (TOML)");
+    REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    CHECK(said_of(folder / "pipe", 10) == (folder / "pipe").string() +
+                                              ": this is a named pipe, not a file; read it as "
+                                              "standard input: - < " +
+                                              (folder / "pipe").string());
+    std::array<int, 2> ends{};
+    REQUIRE(::pipe(ends.data()) == 0);
+    REQUIRE(::write(ends[1], "text", 4) == 4);
+    ::close(ends[1]);
+    CHECK(read_text("/dev/fd/" + std::to_string(ends[0]), "file") == "text");
+    ::close(ends[0]);
     CHECK(said_of("/dev/zero", 1000).find("/dev/zero: the file holds more than 1000 bytes; ") == 0);
     CHECK(read_text("/dev/null", "file").empty());
     std::filesystem::remove_all(folder);

@@ -11,6 +11,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <fnmatch.h>
+
 #include <algorithm>
 #include <atomic>
 #include <map>
@@ -85,16 +87,8 @@ Outcome combined(const Claim& claim, const std::vector<std::pair<std::string, Ou
 
 } // namespace
 
-bool matches(std::string_view pattern, std::string_view text) {
-    if (pattern.empty()) {
-        return text.empty();
-    }
-    if (pattern[0] == '*') {
-        return matches(pattern.substr(1), text) ||
-               (!text.empty() && matches(pattern, text.substr(1)));
-    }
-    return !text.empty() && (pattern[0] == '?' || pattern[0] == text[0]) &&
-           matches(pattern.substr(1), text.substr(1));
+bool matches(const std::string& pattern, const std::string& text) {
+    return ::fnmatch(pattern.c_str(), text.c_str(), FNM_NOESCAPE) == 0;
 }
 
 AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {

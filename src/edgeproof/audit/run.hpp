@@ -28,8 +28,8 @@ struct AuditOptions {
 /// Throws InputError if no id matches the pattern, and Interrupted.
 [[nodiscard]] AuditResult run_audit(const Ledger& ledger, const AuditOptions& options);
 
-/// True if the text matches a pattern with * and ?.
-[[nodiscard]] bool matches(std::string_view pattern, std::string_view text);
+/// True if the text matches a pattern of the shell, with *, ? and [...] (fnmatch(3)).
+[[nodiscard]] bool matches(const std::string& pattern, const std::string& text);
 
 /// For each claim that does not hold, computes the later results of the source from that line as it
 /// is printed (the ledger's [[later]], and `as_if` of later claims), and adds them to the evidence:

@@ -17,7 +17,7 @@ std::filesystem::path installed(const std::filesystem::path& file) {
 std::string file_or_shipped(const std::string& given, std::string_view folder) {
     std::error_code failed;
     if (given.empty() || given.find_first_of("./") != std::string::npos ||
-        std::filesystem::exists(given, failed)) {
+        std::filesystem::exists(std::filesystem::symlink_status(given, failed))) {
         return given;
     }
     const auto file =

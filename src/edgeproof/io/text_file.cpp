@@ -68,7 +68,16 @@ TextReader::TextReader(const std::filesystem::path& file, const std::string& wha
         refuse("this is a folder, not a file", give_);
     }
     if (!standard && !std::filesystem::exists(file, error)) {
-        refuse("there is no such file", give_);
+        refuse(std::filesystem::is_symlink(file, error)
+                   ? "this is a link to a file that is not there"
+                   : "there is no such file",
+               give_);
+    }
+    // A pipe without a name (`<(command)`) has no canonical path. One with a name may never get a
+    // writer, and opening it would wait for ever.
+    if (!standard && std::filesystem::is_fifo(file, error) &&
+        !std::filesystem::canonical(file, error).empty()) {
+        refuse("this is a named pipe, not a file", "read it as standard input: - < " + name_);
     }
     if (standard) {
         in_ = &std::cin;

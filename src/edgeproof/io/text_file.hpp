@@ -14,11 +14,11 @@ inline constexpr std::size_t most_text_bytes = 1'000'000'000;
 /// The name of the file in errors: "stdin" for "-", which is standard input.
 [[nodiscard]] std::string input_name(const std::filesystem::path& file);
 
-/// Reads a file, a pipe or a device, or for "-" standard input, once, as needed.
+/// Reads a file, a pipe without a name or a device, or for "-" standard input, once, as needed.
 class TextReader {
 public:
     /// Throws InputError that calls the file `what` ("recipe (TOML)") if it does not exist, is a
-    /// folder or cannot be read.
+    /// folder or a named pipe, or cannot be read.
     TextReader(const std::filesystem::path& file, const std::string& what,
                std::size_t most = most_text_bytes);
     /// Appends at most `bytes` more bytes to the text; returns false at the end. Throws InputError
@@ -37,9 +37,9 @@ private:
     std::size_t done_ = 0;
 };
 
-/// Returns the text of a file, a pipe or a device, or for "-" of standard input, once. Throws
-/// InputError that calls the file `what` ("recipe (TOML)") if it does not exist, is a folder,
-/// cannot be read, or holds more than `most` bytes; no more bytes are read.
+/// Returns the text of a file, a pipe without a name or a device, or for "-" of standard input,
+/// once. Throws InputError that calls the file `what` ("recipe (TOML)") if it does not exist, is a
+/// folder or a named pipe, cannot be read, or holds more than `most` bytes; no more bytes are read.
 [[nodiscard]] std::string read_text(const std::filesystem::path& file, const std::string& what,
                                     std::size_t most = most_text_bytes);
 

@@ -39,7 +39,7 @@ Verified verified(const std::string& file, const audit::AuditOptions& options) {
         result, ledger, std::filesystem::path(file).parent_path() / "certificates", "certificates");
     Verified v{result.source, report::verdicts_json(result), report::counts_line(result), {}};
     const std::filesystem::path golden = report::golden_file(file);
-    if (std::filesystem::exists(golden)) {
+    if (report::has_golden_file(file)) {
         v.recorded = true;
         v.differences = report::golden_differences(result, golden, options.only);
     }

@@ -127,11 +127,33 @@ TEST_CASE("a pair of enclosures in the evidence, or the reason that there is non
     CHECK(none.find("none")->text() == "no closed form");
 }
 
-TEST_CASE("a difference that only the enclosures show refutes") {
-    // The value agrees to D - 5 digits, but is certainly different.
+TEST_CASE("a value that agrees to D - 5 digits, but is certainly different, is confirmed so") {
+    // 34 digits are asked for.
     const ClaimResult near = result_of(value_claim("Es*C/2*sqrt(a^2-x^2)*(1+1e-32)"));
-    CHECK(near.outcome.verdict == Verdict::refuted);
+    CHECK(near.outcome.verdict == Verdict::confirmed);
+    CHECK(near.outcome.note.find("; not identical: differs by 1.0e-32 of the value, ") !=
+          std::string::npos);
     CHECK(std::get<bool>(enclosures_of(near).find("disjoint")->value()));
+    const ClaimResult far = result_of(value_claim("Es*C/2*sqrt(a^2-x^2)*(1+1e-28)"));
+    CHECK(far.outcome.verdict == Verdict::refuted);
+}
+
+TEST_CASE("a correction is never a formula that only agrees to the digits asked") {
+    // At u = L/20, the remainder after 60 terms is 1e-6x of the pressure.
+    for (const char* says : {"right_local(7, x)", "Es*C/2*sqrt(a^2-x^2) + C^Es^Es"}) {
+        const ClaimResult wrong = result_of(value_claim(says));
+        CHECK(wrong.outcome.verdict == Verdict::refuted);
+        const std::string correct = wrong.outcome.correct.value_or("");
+        CAPTURE(correct);
+        CHECK((correct.empty() || correct == "Es*C/2*sqrt(a^2 - x^2)"));
+    }
+}
+
+TEST_CASE("the note counts the samples that were enclosed") {
+    const ClaimResult integral = result_of(
+        value_claim("Es/(2*Pi)*sqrt(a^2-x^2)*pv(g1(s)/sqrt(a^2-s^2)*(1/(s-x)), s, -a, a, x)"));
+    const std::string enclosed = enclosures_of(integral).find("samples")->text();
+    CHECK(integral.outcome.note == "agrees at " + enclosed + " samples");
 }
 
 TEST_CASE("P'(a) and b'(a) of a curved slope are enclosed") {

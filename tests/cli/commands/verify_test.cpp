@@ -6,6 +6,8 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include <sys/stat.h>
+
 using namespace edgeproof::test;
 
 namespace {
@@ -62,6 +64,44 @@ TEST_CASE("verify: exit 0 if the verdicts are those recorded, 1 if they differ")
     CHECK(changed.out.find("differs from own.expected.csv: right") != std::string::npos);
     folder.write("own.toml", head + right + hertz_claim("new", "Es*C/2*sqrt(a^2-x^2)"));
     CHECK(run(folder, "verify own.toml").code == 1); // a claim has no recorded verdict
+}
+
+TEST_CASE("verify: a record that cannot be compared is refused; exit 2") {
+    const Folder folder;
+    folder.write("own.toml", head + right);
+    const std::filesystem::path record = folder.path() / "own.expected.csv";
+    for (const char* rows :
+         {"right,refuted,\nright,confirmed,\n", // the last row would hide the first
+          "other,proved,\nother,proved,\nright,confirmed,\n"}) {
+        folder.write("own.expected.csv", std::string("id,verdict,correct\n") + rows);
+        const Outcome twice = run(folder, "verify own.toml --only right");
+        CHECK(twice.code == 2);
+        CHECK(has(twice.err, "own.expected.csv:3: a second row of "));
+    }
+    std::filesystem::remove(record);
+    std::filesystem::create_symlink("none", record);
+    const Outcome dangling = run(folder, "verify own.toml");
+    CHECK(dangling.code == 2);
+    CHECK(has(dangling.err, "own.expected.csv: this is a link to a file that is not there; "));
+    std::filesystem::remove(record);
+    REQUIRE(::mkfifo(record.c_str(), 0600) == 0);
+    const Outcome pipe = run(folder, "verify own.toml");
+    CHECK(pipe.code == 2);
+    CHECK(has(pipe.err, "own.expected.csv: this is a named pipe, not a file; "));
+}
+
+TEST_CASE("verify: the verdict itself says where it rests on samples") {
+    const Folder folder;
+    folder.write("own.toml", head + right + wrong +
+                                 "[[claim]]\nid = \"figure\"\nkind = \"figure\"\nover = \"hertz\"\n"
+                                 "of = \"u/L*0 + 1/3\"\nquoted = \"0.333\"\n");
+    const Outcome o = run(folder, "verify own.toml --out out");
+    CHECK(has(o.out, "\nright   confirmed at the samples  agrees at "));
+    CHECK(has(o.out, "\nwrong   refuted                   "));
+    CHECK(has(o.out, "\nfigure  confirmed                 "));
+    CHECK(has(file_text(folder.path() / "out/verdicts.md"), "| confirmed at the samples |"));
+    CHECK(has(file_text(folder.path() / "out/verdicts.tex"), "& confirmed at the samples &"));
+    CHECK(has(file_text(folder.path() / "out/report.html"), ">confirmed at the samples</span>"));
 }
 
 TEST_CASE("verify: malformed text is reported with file, line and correction; exit 2") {

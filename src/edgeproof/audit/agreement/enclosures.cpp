@@ -5,6 +5,7 @@
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,13 @@ struct Pair {
     std::string problem;
 
     [[nodiscard]] bool apart() const { return printed && disjoint(*printed, *exact); }
+    [[nodiscard]] std::optional<Confirmation> agreement(double digits) const {
+        return Confirmation::agreement(*printed, *exact, *scale, digits);
+    }
+    /// Returns the greatest relative difference that the balls prove; 0 if they overlap.
+    [[nodiscard]] Real proved_difference() const {
+        return apart() ? Real(abs(*printed - *exact).lower() / scale->upper()) : Real(0);
+    }
     /// Returns the digits to which any two numbers in the balls agree, relative to the scale.
     [[nodiscard]] double proved_digits() const {
         const Real most = abs(*printed - *exact).upper();
@@ -57,12 +65,16 @@ public:
     }
 
 private:
-    /// Increases the bits until the balls are disjoint or prove all digits.
+    /// Increases the bits until the balls prove all digits; or that the formulas differ, and
+    /// whether by more than a confirmation allows.
     [[nodiscard]] Pair values_at(std::size_t sample) const {
         Pair pair;
+        const double needed = AuditContext::digits_needed(digits_);
+        const Real allowed = pow(Real(10), -needed);
         for (long bits = 2 * needed_; bits <= 8 * needed_; bits *= 2) {
             if (!enclose(sample, bits, digits_, pair) ||
-                (pair.printed && (pair.apart() || pair.proved_digits() >= digits_))) {
+                (pair.apart() && (pair.agreement(needed) || pair.proved_difference() > allowed)) ||
+                (pair.printed && pair.proved_digits() >= digits_)) {
                 break;
             }
         }
@@ -154,7 +166,7 @@ std::optional<Refutation> find_refutation(const PairAtSamples& pairs, const Samp
             break;
         }
         const Pair pair = pairs.at(i);
-        if (!pair.printed) {
+        if (!pair.printed || pair.agreement(AuditContext::digits_needed(with.digits))) {
             continue;
         }
         if (const auto found = Refutation::disjoint(*pair.printed, *pair.exact)) {
@@ -207,6 +219,14 @@ Basis basis_of(const ClaimResult& result) {
     return verdict == Verdict::undecided ? Basis::none : Basis::enclosures;
 }
 
+std::string verdict_text(const ClaimResult& result) {
+    const CheckKind* kind = find_check_kind(result.claim.kind);
+    const bool at_samples = result.outcome.verdict == Verdict::confirmed &&
+                            basis_of(result) == Basis::enclosures &&
+                            (kind == nullptr || kind->sampled);
+    return std::string(name_of(result.outcome.verdict)) + (at_samples ? " at the samples" : "");
+}
+
 Decision compare_by_enclosures(const Expr& printed, const SampledComparison& with,
                                Outcome& outcome) {
     const PairAtSamples pairs(printed, with);
@@ -215,6 +235,8 @@ Decision compare_by_enclosures(const Expr& printed, const SampledComparison& wit
     std::size_t count = 0;
     double least = every_digit;
     std::optional<Evidence> worst;
+    Real difference = 0; // the greatest that is proved
+    std::string where;
     for (const std::size_t i : chosen(with, pairs.have_integrals())) {
         check_interruption();
         const Pair pair = pairs.at(i);
@@ -224,11 +246,12 @@ Decision compare_by_enclosures(const Expr& printed, const SampledComparison& wit
             outcome.evidence.add("enclosures", Evidence().add("none", pair.problem));
             return {};
         }
-        if (const auto apart = Refutation::disjoint(*pair.printed, *pair.exact)) {
+        const auto holds = pair.agreement(needed);
+        const auto apart = Refutation::disjoint(*pair.printed, *pair.exact);
+        if (apart && !holds) {
             outcome.evidence.add("enclosures", pair.evidence(at, with.digits));
             return *apart;
         }
-        const auto holds = Confirmation::agreement(*pair.printed, *pair.exact, *pair.scale, needed);
         const double proved = pair.proved_digits();
         if (!holds) {
             outcome.note = "the enclosures prove " + digits_text(proved) + " of " +
@@ -238,6 +261,10 @@ Decision compare_by_enclosures(const Expr& printed, const SampledComparison& wit
         }
         all = holds;
         ++count;
+        if (pair.proved_difference() > difference) {
+            difference = pair.proved_difference();
+            where = at;
+        }
         if (!worst || proved < least) {
             least = proved;
             worst = pair.evidence(at, with.digits);
@@ -248,8 +275,22 @@ Decision compare_by_enclosures(const Expr& printed, const SampledComparison& wit
         const double tenths = std::floor(std::min(least, 1.0 * with.digits) * 10) / 10;
         worst->add("digits_proved", digits_text(tenths)).add("samples", count);
         outcome.evidence.add("enclosures", std::move(*worst));
+        outcome.note = "agrees at " + std::to_string(count) + (count == 1 ? " sample" : " samples");
+    }
+    if (difference > 0) {
+        outcome.note +=
+            "; not identical: differs by " + to_decimal(difference, 2) + " of the value, " + where;
     }
     return decision(std::nullopt, all);
+}
+
+bool provably_different(const Expr& made, SampledComparison with) {
+    if (!has_binder(made) && !has_binder(with.exact)) { // integrals would take too long
+        with.digits *= 2;
+    }
+    const PairAtSamples pairs(made, with);
+    return std::ranges::any_of(chosen(with, pairs.have_integrals()),
+                               [&](std::size_t i) { return pairs.at(i).apart(); });
 }
 
 Judgement judge_by_enclosures(const ExactFormula& printed, const SampledComparison& with,

@@ -22,7 +22,7 @@ struct SampledComparison {
 };
 
 /// Judges a printed formula by enclosures at the samples. Adds the evidence `enclosures`.
-/// Refuted: the two balls are disjoint at one sample.
+/// Refuted: the two balls are disjoint at one sample, and do not prove D - 5 digits there.
 /// Confirmed: see compare_by_enclosures.
 /// Underspecified: the printed formula has no value at some sample, and differs at none.
 [[nodiscard]] Judgement judge_by_enclosures(const ExactFormula& printed,
@@ -30,10 +30,14 @@ struct SampledComparison {
 
 /// Compares two formulas at the samples by enclosures. They agree if the balls prove D - 5 digits
 /// at every sample; for formulas with integrals, at the samples that agree least and at some others
-/// (the evidence states their number). Returns nothing, and adds a note, if the balls do not
-/// decide.
+/// (the evidence states their number). The note has the number of samples enclosed, and the
+/// greatest difference that is proved; or why the balls do not decide.
 [[nodiscard]] Decision compare_by_enclosures(const Expr& printed, const SampledComparison& with,
                                              Outcome& outcome);
+
+/// True if a formula that the program made is proved to differ at one of these samples, by balls of
+/// twice the digits: it is then no correction, however well it agrees.
+[[nodiscard]] bool provably_different(const Expr& made, SampledComparison with);
 
 /// Returns the evidence on two numbers that are equal according to a claim: their enclosures at a
 /// sample, and whether these are disjoint.
@@ -59,5 +63,8 @@ inline constexpr std::array<Basis, 5> all_bases{Basis::theorem, Basis::identity,
 [[nodiscard]] std::string_view name_of(Basis basis);
 /// The strongest basis of the whole verdict.
 [[nodiscard]] Basis basis_of(const ClaimResult& result);
+/// The verdict in a table for people: "confirmed at the samples" where nothing is proved between
+/// them.
+[[nodiscard]] std::string verdict_text(const ClaimResult& result);
 
 } // namespace edgeproof::audit

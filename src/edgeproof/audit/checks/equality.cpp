@@ -17,7 +17,7 @@ Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned
         return outcome;
     }
     outcome.evidence.add("of", claim.text("of"));
-    comparison.judge("agrees at " + std::to_string(comparison.samples()) + " samples", outcome);
+    comparison.judge(outcome);
     if (comparison.needs_correction(outcome)) {
         RefutedFormula refuted = comparison.refuted(outcome.evidence);
         refuted.passes_screening = Screening(claim, context, claim.formula("of"));
@@ -34,7 +34,7 @@ Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned
 /// True if a confirmed claim holds to all digits, at samples spread evenly over the others.
 bool holds_to_all_digits(const Claim& claim, const AuditContext& context, Evidence& evidence) {
     Outcome more;
-    FormulaComparison(claim, context, context.digits(), ManyDigits::samples).judge("", more);
+    FormulaComparison(claim, context, context.digits(), ManyDigits::samples).judge(more);
     evidence.add("all_digits", std::move(more.evidence));
     return more.verdict == Verdict::confirmed;
 }
@@ -98,13 +98,17 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     }
     // Compare at samples, too: there the exact value is computed from the contact, without symbols.
     const FormulaComparison comparison(claim, context, context.digits());
-    comparison.judge("agrees at the samples; not proved in symbols", outcome);
+    comparison.judge(outcome);
+    if (outcome.verdict == Verdict::confirmed && !is_rounded(outcome)) {
+        outcome.note = proved ? "identically equal to the derived form; " + outcome.note
+                              : outcome.note + "; not proved in symbols";
+    }
     if (proved && outcome.evidence.find("rounded") == nullptr) {
         const bool confirmed = outcome.verdict == Verdict::confirmed;
         outcome.verdict = confirmed ? Judgement::proved_by_symbols() : Judgement();
-        outcome.note = confirmed ? "identically equal to the derived form; agrees at " +
-                                       std::to_string(comparison.samples()) + " samples"
-                                 : "equal in symbols but not at the samples";
+        if (!confirmed) {
+            outcome.note = "equal in symbols but not at the samples";
+        }
         return outcome;
     }
     if (!comparison.needs_correction(outcome)) {

@@ -48,8 +48,8 @@ RelationInScene without_place(const ConditionInScene& condition) {
 }
 
 /// Combines the decisions at all places: one place that fails decides. The places with the
-/// narrowest margins are checked first.
-Decision all_of(const ConditionInScene& condition, std::vector<Margin> places) {
+/// narrowest margins are checked first. Counts the places at which enclosures decided.
+Decision all_of(const ConditionInScene& condition, std::vector<Margin> places, std::size_t& count) {
     std::ranges::stable_sort(places, {}, &Margin::value);
     Decision all;
     bool open = false;
@@ -61,6 +61,7 @@ Decision all_of(const ConditionInScene& condition, std::vector<Margin> places) {
         if (!one) {
             continue;
         }
+        ++count;
         if (refutes(*one)) {
             return *one;
         }
@@ -80,9 +81,13 @@ RelationInScene everywhere(const ConditionInScene& condition, const Real& neares
                                 [](const Margin& p) { return p.clear && !(p.value > 0); })) {
             result.where = interval_texts(scan, false);
         }
-        result.decision = all_of(condition, scan.places());
-        if (confirms(result.decision) && scan.nearly_changes(true)) {
-            result.decision = {};
+        std::size_t enclosed = 0;
+        result.decision = all_of(condition, scan.places(), enclosed);
+        if (confirms(result.decision)) {
+            result.places = enclosed;
+            if (scan.nearly_changes(true)) {
+                result.decision = {};
+            }
         }
     }
     return result;

@@ -188,6 +188,7 @@ struct CheckKind {
     std::string_view name;
     std::vector<KeySpec> keys;
     std::function<Outcome(const Claim&, const AuditContext&)> check;
+    bool sampled = true; ///< false: a confirmation does not depend on what lies between samples
 };
 
 /// Returns all kinds, in the order of checks/kinds.cpp.

@@ -107,7 +107,7 @@ int verify(VerifyOptions& o) {
         std::printf("recorded in %s\n", golden.string().c_str());
         return failing;
     }
-    if (!std::filesystem::exists(golden)) {
+    if (!report::has_golden_file(o.ledger)) {
         return failing;
     }
     const std::vector<std::string> differences = report::golden_differences(result, golden, o.only);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/page/html_claim.hpp"
+#include "edgeproof/audit/agreement/enclosures.hpp"
 
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/formula_tex.hpp"
@@ -169,9 +170,9 @@ std::string theorem_html(const audit::Claim& claim, const PageHead& head) {
 
 } // namespace
 
-std::string verdict_mark(audit::Verdict verdict) {
+std::string verdict_mark(audit::Verdict verdict, const std::string& text) {
     const std::string name(name_of(verdict));
-    return "<span class=\"verdict " + name + "\">" + name + "</span>";
+    return "<span class=\"verdict " + name + "\">" + (text.empty() ? name : text) + "</span>";
 }
 
 std::string lines_words(const audit::Claim& claim) {
@@ -254,7 +255,7 @@ std::string claim_html(const audit::ClaimResult& result, const PageHead& head,
         "<span class=\"id\">{3}</span> {4} <span class=\"said\">{5}</span></summary>\n"
         "<div class=\"body\">\n<p class=\"where\"><a href=\"#{0}\">{0}</a>",
         id, name_of(result.outcome.verdict), section_key, escape_html(place_words(claim, source)),
-        verdict_mark(result.outcome.verdict), printed_html(claim, source));
+        verdict_mark(result.outcome.verdict, verdict_text(result)), printed_html(claim, source));
     for (const std::string& part :
          {where_html(claim, head), "a check of kind " + escape_html(claim.kind)}) {
         out += part.empty() ? "" : " · " + part;

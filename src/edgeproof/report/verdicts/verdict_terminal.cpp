@@ -158,10 +158,11 @@ std::string bases_table(const audit::AuditResult& result) {
 
 std::string verdicts_terminal(const audit::AuditResult& result, std::size_t width, bool colour) {
     std::size_t id_width = 2;
+    std::size_t verdict_width = 14;
     for (const audit::ClaimResult& r : result.claims) {
         id_width = std::max(id_width, text_width(r.claim.id));
+        verdict_width = std::max(verdict_width, verdict_text(r).size());
     }
-    constexpr std::size_t verdict_width = 14;
     const std::size_t left = id_width + 2 + verdict_width + 2;
     const std::size_t rest = width > left + 30 ? width - left : 30;
     const auto paint = [&](audit::Verdict v, const std::string& text) {
@@ -173,8 +174,7 @@ std::string verdicts_terminal(const audit::AuditResult& result, std::size_t widt
     for (const audit::ClaimResult& r : result.claims) {
         const std::vector<std::string> lines = wrapped(remark(r), rest);
         std::string first = padded(printable(r.claim.id), id_width) + "  " +
-                            paint(r.outcome.verdict,
-                                  padded(std::string(name_of(r.outcome.verdict)), verdict_width)) +
+                            paint(r.outcome.verdict, padded(verdict_text(r), verdict_width)) +
                             (lines[0].empty() ? "" : "  " + lines[0]);
         while (!first.empty() && first.back() == ' ') {
             first.pop_back();

@@ -218,12 +218,11 @@ std::string verdicts_markdown(const audit::AuditResult& result) {
         return text ? markdown_code(*text) : "";
     };
     for (const audit::ClaimResult& r : result.claims) {
-        out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
-                           markdown_text(r.claim.id), or_empty(lines_of(r.claim)),
-                           name_of(r.outcome.verdict), markdown_text(or_empty(quoted(r.claim))),
-                           markdown_text(or_empty(r.outcome.computed)), code(r.outcome.correct),
-                           markdown_text(r.outcome.note), name_of(basis_of(r)),
-                           code(certificate_of(r)));
+        out += fmt::format(
+            "| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", markdown_text(r.claim.id),
+            or_empty(lines_of(r.claim)), verdict_text(r), markdown_text(or_empty(quoted(r.claim))),
+            markdown_text(or_empty(r.outcome.computed)), code(r.outcome.correct),
+            markdown_text(r.outcome.note), name_of(basis_of(r)), code(certificate_of(r)));
     }
     return out;
 }
@@ -245,7 +244,7 @@ std::string verdicts_latex(const audit::AuditResult& result) {
                     breakable_latex(*r.outcome.correct) + "}";
         }
         out += fmt::format("{} & {} & {} & {} & {} \\tabularnewline\n", breakable_latex(r.claim.id),
-                           or_empty(lines_of(r.claim)), name_of(r.outcome.verdict),
+                           or_empty(lines_of(r.claim)), verdict_text(r),
                            breakable_latex(or_empty(r.outcome.computed)), note);
     }
     return out + "\\end{longtable}}\n";
@@ -274,6 +273,11 @@ std::filesystem::path golden_file(const std::filesystem::path& ledger) {
     return file.replace_extension(".expected.csv");
 }
 
+bool has_golden_file(const std::filesystem::path& ledger) {
+    std::error_code failed;
+    return std::filesystem::exists(std::filesystem::symlink_status(golden_file(ledger), failed));
+}
+
 std::string golden_text(const audit::AuditResult& result) {
     std::string out = csv_line(golden_head);
     for (const audit::ClaimResult& r : result.claims) {
@@ -299,8 +303,11 @@ std::vector<std::string> golden_differences(const audit::AuditResult& result,
                 .at(file.string(), line.line);
         }
         const std::string& id = line.cells.front();
+        if (!expected.emplace(id, line.cells).second) {
+            throw InputError("a second row of " + id, "keep the row that is right")
+                .at(file.string(), line.line);
+        }
         if (audit::matches(only, id)) {
-            expected[id] = line.cells;
             order.push_back(id);
         }
     }

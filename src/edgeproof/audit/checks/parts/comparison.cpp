@@ -253,22 +253,20 @@ Judgement FormulaComparison::by_enclosures(Outcome& outcome) const {
         compare_by_enclosures(with_decimals.as_printed(), with(agreement_), as_printed);
     if (const auto* holds = std::get_if<Confirmation>(&found)) {
         outcome.evidence.add("enclosures", *as_printed.evidence.find("enclosures"));
+        outcome.note = as_printed.note;
         return Judgement(*holds);
     }
     return by_decimals(with_decimals, outcome);
 }
 
-void FormulaComparison::judge(const std::string& agrees, Outcome& outcome) const {
+void FormulaComparison::judge(Outcome& outcome) const {
     outcome.sample_use = agreement_.use(AuditContext::digits_needed(digits_));
     report(outcome.evidence);
     outcome.verdict = samples() == 0 ? Judgement() : by_enclosures(outcome);
-    if (outcome.evidence.find("rounded") != nullptr) {
+    if (outcome.evidence.find("rounded") != nullptr || outcome.verdict == Verdict::confirmed) {
         return;
     }
-    if (outcome.verdict == Verdict::confirmed) {
-        outcome.note = agrees;
-    } else if (outcome.note.empty() ||
-               (outcome.verdict == Verdict::undecided && agreement_.limited())) {
+    if (outcome.note.empty() || (outcome.verdict == Verdict::undecided && agreement_.limited())) {
         outcome.note = agreement_.obstacle(AuditContext::digits_needed(digits_));
     }
 }
@@ -282,7 +280,8 @@ bool FormulaComparison::confirms(const Expr& made) const {
     Outcome ignored;
     const Agreement agreement = samples_at_->compare(made, exact_, scale_);
     return agreement.to(AuditContext::digits_needed(digits_)) &&
-           audit::confirms(compare_by_enclosures(made, with(agreement), ignored));
+           audit::confirms(compare_by_enclosures(made, with(agreement), ignored)) &&
+           !provably_different(made, with(agreement));
 }
 
 /// Recognises printed/exact from all samples, and adds its range to the evidence.

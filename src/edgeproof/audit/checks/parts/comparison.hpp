@@ -62,15 +62,16 @@ public:
                       std::size_t most = 0);
 
     [[nodiscard]] std::size_t samples() const { return samples_at_->all().size(); }
-    /// Judges the printed formula by enclosures, and adds the note (`agrees` if it is confirmed)
-    /// and the evidence: the digits, the samples, the worst sample and its enclosures. A printed
-    /// formula with decimals is confirmed as it stands or with other numbers that round to them
-    /// (then the evidence has `rounded`), and refuted if no such numbers fit.
-    void judge(const std::string& agrees, Outcome& outcome) const;
+    /// Judges the printed formula by enclosures, and adds the note and the evidence: the digits,
+    /// the samples, the worst sample and its enclosures. A printed formula with decimals is
+    /// confirmed as it stands or with other numbers that round to them (then the evidence has
+    /// `rounded`), and refuted if no such numbers fit.
+    void judge(Outcome& outcome) const;
     /// True if the judged formula is refuted, or has no value at some samples, so that a correction
     /// is sought: not for a formula with decimals, for which `judge` has found numbers that fit.
     [[nodiscard]] bool needs_correction(const Outcome& outcome) const;
-    /// True if a formula that the program made is confirmed at the samples, by enclosures.
+    /// True if a formula that the program made is confirmed at the samples, by enclosures, and not
+    /// proved to differ at more digits.
     [[nodiscard]] bool confirms(const Expr& made) const;
     /// Returns the data for the diagnosis: the formulas, the names of the claim and of the first
     /// sample's scene, and printed/exact at all samples, if it is recognised. Also adds the range

@@ -122,7 +122,7 @@ TEST_CASE("bad recipes and ledgers: the same for every command that reads one") 
         std::string what;
     };
     const std::vector<std::string> recipes{"table f.toml", "points f.toml",
-                                           "check --self-test f.toml", "check f.toml --exec cat"};
+                                           "check f.toml --exec cat"};
     const std::vector<std::string> ledgers{"verify f.toml", "mutate f.toml",
                                            "check --ledger f.toml"};
     const auto with = [](const std::string& line, const std::string& instead) {
@@ -166,7 +166,7 @@ TEST_CASE(
     std::filesystem::create_directory(folder.path() / "dir");
     for (const std::string command :
          {"pressure", "expand", "extent", "explain", "table", "points", "check", "verify", "mutate",
-          "check --ledger", "check --self-test", "bounds hard-cases --file"}) {
+          "check --ledger", "bounds hard-cases --file"}) {
         CAPTURE(command);
         if (command.rfind("bounds", 0) != 0) {
             check_refusal(run(folder, command + " dir"), "dir", "this is a folder, not a file");

@@ -111,7 +111,6 @@ std::vector<LongRun> long_runs() {
          "check in --exec 'trap \"\" INT TERM HUP; echo $$ >child; sleep 1000; sleep 1000'",
          recipe_of_answers(3),
          {"child"}},
-        {"self-test", "check --self-test in --files 100000", recipe_of_answers(3)},
         {"input that does not come", "check -", ""},
         {"partial slip", "slip in --digits 20000 --tolerance 1%", slipping},
         {"an optimum", "design in --digits 1000 --gap 1e-300 --out d.csv", optimum},

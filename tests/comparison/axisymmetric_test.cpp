@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Data of axisymmetric contacts: r and p.
 #include "edgeproof/comparison/comparison.hpp"
-#include "edgeproof/comparison/self_test.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -106,23 +105,4 @@ TEST_CASE("compare: the force of one radian is named") {
     REQUIRE(file.diagnosis.has_value());
     CHECK(std::ranges::any_of(file.diagnosis->causes,
                               [](const Cause& cause) { return cause.name == "force-per-radian"; }));
-}
-
-TEST_CASE("self-test: mistakes of axisymmetric contacts are named, and none wrongly") {
-    const SelfTest test = run_self_test(5, {"two spheres", "a cone, delta given"});
-    CHECK(test.contacts == 2);
-    for (const std::string& miss : test.misses) {
-        MESSAGE(miss);
-    }
-    CHECK(test.total().wrong == 0);
-    CHECK(test.passes());
-    const auto plane = std::ranges::find(test.rows, "plane-for-axisymmetric", &SelfTestRow::name);
-    REQUIRE(plane != test.rows.end());
-    CHECK(plane->at[0].named > 0);
-}
-
-TEST_CASE("self-test: mistakes of axisymmetric contacts that slip") {
-    const SelfTest test = run_self_test(5, {"a sphere, partial slip"});
-    CHECK(test.total().wrong == 0);
-    CHECK(test.passes());
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/comparison.hpp"
-#include "edgeproof/comparison/self_test.hpp"
-#include "edgeproof/comparison/spring_bed.hpp"
-
+#include "tests/comparison/injected_mistakes.hpp"
+#include "tests/comparison/spring_bed.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -321,14 +320,14 @@ TEST_CASE("causes: noise of 5 % does not exclude the mistake that was made") {
         CAPTURE(one.contact);
         const auto tested = std::ranges::find(tested_contacts(), one.contact, &TestedContact::name);
         REQUIRE(tested != tested_contacts().end());
-        const ExactContact exact(scene::scene_of(tested->keys));
-        SuspectContacts suspects(scene::scene_of(tested->keys));
+        const ExactContact exact(test::scene_of(tested->keys));
+        SuspectContacts suspects(test::scene_of(tested->keys));
         SceneKeys keys = tested->keys;
         for (const char* const key : {"load.E1", "load.nu1", "load.E2", "load.nu2"}) {
             keys.erase(key);
         }
         keys["load.contact_modulus"] = one.modulus;
-        const ExactContact computed(scene::scene_of(keys));
+        const ExactContact computed(test::scene_of(keys));
         std::mt19937_64 random(1);
         int named = 0;
         for (int i = 0; i < 60; ++i) {
@@ -489,7 +488,7 @@ TEST_CASE("causes: two programs with springs in the contact agree") {
           "profile.geometry=axisymmetric profile.kind=hertz profile.R=20 load.P=300 "
           "load.contact_modulus=1e5"}) {
         CAPTURE(text);
-        const Scene scene = scene_of(scene::keys_of(text));
+        const Scene scene = test::scene_of(test::keys_of(text));
         const ExactContact exact(scene);
         const SoftContact soft(scene, exact);
         for (const double softness : {0.02, 0.1}) {

@@ -246,18 +246,6 @@ def test_a_reference_table(tmp_path):
     assert faults("recipe", tomllib.loads(recipe.read_text())) == []
     data = json.loads(run("table", recipe, "--format", "json"))
     assert faults("table", data) == [] and len(data["rows"]) == 2
-    # The questions that a program receives line by line, and its possible answers.
-    program = tmp_path / "program.py"
-    program.write_text("import json, pathlib, sys\n"
-                       "for line in sys.stdin:\n"
-                       "    pathlib.Path(__file__).with_suffix('.asked').open('a').write(line)\n"
-                       "    print(json.dumps({'id': json.loads(line)['id'], 'value': 0.5}))\n")
-    run("check", recipe, "--exec", f"{sys.executable} {program}", "--lines", "json", code=1)
-    asked = program.with_suffix(".asked").read_text().splitlines()
-    assert len(asked) == 2
-    for line in asked:
-        assert faults("question", json.loads(line)) == []
-    assert faults("answer", {"id": "one", "value": 0.5}) == [] and faults("answer", {"id": "one"})
 
 
 def test_verdicts(tmp_path):

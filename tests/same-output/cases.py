@@ -70,13 +70,13 @@ def shipped_examples():
         yield Case("compare " + " ".join(m.stem for m in some), [words + o.split() for o in options],
                    read("examples/compare/cylinder.toml", *some), seconds=4)
     asked = ["check", "questions.toml", *ONE, "--exec"]
-    programs = ("closed_forms.py", "json_lines.py", "wrong_on_purpose.py")
+    programs = ("closed_forms.py", "wrong_on_purpose.py")
     yield Case("check third-party", [
         ["points", "questions.toml"], ["points", "questions.toml", "--exact", "--out", "points.csv"],
         *([*asked, "python3 closed_forms.py", *o] for o in (["--digits", "13"], ["--ulps", "1"])),
-        [*asked, "python3 json_lines.py", "--lines", "json", "--conditioned", "--ulps", "2"],
+        [*asked, "python3 closed_forms.py", "--conditioned", "--ulps", "2"],
         [*asked, "python3 wrong_on_purpose.py", "--digits", "12", "--junit", "junit.xml", "--figure", "figure.csv"],
-        ["check", "questions.toml", "--self-test", "--files", "20", *ONE], ["check", "--ledger", "formulas.toml", *ONE]],
+        ["check", "--ledger", "formulas.toml", *ONE]],
         read(*("examples/third-party/" + n for n in ("questions.toml", "formulas.toml", *programs))), seconds=4)
     for path in sorted((ROOT / "reference").glob("*.toml")):
         if path.stem != "hard-cases":

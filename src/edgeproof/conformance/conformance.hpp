@@ -7,7 +7,7 @@
 ///   error
 ///                              the rounding of the inputs explains
 ///   answers/answers.hpp        the answers of another program, right or wrong; number_text.hpp
-///   answers/program_driver.hpp asks a program in batches, in CSV or JSON lines
+///   answers/program_driver.hpp asks a program in batches
 ///   answers/agreement.hpp      correct digits, ulps, and the position in the contact
 ///   causes/convention.hpp      failures that another convention or interpretation explains
 ///   causes/fit.hpp             how well a cause explains failures
@@ -18,7 +18,6 @@
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/conformance/answers/program_driver.hpp"
 #include "edgeproof/conformance/causes/convention.hpp"
-#include "edgeproof/conformance/causes/self_test.hpp"
 #include "edgeproof/conformance/questions/question.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/conformance/questions/reference.hpp"

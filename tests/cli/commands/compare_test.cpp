@@ -258,12 +258,3 @@ TEST_CASE("compare: the page shows the shear where data and scene have one") {
     }
     CHECK(largest == doctest::Approx(error).epsilon(1e-9));
 }
-
-TEST_CASE("compare: the result of the self-test in the documentation is what it prints" *
-          doctest::test_suite("slow")) {
-    const std::string doc = file_text(source_dir() / "docs" / "compare.md");
-    const Outcome outcome = run(Folder(), "compare --self-test");
-    CHECK(outcome.code == 0);
-    CHECK(has(outcome.out, "0 wrongly named"));
-    CHECK_MESSAGE(has(doc, "\n    " + lines(outcome.out).back() + "\n"), outcome.out);
-}

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/comparison/comparison.hpp"
-#include "edgeproof/comparison/self_test.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/io/process_cleanup.hpp"
 #include "edgeproof/io/staged_folder.hpp"
@@ -38,8 +37,6 @@ struct CompareOptions {
     bool json = false;
     std::string format;
     std::string out;
-    bool self_test = false;
-    std::string seed = "1";
     std::string junit;
     std::string html;
     std::string figures;
@@ -94,16 +91,6 @@ std::optional<Rational> origin_of(const std::string& text) {
     return number.value;
 }
 
-int test_the_diagnosis(const CompareOptions& o) {
-    const std::size_t seed = whole_number("--seed", o.seed, 0, 1'000'000'000);
-    std::function<void(std::size_t, std::size_t)> progress;
-    const comparison::SelfTest result = with_progress(
-        "contacts", progress, [&] { return comparison::run_self_test(seed, {}, progress); });
-    const std::string text = result.text();
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    return result.passes() ? 0 : 1;
-}
-
 /// The outputs that are already written, for the message of a process that is interrupted.
 class WrittenSoFar {
 public:
@@ -151,12 +138,6 @@ void write_outputs(const report::ComparisonReport& report, const CompareOptions&
 int compare_results(const CompareOptions& o) {
     const bool json = o.json || text_or_json(o.format);
     io::check_output(o.out);
-    if (o.self_test) {
-        if (!o.scene.empty()) {
-            throw InputError("--self-test takes no files", "write edgeproof compare --self-test");
-        }
-        return test_the_diagnosis(o);
-    }
     if (o.scene.empty() || o.results.empty()) {
         throw InputError(o.scene.empty() ? "no scene is given" : "no result is given",
                          "write edgeproof compare SCENE.toml RESULT.csv");
@@ -255,10 +236,6 @@ void add_compare(CLI::App& app, int& code) {
     sub.add_option("--html", o.html, "write a page to this file");
     sub.add_option("--figures,--out-dir", o.figures,
                    "draw data and errors into this folder (SVG, CSV)");
-    sub.add_flag("--self-test", o.self_test,
-                 "inject known mistakes and noise into several contacts, and count how many are "
-                 "named; without files");
-    sub.add_option("--seed", o.seed, "of --self-test")->capture_default_str();
 }
 
 } // namespace edgeproof::cli

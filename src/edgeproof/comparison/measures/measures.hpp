@@ -118,7 +118,7 @@ struct Convergence {
 inline constexpr double mesh_error_times_elements = 0.06;
 
 /// The same if the profile has a corner, where p is infinite: the greatest error of the scale of p
-/// by the boundary elements of spring_bed.hpp with rigid springs, on the contacts of the self-test.
+/// by the boundary elements of tests/comparison/spring_bed.hpp with rigid springs.
 inline constexpr double mesh_error_by_corner_times_elements = 0.15;
 
 /// The error to expect of one mesh, `elements` wide.

@@ -30,11 +30,7 @@ const std::string program_name = "the program";
 
 using Batch = std::vector<std::size_t>;
 
-io::Csv rows_of(const std::string& output, Lines lines, const std::string& name,
-                std::size_t most_rows) {
-    if (lines == Lines::json) {
-        return parse_json_lines(output, name, most_rows);
-    }
+io::Csv rows_of(const std::string& output, const std::string& name, std::size_t most_rows) {
     io::Csv csv = io::parse_csv(output, name, {true, most_rows});
     const auto id = csv.column("id");
     const auto value = csv.column("value");
@@ -108,7 +104,7 @@ private:
             part.list.push_back(asked_.list[i]);
         }
         io::ProgramCall call = io::shell_call(options_.command);
-        call.input = options_.lines == Lines::json ? json_lines(part) : options_.write_csv(part);
+        call.input = options_.write_csv(part);
         call.seconds = options_.seconds;
         call.most_output = std::min(bytes_of_a_run + bytes_an_answer * batch.size(), most_bytes);
         messages_.clear();
@@ -132,7 +128,7 @@ private:
                 output.resize(output.rfind('\n') + 1); // npos + 1 is 0
             }
             const std::size_t most_rows = rows_of_a_run + 2 * batch.size();
-            const io::Csv rows = rows_of(output, options_.lines, name, most_rows);
+            const io::Csv rows = rows_of(output, name, most_rows);
             answers = answers_to(part, rows);
             if (rows.cut) {
                 answers.faults.push_back(name + ": more than " + std::to_string(most_rows) +

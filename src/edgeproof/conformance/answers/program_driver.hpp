@@ -4,18 +4,13 @@
 
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <string>
 #include <string_view>
 
 namespace edgeproof::conformance {
 
-/// The format of questions and answers: CSV with a header line, or one JSON object per line.
-enum class Lines { csv, json };
-
 struct ProgramDriverOptions {
-    std::string command; ///< for the shell
-    Lines lines = Lines::csv;
+    std::string command;     ///< for the shell
     double seconds = 600;    ///< the longest time of one run
     std::size_t batch = 500; ///< questions per run
     std::size_t runs = 200;  ///< the most starts of the program
@@ -38,14 +33,5 @@ struct ProgramDriverOptions {
 /// all.
 [[nodiscard]] Answers ask_program_in_batches(const Questions& asked,
                                              const ProgramDriverOptions& options);
-
-/// Returns the questions as JSON lines: an object each, with text values, without empty ones.
-[[nodiscard]] std::string json_lines(const Questions& questions);
-/// Reads JSON lines as rows of id and value; numbers keep all digits as written (including Python's
-/// NaN and Infinity). A line that is not such an object, or has an id or a value twice, becomes a
-/// row of one cell.
-[[nodiscard]] io::Csv
-parse_json_lines(std::string_view text, const std::string& file,
-                 std::size_t most_rows = std::numeric_limits<std::size_t>::max());
 
 } // namespace edgeproof::conformance

@@ -33,7 +33,6 @@ struct CheckOptions {
     std::string command;
     std::string ledger;
     std::string only = "*";
-    std::string lines = "csv";
     std::string batch = "500";
     std::string runs = "200";
     std::string timeout = "600";
@@ -44,12 +43,9 @@ struct CheckOptions {
     std::string figure;
     std::string threads;
     bool conditioned = false;
-    bool self_test = false;
     bool json = false;
     std::string format;
     std::string out;
-    std::string seed = "1";
-    std::string files = "200";
 };
 
 double positive(const std::string& option, const std::string& text, double most) {
@@ -140,10 +136,6 @@ conformance::Answers ask_program(const CheckOptions& o) {
     options.seconds = positive("--timeout", o.timeout, 1e9);
     options.batch = whole_number("--batch", o.batch, 1, 1'000'000);
     options.runs = whole_number("--runs", o.runs, 1, 1'000'000);
-    if (o.lines != "csv" && o.lines != "json") {
-        throw InputError("--lines " + o.lines + " is no way to speak", "write csv or json");
-    }
-    options.lines = o.lines == "json" ? conformance::Lines::json : conformance::Lines::csv;
     ProgramMessages messages;
     options.said = std::ref(messages);
     const conformance::Recipe recipe = conformance::read_recipe(o.answers);
@@ -194,27 +186,21 @@ int check(CheckOptions& o) {
     o.recipe = file_or_shipped(o.recipe, shipped_recipes);
     o.answers = file_or_shipped(o.answers, shipped_recipes);
     o.json = text_or_json(o.format) || o.json;
-    if (o.json && (!o.ledger.empty() || o.self_test)) {
+    if (o.json && !o.ledger.empty()) {
         throw InputError("--json is for answers", "leave --json out");
     }
-    if (o.only != "*" && (!o.ledger.empty() || o.self_test)) {
+    if (o.only != "*" && !o.ledger.empty()) {
         throw InputError("--only is for answers", "leave --only out");
     }
-    if (!o.out.empty() && (!o.ledger.empty() || o.self_test)) {
+    if (!o.out.empty() && !o.ledger.empty()) {
         throw InputError("--out is for answers", "leave --out out");
     }
     if (!o.ledger.empty()) {
         return check_ledger(o.ledger, o.threads);
     }
-    if (o.answers.empty() && o.self_test) {
-        return self_test_of_causes(o.seed, o.threads);
-    }
     if (o.answers.empty()) {
         throw InputError("there is nothing to check",
                          "give ANSWERS.csv, or RECIPE.toml with --exec, or --ledger FORMULAS.toml");
-    }
-    if (o.self_test) {
-        return self_test(o.answers, o.seed, o.files, o.threads);
     }
     io::check_output(o.junit);
     io::check_output(o.out);
@@ -259,7 +245,7 @@ void add_check(CLI::App& app, int& code) {
         app, code, "check", "compare another program's answers with reference values", check);
     sub.add_option("answers", o.answers,
                    "the questions of `edgeproof points` with a column value (CSV; - reads stdin); "
-                   "with --exec and --self-test the recipe");
+                   "with --exec the recipe");
     sub.add_option("--recipe", o.recipe,
                    "what was asked: names what is missing or twice; rows may then stand in any "
                    "order and hold id and value alone");
@@ -268,10 +254,6 @@ void add_check(CLI::App& app, int& code) {
     sub.add_option("--only", o.only,
                    "questions whose id matches, such as 'hertz:*', for a program that knows one "
                    "profile");
-    sub.add_option("--lines", o.lines,
-                   "with --exec: how questions and answers are written; json: an object a line")
-        ->capture_default_str()
-        ->type_name("csv|json");
     sub.add_option("--batch", o.batch, "with --exec: questions that one run is asked")
         ->capture_default_str();
     sub.add_option("--runs", o.runs, "with --exec: start it at most so often")
@@ -292,13 +274,6 @@ void add_check(CLI::App& app, int& code) {
     sub.add_option("--junit", o.junit, "write JUnit XML to this file");
     sub.add_option("--figure", o.figure, "draw digits against u into this file (.svg or .csv)");
     sub.add_option("--ledger", o.ledger, "verify the formulas of this ledger instead");
-    sub.add_flag(
-        "--self-test", o.self_test,
-        "answer the recipe rightly, corrupt the answers in many ways, and count what is "
-        "found; without a recipe: put known mistakes and noise into right answers, and count "
-        "the causes that are named");
-    sub.add_option("--seed", o.seed, "of --self-test")->capture_default_str();
-    sub.add_option("--files", o.files, "of --self-test: corrupted files")->capture_default_str();
     add_threads_option(sub, o.threads);
 }
 

@@ -17,13 +17,4 @@ namespace edgeproof::cli {
 check_in_blocks(const std::filesystem::path& file, const conformance::Target& target,
                 std::size_t errors, const conformance::ReferenceOptions& options);
 
-/// Checks that right answers to a recipe pass and that corrupted ones are found: 0 if all are. The
-/// last parameters are the values of --seed, --files and --threads.
-[[nodiscard]] int self_test(const std::string& recipe, const std::string& seed,
-                            const std::string& files, const std::string& threads);
-
-/// Puts known mistakes and noise into right answers and counts the causes that are named: 0 if none
-/// is wrongly named and enough are named.
-[[nodiscard]] int self_test_of_causes(const std::string& seed, const std::string& threads);
-
 } // namespace edgeproof::cli

@@ -1,29 +1,107 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/scene/mistakes/scene_mistakes.hpp"
+#pragma once
+#include "edgeproof/scene/input/scene_file.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <doctest/doctest.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
 #include <numbers>
+#include <optional>
 #include <sstream>
+#include <string>
+#include <vector>
 
-namespace edgeproof::scene {
+/// Mistakes of users, put into right data with noise, test the diagnoses of `edgeproof compare` and
+/// `edgeproof check`. They are made without the catalogue (scene/mistakes/scene_mistakes.hpp),
+/// which is under test: here by changes of the keys of a scene file, such as "profile.R" -> "2".
+namespace edgeproof::test {
 
-namespace {
-
-std::string cell_of(const MistakeCount& count) {
-    std::string text = count.cases > 0 ? fmt::format("{}/{}", count.named, count.cases) : "-";
-    text += count.beyond > 0 ? fmt::format(" +{}", count.beyond) : "";
-    return text + (count.wrong > 0 ? fmt::format(" WRONG {}", count.wrong) : "");
-}
-
+using SceneKeys = std::map<std::string, std::string>;
 using Change = std::function<std::optional<SceneKeys>(const SceneKeys&)>;
 
-double number_in(const SceneKeys& keys, const std::string& key) { return std::stod(keys.at(key)); }
+/// Relative, normally distributed noise of the data.
+inline constexpr std::array noise_levels{0.0, 1e-6, 1e-3, 1e-2, 5e-2};
+
+struct MistakeCount {
+    std::size_t cases = 0; ///< whose mistake changes the data by more than the noise
+    std::size_t named = 0; ///< alone or among causes that the data do not distinguish
+    std::size_t alone = 0;
+    std::size_t hidden = 0; ///< by the noise
+    std::size_t wrong = 0;  ///< another cause is named, but not this one, also if hidden
+};
+
+/// One diagnosis of data with a mistake.
+struct MistakeTrial {
+    std::string mistake; ///< its name; empty: the data are right
+    std::string contact;
+    std::size_t level = 0; ///< of the noise
+    std::vector<std::string> named;
+    bool hidden = false;
+    bool misled = false; ///< a cause is reported for data that are right
+};
+
+/// Right data have the name "" and count as named if no cause is reported.
+struct MistakeCounts {
+    std::map<std::string, std::array<MistakeCount, noise_levels.size()>> of;
+    std::string misses;
+    std::size_t contacts = 0;
+
+    void count(const MistakeTrial& trial) {
+        const auto is_it = [&](const std::string& name) { return name == trial.mistake; };
+        const bool named =
+            trial.mistake.empty() ? trial.named.empty() : std::ranges::any_of(trial.named, is_it);
+        const bool found = named && !trial.hidden;
+        const bool wrong = trial.misled || (!named && !trial.named.empty());
+        MistakeCount& count = of[trial.mistake].at(trial.level);
+        ++(trial.hidden ? count.hidden : count.cases);
+        count.named += found ? 1 : 0;
+        count.alone += found && std::ranges::all_of(trial.named, is_it) ? 1 : 0;
+        count.wrong += wrong ? 1 : 0;
+        if (wrong || (!named && !trial.hidden)) {
+            misses += fmt::format("\"{}\" in {}, noise {:g}: named {}\n", trial.mistake,
+                                  trial.contact, noise_levels.at(trial.level), trial.named);
+        }
+    }
+    /// The sum over the mistakes. Of right data only wrong causes are counted.
+    [[nodiscard]] MistakeCount total() const {
+        MistakeCount sum;
+        for (const auto& [name, levels] : of) {
+            for (const MistakeCount& count : levels) {
+                sum.wrong += count.wrong;
+                if (!name.empty()) {
+                    sum.cases += count.cases;
+                    sum.named += count.named;
+                    sum.alone += count.alone;
+                    sum.hidden += count.hidden;
+                }
+            }
+        }
+        return sum;
+    }
+    /// Requires that this share of the mistakes is named, in percent, and none wrongly.
+    void check(std::size_t percent) const {
+        INFO(misses);
+        const MistakeCount sum = total();
+        CHECK(sum.wrong == 0);
+        CHECK(sum.cases > 10);
+        CHECK(100 * sum.named >= percent * sum.cases);
+    }
+};
+
+inline double number_in(const SceneKeys& keys, const std::string& key) {
+    return std::stod(keys.at(key));
+}
 
 /// Changes contacts that have one of the keys.
-Change with(const std::vector<std::string>& names, const std::function<void(SceneKeys&)>& change) {
+inline Change with(const std::vector<std::string>& names,
+                   const std::function<void(SceneKeys&)>& change) {
     return [=](const SceneKeys& keys) -> std::optional<SceneKeys> {
         if (std::ranges::none_of(names, [&](const auto& name) { return keys.contains(name); })) {
             return {};
@@ -34,8 +112,8 @@ Change with(const std::vector<std::string>& names, const std::function<void(Scen
     };
 }
 /// Changes the numbers of those keys that the scene has.
-Change with_key(const std::vector<std::string>& names,
-                const std::function<double(double)>& change) {
+inline Change with_key(const std::vector<std::string>& names,
+                       const std::function<double(double)>& change) {
     return with(names, [=](SceneKeys& keys) {
         for (const std::string& name : names) {
             if (keys.contains(name)) {
@@ -44,12 +122,12 @@ Change with_key(const std::vector<std::string>& names,
         }
     });
 }
-Change times_key(const std::string& name, double k) {
+inline Change times_key(const std::string& name, double k) {
     return with_key({name}, [k](double x) { return k * x; });
 }
 
 /// Replaces E* by a function of the bodies' constants.
-Change with_modulus(const std::function<double(double, double, double, double)>& modulus) {
+inline Change with_modulus(const std::function<double(double, double, double, double)>& modulus) {
     return with({"load.E1"}, [=](SceneKeys& keys) {
         const double E = modulus(number_in(keys, "load.E1"), number_in(keys, "load.nu1"),
                                  number_in(keys, "load.E2"), number_in(keys, "load.nu2"));
@@ -59,85 +137,10 @@ Change with_modulus(const std::function<double(double, double, double, double)>&
         keys["load.contact_modulus"] = fmt::format("{:.17g}", E);
     });
 }
-double first_of(double E1, double nu1) { return E1 / (1 - nu1 * nu1); }
-
-} // namespace
-
-void MistakeCounts::count(const MistakeTrial& trial) {
-    auto row = std::ranges::find(rows, trial.mistake, &MistakeRow::name);
-    if (row == rows.end()) {
-        row = rows.insert(rows.end(), MistakeRow{trial.mistake});
-    }
-    const bool right = trial.mistake.empty();
-    const auto is_it = [&](const std::string& name) { return name == trial.mistake; };
-    const bool named = right ? trial.named.empty() : std::ranges::any_of(trial.named, is_it);
-    const bool found = named && !trial.hidden;
-    const bool wrong = trial.misled || (!named && !trial.named.empty());
-    MistakeCount& count = row->at.at(trial.level);
-    count.cases += trial.hidden ? 0 : 1;
-    count.beyond += trial.hidden ? 1 : 0;
-    count.named += found ? 1 : 0;
-    count.alone += found && std::ranges::all_of(trial.named, is_it) ? 1 : 0;
-    count.wrong += wrong ? 1 : 0;
-    if (wrong || (!named && !trial.hidden)) {
-        misses.push_back(
-            fmt::format("{} in {}, noise {:g}: {} ({})", right ? "right data" : trial.mistake,
-                        trial.contact, noise.at(trial.level),
-                        trial.named.empty() ? "nothing is named"
-                                            : fmt::format("named {}", fmt::join(trial.named, ", ")),
-                        trial.measured));
-    }
-}
-
-MistakeCount MistakeCounts::total() const {
-    MistakeCount sum;
-    for (const MistakeRow& row : rows) {
-        for (const MistakeCount& count : row.at) {
-            sum.wrong += count.wrong;
-            if (row.name.empty()) {
-                continue;
-            }
-            sum.cases += count.cases;
-            sum.named += count.named;
-            sum.alone += count.alone;
-            sum.beyond += count.beyond;
-        }
-    }
-    return sum;
-}
-
-bool MistakeCounts::passes(std::size_t percent) const {
-    const MistakeCount sum = total();
-    return sum.cases > 0 && sum.wrong == 0 && 100 * sum.named >= percent * sum.cases;
-}
-
-std::string MistakeCounts::text() const {
-    std::string out = "| mistake |";
-    std::string rule = "|---|";
-    for (const double level : noise) {
-        out += fmt::format(" {:g} |", level);
-        rule += "---|";
-    }
-    out += "\n" + rule + "\n";
-    for (const MistakeRow& row : rows) {
-        out += "| " + (row.name.empty() ? "none" : "`" + row.name + "`") + " |";
-        for (std::size_t level = 0; level < noise.size(); ++level) {
-            out += " " + cell_of(row.at.at(level)) + " |";
-        }
-        out += "\n";
-    }
-    out += "\n";
-    for (const std::string& miss : misses) {
-        out += miss + "\n";
-    }
-    const MistakeCount sum = total();
-    return out + fmt::format("{} of {} cases named ({} of them alone), {} hidden by the noise, {} "
-                             "wrongly named, in {} contacts\n",
-                             sum.named, sum.cases, sum.alone, sum.beyond, sum.wrong, contacts);
-}
+inline double first_of(double E1, double nu1) { return E1 / (1 - nu1 * nu1); }
 
 /// Reads "profile.R=2 load.P=3".
-SceneKeys keys_of(const std::string& text) {
+inline SceneKeys keys_of(const std::string& text) {
     SceneKeys keys;
     std::istringstream words(text);
     for (std::string word; words >> word;) {
@@ -147,8 +150,8 @@ SceneKeys keys_of(const std::string& text) {
     return keys;
 }
 
-Scene scene_of(const SceneKeys& keys) {
-    SceneEntries entries;
+inline scene::Scene scene_of(const SceneKeys& keys) {
+    scene::SceneEntries entries;
     for (const auto& [key, value] : keys) {
         const std::size_t dot = key.find('.');
         const std::string section = key.substr(0, dot);
@@ -157,10 +160,17 @@ Scene scene_of(const SceneKeys& keys) {
                               : entries.shear)
             .push_back({key.substr(dot + 1), value});
     }
-    return make_scene(entries);
+    return scene::make_scene(entries);
 }
 
-const std::vector<InjectedKeys>& injected_keys() {
+struct InjectedKeys {
+    std::string name; ///< the name that a diagnosis should give
+    bool of_shear = false;
+    /// Returns the changed keys; nothing if the mistake is not possible in the contact.
+    Change change;
+};
+
+inline const std::vector<InjectedKeys>& injected_keys() {
     static const auto tangent = [](double x) { return std::tan(x); };
     static const auto degrees = [](double x) { return x * 180 / std::numbers::pi; };
     static const std::vector<std::string> angles{"profile.phi", "profile.alpha"};
@@ -223,4 +233,4 @@ const std::vector<InjectedKeys>& injected_keys() {
     return list;
 }
 
-} // namespace edgeproof::scene
+} // namespace edgeproof::test

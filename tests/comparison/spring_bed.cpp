@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/spring_bed.hpp"
+#include "tests/comparison/spring_bed.hpp"
 
 #include "edgeproof/comparison/causes/soft_contact.hpp"
 #include "edgeproof/precision/interruption.hpp"

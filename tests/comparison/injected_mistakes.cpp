@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/self_test.hpp"
-
-#include "edgeproof/comparison/spring_bed.hpp"
+#include "tests/comparison/injected_mistakes.hpp"
+#include "tests/comparison/spring_bed.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +15,7 @@ namespace {
 
 using Make = std::function<std::optional<Program>(const SceneKeys&)>;
 constexpr double pi = std::numbers::pi;
-using scene::keys_of;
+using test::keys_of;
 
 /// Changes programs for contacts that have one of the keys; all contacts if no keys are given.
 Make with(const std::vector<std::string>& names, const std::function<void(Program&)>& change) {
@@ -65,7 +64,7 @@ Make springs(double softness) {
                      bed = std::make_shared<std::optional<SpringBed>>()](
                         const ExactContact& contact, double x) {
             if (!*bed) {
-                bed->emplace(scene_of(keys), contact, softness);
+                bed->emplace(test::scene_of(keys), contact, softness);
             }
             return (*bed)->pressure(x);
         };
@@ -80,7 +79,7 @@ Make digits(int n) {
 std::vector<InjectedMistake> with_those_of_keys(std::vector<InjectedMistake> list) {
     for (const bool of_shear : {false, true}) {
         std::vector<InjectedMistake> of_keys;
-        for (const scene::InjectedKeys& mistake : scene::injected_keys()) {
+        for (const test::InjectedKeys& mistake : test::injected_keys()) {
             if (mistake.of_shear == of_shear) {
                 of_keys.push_back(
                     {mistake.name, of_shear,

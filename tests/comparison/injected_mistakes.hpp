@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/comparison/measures/exact_contact.hpp"
-#include "edgeproof/scene/mistakes/scene_mistakes.hpp"
+#include "tests/support/injected_keys.hpp"
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// Mistakes of users, in the text of a scene (scene/mistakes/scene_mistakes.hpp) and in its written
-/// pressures, to test the diagnosis, which has its own suspects.
+/// Mistakes of users, in the text of a scene and in its written pressures, to test the diagnosis,
+/// which has its own suspects.
 namespace edgeproof::comparison {
 
-using scene::scene_of;
-using scene::SceneKeys;
+using test::SceneKeys;
 
 struct TestedContact {
     std::string name;
@@ -50,18 +48,9 @@ struct InjectedMistake {
 };
 [[nodiscard]] const std::vector<InjectedMistake>& injected_mistakes();
 
-/// Relative, normally distributed noise of the pressures of the data.
-inline constexpr std::array noise_levels{0.0, 1e-6, 1e-3, 1e-2, 5e-2};
-
-using SelfTestCount = scene::MistakeCount;
-using SelfTestRow = scene::MistakeRow;
-using SelfTest = scene::MistakeCounts;
-
 /// Injects each mistake into each contact where it is possible, writes the data of 120 elements
-/// with noise, reads and compares them. `contacts`: names of tested_contacts, all if empty;
-/// `progress` is called with the number of contacts done, and their total. Throws Interrupted.
-[[nodiscard]] SelfTest
-run_self_test(std::uint64_t seed, const std::vector<std::string>& contacts = {},
-              const std::function<void(std::size_t, std::size_t)>& progress = {});
+/// with noise, reads and compares them. `contacts`: names of tested_contacts, all if empty.
+[[nodiscard]] test::MistakeCounts count_named(std::uint64_t seed,
+                                              const std::vector<std::string>& contacts = {});
 
 } // namespace edgeproof::comparison

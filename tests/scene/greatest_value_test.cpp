@@ -184,59 +184,6 @@ TEST_CASE("sxx is nowhere greater on the surface than at the trailing edge") {
     }
 }
 
-// mpmath at 30 digits: the differences of the principal stresses, one of which is nu times the sum
-// of the others, from johnson1985, eq. 4.45, on the axis, and from sxx = -p - 2 f p_0 sqrt(x^2 -
-// c^2)/a, szz = -p, sxz = -f p on the surface of a slip zone; the places where their derivatives
-// vanish.
-TEST_CASE("the greatest stress of Tresca agrees with a second route") {
-    const auto with_ratio = [](const std::string& nu, const std::string& shear) {
-        std::string text = greatest_scene_text(cylinder, "2", shear);
-        text.replace(text.find("0.3"), 3, nu);
-        return text;
-    };
-    check_greatest({{with_ratio("0.1", ""), Quantity::tresca, Body::A, "0", "0.17336853208264588",
-                     "0.81699247722967831"},
-                    {with_ratio("0.1", "Q = \"1.2\"\nfriction = \"0.9\""), Quantity::tresca,
-                     Body::A, "0.72872159188329244", "0", "1.8207909501873839"}});
-    // For nu = 0.3 it is 2 tau_max (johnson1985, sec. 4.2(a)).
-    const std::string text = greatest_scene_text(cylinder, "2", "", "20");
-    const Ball root = sqrt(Ball(5, 256));
-    const GreatestValue found = greatest_of(text, Quantity::tresca);
-    CHECK(overlaps(found.value.value, Ball(2 * sqrt((root * 5 - 11) / 2))));
-    CHECK(found.value.value.radius() < Real("1e-20"));
-    CHECK(overlaps(found.z.value, Ball(sqrt((root - 1) / 2))));
-}
-
-// On the surface outside the contact sxx is s1: its greatest value, which has a proof of its own,
-// is that of s1 unless a bulk stress is below zero.
-TEST_CASE("the greatest principal stress is the greatest sxx of the surface" *
-          doctest::test_suite("slow")) {
-    for (const auto& contact :
-         {std::pair{cylinder, "Q = \"0.3\"\nfriction = \"0.6\""},
-          std::pair{rounded, "Q = \"0.1\"\nfriction = \"0.9\"\nbulk_A = \"0.1\""},
-          std::pair{tilted_punch, "Q = \"-0.1\"\nfriction = \"0.6\"\nbulk_tension = \"0.03\""},
-          std::pair{greatest_power_law("5/2"), "Q = \"0.1\"\npath = \"together\""}}) {
-        CAPTURE(contact.first);
-        const std::string text = greatest_scene_text(contact.first, "3/2", contact.second);
-        const GreatestValue s1 = greatest_of(text, Quantity::s1);
-        const GreatestValue sxx = greatest_of(text, Quantity::sxx);
-        CHECK(overlaps(s1.value.value, sxx.value.value));
-        CHECK(s1.value.value.radius() < Real("1e-13"));
-        CHECK(overlaps(s1.x.value, sxx.x.value));
-        CHECK(s1.z.exactly == Rational(0));
-    }
-}
-
-// mpmath at 30 digits: the gradient of (sxx + szz)/2 + tau_max by differences, with the Cauchy
-// integrals pi (zeta - sqrt(zeta^2 - a^2)); the value by quadrature of johnson1985, eq. 2.23, too.
-TEST_CASE("the greatest principal stress inside a body under a bulk compression" *
-          doctest::test_suite("slow")) {
-    check_greatest(
-        {{greatest_scene_text(cylinder, "2", "Q = \"0.1\"\nfriction = \"0.2\"\nbulk_A = \"-0.6\""),
-          Quantity::s1, Body::A, "-1.05627951240426978", "0.0131487023855598185",
-          "0.00028615386231700105796"}});
-}
-
 TEST_CASE("greatest values that do not exist, or are not one, are refused") {
     const auto refused = [](const std::string& text, Quantity quantity, const std::string& part) {
         const std::string message = refusal_of(text, quantity);
@@ -244,9 +191,6 @@ TEST_CASE("greatest values that do not exist, or are not one, are refused") {
         CHECK(message.find(part) != std::string::npos);
     };
     refused(greatest_scene_text(cylinder, "2", ""), Quantity::sxx, "without shear traction");
-    refused(greatest_scene_text(cylinder, "2", ""), Quantity::s1, "without shear traction");
-    std::string text = greatest_scene_text(cylinder, "2", "Q = \"0.1\"\nfriction = \"1\"");
-    refused(text.replace(text.find("0.3"), 3, "-0.1"), Quantity::s1, "where nu < 0");
     refused(greatest_scene_text(cylinder, "2", "Q = \"0.1\""), Quantity::tau_max,
             "scene.toml:5: under full stick");
     refused(greatest_scene_text(cylinder, "2", "Q = \"0.1\""), Quantity::sxx, "under full stick");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/stress_near_edge.hpp"
 
-#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/scene.hpp"
@@ -9,11 +8,10 @@
 
 #include <doctest/doctest.h>
 
-#include <map>
 #include <string>
 #include <vector>
 
-using scene::Body, scene::Quantity, scene::RayReach, scene::RayTerm, scene::Scene;
+using scene::Body, scene::Quantity, scene::RayTerm, scene::Scene;
 
 namespace {
 
@@ -139,46 +137,6 @@ TEST_CASE("terms of the stresses near an edge that vanish are exactly 0") {
     CHECK((!zero(1, 0) && !zero(1, 1) && zero(1, 2)));
     CHECK((zero(2, 1) && zero(2, 2)));
     CHECK(overlaps(terms[1].values[0].value, terms[1].values[1].value));
-}
-
-TEST_CASE("n terms of a stress are within the tolerance up to the first exit, and not beyond") {
-    std::map<bool, int> seen; // exits, and searches without one
-    for (const RayContact& c : ray_contacts()) {
-        CAPTURE(c.name);
-        Scene s = ray_scene(c.text);
-        s.ask.digits.count = 12;
-        s.ask.terms = {2, 4};
-        s.ask.tolerance = Exact::parse("1/50");
-        const std::string angle = "60";
-        const auto series = ray_terms(s, Body::A, Exact::parse(angle), 4);
-        for (const RayReach& reach : ray_reaches(s, Body::A, Exact::parse(angle))) {
-            if (reach.vanishes) {
-                CHECK(series[0].values[1].exactly == Rational(0));
-                continue;
-            }
-            ++seen[reach.exit.has_value()];
-            const Ball end = reach.exit ? reach.exit->value : reach.searched.value;
-            const std::size_t i = reach.quantity == Quantity::sxx   ? 0
-                                  : reach.quantity == Quantity::szz ? 1
-                                                                    : 2;
-            const auto error = [&](const Rational& part) {
-                const Rational r = contact::exact_value(
-                    Ball(end.with_bits(ray_bits) * Ball(part, ray_bits)).midpoint());
-                const Ball exact = stresses_on_ray(s, Body::A, angle, "(" + r.str() + ")")[i];
-                return abs(Ball(sum_on_ray(series, i, reach.n, Ball(r, ray_bits)) / exact - 1));
-            };
-            const Ball limit(Rational(1, 50), ray_bits);
-            CAPTURE(reach.n);
-            CAPTURE(i);
-            CHECK(certainly_less(error(Rational(999'999, 1'000'000)), limit));
-            CHECK(certainly_less(error(Rational(2, 3)), limit));
-            CHECK(certainly_less(error(Rational(1, 9)), limit));
-            if (reach.exit) {
-                CHECK(certainly_less(limit, error(Rational(1'000'001, 1'000'000))));
-            }
-        }
-    }
-    CHECK(seen[true] > 10);
 }
 
 TEST_CASE("expansions of stresses that are not computed are refused") {

@@ -39,7 +39,11 @@ bool rises_outwards(const LoadHistory& history) {
 }
 
 /// Refuses stresses that are infinite, or that have no greatest value.
-void check(const Scene& scene, Quantity quantity, Body body) {
+void check(const Scene& scene, Quantity quantity) {
+    if (quantity != Quantity::mises && quantity != Quantity::tau_max && quantity != Quantity::sxx) {
+        refuse(scene, "this stress has no search for its greatest value",
+               "ask for mises, tau_max (for z >= 0) or sxx (on the surface)");
+    }
     const bool tilted_power_law = scene.slips() && scene.shear->bulk_tension.sign() != 0 &&
                                   scene.profile && !scene.profile->piecewise_linear();
     if ((scene.profile && !scene.profile->has_closed_form()) || tilted_power_law) {
@@ -58,15 +62,11 @@ void check(const Scene& scene, Quantity quantity, Body body) {
         refuse(scene, "under full stick the stresses are infinite at the edges",
                "give friction in [shear] (partial slip), or path = \"together\"");
     }
-    if ((quantity == Quantity::sxx || quantity == Quantity::s1) && !sheared) {
+    if (quantity == Quantity::sxx && !sheared) {
         refuse(scene,
                "without shear traction sxx on the surface is nowhere above the bulk stress, and "
                "has that value everywhere outside the contact",
-               "ask for tau_max, mises or tresca, or give Q and friction in [shear]");
-    }
-    if (quantity == Quantity::s1 && scene.poisson(body)->sign() < 0) {
-        refuse(scene, "the greatest s1 is searched for in the plane, where nu < 0 does not have it",
-               "give nu >= 0, or ask for stresses at points");
+               "ask for tau_max or mises, or give Q and friction in [shear]");
     }
 }
 
@@ -148,10 +148,8 @@ GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity
         contact::StressNorm norm;
         if (quantity == Quantity::sxx) {
             norm.kind = Kind::surface_sxx;
-        } else if (quantity != Quantity::tau_max) {
-            norm.kind = quantity == Quantity::mises    ? Kind::mises
-                        : quantity == Quantity::tresca ? Kind::tresca
-                                                       : Kind::s1;
+        } else if (quantity == Quantity::mises) {
+            norm.kind = Kind::mises;
             norm.poisson = ball_of(*scene.poisson(body), field.bits());
         }
         return contact::StressMeasure(field, norm);
@@ -260,7 +258,7 @@ GreatestValue greatest_value(const Scene& scene, Quantity quantity, Body body) {
     if (scene.round) {
         return greatest_on_axis(scene, quantity, body);
     }
-    check(scene, quantity, body);
+    check(scene, quantity);
     const Fields fields(scene, quantity, body);
     if (!fields.plan().proved) {
         refuse(scene, "the greatest value is proved by closed forms only",

@@ -84,8 +84,8 @@ struct GreatestValue {
     std::vector<std::string> notes; ///< sentences about the place
 };
 
-/// Returns the greatest mises, tresca, s1 or tau_max for z >= 0, or the greatest sxx at z = 0, to
-/// the digits of the scene. For mises, tresca and s1 the scene must have a Poisson's ratio. Throws
+/// Returns the greatest mises or tau_max for z >= 0, or the greatest sxx at z = 0, to
+/// the digits of the scene. For mises the scene must have a Poisson's ratio. Throws
 /// InputError for a quantity that has no greatest value, BudgetError where the search does not
 /// decide.
 [[nodiscard]] GreatestValue greatest_value(const Scene& scene, Quantity quantity, Body body);

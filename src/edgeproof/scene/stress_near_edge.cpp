@@ -17,11 +17,8 @@ using contact::StressComponent;
 
 /// The most bits, as a multiple of those of the plan.
 constexpr long most_doubled = 32;
-/// The numbers of terms with which the search for an extent is tried.
-constexpr std::size_t tried_terms[] = {128, 384, 1024};
 /// Bits a digit, with which a value is accepted that may be zero or on a limit of rounding.
 constexpr long many_bits = 12;
-constexpr double bits_per_digit = 3.33;
 
 constexpr std::array components{StressComponent::sxx, StressComponent::szz, StressComponent::sxz};
 
@@ -69,10 +66,6 @@ public:
             }
         }
         throw BudgetError("no number of bits tried gives these digits");
-    }
-    /// Bits that leave an error below the digits.
-    [[nodiscard]] long accuracy() const {
-        return static_cast<long>(scene_.ask.digits.count * bits_per_digit) + 64;
     }
 
 private:
@@ -122,46 +115,6 @@ std::vector<RayTerm> ray_terms(const Scene& scene, Body body, const Exact& angle
             }
             return enough;
         });
-        all.insert(all.end(), found.begin(), found.end());
-    }
-    return all;
-}
-
-std::vector<RayReach> ray_reaches(const Scene& scene, Body body, const Exact& angle) {
-    const Series series(scene, body);
-    std::vector<RayReach> all;
-    for (const Edge edge : scene.ask.edges) {
-        std::vector<RayReach> found;
-        for (const Quantity quantity : ray_stresses) {
-            for (const std::size_t n : scene.ask.terms) {
-                found.push_back({edge, quantity, n, {}, {}, false});
-            }
-        }
-        const auto is_decided = [&](const RayReach& reach) {
-            return reach.vanishes || (reach.exit && decided(reach.exit->value, scene.ask.digits));
-        };
-        for (const std::size_t terms : tried_terms) {
-            series.raise(edge, terms, [&](const EdgeStress& near) {
-                bool enough = true;
-                for (std::size_t i = 0; i < found.size(); ++i) {
-                    RayReach& reach = found[i];
-                    if (!is_decided(reach)) {
-                        const contact::RayExtent extent =
-                            ray_extent(near, components[i / scene.ask.terms.size()], angle, reach.n,
-                                       *scene.ask.tolerance, series.accuracy());
-                        reach.exit =
-                            extent.exit ? std::optional(proved(*extent.exit)) : std::nullopt;
-                        reach.searched = proved(extent.searched);
-                        reach.vanishes = extent.vanishes;
-                        enough = enough && (!reach.exit || is_decided(reach));
-                    }
-                }
-                return enough;
-            });
-            if (std::ranges::all_of(found, is_decided)) {
-                break;
-            }
-        }
         all.insert(all.end(), found.begin(), found.end());
     }
     return all;

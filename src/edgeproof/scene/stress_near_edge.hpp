@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 /// The stresses near the edges of a plane contact along a ray into a body (docs/stress.md, "Near an
@@ -25,20 +24,5 @@ struct RayTerm {
 /// digits.
 [[nodiscard]] std::vector<RayTerm> ray_terms(const Scene& scene, Body body, const Exact& angle,
                                              std::size_t terms);
-
-/// The distance from an edge up to which the sum of the first n terms is within the tolerance of
-/// the scene.
-struct RayReach {
-    Edge edge;
-    Quantity quantity;
-    std::size_t n;
-    /// The first exit (length); nothing if the tolerance is kept up to `searched`, or if the first
-    /// n terms are zero (`vanishes`).
-    std::optional<BoundedValue> exit;
-    BoundedValue searched; ///< length
-    bool vanishes;
-};
-/// For each edge, stress and number of terms of the scene; proved. Throws as ray_terms.
-[[nodiscard]] std::vector<RayReach> ray_reaches(const Scene& scene, Body body, const Exact& angle);
 
 } // namespace edgeproof::scene

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/commands/stress_along_ray.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 
 #include <algorithm>
@@ -7,10 +6,7 @@
 namespace edgeproof::cli {
 namespace {
 
-int extent(const RayOptions& o) {
-    if (along_ray(o)) {
-        return extent_of_stresses(o);
-    }
+int extent(const SceneOptions& o) {
     check_figure_option(o);
     scene::Scene scene = asked_scene(o);
     ask_at_edges(scene, o);
@@ -120,13 +116,12 @@ int extent(const RayOptions& o) {
 } // namespace
 
 void add_extent(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<RayOptions>(
+    auto [sub, o] = add_command<SceneOptions>(
         app, code, "extent",
         "how far from each edge n terms stay within a tolerance of the pressure", extent);
     add_scene_options(sub, o);
     add_tolerance_option(sub, o, " (default: the scene's)");
     add_figure_option(sub, o);
-    add_ray_options(sub, o);
     sub.footer("1, 2 and 3 terms at both edges unless --terms and --edge, or the scene, say "
                "which.");
 }

@@ -33,14 +33,13 @@ void refuse_others(const SceneOptions& o, const std::string& why, bool by_x) {
 }
 
 Quantity greatest_of(const std::string& name) {
-    for (const Quantity quantity :
-         {Quantity::mises, Quantity::tresca, Quantity::s1, Quantity::tau_max, Quantity::sxx}) {
+    for (const Quantity quantity : {Quantity::mises, Quantity::tau_max, Quantity::sxx}) {
         if (name == row_of(quantity).name) {
             return quantity;
         }
     }
     throw InputError("--greatest " + name + " is not searched for",
-                     "write mises, tresca, s1, tau_max (for z >= 0) or sxx (on the surface)");
+                     "write mises, tau_max (for z >= 0) or sxx (on the surface)");
 }
 
 int greatest(const StressOptions& o, scene::Scene scene) {

@@ -2,7 +2,6 @@
 #include "edgeproof/cli/commands/stress_along_ray.hpp"
 
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/scene/stress_near_edge.hpp"
 
@@ -95,48 +94,6 @@ int expand_stresses(const RayOptions& o) {
                           [i](const auto& t) { return t.values[i]; });
     }
     columns.write(table, terms);
-    emit(table, o);
-    return 0;
-}
-
-int extent_of_stresses(const RayOptions& o) {
-    Asked asked(o);
-    if (!asked.scene.ask.tolerance) {
-        throw InputError("no tolerance is given", "add --tolerance 1%")
-            .at(asked.scene.file, asked.scene.ask_line);
-    }
-    const auto reaches =
-        asked.compute([](const auto&... all) { return scene::ray_reaches(all...); });
-    report::Table table = asked.table();
-    table.facts.push_back({"tolerance", percent_text(*asked.scene.ask.tolerance)});
-    table.notes.emplace_back(
-        "first_exit: the first distance r at which the first n powers of r^(1/2), from the first "
-        "one of edgeproof expand, are off by the tolerance; searched: without a first_exit they "
-        "stay within the tolerance up to there");
-    table.notes.emplace_back("zero_terms: yes where the first n coefficients are zero");
-    table.asked = "how far from the edge n terms are within " +
-                  percent_text(*asked.scene.ask.tolerance) + " of the stresses";
-    Columns<scene::RayReach> columns(asked.scene);
-    const std::string length = unit_of(asked.scene, scene::Quantity::x);
-    columns.add("edge", Kind::text, [](const auto& r) { return scene::edge_name(r.edge); }).phrase =
-        "{} edge";
-    columns.add("stress", Kind::text,
-                [](const auto& r) { return std::string(row_of(r.quantity).name); });
-    columns.add("n", Kind::count, [](const auto& r) { return std::to_string(r.n); });
-    columns.add_value("first_exit", "", [](const auto& r) { return r.exit; }).unit = length;
-    columns
-        .add("searched", Kind::number,
-             [](const auto& r) {
-                 return r.exit || r.vanishes
-                            ? ""
-                            : to_decimal(contact::exact_value(r.searched.value.lower()), 6,
-                                         Rounding::down);
-             })
-        .unit = length;
-    columns.add("zero_terms", Kind::text, [](const auto& r) { return r.vanishes ? "yes" : "no"; });
-    columns.add("route", Kind::text, [](const auto&) { return "series"; }).role =
-        report::Column::Role::route;
-    columns.write(table, reaches);
     emit(table, o);
     return 0;
 }

@@ -6,7 +6,7 @@
 
 #include <string>
 
-/// `expand` and `extent` with --angle: the stresses near an edge along a ray into a body.
+/// `expand` with --angle: the stresses near an edge along a ray into a body.
 namespace edgeproof::cli {
 
 struct RayOptions : SceneOptions {
@@ -21,8 +21,5 @@ void add_ray_options(CLI::App& sub, RayOptions& options);
 
 /// The coefficients of the stresses: a row for each power of the distance.
 int expand_stresses(const RayOptions& options);
-/// The distance from the edge up to which n terms are good: a row for each stress and number of
-/// terms.
-int extent_of_stresses(const RayOptions& options);
 
 } // namespace edgeproof::cli

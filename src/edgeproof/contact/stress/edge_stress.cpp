@@ -2,19 +2,13 @@
 #include "edgeproof/contact/stress/edge_stress.hpp"
 
 #include "edgeproof/contact/enclosure/ball_values.hpp"
-#include "edgeproof/contact/enclosure/isolate_zero.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace edgeproof::contact {
 namespace {
-
-constexpr std::size_t most_ray_intervals = 20'000;
-constexpr long lost_at_crossing = 48; ///< bits
 
 /// The Taylor coefficients at x = `at` of the Cauchy integral of the pressure of a zone to the left
 /// of it, by the trapezoidal rule on a circle. If |f| <= most inside the circle of the radius rho,
@@ -63,7 +57,7 @@ std::vector<Ball> taylor_at(const BallContact& zone, const Ball& at, const Ball&
 EdgeStress::EdgeStress(const StressField& field, const std::optional<ShearLoad<Ball>>& stick,
                        Edge edge, std::size_t terms)
     : bits_(field.bits()), first_(stick ? -1 : 0), edge_(edge), bulk_(field.bulk),
-      pressure_(terms, Ball(0, bits_)), shear_(terms, Ball(0, bits_)), most_(0, bits_) {
+      pressure_(terms, Ball(0, bits_)), shear_(terms, Ball(0, bits_)) {
     const StressField turned = edge == Edge::left ? field.reflected() : field;
     const BallContact& contact = turned.contact();
     Ball reach(contact.reach(Edge::right).lower(), bits_);
@@ -100,24 +94,19 @@ void EdgeStress::add_contact(const BallContact& contact, const Ball& pressure, c
     }
     Ball A = cauchy_integral_at_edge(contact, Edge::right);
     add(0, A);
-    Ball slope = abs(A); // a bound of the terms of g'
     if (contact.piecewise_linear()) {
         const auto& marks = contact.knot_marks();
         const auto beyond = std::ranges::find(marks, std::optional(Edge::right), &Mark<Ball>::end);
         A = contact.slope().rate(static_cast<std::size_t>(beyond - marks.begin())) *
             contact.modulus() * pi / 2;
         add(2, A);
-        slope += abs(A) * radius_;
-    } else { // the binomial series of (zeta/a)^m, |coefficients| <= those of (1 - s^2/a)^-m
+    } else { // the binomial series of (zeta/a)^m
         const Ball& m = contact.power_law()->exponent;
-        slope = slope * pow(1 - radius_ / contact.a(), -m);
         for (int k = 0; 2 * k + 2 - first_ < terms; ++k) {
             A = A * (m - k) / (contact.a() * (k + 1));
             add(2 * k + 2, A);
         }
     }
-    most_ += (slope + contact.majorant(Edge::right, radius_) * sqrt(radius_) * pi) *
-             (abs(pressure) + abs(shear));
 }
 
 void EdgeStress::add_zone(const BallContact& zone, const Ball& at, const Ball& shear) {
@@ -127,11 +116,9 @@ void EdgeStress::add_zone(const BallContact& zone, const Ball& at, const Ball& s
     for (std::size_t k = 0; 2 * k < shear_.size(); ++k) {
         shear_[2 * k] += a[k] * shear; // first is 0: no zones under full stick
     }
-    most_ += most * abs(shear);
 }
 
-// T = -pi sigma_0/4 + pi sum (-1)^k s_k s^(2k-1); the coefficients of (1 - u/L)^(-1/2) lie between
-// 0 and 1.
+// T = -pi sigma_0/4 + pi sum (-1)^k s_k s^(2k-1)
 void EdgeStress::add_stick(const ShearLoad<Ball>& load, const Ball& length) {
     const Ball pi = Ball::pi(bits_);
     const auto s = full_stick_expansion(length, load, Edge::right, shear_.size() / 2 + 1);
@@ -142,9 +129,6 @@ void EdgeStress::add_stick(const ShearLoad<Ball>& load, const Ball& length) {
     if (shear_.size() > 1) {
         shear_[1] -= tension;
     }
-    const Ball largest =
-        (abs(load.Q) / pi + abs(load.bulk_tension) * length * 3 / 8) / sqrt(length);
-    most_ += abs(tension) + largest * pi / sqrt(radius_);
 }
 
 // docs/stress.md, "Near an edge": with h = j/2 and the angle phi from the free surface
@@ -183,109 +167,6 @@ std::vector<Ball> EdgeStress::along(StressComponent component, const Exact& angl
         K.push_back(component == StressComponent::sxz && edge_ == Edge::left ? -k : k);
     }
     return K;
-}
-
-// |K_j| <= (2 + |j|/2) (|A_j| + |B_j|)/pi, and 2 + |j|/2 <= (5 + i)/2 for the entry i
-Ball EdgeStress::rest(std::size_t n, std::size_t divisor, const Ball& y) const {
-    const Ball left = 1 - y;
-    const auto i = static_cast<long>(n);
-    return most_ / Ball::pi(bits_) * pow_int(y, i - static_cast<long>(divisor)) *
-           (Ball(5 + i, bits_) / left + y / (left * left)) / 2;
-}
-
-namespace {
-
-/// The least zero of g(y) + a rest in 0 < y <= end, where g(0) is not 0; `rest(y)` bounds the rest
-/// over all places up to y. In an interval where g is monotone, values of one sign at both ends
-/// that exceed the rest exclude a zero, and values of both signs enclose the least one.
-template <class Rest>
-std::optional<Ball> least_zero(const std::vector<Ball>& g, const Rest& rest, const Rational& end,
-                               std::size_t& intervals) {
-    const long bits = g.front().bits();
-    std::vector<Ball> derivative{Ball(0, bits)};
-    for (std::size_t k = 1; k < g.size(); ++k) {
-        derivative.resize(k, Ball(0, bits));
-        derivative[k - 1] = g[k] * static_cast<long>(k);
-    }
-    Rational lo = 0;
-    Rational width = end / 16;
-    while (lo < end) {
-        check_interruption();
-        if (++intervals > most_ray_intervals) {
-            throw BudgetError("undecided: the error may touch the tolerance");
-        }
-        const Rational hi = std::min(Rational(lo + width), end);
-        const Ball noise = up_to(rest(Ball(hi, bits)));
-        const auto at = [&](const Rational& y) { return horner(g, Ball(y, bits)) + noise; };
-        const Ball y = Ball::hull(Ball(lo, bits), Ball(hi, bits));
-        const Ball rate = horner(derivative, y);
-        const Rational m = (lo + hi) / 2;
-        const Ball left = at(lo);
-        const Ball right = at(hi);
-        const bool decided = !contains_zero(left) && !contains_zero(right);
-        const bool rises = certainly_positive(right);
-        const bool same = decided && certainly_positive(left) == rises;
-        const bool monotone = !contains_zero(rate) && rate.is_finite();
-        if ((monotone && same) || !contains_zero(at(m) + rate * (y - Ball(m, bits)))) {
-            lo = hi;
-            width *= 2;
-        } else if (monotone && decided) {
-            const auto zero = enclosed_crossing(
-                {lo, hi, rises}, bits, lost_at_crossing,
-                [&](const Rational& x) {
-                    return std::pair(horner(g, Ball(x, bits)), horner(derivative, Ball(x, bits)));
-                },
-                at);
-            return zero ? *zero : y;
-        } else {
-            width /= 2;
-        }
-    }
-    return {};
-}
-
-} // namespace
-
-RayExtent ray_extent(const EdgeStress& series, StressComponent component, const Exact& angle,
-                     std::size_t n, const Exact& tolerance, long accuracy) {
-    std::vector<Ball> k = series.along(component, angle);
-    const long bits = k.front().bits();
-    const Ball root = sqrt(series.radius());
-    Ball scale = series.first() < 0 ? 1 / root : Ball(1, bits);
-    for (Ball& x : k) { // stresses: the coefficients of y^j, y = sqrt(r/radius)
-        x *= scale;
-        scale *= root;
-    }
-    const auto zero = [](const Ball& x) { return arb_is_zero(x.data()) != 0; };
-    const auto lead =
-        static_cast<std::size_t>(std::find_if_not(k.begin(), k.end(), zero) - k.begin());
-    // The end: a power of 2^(1/N), as a number of few bits
-    const double at_end = std::exp2(-static_cast<double>(accuracy) / static_cast<double>(k.size()));
-    const Rational end = exact_value(Ball(Real(at_end), 32).midpoint());
-    RayExtent found{{}, series.radius() * Ball(Rational(end * end), bits), lead >= n};
-    if (found.vanishes) {
-        return found;
-    }
-    if (contains_zero(k[lead])) {
-        throw BudgetError("too few bits to separate the first term from zero");
-    }
-    const Ball limit = ball_of(tolerance, bits);
-    std::size_t intervals = 0;
-    for (const Ball& side : {limit, -limit}) {
-        // sum of the terms from n on + side times the whole sum, over y^lead
-        std::vector<Ball> g;
-        for (std::size_t i = lead; i < k.size(); ++i) {
-            g.push_back(k[i] * (i < n ? side : side + 1));
-        }
-        const auto rest = [&](const Ball& y) {
-            return series.rest(k.size(), lead, y) * (limit + 1);
-        };
-        if (const auto y = least_zero(g, rest, end, intervals)) {
-            const Ball r = series.radius() * *y * *y;
-            found.exit = found.exit ? min(*found.exit, r) : r;
-        }
-    }
-    return found;
 }
 
 } // namespace edgeproof::contact

@@ -30,17 +30,12 @@ public:
 
     /// j of the first power: -1 under full stick, else 0.
     [[nodiscard]] int first() const { return first_; }
-    /// The series converges for r < radius (length).
-    [[nodiscard]] const Ball& radius() const { return radius_; }
     /// K_first, K_first+1, ... (stress/length^(j/2)), each enclosed; exactly zero where that is
     /// known.
     /// @param component of the stress
     /// @param angle in degrees, between the ray and the surface of the contact: 0 along the
     /// contact, 90 downwards, 180 along the free surface
     [[nodiscard]] std::vector<Ball> along(StressComponent component, const Exact& angle) const;
-    /// A bound (stress) of the sum of |K_j| r^(j/2) from the entry n on, for y = sqrt(r/radius) <
-    /// 1, divided by y^(first + `divisor`).
-    [[nodiscard]] Ball rest(std::size_t n, std::size_t divisor, const Ball& y) const;
 
 private:
     void add_contact(const BallContact& contact, const Ball& pressure, const Ball& shear);
@@ -53,24 +48,9 @@ private:
     int first_;
     Edge edge_;
     Ball bulk_;
-    Ball radius_;
+    Ball radius_;                ///< the series converges for smaller r (length)
     std::vector<Ball> pressure_; ///< A_j (stress/length^(j/2))
     std::vector<Ball> shear_;    ///< B_j
-    Ball most_;                  ///< |A_j| and |B_j| are together at most most/radius^(j/2)
 };
-
-/// The least r (length) at which the first n terms of a stress along a ray are off by the tolerance
-/// of its value, proved; nothing if there is none up to `searched`.
-struct RayExtent {
-    std::optional<Ball> exit;
-    Ball searched;
-    bool vanishes = false; ///< the first n terms are zero: there is nothing to compare
-};
-/// `series` must have enough terms: the search ends where those left out are greater than
-/// 2^-accuracy. Throws BudgetError where the bits do not decide, or if the error touches the
-/// tolerance.
-[[nodiscard]] RayExtent ray_extent(const EdgeStress& series, StressComponent component,
-                                   const Exact& angle, std::size_t n, const Exact& tolerance,
-                                   long accuracy);
 
 } // namespace edgeproof::contact

@@ -92,18 +92,10 @@ struct StressMeasure::Sums {
     Ball S;
 };
 
-/// F - F(e) <= deviator (|D|^2 - |D_e|^2) + 2 mean (S - S_e) + square (S - S_e)^2 near a place e.
-struct StressMeasure::Slopes {
-    Ball deviator;
-    Ball mean;
-    Ball square;
-};
-
 StressMeasure::StressMeasure(StressField field, const StressNorm& norm)
     : field_(std::move(field)), kind_(norm.kind),
       deviator_(kind_ == Kind::mises ? 3 : 1, field_.bits()),
-      ratio_(norm.poisson ? 1 - *norm.poisson * 2 : Ball(0, field_.bits())),
-      mean_(kind_ == Kind::mises ? square(ratio_) : Ball(0, field_.bits())),
+      mean_(kind_ == Kind::mises ? square(Ball(1 - *norm.poisson * 2)) : Ball(0, field_.bits())),
       bulk_(field_.bulk * Ball::pi(field_.bits()) / 2) {
     for (const LoadPart& part : field_.parts) {
         weights_.emplace_back(part.pressure, -part.shear);
@@ -113,71 +105,11 @@ StressMeasure::StressMeasure(StressField field, const StressNorm& norm)
 }
 
 Ball StressMeasure::stress(const Ball& F) const {
-    const bool square = kind_ == Kind::tau_max || kind_ == Kind::mises;
-    return (square ? sqrt(F) : F) / Ball::pi(field_.bits());
-}
-
-bool StressMeasure::shear_prevails(const Box& D, const Ball& S) const {
-    return certainly_less(ratio_ * abs(S), abs(D));
-}
-bool StressMeasure::mean_prevails(const Box& D, const Ball& S) const {
-    return certainly_less(abs(D), ratio_ * abs(S));
+    return (on_surface_only() ? F : sqrt(F)) / Ball::pi(field_.bits());
 }
 
 Ball StressMeasure::measure(const Box& D, const Ball& S) const {
-    switch (kind_) {
-    case Kind::tresca:
-        return abs(D) + max(abs(D), ratio_ * abs(S));
-    case Kind::s1:
-        return abs(D) + S;
-    case Kind::surface_sxx:
-        return D.real() + S;
-    case Kind::tau_max:
-    case Kind::mises:
-        break;
-    }
-    return deviator_ * square_of_size(D) + mean_ * square(S);
-}
-
-PlaneJet StressMeasure::measure(const Box& D, const PlaneJet& square_of_D,
-                                const PlaneJet& S) const {
-    const Ball one(1, field_.bits());
-    if (kind_ == Kind::s1) {
-        return sum(one, root(square_of_D, abs(D)), one, S);
-    }
-    if (kind_ == Kind::tresca) {
-        const PlaneJet size = root(square_of_D, abs(D));
-        if (shear_prevails(D, S.value)) {
-            return sum(one, size, one, size);
-        }
-        PlaneJet r = sum(one, size, certainly_negative(S.value) ? -ratio_ : ratio_, S);
-        if (!mean_prevails(D, S.value)) {
-            r.value = measure(D, S.value);
-            for (Ball& x : r.first) {
-                arb_indeterminate(x.data());
-            }
-        }
-        return r;
-    }
-    return sum(deviator_, square_of_D, mean_, square(S));
-}
-
-StressMeasure::Slopes StressMeasure::slopes(const Sums& at) const {
-    const Ball zero(0, field_.bits());
-    if (kind_ == Kind::tau_max || kind_ == Kind::mises) {
-        return {deviator_, mean_ * at.S, mean_};
-    }
-    // |D| - |D_e| <= (|D|^2 - |D_e|^2)/(2 |D_e|)
-    const Ball of_size = 1 / (abs(at.D) * 2);
-    if (kind_ == Kind::tresca && shear_prevails(at.D, at.S)) {
-        return {of_size * 2, zero, zero};
-    }
-    const Ball half = Ball(1, field_.bits()) / 2;
-    return {of_size,
-            kind_ == Kind::s1          ? half
-            : certainly_negative(at.S) ? half * -ratio_
-                                       : half * ratio_,
-            zero};
+    return on_surface_only() ? D.real() + S : deviator_ * square_of_size(D) + mean_ * square(S);
 }
 
 bool StressMeasure::mirrored_on_surface(const Ball& x) const {
@@ -186,28 +118,14 @@ bool StressMeasure::mirrored_on_surface(const Ball& x) const {
     const auto at_edge_of_contact = [&] {
         return overlaps(x, field_.contact().a()) || overlaps(-x, field_.contact().b());
     };
-    switch (kind_) {
-    case Kind::tau_max:
-        return true;
-    case Kind::mises:
-        return at_edge_of_contact();
-    case Kind::tresca: {
-        const Sums here = sums(Box(x));
-        const Sums there = sums(Box(-x));
-        return shear_prevails(here.D, here.S) && shear_prevails(there.D, there.S);
-    }
-    case Kind::s1:
-    case Kind::surface_sxx:
-        break;
-    }
-    return false;
+    return kind_ == Kind::tau_max || (kind_ == Kind::mises && at_edge_of_contact());
 }
 
 // A part with the force F at the distance d or more has |T| <= F/d, and |z dT/dzeta| <= F z/d^2,
 // z <= d.
 Ball StressMeasure::far(const Ball& distance) const {
     Ball deviator = on_surface_only() ? bulk_ : abs(bulk_);
-    Ball mean = kind_ == Kind::s1 ? bulk_ : deviator;
+    Ball mean = deviator;
     for (std::size_t i = 0; i < weights_.size(); ++i) {
         const Ball size = forces_[i] / distance;
         const Ball shear = abs(field_.parts[i].shear);
@@ -270,8 +188,8 @@ PlaneJet StressMeasure::jet(const Box& zeta) const {
     const Box D_zz = times_i(G[1]) * two - D_xx;
     const Ball S_x = G[0].imaginary(); // S is the real part of an analytic function
     const Ball S_z = G[0].real();      // whose derivative is -i G
-    if (kind_ != Kind::tau_max && kind_ != Kind::mises) {
-        // Roots, and sums of D and S, need narrow enclosures: from the middle of the box.
+    if (on_surface_only()) {
+        // Sums of D and S need narrow enclosures: from the middle of the box.
         const Box middle = zeta.middle();
         const Sums at = sums(middle);
         const Ball x_off = zeta.real() - middle.real();
@@ -294,7 +212,7 @@ PlaneJet StressMeasure::jet(const Box& zeta) const {
                                {(square_of_size(D_x) + dot(D, D_xx)) * 2,
                                 (dot(D_x, D_z) + dot(D, D_xz)) * 2,
                                 (square_of_size(D_z) + dot(D, D_zz)) * 2}};
-    return measure(D, square_of_D, mean);
+    return sum(deviator_, square_of_D, mean_, square(mean));
 }
 
 Ball StressMeasure::at_edge(std::size_t part, Edge edge) const {
@@ -339,13 +257,13 @@ bool StressMeasure::greatest_at_right_edge(std::size_t part, const Ball& radius)
         return false;
     }
     Sums at = at_right_edge(part);
-    const bool shear = shear_prevails(at.D, at.S);
     if (part == 0) { // T and P are real at an edge of the contact
         at.D = Box(at.D.real());
     } else if (part == 1 && field_.untilted) {
         at.D = Box(Ball(0, bits), at.D.imaginary());
     }
-    const Slopes F = slopes(at);
+    // F - F(e) = deviator (|D|^2 - |D_e|^2) + 2 by_mean (S - S_e) + mean (S - S_e)^2
+    const Ball by_mean = mean_ * at.S;
     // The parts that are analytic at the edge, by their derivative over the half disc.
     Box others_G(bits);
     Box others_T(bits);
@@ -381,18 +299,11 @@ bool StressMeasure::greatest_at_right_edge(std::size_t part, const Ball& radius)
         }
         const Box by_rho = a + b * rho;
         const Ball S_by_rho = a_S.real() + b_S.real() * rho;
-        if (kind_ == Kind::tresca) { // the same of both stresses is greater at all of these places
-            const Box D = at.D + by_rho * rho;
-            const Ball S = at.S + S_by_rho * rho;
-            if (shear ? !shear_prevails(D, S) : !mean_prevails(D, S)) {
-                return false;
-            }
-        }
-        const Ball B = (F.deviator * dot(at.D, b) + F.mean * b_S.real()) * 2 +
-                       F.deviator * square_of_size(by_rho) + F.square * square(S_by_rho);
+        const Ball B = (deviator_ * dot(at.D, b) + by_mean * b_S.real()) * 2 +
+                       deviator_ * square_of_size(by_rho) + mean_ * square(S_by_rho);
         // A = 2 root (X cos phi + Y sin phi)
-        const Ball X = F.deviator * at.D.real() * (t * (1 + s * s) - p * c * s) + F.mean * t;
-        const Ball Y = F.deviator * at.D.imaginary() * (t * (1 + c * c) + p * c * s) - F.mean * p;
+        const Ball X = deviator_ * at.D.real() * (t * (1 + s * s) - p * c * s) + by_mean * t;
+        const Ball Y = deviator_ * at.D.imaginary() * (t * (1 + c * c) + p * c * s) - by_mean * p;
         const bool falls = arb_is_nonpositive(X.data()) != 0 && arb_is_nonpositive(Y.data()) != 0;
         return (falls && certainly_negative(B)) ||
                certainly_negative(near->root * (X * c + Y * s) * 2 + rho * B);

@@ -39,18 +39,6 @@ struct PlaneJet {
             {(square(x) + v * xx) * 2, (x * z + v * xz) * 2, (square(z) + v * zz) * 2}};
 }
 
-/// The root of a function, whose value is `size`. Its derivatives follow by the chain rule, as
-/// Krawczyk's operator needs them (docs/stress.md, "The greatest values").
-[[nodiscard]] inline PlaneJet root(const PlaneJet& f, const Ball& size) {
-    const Ball twice = size * 2;
-    const Ball x = f.first[0] / twice;
-    const Ball z = f.first[1] / twice;
-    return {size,
-            {x, z},
-            {f.second[0] / twice - square(x) / size, f.second[1] / twice - x * z / size,
-             f.second[2] / twice - square(z) / size}};
-}
-
 /// by f + with g.
 [[nodiscard]] inline PlaneJet sum(const Ball& by, const PlaneJet& f, const Ball& with,
                                   const PlaneJet& g) {
@@ -65,12 +53,11 @@ struct PlaneJet {
 }
 
 /// The quantity whose greatest value is searched for: the greatest shear stress in the plane, the
-/// equivalent stresses of von Mises and Tresca in plane strain, the greatest principal stress in
-/// the plane, or sxx on the surface.
+/// equivalent stress of von Mises in plane strain, or sxx on the surface.
 struct StressNorm {
-    enum class Kind { tau_max, mises, tresca, s1, surface_sxx };
+    enum class Kind { tau_max, mises, surface_sxx };
     Kind kind = Kind::tau_max;
-    /// Poisson's ratio <= 1/2, for mises and tresca.
+    /// Poisson's ratio <= 1/2, for mises.
     std::optional<Ball> poisson;
 };
 
@@ -78,8 +65,6 @@ struct StressNorm {
 /// D = z (P' - i T') - T + pi bulk/2 and S = Im P - Re T + pi bulk/2 it is
 ///   tau_max  |D|^2 = pi^2 tau_max^2 (stress^2)
 ///   mises    3 |D|^2 + (1 - 2 nu)^2 S^2 = pi^2 mises^2 (stress^2)
-///   tresca   |D| + max(|D|, (1 - 2 nu) |S|) = pi tresca (stress)
-///   s1       |D| + S = pi s1 (stress), where it is positive
 ///   surface_sxx  Re D + S = pi sxx (stress), for z = 0 only
 /// (docs/stress.md, "The greatest values").
 class StressMeasure {
@@ -112,22 +97,14 @@ public:
 private:
     using Kind = StressNorm::Kind;
     struct Sums; ///< D and S
-    struct Slopes;
     [[nodiscard]] Sums sums(const Box& zeta) const;
     [[nodiscard]] Ball measure(const Box& D, const Ball& S) const;
-    /// The same for functions |D|^2 and S.
-    [[nodiscard]] PlaneJet measure(const Box& D, const PlaneJet& square, const PlaneJet& S) const;
-    /// True if |D| is certainly greater than (1 - 2 nu) |S|, or less.
-    [[nodiscard]] bool shear_prevails(const Box& D, const Ball& S) const;
-    [[nodiscard]] bool mean_prevails(const Box& D, const Ball& S) const;
-    [[nodiscard]] Slopes slopes(const Sums& at) const;
     [[nodiscard]] Sums at_right_edge(std::size_t part) const;
 
     StressField field_;
     Kind kind_;
     Ball deviator_; ///< the factor of |D|^2 for tau_max and mises
-    Ball ratio_;    ///< 1 - 2 nu
-    Ball mean_;     ///< the factor of S^2
+    Ball mean_;     ///< that of S^2
     Ball bulk_;     ///< pi bulk/2
     /// For each part its factor P' - i T' in G, and the force (force/length).
     std::vector<Box> weights_;

@@ -23,7 +23,8 @@ int main() {
         // precision is found, not given.
         const Ball p = enclosed_pressure(punch, modulus, load, Edge::right, u, 50);
         std::cout << "p      " << round_ball(p, 50).text << '\n'; // every digit is right
-        std::cout << "within " << round_ball(p, 20, Rounding::enclosure).text << '\n';
+        std::cout << "within " << round_ball(p, 20, Rounding::down).text << " ... "
+                  << round_ball(p, 20, Rounding::up).text << '\n';
     } catch (const Error& error) { // bad input, a place outside the contact, too few bits
         std::cerr << error.what() << '\n';
         return 2;

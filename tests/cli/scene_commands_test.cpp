@@ -87,7 +87,7 @@ TEST_CASE("bad input: one line that names file, line and remedy; exit 2; no file
         {"pressure s.toml --format xls", profile + load + "[ask]\nu = \"0.1\"\n",
          "edgeproof: --format xls is no format; write csv, json, md or tex"},
         {"pressure s.toml --round off", profile + load + "[ask]\nu = \"0.1\"\n",
-         "edgeproof: --round off is no way to round; write nearest, down, up or enclosure"},
+         "edgeproof: --round off is no way to round; write nearest, down or up"},
         {"explain s.toml", profile + load + "[ask]\nu = \"x\"\n", "s.toml:9: "},
         {"pressure nowhere.toml", profile,
          "nowhere.toml: there is no such file; give the path of a scene (TOML)"},

@@ -124,7 +124,7 @@ def given_scene(rng, library, command, slips=False):
 def tabled_scene(rng, library, command, digits=DIGITS, default="csv", slips=False):
     words = given_scene(rng, library, command, slips)
     words += ["--digits", count(rng, digits)]
-    words += maybe(rng, 0.15, "--round", value(rng, ["nearest", "down", "up", "enclosure"]))
+    words += maybe(rng, 0.15, "--round", value(rng, ["nearest", "down", "up"]))
     words += maybe(rng, 0.15, "--binary64")
     words += format_of(rng, command, default)
     return words + output(rng, command, command.printed)

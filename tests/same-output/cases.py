@@ -47,7 +47,7 @@ def shipped_scenes():
         steps += in_formats("explain", scene, "--run") + [["plot", scene, *o] for o in (
             [], ["--out", "plot.svg"], ["--out", "plot.html"], ["--out", "plot.png"], ["--out", "plot.pdf"])]
         steps += [["pressure", scene, "--round", r, "--digits", "17", "--binary64", "--out", f"{r}.csv"]
-                  for r in ("nearest", "down", "up", "enclosure")]
+                  for r in ("nearest", "down", "up")]
         steps += [["expand", scene, "--edge", "both", "--terms", "5"],
                   ["extent", scene, "--tolerance", "2%", "--figure", "figure.csv"]]
         yield Case(f"scene {path.stem}", steps, read(path), seconds=4)
@@ -122,7 +122,7 @@ def scene_cases(seed, count, library):
         likely = ["pressure", "expand", "extent", "explain"] + ["slip"] * 3 * ("friction" in text)
         words = [rng.choice(likely if rng.random() < 0.95 else ["slip"]) for _ in range(3)]
         steps = [[w, "s.toml", "--format", rng.choice(FORMATS)] for w in words]
-        steps[0] += rng.choice([[], [], ["--round", rng.choice(["down", "up", "enclosure"])], ["--binary64"]])
+        steps[0] += rng.choice([[], [], ["--round", rng.choice(["down", "up"])], ["--binary64"]])
         steps[1] += rng.choice([[], ["--edge", "both"], ["--out", "written"], ["--terms", "1,2"]])
         steps[2] += ["--run"] if words[2] == "explain" else []
         if number % 4 == 0:

@@ -176,9 +176,7 @@ void append_value(std::vector<std::string>& row, const std::optional<scene::Boun
         row.push_back(how(*value, p));
     }
     if (digits.binary64) {
-        row.push_back(p.binary64
-                          ? fmt::format("{}", *p.binary64)
-                          : fmt::format("[{}, {}]", p.binary64_between[0], p.binary64_between[1]));
+        row.push_back(p.binary64 ? fmt::format("{}", *p.binary64) : "");
     }
 }
 

@@ -43,8 +43,9 @@ void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
 
 /// Reads the option --body.
 [[nodiscard]] scene::Body body_of(const std::string& name);
-/// Reads a point "X,Z" of an option such as --point.
-[[nodiscard]] scene::BodyPoint point_of(const std::string& option, const std::string& text);
+/// Reads a point "X,Z" of an option such as --point, in the names of the scene.
+[[nodiscard]] scene::BodyPoint point_of(const std::string& option, const std::string& text,
+                                        const scene::Place::Names& names);
 
 /// Returns the unit of a quantity in the units of the scene; empty if they are not known.
 [[nodiscard]] std::string unit_of(const scene::Scene& scene, scene::Quantity quantity,

@@ -250,8 +250,7 @@ Rounding rounding_of(const std::string& name) {
     if (const auto mode = rounding_named(name)) {
         return *mode;
     }
-    throw InputError("--round " + name + " is no way to round",
-                     "write nearest, down, up or enclosure");
+    throw InputError("--round " + name + " is no way to round", "write nearest, down or up");
 }
 
 void ask_quantities(scene::Scene& scene, const std::string& list) {
@@ -330,7 +329,7 @@ void add_scene_options(CLI::App& sub, SceneOptions& o) {
     add_table_options(sub, o);
     sub.add_option("--round", o.rounding, "how values are rounded")
         ->capture_default_str()
-        ->type_name("nearest|down|up|enclosure");
+        ->type_name("nearest|down|up");
     sub.add_flag("--binary64", o.binary64, "add the binary64 nearest to each value");
     sub.add_flag("--exact", o.exact,
                  "print the points of a range as exact fractions, not as decimals");

@@ -233,7 +233,7 @@ void bind_value(py::module_& module) {
     py::class_<Value> value(module, "Value", R"(A computed number with how far it is to be trusted.
 
     text     the value, rounded correctly to the requested digits (or to those that are certain;
-             "[lower, upper]" where the rounding of a proved value is undecided)
+             one of two neighbours where the rounding of a proved value is undecided)
     bound    text: |text - exact| is at most this
     proved   True: the bound is proved. False: it is what the route estimates of itself
     route    how the value was computed: "closed-form", "series", "given", ...

@@ -140,6 +140,21 @@ GreatestValue greatest_tension(const Scene& scene, const Fields& fields) {
             {"sxx is greatest at the trailing edge of the contact"}};
 }
 
+/// True if x = 0 is the only place of the surface in the region: there F has the same values at x
+/// and -x, as in the zone that has always stuck, where q is even and p + sxx is 0.
+bool is_on_axis(const StressField& field, const contact::GreatestPlace& place) {
+    const Ball over = place.region.real();
+    if (place.kind != contact::GreatestPlace::Kind::surface || !contains_zero(place.x) ||
+        !contains(over, Ball(-place.x))) {
+        return false;
+    }
+    return field.mirrored || (field.surface_mirrored && field.untilted && field.parts.size() > 1 &&
+                              std::ranges::all_of(field.parts, [&](const contact::LoadPart& part) {
+                                  return certainly_less(abs(over), part.contact.a()) &&
+                                         certainly_less(abs(over), part.contact.b());
+                              }));
+}
+
 GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity quantity,
                               Body body) {
     using contact::GreatestPlace;
@@ -174,6 +189,7 @@ GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity
     });
     GreatestPlace place = found->places.front();
     Ball stress;
+    bool on_axis = place.kind == GreatestPlace::Kind::axis;
     fields.raise(fields.plan().bits, [&](const StressField& field) {
         const contact::StressMeasure F = measure(field);
         const auto at = refined(F, place);
@@ -184,18 +200,18 @@ GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity
         place.x = at->x;
         place.z = at->z;
         const auto enough = [&](const Ball& x) { return has_digits(x, scene.ask.digits); };
-        const bool has_x = place.kind == GreatestPlace::Kind::axis ||
-                           (place.kind == GreatestPlace::Kind::edge && !scene.history) ||
+        on_axis = on_axis || is_on_axis(field, place);
+        const bool has_x = on_axis || (place.kind == GreatestPlace::Kind::edge && !scene.history) ||
                            enough(place.x);
         const bool has_z = contains_zero(place.z) || enough(place.z);
         return enough(stress) && has_x && has_z;
     });
     const std::string route = "branch and bound";
     GreatestValue result{proved(stress, route), proved(place.x, route), proved(place.z, route), {}};
-    switch (place.kind) {
-    case GreatestPlace::Kind::axis:
+    if (on_axis) {
         result.x = zero(route);
-        break;
+    }
+    switch (place.kind) {
     case GreatestPlace::Kind::surface:
         result.z = zero(route);
         break;
@@ -208,11 +224,11 @@ GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity
                                : scene.history ? "the place is an edge of a zone of the history"
                                                : "the place is an edge of the stick zone");
         break;
+    case GreatestPlace::Kind::axis:
     case GreatestPlace::Kind::inside:
         break;
     }
-    const bool twins = found->places.size() == 2 || (fields.at(search_bits)->mirrored &&
-                                                     place.kind != GreatestPlace::Kind::axis);
+    const bool twins = found->places.size() == 2 || (fields.at(search_bits)->mirrored && !on_axis);
     result.notes.emplace_back(twins ? "the mirror image of the place, at -x, has the same value"
                               : quantity == Quantity::sxx
                                   ? "at all other places of the surface the value is less"

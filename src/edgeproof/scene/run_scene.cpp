@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <tuple>
@@ -173,6 +174,10 @@ private:
             row.state = image.state;
             return;
         }
+        if (outside_ == std::pair(row.asked.edge, row.point) && def.at_point()) {
+            compute_outside(row);
+            return;
+        }
         try {
             row.value = route_->value(row.asked);
             if (row.asked.quantity == Quantity::q && scene_.slips()) {
@@ -180,6 +185,13 @@ private:
             }
         } catch (const Error& error) {
             if (def.may_be_missing) {
+                return;
+            }
+            if (row.asked.quantity == Quantity::x && is_by_x(row) &&
+                scene_.ask.u[row.point].place->number() &&
+                dynamic_cast<const OutsideContact*>(&error) != nullptr) {
+                outside_ = std::pair(row.asked.edge, row.point);
+                compute_outside(row);
                 return;
             }
             const auto* domain = dynamic_cast<const DomainError*>(&error);
@@ -196,6 +208,18 @@ private:
         }
         if (plan_.mirrored) {
             images_.try_emplace(key, result_.rows.size());
+        }
+    }
+    /// Gives x, p = 0 and q = 0 at a place outside the contact; nothing else has a value there.
+    void compute_outside(Row& row) const {
+        const auto known = [&](const Exact& x) {
+            return BoundedValue{formula::ball_of(x, plan_.bits), true, "outside the contact",
+                                x.is_rational() ? std::optional(x.rational()) : std::nullopt};
+        };
+        if (row.asked.quantity == Quantity::x) {
+            row.value = known(*scene_.ask.u[row.point].place->number());
+        } else if (row.asked.quantity == Quantity::p || row.asked.quantity == Quantity::q) {
+            row.value = known(Exact::of(0));
         }
     }
     void search(const AskedValue& asked) {
@@ -220,8 +244,11 @@ private:
         std::ranges::move(found, std::back_inserter(result_.rows));
     }
     [[noreturn]] void refuse_in_body(const Row& row, const Error& error) const {
+        const QuantityRow& def = row_of(row.asked.quantity);
         const std::string what =
-            row.asked.in_body ? text_of(row.asked) : scene_.ask.u[row.point].text();
+            def.place == QuantityRow::Place::body
+                ? text_of(row.asked)
+                : symbol_of(row.asked) + " at " + scene_.ask.u[row.point].text();
         throw InputError(what + ": " + error.what(), "leave this point out")
             .at(scene_.file, scene_.ask_line);
     }
@@ -249,6 +276,8 @@ private:
     const Plan& plan_;
     SceneResult& result_;
     std::unique_ptr<ValueRoute> route_;
+    /// The last point outside the contact, by the edge of its rows.
+    std::optional<std::pair<Edge, std::size_t>> outside_;
     /// The indices of the rows at the first edge.
     std::map<std::tuple<Quantity, std::size_t, std::size_t>, std::size_t> images_;
 };

@@ -410,7 +410,7 @@ std::string ball_text(const Ball& ball, unsigned digits) {
         round_ball(Ball(ball.midpoint(), ball.bits()),
                    static_cast<unsigned>(std::clamp(known, 1L, static_cast<long>(digits))));
     // The rounding of the middle for the text is part of the error.
-    const Ball off = abs(ball - Ball(middle.lower.value(), ball.bits()));
+    const Ball off = abs(ball - Ball(middle.value.value(), ball.bits()));
     return middle.text + " +- " + bound_text(off.upper());
 }
 

@@ -22,8 +22,9 @@ report::ScenePicture stress_of(const PlotOptions& o, const scene::Scene& scene) 
                 if (o.from.empty()) {
                     return report::stress_picture(scene, row.quantity, body);
                 }
-                scene::BodyPoint from = point_of("--from", o.from);
-                scene::BodyPoint to = point_of("--to", o.to);
+                const scene::Place::Names names = exact_names_of(scene);
+                scene::BodyPoint from = point_of("--from", o.from, names);
+                scene::BodyPoint to = point_of("--to", o.to, names);
                 from.body = to.body = body;
                 return report::stress_along(scene, row.quantity, from, to);
             });

@@ -40,6 +40,12 @@ std::string state_name(const std::optional<contact::SlipState>& state) {
                                                              : "slip";
 }
 
+/// True for a place outside the contact, where only x, p = 0 and q = 0 have values.
+bool is_outside(const scene::RowsAt& point) {
+    const scene::BoundedValue& p = point.at(scene::Quantity::p);
+    return p.exactly && *p.exactly == 0;
+}
+
 /// Returns |q|/(f p): 1 where the contact slips.
 scene::BoundedValue friction_used(const scene::Scene& scene, const scene::RowsAt& point) {
     const scene::BoundedValue& p = point.at(scene::Quantity::p);
@@ -51,12 +57,36 @@ scene::BoundedValue friction_used(const scene::Scene& scene, const scene::RowsAt
     return {abs(q.value) / most, q.proved && p.proved, "superposition"};
 }
 
-Columns<scene::RowsAt> columns_of(const scene::Scene& scene, const scene::Plan& plan) {
+/// Returns the values of the whole contact as rows; a terminal shows them as facts.
+report::Table rows_of_facts(const std::vector<report::Fact>& facts) {
+    using Kind = report::Column::Kind;
+    report::Table table;
+    table.columns = {{"quantity", Kind::text}, {"value"}, {"bound"}, {"route", Kind::text}};
+    for (report::Column& column : table.columns) {
+        column.shown = report::Column::Shown::not_on_terminal;
+    }
+    for (const report::Fact& fact : facts) {
+        if (!fact.bound.empty()) {
+            table.rows.push_back({fact.key, fact.value, fact.bound, fact.route});
+        }
+    }
+    return table;
+}
+
+/// `no_shear`: the shear is asked for after a step of a history before there is any.
+Columns<scene::RowsAt> columns_of(const scene::Scene& scene, const scene::Plan& plan,
+                                  bool no_shear) {
     using scene::Quantity;
     using scene::RowsAt;
     using Kind = report::Column::Kind;
-    const auto text = [digits = scene.ask.digits](const scene::BoundedValue& value) {
-        return printed(value, digits).text;
+    const auto cell = [](const RowsAt& at, Quantity quantity, std::size_t n,
+                         const scene::Digits& digits) {
+        const scene::Row* const row = at.find(quantity, n); // null outside the contact
+        return row != nullptr ? printed(*row->value, digits).text : std::string();
+    };
+    const auto text = [digits = scene.ask.digits, cell](const RowsAt& at, Quantity quantity,
+                                                        std::size_t n = 0) {
+        return cell(at, quantity, n, digits);
     };
     Columns<RowsAt> columns(scene);
     columns.add("edge", Kind::text, [](const RowsAt& at) { return scene::edge_name(at.edge()); })
@@ -71,23 +101,21 @@ Columns<scene::RowsAt> columns_of(const scene::Scene& scene, const scene::Plan& 
     columns
         .add("u", Kind::number,
              [&, text](const RowsAt& at) {
-                 const scene::Row* const u = at.find(Quantity::u);
-                 return u != nullptr ? text(*u->value)
-                                     : scene.ask.u[at.point()].u_text(*at.row(Quantity::x).asked.u,
-                                                                      scene.ask.digits);
+                 const std::optional<formula::Exact>& u = at.row(Quantity::x).asked.u;
+                 return u ? decimal_text(*u, scene.ask.digits) : text(at, Quantity::u);
              })
         .unit = length;
-    columns.add("x", Kind::number, [text](const RowsAt& at) { return text(at.at(Quantity::x)); })
+    columns.add("x", Kind::number, [text](const RowsAt& at) { return text(at, Quantity::x); })
         .unit = length;
     const auto approximations = [&](const std::string& prefix, Quantity sum, Quantity error) {
         for (const std::size_t n : plan.terms > 0 ? scene.ask.terms : std::vector<std::size_t>{}) {
             columns
                 .add(prefix + "local_" + std::to_string(n), Kind::number,
-                     [=](const RowsAt& at) { return text(at.at(sum, n)); })
+                     [=](const RowsAt& at) { return text(at, sum, n); })
                 .unit = unit_of(scene, sum);
             columns.add(prefix + "rel_" + std::to_string(n), Kind::number,
                         [=, digits = plan.error_digits()](const RowsAt& at) {
-                            return printed(at.at(error, n), digits).text;
+                            return cell(at, error, n, digits);
                         });
         }
     };
@@ -101,22 +129,33 @@ Columns<scene::RowsAt> columns_of(const scene::Scene& scene, const scene::Plan& 
             .unit = unit_of(scene, Quantity::q);
         if (plan.partial_slip) {
             columns.add("q_over_fp", Kind::number, [&](const RowsAt& at) {
-                return printed(friction_used(scene, at), plan.error_digits()).text;
+                return is_outside(at) ? ""
+                                      : printed(friction_used(scene, at), plan.error_digits()).text;
             });
             columns
                 .add("state", Kind::text,
-                     [](const RowsAt& at) { return state_name(at.row(Quantity::q).state); })
+                     [](const RowsAt& at) {
+                         return is_outside(at) ? "" : state_name(at.row(Quantity::q).state);
+                     })
                 .phrase = "{}";
         } else {
             approximations("q_", Quantity::q_local, Quantity::q_rel);
         }
+    }
+    if (no_shear) {
+        columns.add_value("q", "q_route", [](const RowsAt&) {
+            return scene::BoundedValue{Ball(0, 64), true, "no shear load", Rational(0)};
+        });
     }
     for (const scene::QuantityRow& row : scene::quantity_rows()) {
         if (row.by_its_own_name() && scene.ask.wants(row.group)) {
             const std::string name = scene::symbol_of({row.quantity});
             columns
                 .add_value(name, name + "_route",
-                           [&row](const RowsAt& at) { return at.at(row.quantity); })
+                           [&row](const RowsAt& at) {
+                               const scene::Row* const found = at.find(row.quantity);
+                               return found != nullptr ? found->value : std::nullopt;
+                           })
                 .unit = unit_of(scene, row.quantity);
         }
     }
@@ -133,6 +172,8 @@ int pressure(const SceneOptions& o) {
             others.push_back(row.group);
         }
     }
+    const bool no_shear = !scene.shear && !scene.steps.empty() &&
+                          scene.ask.quantities.erase(scene::QuantityGroup::shear) > 0;
     // Values of the whole contact are given alone if no pressures are requested with them.
     const bool of_contact = (scene.ask.wants(scene::QuantityGroup::contact) ||
                              scene.ask.wants(scene::QuantityGroup::peak)) &&
@@ -148,6 +189,7 @@ int pressure(const SceneOptions& o) {
     }
     const scene::SceneResult result = done(scene);
     report::Table table = values_table(scene, result);
+    const report::Table values = rows_of_facts(table.facts);
     table.notes = {"u: distance inwards from the edge; x: place; p: pressure, in the unit of the "
                    "contact modulus; |p - exact| <= p_bound"};
     if (by_name(scene)) {
@@ -189,7 +231,12 @@ int pressure(const SceneOptions& o) {
                   : result.plan.peak ? "the greatest pressure"
                                      : "the edges and the load";
     table.remarks.push_back(bound_note(result.plan));
-    columns_of(scene, result.plan).write(table, result.points());
+    if (result.plan.print_pressure) {
+        columns_of(scene, result.plan, no_shear).write(table, result.points());
+    } else {
+        table.columns = values.columns;
+        table.rows = values.rows;
+    }
     draw_figure_option(scene, o);
     emit(table, o);
     return 0;

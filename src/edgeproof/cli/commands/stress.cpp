@@ -91,7 +91,7 @@ int stress(const StressOptions& o) {
     if (!o.points.empty()) {
         scene.ask.in_bodies.clear();
         for (const std::string& text : o.points) {
-            scene.ask.in_bodies.push_back(point_of("--point", text));
+            scene.ask.in_bodies.push_back(point_of("--point", text, exact_names_of(scene)));
         }
     }
     if (scene.ask.in_bodies.empty()) {
@@ -128,10 +128,18 @@ int stress(const StressOptions& o) {
     };
     const std::string length = unit_of(scene, Quantity::x);
     columns.add("body", Kind::text, [&o](const RowsAt&) { return o.body; }).phrase = "body {}";
-    columns.add("x", Kind::number, [point](const RowsAt& at) { return point(at).x.text(); }).unit =
-        length;
-    columns.add("z", Kind::number, [point](const RowsAt& at) { return point(at).z.text(); }).unit =
-        length;
+    columns
+        .add("x", Kind::number,
+             [point, &scene](const RowsAt& at) {
+                 return decimal_text(point(at).x, scene.ask.digits);
+             })
+        .unit = length;
+    columns
+        .add("z", Kind::number,
+             [point, &scene](const RowsAt& at) {
+                 return decimal_text(point(at).z, scene.ask.digits);
+             })
+        .unit = length;
     for (const scene::QuantityRow& row : scene::quantity_rows()) {
         const bool known = row.needs != scene::QuantityRow::Needs::poisson || scene.poisson(body);
         if (row.group == scene::QuantityGroup::stress && known) {
@@ -148,6 +156,15 @@ int stress(const StressOptions& o) {
     columns.write(table, result.at_places(scene::QuantityRow::Place::body));
     emit(table, o);
     return 0;
+}
+
+/// Returns x of a place that depends on a or b.
+std::string x_of(const scene::Scene& scene, const scene::SceneResult& result,
+                 const scene::AskedPoint& point) {
+    const Ball& a = result.at(Quantity::a).value;
+    const Ball& b = result.at(Quantity::b).value;
+    const Ball x = point.distance(contact::Edge::right).x_enclosure(a, b, a.bits());
+    return printed({x, true, "", {}}, scene.ask.digits).text;
 }
 
 /// Returns the cell of a quantity that exists on one side of the edge only.
@@ -199,10 +216,11 @@ int displacement(const DisplacementOptions& o) {
     Columns<RowsAt> columns(scene);
     columns
         .add("x", Kind::number,
-             [&scene](const RowsAt& at) {
+             [&scene, &result](const RowsAt& at) {
                  const scene::AskedPoint& point = scene.ask.u[at.point()];
                  const auto number = point.place->number();
-                 return number ? point.x_text(*number, scene.ask.digits) : point.text();
+                 return number ? decimal_text(*number, scene.ask.digits)
+                               : x_of(scene, result, point);
              })
         .unit = unit_of(scene, Quantity::x);
     columns.add_value("gap", "", [](const RowsAt& at) { return value_of(at, Quantity::gap); })
@@ -241,13 +259,21 @@ scene::Body body_of(const std::string& name) {
     return name == "A" ? scene::Body::A : scene::Body::B;
 }
 
-scene::BodyPoint point_of(const std::string& option, const std::string& text) {
+scene::BodyPoint point_of(const std::string& option, const std::string& text,
+                          const scene::Place::Names& names) {
     const std::vector<std::string> parts = parts_of(text);
     if (parts.size() != 2) {
         throw InputError(option + " " + text + " is no point",
                          "write X,Z, such as " + option + " 0,1/2");
     }
-    scene::BodyPoint point{formula::Exact::parse(parts[0]), formula::Exact::parse(parts[1])};
+    const auto number = [&](const std::string& part) {
+        try {
+            return scene::exact_in(part, names);
+        } catch (const InputError& error) {
+            throw InputError(option + " " + text + ": " + error.problem(), error.instead());
+        }
+    };
+    scene::BodyPoint point{number(parts[0]), number(parts[1])};
     if (point.z.sign() < 0) {
         throw InputError(option + " " + text + ": the depth is negative",
                          "give z >= 0, the depth into the body");

@@ -23,8 +23,7 @@ constexpr long most_digits_of_a_recipe = 100'000;
 
 Rounding rounding_of(const io::TomlSection& top) {
     const std::string name = top.text("rounding");
-    const auto mode = rounding_named(name);
-    if (mode && *mode != Rounding::enclosure) {
+    if (const auto mode = rounding_named(name)) {
         return *mode;
     }
     static constexpr std::array<std::string_view, 3> ways{"nearest", "down", "up"};

@@ -198,6 +198,22 @@ struct TomlSection::Access {
         }
         return static_cast<std::size_t>(value);
     }
+    /// The elements of a list of pairs.
+    [[nodiscard]] std::vector<const toml::node*> pairs(std::string_view key) const {
+        const toml::array* list = node(key).as_array();
+        const auto is_pair = [](const toml::node& n) {
+            return n.is_array() && n.as_array()->size() == 2;
+        };
+        if (list == nullptr || list->empty() || !std::all_of(list->begin(), list->end(), is_pair)) {
+            self.reject(key, std::string(key) + " is no list of pairs",
+                        "write " + std::string(key) + " = [[\"0\", \"1/2\"], [\"1\", \"2\"]]");
+        }
+        std::vector<const toml::node*> pairs;
+        for (const toml::node& n : *list) {
+            pairs.push_back(&n);
+        }
+        return pairs;
+    }
     /// Returns read(x, key) for the elements x of a list, or for a single value.
     template <class Read> [[nodiscard]] auto list(std::string_view key, const Read& read) const {
         const toml::node& n = node(key);
@@ -411,20 +427,25 @@ std::vector<TomlSection::Written> TomlSection::numbers_written(std::string_view 
     });
 }
 std::vector<std::array<TomlSection::Item, 2>> TomlSection::pairs(std::string_view key) const {
-    const Access access{*this};
-    const toml::array* list = access.node(key).as_array();
-    const auto is_pair = [](const toml::node& n) {
-        return n.is_array() && n.as_array()->size() == 2;
-    };
-    if (list == nullptr || list->empty() || !std::all_of(list->begin(), list->end(), is_pair)) {
-        reject(key, std::string(key) + " is no list of pairs",
-               "write " + std::string(key) + " = [[\"0\", \"1/2\"], [\"1\", \"2\"]]");
-    }
     std::vector<std::array<Item, 2>> pairs;
-    for (const toml::node& n : *list) {
+    const Access access{*this};
+    for (const toml::node* const n : access.pairs(key)) {
         const auto item = [&](std::size_t i) {
-            const toml::node& number = *n.as_array()->get(i);
+            const toml::node& number = *n->as_array()->get(i);
             return Item{access.exact(number, key), access.line_of(number)};
+        };
+        pairs.push_back({item(0), item(1)});
+    }
+    return pairs;
+}
+std::vector<std::array<TomlSection::Written, 2>>
+TomlSection::pairs_written(std::string_view key) const {
+    std::vector<std::array<Written, 2>> pairs;
+    const Access access{*this};
+    for (const toml::node* const n : access.pairs(key)) {
+        const auto item = [&](std::size_t i) {
+            const toml::node& number = *n->as_array()->get(i);
+            return Written{access.scalar(number, key), access.line_of(number)};
         };
         pairs.push_back({item(0), item(1)});
     }

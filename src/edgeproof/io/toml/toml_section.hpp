@@ -94,6 +94,7 @@ public:
     [[nodiscard]] std::vector<Written> numbers_written(std::string_view key) const;
     /// Returns a list of pairs of exact constants, such as [["0", "1/2"], [1, 2]].
     [[nodiscard]] std::vector<std::array<Item, 2>> pairs(std::string_view key) const;
+    [[nodiscard]] std::vector<std::array<Written, 2>> pairs_written(std::string_view key) const;
     /// Returns whole numbers in least ... most; a single value is a list of one.
     [[nodiscard]] std::vector<std::size_t> counts(std::string_view key, long least,
                                                   long most) const;

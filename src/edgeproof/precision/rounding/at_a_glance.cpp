@@ -68,7 +68,7 @@ struct WholeUnits {
 /// Rounds x to `digits` digits; false if that is not decided here.
 bool find_whole_units(const Ball& x, unsigned digits, Rounding mode, WholeUnits& to) {
     long first = 0;
-    if (mode == Rounding::enclosure || digits == 0 || !leading_place(x, first)) {
+    if (digits == 0 || !leading_place(x, first)) {
         return false;
     }
     // All numbers in the ball round alike if none of them is a whole number (or, for rounding to

@@ -17,8 +17,8 @@ namespace {
 constexpr long max_exponent = 100000;
 /// For a result: relative errors of many terms contain powers of the input.
 constexpr long most_result_exponent = 100 * max_exponent;
-constexpr std::array<std::string_view, 4> rounding_names{"nearest", "down", "up", "enclosure"};
-static_assert(rounding_names.size() == static_cast<std::size_t>(Rounding::enclosure) + 1);
+constexpr std::array<std::string_view, 3> rounding_names{"nearest", "down", "up"};
+static_assert(rounding_names.size() == static_cast<std::size_t>(Rounding::up) + 1);
 
 [[noreturn]] void not_a_number(std::string_view text) {
     throw InputError("'" + std::string(text.substr(0, 60)) + "' is not a number",
@@ -56,13 +56,7 @@ std::string decimal(const Real& x, unsigned digits, mpfr_rnd_t rounding) {
 }
 
 Rounded single(const Decimal& d, unsigned digits, bool complete) {
-    return {layout(d, digits), digits, complete, d, d};
-}
-
-/// "[lower, upper]".
-Rounded enclosing(const Decimal& lower, const Decimal& upper, unsigned digits) {
-    return {"[" + layout(lower, digits) + ", " + layout(upper, digits) + "]", digits, true, lower,
-            upper};
+    return {layout(d, digits), digits, complete, d};
 }
 
 /// About floor(log10(x/y)): near a power of ten it may be wrong by one.
@@ -235,10 +229,6 @@ std::string to_decimal(const Rational& q, unsigned digits, Rounding mode) {
 }
 
 Rounded round_rational(const Rational& q, unsigned digits, Rounding mode) {
-    if (mode == Rounding::enclosure) {
-        return enclosing(round_rational(q, digits, Rounding::down).lower,
-                         round_rational(q, digits, Rounding::up).upper, digits);
-    }
     if (digits == 0) {
         throw DomainError("a number cannot be written to no digits at all");
     }
@@ -320,14 +310,6 @@ Rounded round_ball(const Ball& x, unsigned digits, Rounding mode) {
         return single(seen->value, digits, true);
     }
     const Ends ends = exact_ends(x);
-    if (mode == Rounding::enclosure) {
-        Rounded r = enclosing(decimal_of(ends.lo, digits, MPFR_RNDD),
-                              decimal_of(ends.hi, digits, MPFR_RNDU), digits);
-        const Rounded one = round_ball(x, digits > 1 ? digits - 1 : 1);
-        r.digits = one.digits;
-        r.complete = one.digits + 1 >= digits;
-        return r;
-    }
     const mpfr_rnd_t rounding = mode == Rounding::nearest ? MPFR_RNDN
                                 : mode == Rounding::down  ? MPFR_RNDD
                                                           : MPFR_RNDU;
@@ -394,9 +376,11 @@ std::ostream& operator<<(std::ostream& out, const Ball& x) {
         if (contains_zero(x) && x.is_exact()) {
             return out << "0 +/- 0";
         }
-        return out << round_ball(x, digits_of_ends, Rounding::enclosure).text;
+        const Ends ends = exact_ends(x);
+        return out << '[' << decimal(ends.lo, digits_of_ends, MPFR_RNDD) << ", "
+                   << decimal(ends.hi, digits_of_ends, MPFR_RNDU) << ']';
     }
-    const Ball error = abs(Ball(x - r.lower.enclosure(x.bits() + bits_beyond)));
+    const Ball error = abs(Ball(x - r.value.enclosure(x.bits() + bits_beyond)));
     return out << r.text << " +/- " << bound_text(error.upper());
 }
 

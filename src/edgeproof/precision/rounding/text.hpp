@@ -29,17 +29,15 @@ namespace edgeproof {
 enum class Rounding {
     nearest,
     down, ///< towards minus infinity
-    up,   ///< towards plus infinity
-    enclosure
+    up    ///< towards plus infinity
 };
 
-/// The name used in input and output: "nearest", "down", "up", "enclosure".
+/// The name used in input and output: "nearest", "down", "up".
 [[nodiscard]] std::string_view rounding_name(Rounding mode);
 /// Nothing if no rounding has that name.
 [[nodiscard]] std::optional<Rounding> rounding_named(std::string_view name);
 
-/// Returns an exact number to `digits` significant digits, rounded by `mode` and laid out as above;
-/// "[lower, upper]" for an enclosure.
+/// Returns an exact number to `digits` significant digits, rounded by `mode` and laid out as above.
 [[nodiscard]] std::string to_decimal(const Rational& q, unsigned digits, Rounding mode);
 
 /// The decimal number 0.d_1 d_2 ... x 10^exponent; 0 if there are no digits.
@@ -59,8 +57,7 @@ struct Rounded {
     std::string text;      ///< the text to which every number in the ball rounds
     unsigned digits = 0;   ///< number of digits that are certain
     bool complete = false; ///< as many digits as requested are certain
-    Decimal lower;         ///< the number of the text, or the lower
-    Decimal upper;         ///< and the upper end of an enclosure
+    Decimal value;         ///< the number of the text
 };
 
 /// An exact number, rounded as to_decimal does.
@@ -68,8 +65,7 @@ struct Rounded {
 
 /// Returns the correctly rounded value, to `digits` significant digits, of every number in the
 /// ball. If they do not all round alike, it has as many digits as are certain (if there are none,
-/// the text is empty). Rounding::enclosure gives "[lower, upper]", rounded outwards, which is
-/// complete if the two differ by at most 2 units in the last digit.
+/// the text is empty).
 [[nodiscard]] Rounded round_ball(const Ball& x, unsigned digits, Rounding mode = Rounding::nearest);
 
 /// True if round_ball is complete, found without a text in a tenth of the time. True is proved;

@@ -58,7 +58,6 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
                 "",
                 true,
                 false,
-                {},
                 {}};
         }
         return printed(scene::BoundedValue{x, true, "", {}}, digits);

@@ -25,17 +25,11 @@ std::string bound_of(const Rational& error) {
     return bound_text(abs(Ball(error, bound_bits)).upper());
 }
 
-/// Returns the width of an enclosure, which is printed in place of the number itself.
-std::string bound_of(const Rounded& r) {
-    return bound_of(Rational(r.upper.value() - r.lower.value()));
-}
-
 PrintedValue printed_exactly(const Rational& q, const Digits& digits) {
     const Rounded r = round_rational(q, digits.count, digits.rounding);
     PrintedValue p;
     p.text = r.text;
-    p.bound = digits.rounding == Rounding::enclosure ? bound_of(r)
-                                                     : bound_of(Rational(r.lower.value() - q));
+    p.bound = bound_of(Rational(r.value.value() - q));
     p.complete = true;
     return p;
 }
@@ -57,10 +51,7 @@ bool may_be_a_limit(const Ball& x, const Digits& digits, bool has_them) {
     if (x.relative_accuracy_bits() < needed) {
         return false;
     }
-    // The enclosure of an exact short decimal repeats that decimal as both ends.
-    return digits.rounding == Rounding::enclosure
-               ? !has_digits(x, {digits.count, Rounding::down, digits.binary64})
-               : !has_them;
+    return !has_them;
 }
 
 std::string how(const BoundedValue& x, const PrintedValue& p) {
@@ -71,7 +62,7 @@ std::string printed_text(const BoundedValue& x, const Digits& digits) {
     if (x.exactly) {
         return round_rational(*x.exactly, digits.count, digits.rounding).text;
     }
-    if (digits.rounding != Rounding::enclosure && !contains_zero(x.value)) {
+    if (!contains_zero(x.value)) {
         Rounded r = round_ball(x.value, digits.count, digits.rounding);
         if (r.complete) {
             return r.text;
@@ -85,37 +76,26 @@ PrintedValue printed(const BoundedValue& x, const Digits& digits) {
     if (x.exactly) {
         p = printed_exactly(*x.exactly, digits);
     } else if (!x.value.is_finite()) {
-        return {"nan", "inf", false, false, {}, {}};
-    } else if (digits.rounding == Rounding::enclosure) {
-        const Rounded r = round_ball(x.value, digits.count, Rounding::enclosure);
-        p = {r.text, bound_of(r), r.complete, false, {}, {}};
-    } else if (contains_zero(x.value) && digits.rounding == Rounding::nearest &&
-               x.value.is_exact()) {
-        p = {"0", bound_text(Real(0)), true, false, {}, {}};
+        return {"nan", "inf", false, false, {}};
     } else if (contains_zero(x.value) && digits.rounding == Rounding::nearest) {
-        constexpr unsigned digits_of_ends = 2;
-        const Rounded r = round_ball(x.value, digits_of_ends, Rounding::enclosure);
-        p = {r.text, bound_of(r), false, x.proved, {}, {}};
+        const bool zero = x.value.is_exact();
+        p = {"0", bound_text(abs(x.value).upper()), zero, !zero && x.proved, {}};
     } else if (const auto seen = rounded_at_a_glance(x.value, digits.count, digits.rounding)) {
         p.text = layout(seen->value, digits.count);
         p.bound = seen->bound.empty() ? bound_text(farthest(x.value, seen->value)) : seen->bound;
         p.complete = true;
     } else {
         Rounded r = round_ball(x.value, digits.count, digits.rounding);
-        if (!r.complete && x.proved) {
-            r = round_ball(x.value, digits.count, Rounding::enclosure);
-            p = {r.text, bound_of(r), false, true, {}, {}};
-        } else {
-            const bool complete = r.complete;
-            if (!complete && digits.rounding != Rounding::nearest) {
-                const Rounded both = round_ball(x.value, digits.count, Rounding::enclosure);
-                const Decimal& end = digits.rounding == Rounding::down ? both.lower : both.upper;
-                r = round_rational(end.value(), digits.count, Rounding::nearest);
-            } else if (r.text.empty()) {
-                r = round_ball(Ball(x.value.midpoint(), x.value.bits()), 1);
-            }
-            p = {r.text, bound_text(farthest(x.value, r.lower)), complete, false, {}, {}};
+        const bool complete = r.complete;
+        const bool narrow =
+            x.proved && x.value.relative_accuracy_bits() >= formula::bits_for(digits.count);
+        if (!complete && digits.rounding != Rounding::nearest) {
+            const Real end = digits.rounding == Rounding::down ? x.value.lower() : x.value.upper();
+            r = round_ball(Ball(end, x.value.bits() + bits_beyond), digits.count, digits.rounding);
+        } else if (!complete && (narrow || r.text.empty())) {
+            r = round_ball(Ball(x.value.midpoint(), x.value.bits()), narrow ? digits.count : 1);
         }
+        p = {r.text, bound_text(farthest(x.value, r.value)), complete, !complete && x.proved, {}};
     }
     if (digits.binary64 && x.exactly) {
         p.binary64 = nearest_binary64(*x.exactly);
@@ -123,8 +103,6 @@ PrintedValue printed(const BoundedValue& x, const Digits& digits) {
         p.binary64 = nearest_binary64(x.value);
         if (!p.binary64) {
             p.undecided = p.undecided || x.proved;
-            p.binary64_between = {x.value.lower().convert_to<double>(),
-                                  x.value.upper().convert_to<double>()};
         }
     }
     return p;
@@ -138,7 +116,7 @@ std::string decimal_text(const Exact& x, const Digits& digits) {
         const Rational& q = x.rational();
         const PrintedValue rounded = printed_exactly(q, digits);
         const bool is_short =
-            Rounded(round_rational(q, digits.count, Rounding::nearest)).lower.value() == q;
+            Rounded(round_rational(q, digits.count, Rounding::nearest)).value.value() == q;
         return !is_short                                 ? rounded.text
                : x.text().find('/') == std::string::npos ? x.text()
                                                          : exact_text(q);

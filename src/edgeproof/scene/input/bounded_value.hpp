@@ -34,14 +34,12 @@ struct Digits {
 };
 
 struct PrintedValue {
-    std::string text;  ///< rounded correctly at the digits requested, or at those that are certain;
-                       ///< "[lower, upper]" if the rounding of a proved value is undecided, or if
-                       ///< the value may be zero
-    std::string bound; ///< |text - exact| is at most this; for an enclosure, its width
-    bool complete = false;  ///< all requested digits are given
-    bool undecided = false; ///< no number of bits tried decides the rounding
-    std::optional<double> binary64;
-    std::array<double, 2> binary64_between{}; ///< its bounds, where the nearest one is undecided
+    std::string text;  ///< one number: rounded correctly at the digits requested, or at those that
+                       ///< are certain; a neighbour if the rounding of a proved value is undecided
+    std::string bound; ///< |text - exact| is at most this
+    bool complete = false;          ///< all requested digits are given
+    bool undecided = false;         ///< no number of bits tried decides the rounding
+    std::optional<double> binary64; ///< nothing if the nearest one is undecided
 };
 
 /// Returns the name of the route, with a note if the rounding is undecided.
@@ -55,8 +53,7 @@ struct PrintedValue {
 /// of that few digits or a midpoint between two. `has_them`: has_digits of the ball.
 [[nodiscard]] bool may_be_a_limit(const Ball& x, const Digits& digits, bool has_them);
 
-/// Formats a value. "0" is a value known to be zero. If the ball contains zero and other numbers,
-/// or does not decide the rounding of a proved value, the text is the enclosure.
+/// Formats a value as one number. Rounded to nearest, it is "0" if the ball contains zero.
 [[nodiscard]] PrintedValue printed(const BoundedValue& x, const Digits& digits);
 [[nodiscard]] std::string printed_text(const BoundedValue& x, const Digits& digits);
 

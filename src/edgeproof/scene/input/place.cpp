@@ -110,7 +110,6 @@ Place Place::parse(std::string_view text, From from, const Names& names) {
     if (percent) {
         value = value / Expr::number(Rational(100)) * (Expr::symbol("a") + Expr::symbol("b"));
     }
-    const bool plain = constant(value);
     // The name a is replaced last: where b = a, the name b is replaced by a.
     for (const auto& [name, meaning] : names) {
         if (name != "a") {
@@ -122,7 +121,6 @@ Place Place::parse(std::string_view text, From from, const Names& names) {
     }
     Place place((from == From::origin ? "x = " : "") + std::string(text), from, std::move(value),
                 names);
-    place.plain_ = plain;
     return place;
 }
 

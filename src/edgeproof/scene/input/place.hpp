@@ -84,8 +84,6 @@ public:
     /// The distance from the edge, or x, if it depends on neither a nor b.
     [[nodiscard]] std::optional<Exact> number() const;
     [[nodiscard]] From from() const { return from_; }
-    /// True if the text has no names.
-    [[nodiscard]] bool is_number() const { return plain_; }
     [[nodiscard]] Distance distance(Edge edge) const;
 
 private:
@@ -95,7 +93,6 @@ private:
     Expr value_;
     Expr a_; ///< the value of a, or the symbol a
     Expr b_;
-    bool plain_ = false;
 };
 
 } // namespace edgeproof::scene

@@ -235,6 +235,39 @@ Place::Names names_of(const Scene& scene) {
     return names;
 }
 
+Place::Names exact_names_of(const Scene& scene) {
+    constexpr long bits = 256; // enough to isolate the edges of most contacts
+    Place::Names names = names_of(scene);
+    if (scene.load.kind == Load::Kind::right_edge) {
+        names.insert_or_assign("a", scene.load.value.expr());
+    }
+    if (scene.profile && !scene.round && contact::BallContact::has_closed_form(*scene.profile)) {
+        try {
+            const contact::BallContact contact(*scene.profile, scene.contact_modulus, scene.load,
+                                               bits);
+            for (const auto& [name, edge] : {std::pair{"a", Edge::right}, {"b", Edge::left}}) {
+                if (const auto at = contact.known(edge)) {
+                    names.insert_or_assign(name, at->expr());
+                }
+            }
+        } catch (const Error&) { // the command that solves for the contact reports the reason
+        }
+    } else if (scene.symmetric() && names.contains("a")) {
+        names.insert_or_assign("b", names.at("a"));
+    }
+    return names;
+}
+
+Exact exact_in(const std::string& text, const Place::Names& names) {
+    if (!has_names(text)) {
+        return Exact::parse(text);
+    }
+    if (const auto number = Place::parse(text, Place::From::origin, names).number()) {
+        return *number;
+    }
+    throw InputError("a and b are not known as exact numbers under this load", "write a number");
+}
+
 int sign_of(const io::TomlSection& section, std::string_view key, const Exact& value) {
     return io::at_place(
         section.file(), section.line(key), [&] { return value.sign(); },
@@ -267,12 +300,17 @@ void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene&
     }
     if (ask.has("points")) {
         result.in_bodies.clear();
-        for (const auto& [x, z] : ask.pairs("points")) {
-            if (sign_of(ask, "points", z.value) < 0) {
-                ask.reject(z.line, "the depth z = " + z.value.text() + " is negative",
+        const Place::Names names = exact_names_of(scene);
+        const auto number = [&](const io::TomlSection::Written& item) {
+            return io::at_place(ask.file(), item.line, [&] { return exact_in(item.text, names); });
+        };
+        for (const auto& [x, z] : ask.pairs_written("points")) {
+            const BodyPoint point{number(x), number(z)};
+            if (sign_of(ask, "points", point.z) < 0) {
+                ask.reject(z.line, "the depth z = " + z.text + " is negative",
                            "give points [x, z] with z >= 0, the depth into the body");
             }
-            result.in_bodies.push_back({x.value, z.value});
+            result.in_bodies.push_back(point);
         }
     }
     if (ask.has("tolerance")) {

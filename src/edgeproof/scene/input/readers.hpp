@@ -36,6 +36,10 @@ void read_ask(const io::TomlSection& section, const io::TomlSection& profile, Sc
 /// The names that places of a scene may use in addition to a and b: the parameters of its profile,
 /// a and b themselves if they are given, and b as a if the two are equal.
 [[nodiscard]] Place::Names names_of(const Scene& scene);
+/// The same with a and b also of a contact under a force, where exact algebra solves for them.
+[[nodiscard]] Place::Names exact_names_of(const Scene& scene);
+/// Returns the number that a text gives in these names. Throws InputError if it has none.
+[[nodiscard]] Exact exact_in(const std::string& text, const Place::Names& names);
 
 /// True if [profile] says geometry = "axisymmetric".
 [[nodiscard]] bool is_axisymmetric(const io::TomlSection& profile);

@@ -61,16 +61,6 @@ struct AskedPoint {
                : place   ? "x = " + decimal_text(*place->number(), digits)
                          : decimal_text(u, digits);
     }
-    /// The distance `number` of the point: as it is written, if that is a plain number u.
-    [[nodiscard]] std::string u_text(const Exact& number, const Digits& digits) const {
-        const bool plain = !computed && written.empty() && !place;
-        return plain ? number.text() : decimal_text(number, digits);
-    }
-    /// The same for a point given by its place x.
-    [[nodiscard]] std::string x_text(const Exact& number, const Digits& digits) const {
-        const bool plain = !computed && place && place->is_number();
-        return plain ? number.text() : decimal_text(number, digits);
-    }
 };
 
 struct Ask {

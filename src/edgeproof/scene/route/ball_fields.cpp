@@ -150,6 +150,15 @@ Ball BallLevel::gap(const AskedValue& at) {
     if (certainly_negative(right) && certainly_negative(left)) {
         throw DomainError("the place lies inside the contact");
     }
+    const Edge edge = certainly_negative(right) ? Edge::left : Edge::right;
+    const Ball& off = edge == Edge::right ? right : left;
+    if (contains_zero(off)) { // the gap is 0 at the edge and grows from there
+        return Ball::hull(Ball(0, bits_), gap_beyond(x, edge, Ball(off.upper(), bits_)));
+    }
+    return gap_beyond(x, edge, off);
+}
+
+Ball BallLevel::gap_beyond(const Ball& x, Edge edge, const Ball& beyond) const {
     const BallContact* const form = contact_->closed_form();
     if (scene_.round) {
         if (scene_.curved_body() && monotonicity_of_slope(*scene_.profile, abs(x), abs(x)).kind !=
@@ -158,11 +167,10 @@ Ball BallLevel::gap(const AskedValue& at) {
                              "not computed",
                              "give a place nearer to the contact");
         }
-        const Ball beyond = contact::clamped(certainly_negative(right) ? left : right);
         return form != nullptr ? axisymmetric_gap(*form, beyond)
                                : of_revolution().gap_beyond(beyond);
     }
-    return gap_at(*form, x);
+    return contact::gap_beyond(*form, edge, beyond);
 }
 
 const std::vector<BallLevel::SlipSince>* BallLevel::slip_since_contact() {

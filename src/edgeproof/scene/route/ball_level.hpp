@@ -247,6 +247,8 @@ public:
     }
 
 private:
+    /// The gap at the distance `beyond` > 0 outwards from an edge; x: the same place.
+    [[nodiscard]] Ball gap_beyond(const Ball& x, Edge edge, const Ball& beyond) const;
     [[nodiscard]] Ball round_cycle_energy(const BallSlip& slip) const;
     /// E*/E_t of an axisymmetric scene with a Poisson's ratio.
     [[nodiscard]] Ball tangential_ratio() const;

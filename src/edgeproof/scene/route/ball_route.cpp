@@ -102,6 +102,9 @@ BoundedValue BallRoute::value(const AskedValue& asked) {
     if (const auto q = given != nullptr ? rational_of(*given) : std::nullopt) {
         return proved(Ball(*q, plan_.bits), q); // an enclosure would never round down or up
     }
+    if (exactly_zero(asked)) {
+        return proved(Ball(0, plan_.bits), Rational(0));
+    }
     if (asked.quantity == Quantity::x || asked.quantity == Quantity::u) {
         const Distance u = asked.distance();
         refuse_outside(asked.edge, u);
@@ -118,9 +121,11 @@ BoundedValue BallRoute::value(const AskedValue& asked) {
                         row.short_error ? plan_.error_digits() : plan_.digits,
                         row.cancels_little ? plan_.narrow_bits : plan_.bits);
     if (!found && row.of_bodies()) {
-        throw BudgetError(
-            "no number of bits encloses the value, which may be infinite there: at an "
-            "edge under full stick, or at a corner");
+        throw BudgetError(std::string("no number of bits encloses the value") +
+                          (row.place == QuantityRow::Place::body
+                               ? ", which may be infinite there: at an edge under full stick, or "
+                                 "at a corner"
+                               : ""));
     }
     if (!found && scene_.only_in_balls() && (asked.u || asked.place)) {
         refuse_known_corner(asked.edge, asked.distance());
@@ -167,6 +172,40 @@ void BallRoute::know(Edge edge) {
     }
 }
 
+bool BallRoute::exactly_zero(const AskedValue& asked) {
+    const BallLevel* const level = length_ ? at_level(length_->bits()) : nullptr;
+    switch (asked.quantity) {
+    case Quantity::gap:
+        return on_edge(asked.distance());
+    case Quantity::ux:
+    case Quantity::uz:
+        return asked.reference && asked.distance() == *asked.reference;
+    case Quantity::szz:
+    case Quantity::sxz: { // on the free surface
+        if (level == nullptr || asked.in_body->z.sign() != 0) {
+            return false;
+        }
+        const Ball x = formula::ball_of(asked.in_body->x, level->bits());
+        return certainly_less(level->a(), x) || certainly_less(level->b(), -x);
+    }
+    default:
+        return false;
+    }
+}
+
+bool BallRoute::on_edge(const Distance& from_right) {
+    if (from_right.number() && from_right.number()->sign() == 0) {
+        return true;
+    }
+    const BallLevel* const level = length_ ? at_level(length_->bits()) : nullptr;
+    const auto is_zero = [&](Edge edge) {
+        const auto at = level->contact().known(edge);
+        const Expr x = edge == Edge::right ? from_right.x()->expr() : -from_right.x()->expr();
+        return at && contact::certainly_zero(at->expr() - x);
+    };
+    return level != nullptr && from_right.x() && (is_zero(Edge::right) || is_zero(Edge::left));
+}
+
 void BallRoute::refuse_outside(Edge edge, const Distance& u) {
     if (!u.number()) {
         if (length_) {
@@ -179,8 +218,16 @@ void BallRoute::refuse_outside(Edge edge, const Distance& u) {
         known_length_ && distance != nullptr
             ? *distance < *known_length_
             : !length_ || certainly_less(u.enclosure({}, {}, length_->bits()), *length_);
+    const bool outside =
+        u.number()->sign() < 0 ||
+        (known_length_ && distance != nullptr
+             ? *distance > *known_length_
+             : length_ && certainly_less(*length_, u.enclosure({}, {}, length_->bits())));
+    if (outside) {
+        throw OutsideContact();
+    }
     if (!inside) {
-        throw DomainError("the point lies outside the contact");
+        throw DomainError("the point is on an edge, or cannot be distinguished from it");
     }
 }
 
@@ -194,7 +241,7 @@ void BallRoute::refuse_outside_by_edges(Edge edge, const Distance& u) {
         }
         const Ball from = level->distance(u);
         if (certainly_negative(from) || certainly_less(level->length(), from)) {
-            throw DomainError("the point lies outside the contact");
+            throw OutsideContact();
         }
         outside = !certainly_positive(from) || !certainly_less(from, level->length());
         if (!outside &&

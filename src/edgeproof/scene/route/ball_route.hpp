@@ -63,8 +63,12 @@ private:
     [[nodiscard]] std::optional<Rational> known(Edge edge) const;
     /// Stores that distance.
     void know(Edge edge);
-    /// Throws DomainError for a point outside the contact, and for a place given by the edges that
-    /// many bits do not separate from a corner.
+    /// True if a value is proved to be 0 by its definition, where a ball would only contain 0.
+    [[nodiscard]] bool exactly_zero(const AskedValue& asked);
+    /// True if a place, by its distance from the right edge, is proved to be an edge.
+    [[nodiscard]] bool on_edge(const Distance& from_right);
+    /// Throws OutsideContact for a point outside the contact, and DomainError for one on an edge or
+    /// a place given by the edges that many bits do not separate from a corner.
     void refuse_outside(Edge edge, const Distance& u);
     void refuse_outside_by_edges(Edge edge, const Distance& u);
     /// If x is a number, exact algebra decides.

@@ -4,6 +4,7 @@
 #include "edgeproof/contact/slip/ball_slip.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/magnitude.hpp"
+#include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/route/plan.hpp"
@@ -20,6 +21,12 @@
 #include <vector>
 
 namespace edgeproof::scene {
+
+/// The place lies outside the contact, where p and q are 0.
+class OutsideContact : public DomainError {
+public:
+    OutsideContact() : DomainError("the point lies outside the contact") {}
+};
 
 /// The sum of the first n terms of an expansion at the distance u from its edge, by Horner's rule.
 /// The first term is c_0 sqrt(u), or c_0/sqrt(u) if it is `singular`. `value` returns the number in

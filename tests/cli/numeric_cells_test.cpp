@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+#include "tests/cli/run_program.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+#include <sstream>
+
+using namespace edgeproof;
+using namespace edgeproof::test;
+
+namespace {
+
+/// Returns the cells of a line of CSV in which no cell has a comma of its own.
+std::vector<std::string> cells(const std::string& line) {
+    std::vector<std::string> list;
+    std::istringstream in(line);
+    for (std::string cell; std::getline(in, cell, ',');) {
+        list.push_back(cell);
+    }
+    if (line.ends_with(',')) {
+        list.emplace_back();
+    }
+    return list;
+}
+
+/// The rows without notes; the head comes first.
+std::vector<std::vector<std::string>> rows(const std::string& csv) {
+    std::vector<std::vector<std::string>> list;
+    for (const std::string& line : lines(csv)) {
+        if (!line.starts_with('#')) {
+            list.push_back(cells(line));
+        }
+    }
+    return list;
+}
+
+bool is_numeric(const std::string& column) {
+    static const std::set<std::string> texts{"edge", "asked", "state", "body", "quantity"};
+    return !texts.contains(column) && !column.ends_with("route");
+}
+
+bool is_one_number(const std::string& cell) {
+    try {
+        (void)parse_decimal(cell);
+        return cell.find('/') == std::string::npos;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+/// Checks all numeric cells; returns how many are not empty.
+int check_cells(const std::string& csv) {
+    int numbers = 0;
+    const auto table = rows(csv);
+    for (std::size_t i = 1; i < table.size(); ++i) {
+        REQUIRE(table[i].size() == table[0].size());
+        for (std::size_t j = 0; j < table[i].size(); ++j) {
+            const std::string& cell = table[i][j];
+            CAPTURE(table[0][j]);
+            CAPTURE(cell);
+            if (is_numeric(table[0][j]) && !cell.empty()) {
+                CHECK(is_one_number(cell));
+                ++numbers;
+            }
+        }
+    }
+    return numbers;
+}
+
+} // namespace
+
+TEST_CASE("a cell of a numeric column is one number: drawn scenes of all kinds, all commands") {
+    constexpr unsigned seed = 52;
+    CAPTURE(seed);
+    std::mt19937_64 random(seed);
+    const auto one_of = [&](const std::vector<std::string>& list) {
+        return list[random() % list.size()];
+    };
+    const std::vector<std::string> profiles{
+        "kind = 'hertz'\nR = '10'\n",
+        "kind = 'power-law'\nm = '3'\nC = '1/7'\n",
+        "kind = 'wedge'\nphi = '1/10'\n",
+        "kind = 'tilted-wedge'\nphi = '1/10'\nalpha = '1/50'\n",
+        "kind = 'flat-and-rounded'\nt = '0.4'\nR = '1'\n",
+        "kind = 'tilted-flat-and-rounded'\nalpha = '1/100'\nt = '0.4'\nR = '1'\n",
+        "kind = 'piecewise'\nsymmetric = true\nknots = ['1/2']\nslopes = ['0', 'x - 1/2']\n",
+        "kind = 'sphere'\nR = '10'\n",
+        "kind = 'cone'\nphi = '1/10'\n",
+    };
+    const Folder folder;
+    int answered = 0;
+    int numbers = 0;
+    for (const std::string& profile : profiles) {
+        const std::string load = one_of({"P = '280/9'", "P = '1/3'", "P = '1'"});
+        const std::string shear =
+            one_of({"", "[shear]\nQ = '1/20'\nfriction = '0.5'\n", "[shear]\nQ = '1/20'\n"});
+        const std::string x = one_of({"'0', '1/30', 'a/3'", "'a', '100', '0'", "'-1/7', '1/7'"});
+        folder.write("s.toml", "[profile]\n" + profile + "[load]\n" + load +
+                                   "\ncontact_modulus = '1000'\nnu = '0.3'\n" + shear +
+                                   "[ask]\nterms = [1, 2]\ndigits = 8\ntolerance = '1%'\n" +
+                                   "points = [" + points + "]\nx = [" + x + "]\n");
+        for (const char* const command :
+             {"pressure", "pressure --binary64 --round down", "pressure --quantity peak", "expand",
+              "extent", "slip", "stress", "stress --greatest tau_max", "displacement",
+              "displacement --reference 0"}) {
+            CAPTURE(profile + load + shear + x);
+            CAPTURE(command);
+            const Outcome result = run(folder, std::string(command) + " s.toml --no-notes");
+            CHECK((result.code == 0 || result.code == 2));
+            if (result.code == 0) {
+                ++answered;
+                numbers += check_cells(result.out);
+            }
+        }
+    }
+    CHECK(answered > 40);
+    CHECK(numbers > 500);
+}
+
+TEST_CASE("answers of everyday commands, each in its cell") {
+    const std::string hertz = "--hertz --R 10 --P 5 --E 1 --nu 0.3 ";
+    // a^2 = 4 P R/(pi E*), E* = 1/(2 (1 - nu^2)), p_0 = 2 P/(pi a)
+    struct Cell {
+        std::string command;
+        std::size_t row;
+        const char* column;
+        const char* text; ///< to 6 digits
+    };
+    const std::string low_nu = "--hertz --R 10 --a 1 --contact-modulus 20 --nu 0.1 "; // p_0 = 1
+    const std::string friction = "--hertz --R 10 --P pi/2 --contact-modulus 20 --nu 0.1 "
+                                 "--friction 0.1 --Q pi/100 ";
+    const std::vector<Cell> all{
+        {"pressure " + hertz + "--quantity contact", 1, "value", "10.7641"},
+        {"pressure " + hertz + "--quantity peak", 1, "quantity", "a"},
+        {"pressure " + low_nu + "--x 0,7/2 ", 1, "p", "1.00000"},
+        {"pressure " + low_nu + "--x 0,7/2 ", 2, "p", "0"},
+        {"pressure " + low_nu + "--x 0,7/2 ", 2, "x", "3.5"},
+        {"pressure " + hertz + "--x 100,0 ", 1, "p", "0"},
+        {"pressure " + low_nu + "--u 1/3 ", 1, "u", "0.333333"},
+        {"stress " + low_nu + "--greatest mises", 1, "mises", "0.800000"}, // (1 - 2 nu) p_0
+        {"stress " + low_nu + "--greatest mises", 1, "x", "0"},
+        {"stress " + low_nu + "--greatest mises", 1, "z", "0"},
+        {"stress " + low_nu + "--point 1/3,0", 1, "x", "0.333333"},
+        {"stress " + hertz + "--point 0,a/2", 1, "z", "5.38203"},
+        {"displacement " + low_nu + "--x 1,2", 1, "gap", "0"},
+        {"displacement " + low_nu + "--x 2,-1", 2, "gap", "0"},
+        {"displacement " + hertz + "--x a,-a", 1, "gap", "0"},
+        {"displacement " + hertz + "--x a,-a", 1, "x", "10.7641"},
+        {"displacement " + hertz + "--x a,-a", 2, "gap", "0"},
+        {"displacement --wedge --phi 1/10 --P 3/20 --contact-modulus 1 --x 3/2", 1, "gap", "0"},
+    };
+    const Folder folder;
+    for (const Cell& cell : all) {
+        CAPTURE(cell.command);
+        CAPTURE(cell.column);
+        const Outcome result = run(folder, cell.command + " --digits 6 --no-notes");
+        CAPTURE(result.err);
+        REQUIRE(result.code == 0);
+        const auto table = rows(result.out);
+        REQUIRE(table.size() > cell.row);
+        const auto at = std::ranges::find(table[0], cell.column) - table[0].begin();
+        CHECK(table[cell.row].at(static_cast<std::size_t>(at)) == cell.text);
+        (void)check_cells(result.out);
+    }
+    // With friction the greatest value is in the stick zone at x = 0: 3 q^2 + (1 - 2 nu)^2 p^2
+    // with q = 0.1 p_0 (1 - sqrt(1 - Q/(f P))), Q/(f P) = 0.2.
+    const Outcome slipping = run(folder, "stress " + friction +
+                                             "--greatest mises --digits 6 "
+                                             "--no-notes --columns x,z,mises");
+    CAPTURE(slipping.err);
+    CHECK(rows(slipping.out).at(1) == std::vector<std::string>{"0", "0", "0.800209"});
+}
+
+TEST_CASE("a step of a history before there is shear has q = 0") {
+    const Folder folder;
+    folder.write("h.toml", "[profile]\nkind = 'hertz'\nR = '10'\n[load]\ncontact_modulus = '20'\n"
+                           "[shear]\nfriction = '0.5'\n[[step]]\nP = '1'\n[[step]]\nQ = '0.1'\n"
+                           "[ask]\nx = ['0', '0.1']\n");
+    const Outcome result =
+        run(folder, "pressure h.toml --quantity shear --step 1 --no-notes --columns q,q_bound");
+    CAPTURE(result.err);
+    CHECK(result.out == "q,q_bound\n0,0\n0,0\n");
+}
+
+TEST_CASE("messages about places name the option and the place") {
+    const Folder folder;
+    const Outcome depth = run(folder, "stress --hertz --R 10 --P 5 --E 1 --nu 0.3 --point 0,c/2");
+    CHECK(depth.code == 2);
+    CHECK(depth.err.find("--point 0,c/2: unknown name 'c'") != std::string::npos);
+}

@@ -2,6 +2,7 @@
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/report/figures/scene_figure.hpp"
+#include "edgeproof/scene/input/readers.hpp"
 
 namespace edgeproof::cli {
 namespace {

@@ -188,7 +188,6 @@ private:
                 return;
             }
             if (row.asked.quantity == Quantity::x && is_by_x(row) &&
-                scene_.ask.u[row.point].place->number() &&
                 dynamic_cast<const OutsideContact*>(&error) != nullptr) {
                 outside_ = std::pair(row.asked.edge, row.point);
                 compute_outside(row);
@@ -212,14 +211,18 @@ private:
     }
     /// Gives x, p = 0 and q = 0 at a place outside the contact; nothing else has a value there.
     void compute_outside(Row& row) const {
-        const auto known = [&](const Exact& x) {
-            return BoundedValue{formula::ball_of(x, plan_.bits), true, "outside the contact",
-                                x.is_rational() ? std::optional(x.rational()) : std::nullopt};
-        };
-        if (row.asked.quantity == Quantity::x) {
-            row.value = known(*scene_.ask.u[row.point].place->number());
-        } else if (row.asked.quantity == Quantity::p || row.asked.quantity == Quantity::q) {
-            row.value = known(Exact::of(0));
+        const std::string route = "outside the contact";
+        if (row.asked.quantity == Quantity::p || row.asked.quantity == Quantity::q) {
+            row.value = BoundedValue{Ball(0, plan_.bits), true, route, Rational(0)};
+        } else if (row.asked.quantity == Quantity::x) {
+            const auto x = scene_.ask.u[row.point].place->number();
+            const Ball& a = result_.at(Quantity::a).value;
+            row.value =
+                x ? BoundedValue{formula::ball_of(*x, plan_.bits), true, route,
+                                 x->is_rational() ? std::optional(x->rational()) : std::nullopt}
+                  : BoundedValue{row.asked.distance().x_enclosure(a, result_.at(Quantity::b).value,
+                                                                  a.bits()),
+                                 result_.at(Quantity::a).proved, route};
         }
     }
     void search(const AskedValue& asked) {
@@ -248,7 +251,7 @@ private:
         const std::string what =
             def.place == QuantityRow::Place::body
                 ? text_of(row.asked)
-                : symbol_of(row.asked) + " at " + scene_.ask.u[row.point].text();
+                : std::string(def.name) + " at " + scene_.ask.u[row.point].text();
         throw InputError(what + ": " + error.what(), "leave this point out")
             .at(scene_.file, scene_.ask_line);
     }

@@ -238,6 +238,9 @@ Place::Names names_of(const Scene& scene) {
 Place::Names exact_names_of(const Scene& scene) {
     constexpr long bits = 256; // enough to isolate the edges of most contacts
     Place::Names names = names_of(scene);
+    if (!scene.steps.empty()) {
+        return names; // each step has its own edges
+    }
     if (scene.load.kind == Load::Kind::right_edge) {
         names.insert_or_assign("a", scene.load.value.expr());
     }

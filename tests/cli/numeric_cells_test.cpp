@@ -40,7 +40,8 @@ std::vector<std::vector<std::string>> cells_of_table(const std::string& csv) {
 }
 
 bool is_numeric(const std::string& column) {
-    static const std::set<std::string> texts{"edge", "asked", "state", "body", "quantity"};
+    static const std::set<std::string> texts{"edge", "asked",    "state",
+                                             "body", "quantity", "crossings"};
     return !texts.contains(column) && !column.ends_with("route");
 }
 

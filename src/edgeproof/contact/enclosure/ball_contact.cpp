@@ -49,13 +49,36 @@ BallContact::BallContact(const Profile& near, const Ball& alpha, const Exact& co
 
 void BallContact::solve(const Exact& contact_modulus, const Load& load) {
     const Ball given = constant(load.value.expr());
-    bool isolated = true;
-    try {
-        a_ = known_a_ ? given : solve_right_edge_for_force(given);
-        b_ = solve_left_edge(a_);
-    } catch (const BudgetError&) {
-        // Too few bits, or an edge on a corner, which no number of bits can isolate.
-        isolated = false;
+    // Newton's method doubles the digits: the searches begin with the edges of half as many bits.
+    constexpr long fewest_bits = 128;
+    if (!power_ && !profile_.symmetric() && bits_ >= 2 * fewest_bits) {
+        try {
+            const BallContact coarse(profile_, contact_modulus, load, bits_ / 2);
+            if (coarse.known_b_) {
+                lie_at({*coarse.known_a_, *coarse.known_b_});
+                fix();
+                return;
+            }
+            a_ = coarse.a_.with_bits(bits_);
+            b_ = coarse.b_.with_bits(bits_);
+        } catch (const BudgetError&) {
+            // More bits may isolate the edges.
+        }
+    }
+    const auto isolate = [&] {
+        try {
+            a_ = known_a_ ? given : solve_right_edge_for_force(given);
+            b_ = solve_left_edge(a_);
+            return true;
+        } catch (const BudgetError&) {
+            // Too few bits, or an edge on a corner, which no number of bits can isolate.
+            return false;
+        }
+    };
+    bool isolated = isolate();
+    if (!isolated && certainly_positive(b_)) {
+        a_ = b_ = Ball(0, bits_);
+        isolated = isolate();
     }
     if (!isolated || edge_may_be_on_knot()) {
         if (!isolated) {
@@ -152,7 +175,7 @@ std::vector<Mark<Ball>> BallContact::marks(const Extent<Ball>& e) const {
 
 BallContact BallContact::with_right_edge(const Ball& a) const {
     BallContact other(*this);
-    other.move_edges(a, a);
+    other.move_edges(a, Ball(0, bits_));
     other.b_ = other.solve_left_edge(a);
     other.fix();
     return other;
@@ -232,6 +255,7 @@ Ball BallContact::solve_left_edge(const Ball& a, bool prove) const {
 // the flat itself the edge is not determined.
 Ball BallContact::left_edge_from(const Ball& end, const Ball& start, const Ball& a,
                                  bool prove) const {
+    const bool near = certainly_positive(b_ - end); // b_ is a start from a search with fewer bits
     return end + isolate_zero(
                      [&](const Ball& y) {
                          return imbalance({a, end + y});
@@ -241,7 +265,8 @@ Ball BallContact::left_edge_from(const Ball& end, const Ball& start, const Ball&
                          const Ball b = end + y;
                          return -(over_measure<LeftRateKernel>({a, b}) / (a + b));
                      },
-                     start, "the left edge", {.prove = prove, .most_stalls = known_a_ ? 400 : 40});
+                     near ? b_ - end : start, "the left edge",
+                     {.prove = prove, .near = near, .most_stalls = known_a_ ? 400 : 40});
 }
 
 Ball BallContact::solve_right_edge_for_force(const Ball& P, bool prove) const {
@@ -250,6 +275,7 @@ Ball BallContact::solve_right_edge_for_force(const Ball& P, bool prove) const {
     }
     const auto end = flat_end(Edge::right);
     const Ball L = end ? slope_.knots[*end] : Ball(0, bits_);
+    const bool near = certainly_positive(b_) && certainly_positive(a_ - L); // as for the left edge
     // The start P/E* is the length that the force would indent; any positive start is possible.
     return L + isolate_zero(
                    [&](const Ball& z) {
@@ -260,8 +286,8 @@ Ball BallContact::solve_right_edge_for_force(const Ball& P, bool prove) const {
                        const Ball a = L + z;
                        return -force_rate_of({a, solve_left_edge(a, prove)}, Edge::right);
                    },
-                   P / modulus_, "the right edge",
-                   {.prove = prove, .nested = true, .most_stalls = 40});
+                   near ? a_ - L : P / modulus_, "the right edge",
+                   {.prove = prove, .nested = true, .near = near, .most_stalls = 40});
 }
 
 Ball BallContact::force() const { return power_ ? power_->force(a_) : force_of({a_, b_}); }

@@ -98,7 +98,7 @@ RelativeError::Over RelativeError::over(const Rational& lo, const Rational& hi) 
 }
 bool RelativeError::corner_between(const Rational& lo, const Rational& hi) const {
     const std::vector<Ball> corners = contact_.corners(edge_);
-    return certainly_less(tolerance_, Ball(1, bits_)) &&
+    return !certainly_less(Ball(1, bits_), tolerance_) &&
            std::any_of(corners.begin(), corners.end(), [&](const Ball& u) {
                return certainly_less(Ball(lo, bits_), u) && certainly_less(u, Ball(hi, bits_));
            });

@@ -12,11 +12,35 @@ namespace {
 
 constexpr int most_zone_steps = 400;
 constexpr int most_growing_steps = 60;
+constexpr int halvings_of_an_edge = 40;
 constexpr long bits_of_a_zone_step = 12; ///< bits lost when Newton's steps have converged
 
 /// Returns (E*/4) times the integral of (g' + tilt)/w (docs/partial-slip.md, "Enclosed").
 Ball turn_of(const ZoneSolver& zones, const ZoneValues& v, const Ball& tilt) {
     return zones.modulus() * Ball::pi(zones.bits()) / 4 * (v.mean_slope + tilt);
+}
+
+/// Finds a start for ZoneSolver::search by halving, for a zone that is small compared with `near`.
+/// The mean slope increases with the right edge and decreases with the left one; F increases with
+/// both.
+BallZone halved(const ZoneSolver& zones, const Ball& force, const Ball& tilt,
+                const BallZone& near) {
+    const auto halve = [](Ball lo, Ball hi, const auto& beyond) {
+        for (int k = 0; k < halvings_of_an_edge; ++k) {
+            const Ball m = middle((lo + hi) / 2);
+            (beyond(m) ? hi : lo) = m;
+        }
+        return hi;
+    };
+    const auto left_edge = [&](const Ball& a) {
+        return halve(-a, near.b, [&](const Ball& b) {
+            return !certainly_positive(turn_of(zones, zones.values({a, b}), tilt));
+        });
+    };
+    const Ball a = halve(-near.b, near.a, [&](const Ball& x) {
+        return !certainly_less(zones.values({x, left_edge(x)}).force, force);
+    });
+    return {a, left_edge(a)};
 }
 
 class LinearZones : public ZoneSolver {
@@ -142,7 +166,13 @@ BallZone ZoneSolver::search(const Ball& force, const Ball& tilt, const BallZone&
 // derivatives (dP/da + turn, turn) and (-turn, dP/db - turn), where turn is 0 at the zone: no
 // matrix is inverted (docs/partial-slip.md, "The corrective contact").
 BallZone ZoneSolver::zone(const Ball& force, const Ball& tilt, const BallZone& near) const {
-    const BallZone m = search(force, tilt, near);
+    const BallZone m = [&] {
+        try {
+            return search(force, tilt, near);
+        } catch (const BudgetError&) {
+            return search(force, tilt, halved(*this, force, tilt, near));
+        }
+    }();
     const ZoneValues at = values(m);
     const Ball missing = at.force - force;
     const Ball turn = m.length() * turn_of(*this, at, tilt);

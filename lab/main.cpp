@@ -4,6 +4,6 @@
 
 int main(int argc, char** argv) {
     using namespace edgeproof::cli;
-    const LabCommands lab{add_mutate, add_bounds, add_cost};
+    const LabCommands lab{add_bounds, add_cost};
     return run_edgeproof(argc, argv, &lab);
 }

@@ -3,7 +3,6 @@
 
 #include "edgeproof/cli/all_commands.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/io/child_process.hpp"
 #include "edgeproof/io/process_cleanup.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/interruption.hpp"
@@ -51,48 +50,6 @@ std::string written(const report::Table& table, const Output& o) {
            : o.json ? write_table(table, report::TableFormat::json)
            : o.md   ? write_table(table, report::TableFormat::markdown)
                     : aligned_text(table) + report::program_line() + "\n";
-}
-
-struct CasesOptions {
-    std::string file = "reference/hard-cases.toml";
-    std::string digits = "50";
-    std::string threads;
-    bool classes = false;
-    Output output;
-};
-
-int hard_cases(const CasesOptions& o) {
-    const auto cases =
-        validation::parse_hard_cases(io::read_text(o.file, "file of hard cases (TOML)"), o.file);
-    validation::CaseOptions options;
-    options.digits = digits_of(o.digits, most_digits_of_bounds);
-    options.threads = threads_of(o.threads);
-    const auto outcomes =
-        with_progress("cases", options.progress, [&] { return run_cases(cases, options); });
-    const bool text = !o.output.csv && !o.output.json && !o.output.md;
-    if (!o.classes) {
-        const report::Table table = case_table(cases, outcomes, options.digits, text);
-        std::printf("%s%s", written(table, o.output).c_str(), text ? "\n" : "");
-    }
-    if (o.classes || text) {
-        std::printf("%s", written(family_table(cases, outcomes, options.digits), o.output).c_str());
-    }
-    std::size_t faults = 0;
-    std::size_t undecided = 0;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        undecided += outcomes[i].undecided ? 1 : 0;
-        if (!outcomes[i].fault.empty()) {
-            ++faults;
-            std::fprintf(stderr, "%s:%zu: %s: %s\n", o.file.c_str(), cases[i].line,
-                         cases[i].name.c_str(), outcomes[i].fault.c_str());
-        }
-    }
-    if (text) {
-        std::printf("\n%zu cases: %zu by ball and two routes alike, %zu undecided by balls as the "
-                    "cases say why, %zu otherwise\n",
-                    cases.size(), cases.size() - faults - undecided, undecided, faults);
-    }
-    return faults == 0 ? 0 : 1;
 }
 
 struct CountingOptions {
@@ -161,64 +118,6 @@ int binary64(const CountingOptions& o) {
     return result.total.failures() == 0 ? 0 : 1;
 }
 
-struct HonestyChoice {
-    std::string digits = "50";
-    std::string scripts = "bench/honesty";
-    Output output;
-};
-
-constexpr double script_seconds = 600;
-
-/// Another program for the same task, if its interpreter and its script are there.
-struct Peer {
-    const char* name;
-    const char* needs; ///< a command that succeeds if the interpreter is suitable
-    const char* script;
-    const char* run; ///< the shell command; $0 is the script
-};
-constexpr Peer peers[] = {
-    {"mpmath quad", "python3 -P -c 'import mpmath' 2>/dev/null", "mpmath_quad.py", "python3 \"$0\""},
-    {"PARI intnum", "command -v gp >/dev/null", "pari_intnum.gp",
-     "gp -q -f \"$0\" 3<&0 </dev/null"},
-};
-
-int honesty_of_routes(const HonestyChoice& o) {
-    validation::HonestyOptions options;
-    options.digits = digits_of(o.digits, most_digits_of_bounds);
-    const auto points = validation::honesty_points();
-    std::vector<std::pair<std::string, validation::ClaimedValues>> others;
-    std::vector<std::string> skipped;
-    for (const Peer& peer : peers) {
-        const auto script = std::filesystem::path(o.scripts) / peer.script;
-        if (!std::filesystem::exists(script)) {
-            skipped.push_back(std::string(peer.name) + " is left out: there is no " +
-                              script.string());
-            continue;
-        }
-        const auto run = [&](const std::string& command, const std::string& input) {
-            io::ProgramCall call = io::shell_call(command);
-            call.input = input;
-            call.seconds = script_seconds;
-            call.said = ProgramMessages();
-            return run_program(call);
-        };
-        if (run(peer.needs, "").exit_code != 0) {
-            skipped.push_back(std::string(peer.name) + " is left out: its interpreter is not here");
-            continue;
-        }
-        const io::ProgramRun answered =
-            run("sh -c " + single_quoted(peer.run) + " " + single_quoted(script.string()),
-                validation::integral_questions(points, options.digits));
-        others.emplace_back(peer.name, validation::integral_answers(answered.output));
-    }
-    const auto rows =
-        with_progress("values", options.progress, [&] { return honesty(points, others, options); });
-    report::Table table = honesty_table(rows, options.digits);
-    table.notes.insert(table.notes.end(), skipped.begin(), skipped.end());
-    std::printf("%s", written(table, o.output).c_str());
-    return 0;
-}
-
 void add_counting_options(CLI::App& sub, CountingOptions& o, bool digits) {
     sub.add_option("--values", o.values, "how many")->capture_default_str();
     sub.add_option("--seed", o.seed, "what they are drawn from")->capture_default_str();
@@ -237,16 +136,6 @@ void add_bounds(CLI::App& app, int& code) {
     CLI::App& all = *app.add_subcommand(lab_bounds.name, lab_bounds.help);
     all.require_subcommand(1);
 
-    auto [cases, c] = add_command<CasesOptions>(
-        all, code, "hard-cases",
-        "values that are hard to get right, by ball and by two routes; exit 1 where they differ",
-        hard_cases);
-    cases.add_option("file", c.file, "the cases (TOML)")->capture_default_str();
-    cases.add_option("--digits", c.digits, "digits asked for")->capture_default_str();
-    add_threads_option(cases, c.threads);
-    cases.add_flag("--classes", c.classes, "a row a class only");
-    add_output(cases, c.output);
-
     auto [counting, n] = add_command<CountingOptions>(
         all, code, "count",
         "values drawn from a seed, each tested: enclosed, rounded correctly, tight; exit 1 "
@@ -261,18 +150,6 @@ void add_bounds(CLI::App& app, int& code) {
         binary64);
     b.values = "1000000";
     add_counting_options(words, b, false);
-
-    auto [honest, h] = add_command<HonestyChoice>(
-        all, code, "honesty",
-        "the errors that routes claim, compared with their true errors: ours, and other "
-        "libraries' used plainly",
-        honesty_of_routes);
-    honest.add_option("--digits", h.digits, "digits asked for")->capture_default_str();
-    honest.add_option("--scripts", h.scripts, "folder of the scripts for mpmath and PARI")
-        ->capture_default_str();
-    add_output(honest, h.output);
-
-    add_bounds_speed(all, code);
 }
 
 } // namespace edgeproof::cli

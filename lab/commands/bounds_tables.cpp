@@ -47,71 +47,6 @@ void add_counts(report::Table& t, const validation::CountKind& kind,
 
 } // namespace
 
-report::Table case_table(const std::vector<validation::HardCase>& cases,
-                         const std::vector<validation::CaseOutcome>& outcomes, unsigned digits,
-                         bool brief) {
-    report::Table t;
-    t.title = "Hard cases at " + std::to_string(digits) + " digits";
-    t.notes = {"double ... MPFR 50: digits right of the textbook formula in that arithmetic",
-               "proved: digits of the enclosure; route_1, route_2: digits in which two routes in "
-               "Real agree with it, as far as it goes",
-               "fault: empty where the enclosure determines every digit and both routes agree"};
-    t.columns = {{"case", Kind::text}, {"class", Kind::text}, {"quantity", Kind::text}};
-    if (!brief) {
-        t.columns.insert(t.columns.end(), {{"value"}, {"bound"}});
-    }
-    for (const std::string_view name : validation::plain_arithmetics) {
-        t.columns.push_back({std::string(name), Kind::count});
-    }
-    t.columns.insert(t.columns.end(), {{"proved"}, {"route_1"}, {"route_2"}});
-    if (!brief) {
-        t.columns.push_back({"fault", Kind::text});
-    }
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        const validation::CaseOutcome& o = outcomes[i];
-        std::vector<std::string> row{cases[i].name, cases[i].family, text_of(cases[i].asked)};
-        if (!brief) {
-            row.insert(row.end(), {o.value, o.bound});
-        }
-        for (const unsigned d : o.plain) {
-            row.push_back(std::to_string(d));
-        }
-        row.push_back(o.proved ? capped(o.digits) : "");
-        for (std::size_t k = 0; k < 2; ++k) {
-            row.push_back(k < o.second_routes.size() ? capped(o.second_routes[k].digits) : "");
-        }
-        if (!brief) {
-            row.push_back(o.fault);
-        }
-        t.rows.push_back(std::move(row));
-    }
-    return t;
-}
-
-report::Table family_table(const std::vector<validation::HardCase>& cases,
-                           const std::vector<validation::CaseOutcome>& outcomes, unsigned digits) {
-    report::Table t;
-    t.title = "Hard cases, class by class, at " + std::to_string(digits) + " digits";
-    t.notes = {"digits right of the textbook formula in each arithmetic, and of ours as proved: "
-               "worst / median of the class",
-               "agree: cases in which the enclosure determines every digit and two routes in Real "
-               "have them too"};
-    t.columns = {{"class", Kind::text}, {"cases", Kind::count}, {"agree", Kind::count}};
-    for (const std::string_view name : validation::plain_arithmetics) {
-        t.columns.push_back({std::string(name), Kind::number});
-    }
-    t.columns.push_back({"ours", Kind::number});
-    for (const validation::FamilySummary& s : summary(cases, outcomes)) {
-        std::vector<std::string> row{s.family, std::to_string(s.cases), std::to_string(s.agree)};
-        for (std::size_t j = 0; j < s.worst.size(); ++j) {
-            row.push_back(std::to_string(s.worst[j]) + " / " + std::to_string(s.median[j]));
-        }
-        row.push_back(capped(s.worst_proved) + " / " + capped(s.median_proved));
-        t.rows.push_back(std::move(row));
-    }
-    return t;
-}
-
 report::Table count_table(const validation::CountOptions& options,
                           const validation::CountResult<validation::CountFinding>& result) {
     using Cell = validation::CountCell;
@@ -145,46 +80,6 @@ report::Table binary64_table(const validation::CountResult<std::string>& count) 
         t, validation::binary64_count(), {"value", "place"},
         {{"values", &Cell::values}, {"undecided", &Cell::undecided}, {"wrong", &Cell::wrong}},
         count.cells, count.total);
-    return t;
-}
-
-report::Table honesty_table(const std::vector<validation::HonestyRow>& rows, unsigned digits) {
-    report::Table t;
-    t.title = "Claimed error against true error, at " + std::to_string(digits) + " digits";
-    t.notes = {
-        "none: no value, and none is claimed; understated: the true error is larger than claimed",
-        "worst ratio: log10 of the largest true/claimed error; below 0 the claim holds",
-        "claimed, right: digits of that value, as claimed and as they are; lost: the "
-        "difference"};
-    t.columns = {{"route", Kind::text},         {"profile", Kind::text},
-                 {"regime", Kind::text},        {"points", Kind::count},
-                 {"none", Kind::count},         {"understated", Kind::count},
-                 {"worst ratio", Kind::number}, {"claimed", Kind::number},
-                 {"right", Kind::number},       {"lost", Kind::number}};
-    for (const validation::HonestyRow& r : rows) {
-        std::vector<std::string> row{r.route,
-                                     r.profile,
-                                     r.regime,
-                                     std::to_string(r.points),
-                                     std::to_string(r.none),
-                                     std::to_string(r.understated)};
-        if (r.none < r.points) {
-            const bool all = r.least_claimed >= most_digits_right && r.least_right == 0;
-            const unsigned lost =
-                r.least_claimed > r.least_right ? r.least_claimed - r.least_right : 0;
-            const long tenths = std::lround(10 * r.worst_ratio);
-            row.push_back(all ? "infinite"
-                              : std::string(tenths < 0 ? "-" : "") +
-                                    std::to_string(std::labs(tenths) / 10) + "." +
-                                    std::to_string(std::labs(tenths) % 10));
-            row.push_back(capped(r.least_claimed));
-            row.push_back(capped(r.least_right));
-            row.push_back(all ? "all" : std::to_string(lost));
-        } else {
-            row.insert(row.end(), 4, "");
-        }
-        t.rows.push_back(std::move(row));
-    }
     return t;
 }
 

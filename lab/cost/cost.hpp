@@ -7,10 +7,8 @@
 ///                   on which times are taken
 ///   growth.hpp      how cost grows with the digits; the cost of a proof, of tilt, shear,
 ///                   expansions and extents in a scene
-///   speed_scan.hpp  random scenes: which take much longer than others
 ///   cost_tables.hpp, cost_page.hpp  the results in each format
 #include "lab/cost/cost_case.hpp"
 #include "lab/cost/cost_route.hpp"
 #include "lab/cost/growth.hpp"
 #include "lab/cost/measure.hpp"
-#include "lab/cost/speed_scan.hpp"

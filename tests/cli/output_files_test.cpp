@@ -218,7 +218,7 @@ TEST_CASE("bad input creates no output folder; good input creates it") {
           "compare good.toml bad.csv --junit new/x.xml",
           "check recipe.toml bad.csv --junit new/x.xml",
           "check recipe.toml bad.csv --figure new/x.svg", "verify bad.toml --out new/x",
-          "mutate bad.toml --out new/x.csv", "pack new/x --threads none"}) {
+          "pack new/x --threads none"}) {
         CAPTURE(command);
         CHECK(run(folder, command).code == 2);
         CHECK(folder.files() == before);
@@ -241,8 +241,7 @@ TEST_CASE("a standard output that is full or closed is an error of every command
          {"--version", "--help", "pressure in.toml --digits 5", "expand in.toml --digits 5",
           "explain in.toml", "relations b1", "table recipe.toml", "table recipe.toml --check",
           "points recipe.toml", "check recipe.csv", "compare in.toml mesh.csv",
-          "compare in.toml mesh.csv --json", "pack pack", "pack pack --check",
-          "mutate ledger.toml --mutants 1 --digits 10", "verify ledger.toml",
+          "compare in.toml mesh.csv --json", "pack pack", "pack pack --check", "verify ledger.toml",
           "check --ledger ledger.toml", "bounds count --values 1 --digits 5",
           "cost in.toml --digits 16 --points 1"}) {
         for (const std::string where : {" > /dev/full", " >&-"}) {

@@ -64,9 +64,6 @@ TEST_CASE("every file names the program, its commit and its libraries") {
     REQUIRE(csv.rows.size() == 1);
     CHECK(csv.rows[0].cells.back() == program_line());
 
-    REQUIRE(run(folder, "mutate own.toml --mutants 2 --digits 20 --out m.csv").code == 0);
-    CHECK(names_program(file_text(folder.path() / "m.csv")));
-
     folder.write("a.csv", "id,kind,m,C,a,contact_modulus,quantity,edge,u,value\n"
                           "one,power-law,1,1,1,1,p,right,0.2,0.3\n");
     const Outcome checked = run(folder, "check a.csv --digits 6 --junit j.xml --figure f.csv");

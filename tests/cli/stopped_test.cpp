@@ -196,31 +196,3 @@ TEST_CASE("scenes: a full disk, a full pipe and a folder that is not there are o
     }
     CHECK(folder.files() == 2);
 }
-
-TEST_CASE("mutate --state: stopped again and again, the same mutants in the end") {
-    int runs = 0;
-    // More digits, if the machine is too fast to be stopped twice.
-    for (int digits = 15; runs < 2 && digits < 3000; digits *= 3) {
-        const Folder folder;
-        folder.write("own.toml", stopped_ledger);
-        const std::string command = "mutate own.toml --mutants 12 --digits " +
-                                    std::to_string(digits) + " --threads 2 --out ";
-        const Outcome whole = run(folder, command + "whole.csv");
-        REQUIRE(lines(file_text(folder.path() / "whole.csv")).size() > 8);
-        const std::string state = command + "again.csv --state laid-aside";
-        runs = 0;
-        for (int ms = 20; !std::filesystem::exists(folder.path() / "again.csv") && runs < 200;
-             ms += 20, ++runs) {
-            (void)shell(folder, std::string("timeout -s ") + (runs % 2 == 0 ? "TERM " : "KILL ") +
-                                    seconds(ms) + " " + the_program(state));
-        }
-        CHECK(run(folder, state).out == whole.out);
-        CHECK(file_text(folder.path() / "again.csv") == file_text(folder.path() / "whole.csv"));
-        folder.write("laid-aside", "# something else\n" + file_text(folder.path() / "whole.csv"));
-        const Outcome other = run(folder, state);
-        CHECK(other.code == 2);
-        CHECK(lines(other.err).size() == 1);
-        CHECK(other.err.rfind("laid-aside:1: the state is not one of ", 0) == 0);
-    }
-    CHECK(runs > 1);
-}

@@ -268,21 +268,8 @@ def pack(rng, _library, command):
     return ["pack", "--threads", count(rng, ["1"]), *maybe(rng, 0.3, "--date", value(rng, ["2026-01-01"]))]
 
 
-def mutate(rng, library, command):
-    command.files["in.toml"] = library.drawn("ledger", rng)
-    words = ["in.toml", "--mutants", count(rng, ["1", "3"]), "--digits", count(rng, ["10", "15"]), "--threads", "1"]
-    words += maybe(rng, 0.3, "--seed", count(rng, ["2", "77"])) + maybe(rng, 0.2, "--only", value(rng, ["?*", "EQ*", "x"]))
-    if rng.random() < 0.2:
-        command.written["mutants.csv"] = "csv"
-        words += ["--out", "mutants.csv"]
-    return words
-
-
 def bounds(rng, library, command):
-    kind = rng.choice(["hard-cases"] * 6 + ["count"] * 3 + ["binary64"] * 3 + ["speed", "honesty", "", "x"])
-    if kind == "hard-cases":
-        command.files["in.toml"] = library.drawn("cases", rng)
-        return [kind, "in.toml", "--digits", count(rng, ["10", "16"]), "--threads", "1"]
+    kind = rng.choice(["count"] * 3 + ["binary64"] * 3 + ["", "x"])
     if kind in ("count", "binary64"):
         command.kept = ("state",)
         words = [kind, "--values", count(rng, ["1", "10"]), "--seed", count(rng, ["1", "5", "123"]), "--threads", "1"]
@@ -291,9 +278,7 @@ def bounds(rng, library, command):
             if rng.random() < 0.5:
                 command.files["state"] = library.drawn(rng.choice(["answers", "scene"]), rng)
         return words
-    if kind == "honesty":
-        return [kind, "--digits", bad_count(rng)]
-    return [kind] + (["--scenes", bad_count(rng)] if kind == "speed" else [])
+    return [kind]
 
 
 def cost(rng, library, command):
@@ -325,7 +310,7 @@ def verify(rng, library, command):
 COMMANDS = {"pressure": (pressure, 20), "expand": (expand, 12), "extent": (extent, 10), "slip": (slip, 10),
             "explain": (explain, 6), "plot": (plot, 3), "relations": (relations, 8),
             "design": (design, 2), "table": (table, 6), "points": (points, 6), "check": (check, 10), "compare": (compare, 10),
-            "pack": (pack, 0.6), "mutate": (mutate, 3), "bounds": (bounds, 4), "cost": (cost, 3),
+            "pack": (pack, 0.6), "bounds": (bounds, 2), "cost": (cost, 3),
             "verify": (verify, 10)}
 
 

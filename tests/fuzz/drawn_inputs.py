@@ -50,7 +50,7 @@ def short_lists(text, rng, most=3):
 
 
 def small_recipe(text, rng):
-    """The head and one scene of a recipe, or one case of a file of hard cases."""
+    """The head and one scene of a recipe."""
     pieces = tables(text)
     groups = sorted({".".join(name_of(p).split(".")[:2]) for p in pieces if name_of(p).count(".") >= 1})
     chosen = rng.choice(groups)
@@ -87,7 +87,7 @@ def small_table(text, rng, most=12):
 
 
 class Library:
-    """The shipped files by kind: scene, design, recipe, cases, ledger, answers, mesh."""
+    """The shipped files by kind: scene, design, recipe, ledger, answers, mesh."""
 
     def __init__(self, source):
         source = pathlib.Path(source)
@@ -98,7 +98,6 @@ class Library:
             "design": (source / "examples/design").glob("*.toml"),
             "recipe": [f for f in (source / "reference").glob("*.toml") if f.name != "hard-cases.toml"]
             + [source / "examples/third-party/questions.toml", *(corpus / "recipe").glob("*.toml")],
-            "cases": [source / "reference/hard-cases.toml"],
             "ledger": [source / "verify/moore-hills.toml", source / "examples/third-party/formulas.toml",
                        *(corpus / "ledger").glob("*.toml")],
             "answers": [*(source / "reference").glob("*.csv"), *(corpus / "answers").glob("*.csv")],
@@ -110,7 +109,7 @@ class Library:
     def plain(self, kind, rng):
         """A shipped file of that kind, reduced."""
         text = rng.choice(self.texts[kind])
-        if kind in ("recipe", "cases"):
+        if kind == "recipe":
             return small_recipe(text, rng)
         if kind == "ledger":
             return small_ledger(text, rng)

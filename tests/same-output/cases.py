@@ -86,31 +86,23 @@ def shipped_examples():
 
 
 def shipped_checks(seed):
-    """The ledger of the paper, the pack, the hard cases, and the commands without an input."""
+    """The ledger of the paper, the pack, and the commands without an input."""
     files = read("verify/moore-hills.toml", "verify/moore-hills.expected.csv")
     ledger = ["moore-hills.toml", *ONE, "--only"]
     for group in sorted({i + "*" for i in re.findall(r'(?m)^id = "(\w{3})', files["moore-hills.toml"].decode())}):
         yield Case(f"verify moore-hills {group}", [["verify", *ledger, group, "--digits", "15", "--out", "verdicts"]], files, seconds=6)
     yield Case("verify profile", [["verify", *ledger, "EQ05", "--digits", "20", "--profile", "--record", "--strict"]], files)
-    yield Case("mutate moore-hills", [["mutate", *ledger, "EQ2*", "--mutants", "8", "--digits", "15", "--out", "m.csv"]],
-               files, seconds=6)
     yield Case("pack", [["pack", "pack", *ONE], ["pack", "pack", "--check", *ONE]], seconds=6)
-    pieces = drawn_inputs.tables((ROOT / "reference/hard-cases.toml").read_text(encoding="utf-8"))[1:]
-    for number, options in enumerate((["--csv"], ["--json"], ["--md", "--classes"])):
-        some = "".join(random.Random(f"{seed} hard {number}").sample(pieces, 4)).encode()
-        yield Case(f"bounds hard-cases {number}", [["bounds", "hard-cases", "some.toml", "--digits", "20", *ONE, *options]],
-                   {"some.toml": some}, seconds=6)
     for kind, count in (("count", "60"), ("binary64", "300")):
         words = ["bounds", kind, "--values", count, "--seed", str(seed), *ONE]
         options = ([], ["--csv"], ["--json"], ["--md"], ["--state", "state"])
         yield Case(f"bounds {kind}", [words + o for o in options], seconds=4)
-    yield Case("bounds speed", [["bounds", "speed", "--scenes", "1", "--digits", "15", "--csv"]], seconds=4)
     yield Case("relations", [s for words in (
         "left.c0 right.c0", "left.c1 left.c0 left.s0 --degree 2",
         "right.c1 right.c0 P --symmetric --given P2=m*P1/a --free m")
         for s in in_formats("relations", *words.split())], seconds=4)
     yield Case("help", [["--version"], ["--help"], [], ["none"], *([c, "--help"] for c in drawn_commands.COMMANDS), *(
-        ["bounds", c, "--help"] for c in ("hard-cases", "count", "binary64", "honesty", "speed"))])
+        ["bounds", c, "--help"] for c in ("count", "binary64"))])
 
 
 def scene_cases(seed, count, library):
@@ -150,10 +142,8 @@ def ledger_cases(seed, claims):
         print("no drawn ledgers" + (": Python has no package mpmath (python3-mpmath)" if claims else ""))
         return
     drawn_ledgers = runpy.run_path(str(ROOT / "tests/drawn-ledgers/run"))["drawn_ledgers"]
-    for number, (ledger, digits) in enumerate(drawn_ledgers(seed, claims, [], (15, 20, 30, 50))):
+    for ledger, digits in drawn_ledgers(seed, claims, [], (15, 20, 30, 50)):
         steps = [["verify", "l.toml", "--digits", str(digits), *ONE, "--out", "verdicts"]]
-        if number % 3 == 0:
-            steps += [["mutate", "l.toml", "--mutants", "1", "--digits", "10", *ONE]]
         yield Case(f"drawn ledger {ledger.name}", steps, {"l.toml": ledger.text().encode()}, seconds=4)
 
 

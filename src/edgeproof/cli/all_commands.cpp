@@ -23,8 +23,7 @@ template <const LabCommand& command> void add_name_of(CLI::App& app, int& /*code
 std::string start_lab(int argc, char** argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";
     const std::string_view command = first == "help" && argc > 2 ? argv[2] : first;
-    const std::array<std::string_view, 4> own{lab_bounds.name, lab_cost.name, lab_mutate.name,
-                                              "--write-manual"};
+    const std::array<std::string_view, 3> own{lab_bounds.name, lab_cost.name, "--write-manual"};
     if (std::ranges::find(own, command) == own.end()) {
         return "";
     }
@@ -46,13 +45,12 @@ int run_edgeproof(int argc, char** argv, const LabCommands* lab) {
         }
     }
     take_signals();
-    const LabCommands names{add_name_of<lab_mutate>, add_name_of<lab_bounds>,
-                            add_name_of<lab_cost>};
+    const LabCommands names{add_name_of<lab_bounds>, add_name_of<lab_cost>};
     const LabCommands& of_lab = lab == nullptr ? names : *lab;
     return run_program(argc, argv,
                        {add_pressure, add_expand, add_extent, add_slip, add_stress,
                         add_displacement, add_plot, add_explain, add_relations, add_design,
-                        add_table, add_points, add_check, add_compare, add_pack, of_lab.mutate,
+                        add_table, add_points, add_check, add_compare, add_pack,
                         of_lab.bounds, of_lab.cost, add_verify});
 }
 

@@ -4,8 +4,8 @@
 
 namespace edgeproof::cli {
 
-/// A command of the program's tests of itself (lab). The program edgeproof has only its name and
-/// starts edgeproof-lab, so that the build of the program does not wait for these tests.
+/// A command of lab. The program edgeproof has only its name and starts edgeproof-lab, so that the
+/// build of the program does not wait for lab.
 struct LabCommand {
     const char* name;
     const char* help;
@@ -13,12 +13,9 @@ struct LabCommand {
 inline constexpr LabCommand lab_bounds{"bounds", "evidence that the bounds hold"};
 inline constexpr LabCommand lab_cost{
     "cost", "what a value costs by each route: digits reached, evaluations, time"};
-inline constexpr LabCommand lab_mutate{
-    "mutate", "break the confirmed formulas of a ledger, and see that each mutant is refuted"};
 
 /// Functions that add these commands.
 struct LabCommands {
-    AddCommand* mutate;
     AddCommand* bounds;
     AddCommand* cost;
 };

@@ -37,13 +37,9 @@ constexpr std::array file_kinds{
     KindOfFile{{"ledger", "claim", "family"},
                "a ledger",
                "a ledger (TOML with [ledger], [[family]] and [[claim]])",
-               "edgeproof verify, mutate or check --ledger"},
-    KindOfFile{{"cases"},
-               "a file of hard cases",
-               "a file of hard cases (TOML with [cases.NAME])",
-               "edgeproof bounds hard-cases"},
+               "edgeproof verify or check --ledger"},
 };
-static_assert(file_kinds.size() == static_cast<std::size_t>(FileKind::hard_cases) + 1);
+static_assert(file_kinds.size() == static_cast<std::size_t>(FileKind::ledger) + 1);
 
 /// The first section of a file that only this kind has; empty if there is none.
 std::string_view mark_in(const io::TomlSection& top, const KindOfFile& kind) {

@@ -3,7 +3,6 @@
 #include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/quadrature/gauss_legendre.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
-#include "lab/validation/value_routes.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -75,17 +74,6 @@ private:
     std::size_t table_nodes_;
     std::vector<RateTable> tables_; ///< by knot; empty before tabulate()
 };
-
-/// p, P or delta by AbelQuadrature. It shares only the radius with the other routes.
-[[nodiscard]] SecondRoute by_nested_integrals(const scene::Scene& scene,
-                                              const scene::AskedValue& asked, unsigned digits);
-
-/// p by the other order of integration: E*/pi times the integral of (r' g'(r'))' K(r', r) dr' over
-/// 0 < r' < a, and v K(v, r) for a unit jump at v, where K is the integral of
-/// 1/sqrt((s^2 - r'^2) (s^2 - r^2)) over the s in the contact beyond both radii, an incomplete
-/// elliptic integral (DLMF 19.29.4, Carlson's R_F by Arb). By tanh-sinh between r and the knots.
-[[nodiscard]] SecondRoute by_elliptic_integrals(const scene::Scene& scene,
-                                                const scene::AskedValue& asked, unsigned digits);
 
 /// The n-th coefficient of p/sqrt(u) in powers of u, from pressures p(u) at u = delta, 2 delta,
 /// ..., where delta is 1e-12 of the radius of convergence, by Newton's divided differences (DLMF

@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/validation/abel_quadrature.hpp"
+#include "tests/scene/axisymmetric/abel_quadrature.hpp"
 
-#include "edgeproof/precision/ball/complex_box.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/quadrature/tanh_sinh.hpp"
-#include "edgeproof/scene/run_scene.hpp"
-
-#ifdef EDGEPROOF_ARB_IN_FLINT // see arb_values.hpp
-#include <flint/acb_elliptic.h>
-#else
-#include <acb_elliptic.h>
-#endif
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +10,6 @@
 
 namespace edgeproof::validation {
 namespace {
-
-constexpr unsigned digits_spare = 60;
 
 long bits_now() { return mpfr_get_prec(Real().backend().data()); }
 
@@ -290,116 +280,6 @@ Real AbelQuadrature::pressure(const Real& u) const {
         sum += over_width(ends[i], width2, r);
     }
     return modulus_ / pi<Real>() * sum;
-}
-
-namespace {
-
-/// Digits for differences of neighbouring places.
-unsigned digits_with_spare(const scene::AskedValue& asked, unsigned digits) {
-    unsigned working = digits + digits_spare;
-    if (asked.u) {
-        const PrecisionScope scope(30);
-        const Real small = -log10(asked.u->to<Real>());
-        working += small > 0 ? 2 * static_cast<unsigned>(ceil(small)) : 0;
-    }
-    return working;
-}
-
-Ball radius_at(const scene::Scene& scene, unsigned digits) {
-    const scene::AskedValue radius{scene::Quantity::a};
-    return scene::SceneValues(scene, {radius}, {digits, Rounding::nearest, false})
-        .value(radius)
-        .value;
-}
-
-/// R_F(x, y, z) (DLMF 19.16.1) of positive numbers.
-Real carlson_rf(const Real& x, const Real& y, const Real& z) {
-    const long bits = bits_now();
-    Box value(bits);
-    acb_elliptic_rf(value.get(), Box(Ball(x, bits)).get(), Box(Ball(y, bits)).get(),
-                    Box(Ball(z, bits)).get(), 0, bits);
-    return at_working_precision(value.real().midpoint());
-}
-
-} // namespace
-
-SecondRoute by_nested_integrals(const scene::Scene& scene, const scene::AskedValue& asked,
-                                unsigned digits) {
-    const unsigned working = digits_with_spare(asked, digits);
-    const Ball radius = radius_at(scene, working);
-    const PrecisionScope scope(working + 10);
-    const AbelQuadrature of(scene, at_working_precision(radius.midpoint()), digits + 10);
-    const Real value = asked.quantity == scene::Quantity::p   ? of.pressure(number(*asked.u))
-                       : asked.quantity == scene::Quantity::P ? of.force()
-                                                              : of.approach();
-    return {"nested-integrals", value, Real(abs(value) * pow(Real(10), -static_cast<int>(digits)))};
-}
-
-SecondRoute by_elliptic_integrals(const scene::Scene& scene, const scene::AskedValue& asked,
-                                  unsigned digits) {
-    const unsigned working = digits_with_spare(asked, digits);
-    const Ball radius = radius_at(scene, working);
-    const PrecisionScope scope(working + 10);
-    const Real a = at_working_precision(radius.midpoint());
-    const Real u = number(*asked.u);
-    const Real r = abs(Real(a - u));
-    const contact::Profile& profile = scene.round->profile;
-    const contact::SlopeIn<Real> slope(profile);
-    std::optional<Real> power;
-    if (scene.round->law) {
-        power = number(profile.parameters().at("m"));
-    }
-    const Real C = power ? number(profile.parameters().at("C")) : Real(0);
-    const Real from_edge = u < a ? u : Real(2 * a - u); // of r
-    /// `apart`: the distance of the radii; `outer`: a minus the greater one.
-    const auto kernel = [&](const Real& x, const Real& apart, const Real& outer) {
-        const Real big2 = x > r ? Real(x * x) : Real(r * r);
-        const Real small = x > r ? r : x;
-        const Real D = apart * (x + r);
-        const Real first = outer * (2 * a - outer); // a^2 - the square of the greater radius
-        return Real(sqrt(first) * carlson_rf(Real(a * a * D), Real(big2 * D),
-                                             Real(big2 * (x > r ? Real((a - small) * (a + small))
-                                                                : Real((a - x) * (a + x))))));
-    };
-    std::vector<Real> ends{Real(0), r, a};
-    Real sum = 0;
-    for (std::size_t i = slope.origin() + 1; i < slope.knots().size() && !power; ++i) {
-        const Real& v = slope.knots()[i];
-        if (v < a) {
-            ends.push_back(v);
-            if (slope.has_corner(i)) {
-                sum += slope.jump(i) * v *
-                       kernel(v, Real(abs(Real(v - r))), v > r ? Real(a - v) : from_edge);
-            }
-        }
-    }
-    std::sort(ends.begin(), ends.end());
-    Real error = 0;
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-        const Real& lo = ends[i];
-        const Real& hi = ends[i + 1];
-        const Real width = hi - lo;
-        if (!(width > ldexp(a, static_cast<int>(8 - bits_now())))) {
-            continue;
-        }
-        const std::size_t piece = slope.piece_at(Real((lo + hi) / 2));
-        const auto part = quadrature::tanh_sinh<Real>(
-            [&](const Real& from_lo, const Real& from_hi) {
-                const Real x = lo + width * from_lo;
-                const bool beyond = !(lo < r);
-                const Real apart =
-                    beyond ? Real((lo - r) + width * from_lo) : Real((r - hi) + width * from_hi);
-                const Real outer = beyond ? Real((a - hi) + width * from_hi) : from_edge;
-                const Real rate = power ? Real(C * (*power + 1) * pow(x, *power))
-                                        : Real(slope.value(piece, x) + x * slope.rate(piece, x));
-                return Real(rate * kernel(x, apart, outer));
-            },
-            {.target_digits = digits + 5});
-        sum += width * part.value;
-        error = std::max(error, part.estimate);
-    }
-    const Real value = number(scene.contact_modulus) / pi<Real>() * sum;
-    return {"elliptic-integrals", value, Real(abs(value) * error)};
 }
 
 namespace {

@@ -7,7 +7,7 @@
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 #include "edgeproof/scene/scene.hpp"
-#include "lab/validation/abel_quadrature.hpp"
+#include "tests/scene/axisymmetric/abel_quadrature.hpp"
 #include "tests/support/namespaces.hpp"
 #include "tests/support/paths.hpp"
 

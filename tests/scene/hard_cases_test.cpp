@@ -124,10 +124,11 @@ BoundedValue residual(const Scene& scene, const AskedValue& asked, unsigned digi
     return {1 - sum * sqrt(u) / p.value, proved, "series"};
 }
 
-BoundedValue tilt_difference(const Scene& scene, AskedValue asked, unsigned digits) {
-    asked.quantity = Quantity::p;
-    const BoundedValue p = single(scene, asked, digits);
-    const BoundedValue q = single(upright(scene), asked, digits);
+BoundedValue tilt_difference(const Scene& scene, const AskedValue& asked, unsigned digits) {
+    AskedValue pressure = asked;
+    pressure.quantity = Quantity::p;
+    const BoundedValue p = single(scene, pressure, digits);
+    const BoundedValue q = single(upright(scene), pressure, digits);
     return {p.value - q.value, p.proved && q.proved, p.route};
 }
 

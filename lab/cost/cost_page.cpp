@@ -50,8 +50,7 @@ std::string drawn_figures(const CostReport& report, const std::filesystem::path&
     for (const Figure& figure : cost_figures(report)) {
         figures.push_back({figure.id, figure.title, figure.caption, {}, {}});
         for (const Plot& plot : figure.plots) {
-            figures.back().panels.push_back(
-                drawn_panel(plot, draw_svg({plot}), folder));
+            figures.back().panels.push_back(drawn_panel(plot, draw_svg({plot}), folder));
         }
     }
     return figures_html(figures);

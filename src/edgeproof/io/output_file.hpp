@@ -20,8 +20,9 @@ void write_output(const std::filesystem::path& file, const std::string& text);
 /// Flushes standard output. Throws InputError if any of it, now or earlier, could not be written.
 void finish_standard_output();
 
-/// Throws InputError if the file cannot be written or must not be replaced (own_file.hpp), as far as
-/// can be checked beforehand; for use before long work. Creates nothing. "-" is standard output; an empty name is no file.
+/// Throws InputError if the file cannot be written or must not be replaced (own_file.hpp), as far
+/// as can be checked beforehand; for use before long work. Creates nothing. "-" is standard output;
+/// an empty name is no file.
 void check_output(const std::filesystem::path& file);
 
 /// Makes a folder (and its parents). Throws InputError if that fails, or if the folder is not

@@ -227,12 +227,13 @@ double SoftContact::change(const Solution& soft, double x) const {
         return std::numeric_limits<double>::quiet_NaN();
     }
     const double from_first = (place - x_.front()) / width_;
-    const auto i = static_cast<std::ptrdiff_t>(std::floor(std::max(0.0, from_first)));
-    if (i + 1 >= std::ssize(x_)) {
+    // The place is compared before it becomes an index: a node may be farther away than an integer
+    // can count.
+    if (!(from_first < static_cast<double>(x_.size() - 1))) {
         return 0;
     }
-    const auto k = static_cast<std::size_t>(i);
-    const double part = std::max(0.0, from_first) - static_cast<double>(i);
+    const auto k = static_cast<std::size_t>(std::max(0.0, from_first));
+    const double part = std::max(0.0, from_first) - static_cast<double>(k);
     const auto at = [&](std::size_t j) { return soft.p[j] - rigid_.p[j]; };
     return from_first < 0 && !round_ ? 0 : at(k) + part * (at(k + 1) - at(k));
 }

@@ -94,9 +94,11 @@ Ball PowerLawIntegral::edge_sum(const Exponent& of, const Ball& q, const Ball& y
     Ball share(0, bits);
     for (long k = 0; k < static_cast<long>(most_terms); ++k) {
         // Terms that are small compared with the sum are computed with fewer bits.
-        const long below = k == 0 ? 0
-                                  : arf_abs_bound_lt_2exp_si(arb_midref(sum.data())) -
-                                        arf_abs_bound_lt_2exp_si(arb_midref(term.data()));
+        // The size of a term of midpoint 0 is no number.
+        const long below = k == 0 || arf_is_zero(arb_midref(term.data())) != 0
+                               ? 0
+                               : arf_abs_bound_lt_2exp_si(arb_midref(sum.data())) -
+                                     arf_abs_bound_lt_2exp_si(arb_midref(term.data()));
         const long here = std::clamp(bits + 16 - below, 30L, bits);
         arb_div_si(share.data(), term.data(), 2 * k + 1, here);
         if (k > 0 && negligible(share, sum)) {

@@ -48,7 +48,15 @@ long useful_accuracy(long known, long bits) {
     return std::min(bits, std::clamp(known, 0L, bits) + spare_bits);
 }
 
-Box principal_root(const Box& x) { return meets_cut_of_root(x) ? unknown_box(x.bits()) : sqrt(x); }
+// Arb's root of a wide box around a positive number has an imaginary part that grows as the root of
+// the width of the box, and not as the width: no ellipse of the integration would be accepted.
+Box principal_root(const Box& x) {
+    if (certainly_positive(x.real())) {
+        const Ball twice = sqrt((abs(x) + x.real()) * 2);
+        return {twice / 2, x.imaginary() / twice};
+    }
+    return meets_cut_of_root(x) ? unknown_box(x.bits()) : sqrt(x);
+}
 
 Box principal_arctangent(const Box& x) {
     Box r(x.bits());

@@ -510,6 +510,9 @@ TEST_CASE("causes: two programs with springs in the contact agree") {
             }
             CHECK(effect > 0.8 * softness * exact.scale().value);
             CHECK(difference < 0.06 * effect);
+            for (const double far : {1e19, 1e30, 1e300}) { // more nodes away than an integer counts
+                CHECK(soft.change(*solution, far) == 0);
+            }
         }
     }
 }

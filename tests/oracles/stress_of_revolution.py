@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes stress_of_revolution.csv: stresses inside five bodies of revolution with linear pieces.
+
+A body is a sum of flat punches of the radius s, each under the pressure of the approach h'(s) ds,
+h(s) = s times the integral of g'(r)/sqrt(s^2 - r^2). The stresses of one punch are Sneddon's real
+formulas (Proc. Cambridge Phil. Soc. 42 (1946), 29-39), integrated by Gauss-Legendre rules. E* = 1, a = 1, nu = 3/10. Needs mpmath.
+"""
+import random
+from fractions import Fraction
+import mpmath as mp
+
+mp.mp.dps = 25
+NU = mp.mpf(3) / 10
+# the knots v and the rates of g' from each knot on; g' is continuous and g'(0) = 0
+BODIES = [
+    [(0, Fraction(0)), (Fraction(3, 10), Fraction(1))],
+    [(0, Fraction(1)), (Fraction(1, 8), Fraction(3, 4))],
+    [(0, Fraction(1)), (Fraction(1, 2), Fraction(3))],
+    [(0, Fraction(1, 2)), (Fraction(1, 3), Fraction(2)), (Fraction(4, 5), Fraction(1))],
+    [(0, Fraction(0)), (Fraction(9, 10), Fraction(1))],
+]
+
+
+PANELS = 8
+
+
+def gauss_legendre(n):
+    rule = []
+    for k in range(n):
+        x = mp.cos(mp.pi * (k + mp.mpf(3) / 4) / (n + mp.mpf(1) / 2))
+        for _ in range(12):  # Newton's method
+            before, value = mp.mpf(1), x
+            for m in range(2, n + 1):
+                before, value = value, ((2 * m - 1) * x * value - (m - 1) * before) / m
+            slope = n * (x * value - before) / (x * x - 1)
+            x -= value / slope
+        rule.append((x, 2 / ((1 - x * x) * slope * slope)))
+    return rule
+
+
+RULE = gauss_legendre(32)
+
+
+def number(x):
+    return mp.mpf(x.numerator) / x.denominator
+
+
+def approach_rate(body, s):
+    total = mp.mpf(0)
+    before = Fraction(0)
+    for v, rate in body:
+        bend, before = number(rate - before), rate
+        v = number(Fraction(v))
+        if s > v:
+            total += bend * (2 * mp.sqrt(s * s - v * v) - v * mp.acos(v / s))
+    return total
+
+
+def punch(s, r, z):
+    """sxx, szz, sxz and syy for the pressure 1 at the center."""
+    rho, zeta = r / s, z / s
+    big = mp.sqrt((rho**2 + zeta**2 - 1) ** 2 + 4 * zeta**2)
+    phi = mp.atan2(2 * zeta, rho**2 + zeta**2 - 1)
+    theta = mp.atan2(1, zeta)
+    root = mp.sqrt(1 + zeta**2)
+    j10 = mp.sin(phi / 2) / mp.sqrt(big)
+    j20 = root * mp.sin(3 * phi / 2 - theta) / big**1.5
+    j01 = (1 - mp.sqrt(big) * mp.sin(phi / 2)) / rho
+    j11 = root / rho * mp.sin(theta - phi / 2) / mp.sqrt(big)
+    j21 = rho * mp.sin(3 * phi / 2) / big**1.5
+    szz = -(j10 + zeta * j20)
+    hoop = -(2 * NU * j10 + ((1 - 2 * NU) * j01 - zeta * j11) / rho)
+    radial = -2 * (1 + NU) * j10 - hoop - szz
+    return radial, szz, -zeta * j21, hoop
+
+
+def stresses(body, r, z):
+    ends = sorted({0, 1, *(v for v, _ in body), *([r] if r < 1 else [])})
+    ends = [number(Fraction(e)) for e in ends]
+    r, z = number(r), number(z)
+
+    total = [mp.mpf(0)] * 4
+    for lo, hi in zip(ends, ends[1:]):
+        for panel in range(PANELS):
+            for node, weight in RULE:
+                # s = lo + (hi - lo) t^2 removes the root of h' at a knot
+                t = (panel + (1 + node) / 2) / PANELS
+                s = lo + (hi - lo) * t * t
+                share = approach_rate(body, s) / s * weight / PANELS * (hi - lo) * t
+                if share != 0:
+                    total = [x + share * y for x, y in zip(total, punch(s, r, z))]
+    return [x / mp.pi for x in total]
+
+
+random.seed(18)
+with open("stress_of_revolution.csv", "w") as out:
+    out.write("body,r,z,sxx,szz,sxz,syy\n")
+    for place in range(200):
+        number_of_body = place % len(BODIES)
+        r = Fraction(random.randint(20, 1500), 1000)
+        z = Fraction(random.randint(20, 1000), 1000)
+        row = stresses(BODIES[number_of_body], r, z)
+        cells = [mp.nstr(x, 18) for x in row]
+        out.write(",".join([str(number_of_body), str(r), str(z), *cells]) + "\n")
+        out.flush()

@@ -3,8 +3,8 @@
 
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/report/figures/figures_svg.hpp"
-#include "edgeproof/report/page/comparison_page.hpp"
 #include "edgeproof/report/page/html.hpp"
+#include "edgeproof/report/page/parts_page.hpp"
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 

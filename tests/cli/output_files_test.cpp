@@ -214,7 +214,6 @@ TEST_CASE("bad input creates no output folder; good input creates it") {
           "slip bad.toml --out new/x.csv", "plot bad.toml --out new/x.svg",
           "design bad.toml --out new/x.csv", "design bad.toml --figure new/x.svg",
           "table bad.toml --out new/x.csv", "points bad.toml --out new/x.csv",
-          "compare good.toml bad.csv --html new/x.html",
           "compare good.toml bad.csv --junit new/x.xml",
           "check recipe.toml bad.csv --junit new/x.xml",
           "check recipe.toml bad.csv --figure new/x.svg", "verify bad.toml --out new/x",

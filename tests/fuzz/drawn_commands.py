@@ -252,8 +252,7 @@ def compare(rng, library, command):
     if rng.random() < 0.3:
         command.printed = "json"
         words.append("--json")
-    for option, name, form, chance in (("--junit", "junit.xml", "xml", 0.1), ("--html", "page.html", "html", 0.05),
-                                       ("--figures", "figures", "folder", 0.03)):
+    for option, name, form, chance in (("--junit", "junit.xml", "xml", 0.1), ("--figures", "figures", "folder", 0.03)):
         if rng.random() < chance:
             command.written[name] = form
             words += [option, name]

@@ -64,7 +64,7 @@ def shipped_examples():
         yield Case(f"design {path.stem}", in_formats(*words) + [[*words, "--figure", "figure.csv"]], read(path), seconds=4)
     meshes = sorted((ROOT / "examples/compare").glob("*.csv"))
     for some in [*([m] for m in meshes), [m for m in meshes if m.stem.startswith("mesh")]]:
-        options = ["", "--json", "--junit j.xml --html page.html", "--figures figures", "--of local", "--of L2",
+        options = ["", "--json", "--junit j.xml", "--figures figures", "--of local", "--of L2",
                    "--origin auto", "--edge-zone 2e", "--tolerance 0.1% --tolerance-c0 1%"]
         words = ["compare", "cylinder.toml", *(m.name for m in some)]
         yield Case("compare " + " ".join(m.stem for m in some), [words + o.split() for o in options],

@@ -58,7 +58,7 @@ constexpr CommandHelp helps[] = {
     {"compare",
      "edgeproof compare examples/compare/cylinder.toml examples/compare/mesh-192.csv --edge-zone "
      "2e",
-     {"--columns", "--tolerance", "--html", "--format", "--out-dir"}},
+     {"--columns", "--tolerance", "--format", "--out-dir"}},
     {"verify",
      "edgeproof verify moore-hills --only EQ18 --digits 20",
      {"--out-dir", "--only", "--digits", "--strict", "--record"}},

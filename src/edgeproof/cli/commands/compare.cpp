@@ -7,7 +7,6 @@
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/figures/comparison_figures.hpp"
-#include "edgeproof/report/page/comparison_page.hpp"
 #include "edgeproof/report/tables/comparison_report.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 
@@ -38,7 +37,6 @@ struct CompareOptions {
     std::string format;
     std::string out;
     std::string junit;
-    std::string html;
     std::string figures;
 };
 
@@ -115,23 +113,17 @@ private:
 
 /// Writes all outputs except the text on standard output. All are made before the first is written.
 void write_outputs(const report::ComparisonReport& report, const CompareOptions& o) {
-    std::optional<report::DrawnComparison> drawn;
-    if (!o.figures.empty() || !o.html.empty()) {
-        drawn = draw_comparison(report);
-    }
-    const std::string page = o.html.empty() ? "" : comparison_page(report, *drawn);
     const std::string junit = o.junit.empty() ? "" : comparison_junit(report);
     WrittenSoFar written;
     if (!o.figures.empty()) {
+        const report::DrawnComparison drawn = draw_comparison(report);
         io::write_folder(
-            o.figures, [&](const std::filesystem::path& folder) { write_figures(*drawn, folder); });
+            o.figures, [&](const std::filesystem::path& folder) { write_figures(drawn, folder); });
         written.add(o.figures);
     }
-    for (const auto& output : {std::pair(&o.html, &page), std::pair(&o.junit, &junit)}) {
-        if (!output.first->empty()) {
-            written.run([&] { io::write_output(*output.first, *output.second); });
-            written.add(*output.first);
-        }
+    if (!o.junit.empty()) {
+        written.run([&] { io::write_output(o.junit, junit); });
+        written.add(o.junit);
     }
 }
 
@@ -152,7 +144,6 @@ int compare_results(const CompareOptions& o) {
         comparison::parse_scale(o.scale, reading);
     }
     io::check_output(o.junit);
-    io::check_output(o.html);
     if (!o.figures.empty()) {
         io::check_folder(o.figures); // the folder is made when there is something to write
     }
@@ -233,7 +224,6 @@ void add_compare(CLI::App& app, int& code) {
     sub.add_option("--format", o.format, "default: text")->type_name("text|json");
     sub.add_option("--out", o.out, "write the comparison to this file (-: standard output)");
     sub.add_option("--junit", o.junit, "write JUnit XML to this file");
-    sub.add_option("--html", o.html, "write a page to this file");
     sub.add_option("--figures,--out-dir", o.figures,
                    "draw data and errors into this folder (SVG, CSV)");
 }

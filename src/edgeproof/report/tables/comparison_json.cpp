@@ -147,7 +147,7 @@ std::string comparison_json(const ComparisonReport& report) {
                    {"b", report.exact->b().route},
                    {"P", report.exact->force().route},
                    {"c0", report.exact->c(contact::Edge::right, 0).route},
-                   {"p", "batch (estimate)"}};
+                   {"p", report.exact->pressure_route()}};
     j["files"] = list_json(
         c.files, [&](const comparison::FileComparison& file) { return file_json(report, file); });
     j["orders"] = ordered_json::object();

@@ -32,12 +32,9 @@ std::string number_text(const std::optional<double>& x, int digits) {
     return x ? fmt::format("{:.{}g}", *x, digits) : "-";
 }
 
-std::string agreement_text(const Convergence& c, bool page) {
+std::string agreement_text(const Convergence& c) {
     if (!c.agrees) {
         return c.why_not;
-    }
-    if (page) {
-        return *c.agrees ? "agrees" : "differs";
     }
     return *c.agrees   ? c.trusted ? "agrees" : "agrees; " + c.why_not
            : c.trusted ? "DIFFERS from the exact value"
@@ -49,8 +46,8 @@ std::string file_text(const ComparisonReport& report, const FileComparison& file
     for (const std::string& finding : file.findings()) {
         out += "  " + printable(finding) + "\n";
     }
-    out += "\n" + aligned_lines(quantities_table(report, file, false), margin_of_tables, false) +
-           "\n" + aligned_lines(errors_table(report, file, false), margin_of_tables, false) + "\n";
+    out += "\n" + aligned_lines(quantities_table(report, file), margin_of_tables, false) + "\n" +
+           aligned_lines(errors_table(report, file), margin_of_tables, false) + "\n";
     const Errors& all = file.errors;
     out +=
         fmt::format("  error of p{}: {} of the {}, {} of p itself, {} in the L2 norm\n",
@@ -145,16 +142,15 @@ std::vector<HeldQuantity> held_quantities(const ComparisonReport& report,
     };
     std::vector<HeldQuantity> list;
     const auto add = [&](HeldQuantity q) { list.push_back(std::move(q)); };
-    add({"a", length, file.contact.a, 0, file.of_exact.a, exact.a().value, exact.a().route, ""});
-    add({"b", length, file.contact.b, 0, file.of_exact.b, exact.b().value, exact.b().route, ""});
-    add({"P", force, file.contact.force, 0, file.of_exact.force, exact.force().value,
-         exact.force().route, ""});
+    add({"a", length, file.contact.a, 0, file.of_exact.a, exact.a().value, ""});
+    add({"b", length, file.contact.b, 0, file.of_exact.b, exact.b().value, ""});
+    add({"P", force, file.contact.force, 0, file.of_exact.force, exact.force().value, ""});
     if (!exact.scale().mean) {
         add({"largest p", pressure, file.contact.largest, 0, file.of_exact.largest,
-             exact.scale().value, "batch (estimate)", ""});
+             exact.scale().value, ""});
     }
     if (file.Q) {
-        add({"Q", force, file.Q, 0, file.Q_of_exact, exact.shear()->force(), "given", ""});
+        add({"Q", force, file.Q, 0, file.Q_of_exact, exact.shear()->force(), ""});
     }
     for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
         const auto& fit = file.fits[index_of(edge)];
@@ -164,7 +160,6 @@ std::vector<HeldQuantity> held_quantities(const ComparisonReport& report,
             q.name = "c_" + std::to_string(k) + where;
             q.unit = coefficient(k == 0 ? "(1/2)" : "(3/2)");
             q.exact = exact.c(edge, k).value;
-            q.route = exact.c(edge, k).route;
             if (fit) {
                 q.data = (k == 0 ? fit->c0 : fit->c1).value;
                 q.spread = (k == 0 ? fit->c0 : fit->c1).spread;
@@ -200,31 +195,24 @@ std::vector<std::string> diagnosis_lines(const FileComparison& file) {
 
 std::string percent_text(double x) { return fmt::format("{:.3g} %", 100 * x); }
 
-Table quantities_table(const ComparisonReport& report, const FileComparison& file, bool page) {
-    Table table = page ? table_of({"Quantity", "By the data", "+-", "Same rule on exact p", "Exact",
-                                   "Off by", "Route of the exact value"})
-                       : table_of({"", "data", "+-", "exact p", "exact", "off by", ""});
+Table quantities_table(const ComparisonReport& report, const FileComparison& file) {
+    Table table = table_of({"", "data", "+-", "exact p", "exact", "off by", ""});
     for (const HeldQuantity& q : held_quantities(report, file)) {
         table.rows.push_back(
             {q.name + (q.unit.empty() ? "" : " [" + q.unit + "]"), number_text(q.data, 7),
              q.spread > 0 ? fmt::format("{:.2g}", q.spread) : "",
              q.of_exact ? number_text(q.of_exact, 7) : "", number_text(q.exact, 10),
-             q.data && (page || q.exact != 0)
-                 ? fmt::format("{:+.3g} %", 100 * (*q.data / q.exact - 1))
-                 : "",
-             page ? q.route : q.note});
+             q.data && q.exact != 0 ? fmt::format("{:+.3g} %", 100 * (*q.data / q.exact - 1)) : "",
+             q.note});
     }
     return table;
 }
 
-Table errors_table(const ComparisonReport& report, const FileComparison& file, bool page) {
+Table errors_table(const ComparisonReport& report, const FileComparison& file) {
     const bool mean = report.exact->scale().mean;
-    Table table = page ? table_of({"Distance from an edge", "Nodes",
-                                   mean ? "Of the mean pressure" : "Of the peak", "Of p itself",
-                                   "Median", "Digits right"})
-                       : table_of({"nodes by distance from an edge", "nodes",
-                                   mean ? "of the mean" : "of the peak", "of p itself", "median",
-                                   "digits right"});
+    Table table =
+        table_of({"nodes by distance from an edge", "nodes", mean ? "of the mean" : "of the peak",
+                  "of p itself", "median", "digits right"});
     const auto add = [&](const std::string& name, const Errors& e) {
         table.rows.push_back({name, std::to_string(e.nodes), percent_text(e.peak),
                               percent_text(e.local), percent_text(e.median_local),
@@ -241,17 +229,13 @@ Table errors_table(const ComparisonReport& report, const FileComparison& file, b
     return table;
 }
 
-Table limits_table(const ComparisonReport& report, bool page) {
-    Table table =
-        page ? table_of({"Quantity", "Order", "Order without the exact value", "Limit", "+-",
-                         "Exact", ""})
-             : table_of({"of several meshes", "order", "own order", "limit", "+-", "exact", ""});
+Table limits_table(const ComparisonReport& report) {
+    Table table = table_of({"of several meshes", "order", "own order", "limit", "+-", "exact", ""});
     for (const Convergence& c : report.comparison.convergence) {
         table.rows.push_back({c.quantity, number_text(c.order, 3), number_text(c.own_order, 3),
                               number_text(c.extrapolated, 7),
                               c.extrapolated ? fmt::format("{:.2g}", c.extrapolation_error) : "",
-                              c.exact != 0 ? number_text(c.exact, 8) : "",
-                              agreement_text(c, page)});
+                              c.exact != 0 ? number_text(c.exact, 8) : "", agreement_text(c)});
     }
     return table;
 }
@@ -293,7 +277,7 @@ std::string comparison_text(const ComparisonReport& report) {
         out += file_text(report, file);
     }
     if (!report.comparison.convergence.empty()) {
-        out += aligned_lines(limits_table(report, false), margin_of_tables, false) + "\n";
+        out += aligned_lines(limits_table(report), margin_of_tables, false) + "\n";
     }
     out += "tolerance: " + tolerance_text(report.comparison.tolerances) + "\n";
     const auto failing = std::ranges::count_if(

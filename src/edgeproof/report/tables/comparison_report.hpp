@@ -25,19 +25,18 @@ struct HeldQuantity {
     double spread = 0;              ///< of the data's value, if a fit gives one
     std::optional<double> of_exact; ///< the result of the same rule for the exact pressure
     double exact = 0;
-    std::string route; ///< of the exact value
     std::string note;
 };
 [[nodiscard]] std::vector<HeldQuantity> held_quantities(const ComparisonReport& report,
                                                         const comparison::FileComparison& file);
 
 /// The tables of a report: these quantities of a file, its errors by the distance from an edge, and
-/// the limits of several meshes. `page`: with the words of the page, else with those of the text.
+/// the limits of several meshes.
 [[nodiscard]] Table quantities_table(const ComparisonReport& report,
-                                     const comparison::FileComparison& file, bool page);
+                                     const comparison::FileComparison& file);
 [[nodiscard]] Table errors_table(const ComparisonReport& report,
-                                 const comparison::FileComparison& file, bool page);
-[[nodiscard]] Table limits_table(const ComparisonReport& report, bool page);
+                                 const comparison::FileComparison& file);
+[[nodiscard]] Table limits_table(const ComparisonReport& report);
 
 /// For example "3.2 %".
 [[nodiscard]] std::string percent_text(double x);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/report/figures/comparison_figures.hpp"
 
 #include <string>
 #include <string_view>
@@ -8,7 +7,7 @@
 
 namespace edgeproof::report {
 
-/// share/edgeproof/report/cost.html when the program was built: the page of `compare` and `cost`.
+/// share/edgeproof/report/cost.html when the program was built: the page of `cost`.
 namespace cost_template {
 extern const std::string_view cost_html;
 } // namespace cost_template
@@ -25,10 +24,5 @@ struct PagePart {
 [[nodiscard]] std::string parts_page(const std::string& title, const std::string& about,
                                      const std::vector<PagePart>& parts, bool labelled,
                                      const std::string& footer);
-
-/// Returns one self-contained page: outcome, quantities, errors and, if drawn, figures of each
-/// file.
-[[nodiscard]] std::string comparison_page(const ComparisonReport& report,
-                                          const DrawnComparison& drawn);
 
 } // namespace edgeproof::report

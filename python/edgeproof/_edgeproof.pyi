@@ -119,7 +119,6 @@ def check(
     name: str,
     recipe: str | None,
     command: str | None,
-    json: bool,
     seconds: float,
     digits: float | None,
     ulps: float | None,

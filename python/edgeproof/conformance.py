@@ -143,7 +143,7 @@ def _answers_of(function: Callable[[dict[str, str]], Any], recipe: str) -> str:
 def check(answers: Answers | None = None, *,
           recipe: str | os.PathLike[str] | None = None, command: str | None = None,
           digits: float | None = None, ulps: float | None = None, conditioned: bool = False,
-          lines: str = "csv", timeout: float = 600.0, threads: int = 0,
+          timeout: float = 600.0, threads: int = 0,
           progress: Callable[[int, int], object] | None = None) -> Agreement:
     """Compares another program's answers with the exact values.
 
@@ -151,7 +151,6 @@ def check(answers: Answers | None = None, *,
                  only id and value, or a function that answers one question (a dict of questions())
     recipe       the questions: a file (TOML), or the name of one that came with the program
     command      with a recipe: a shell command that reads the questions and writes id and value
-    lines        "csv" or "json", the format for the command
     timeout      seconds for one run of the command
     digits, ulps the target; neither: 12 digits, or an error that the rounding of inputs explains
     conditioned  True: errors that the rounding of the inputs explains pass
@@ -159,8 +158,6 @@ def check(answers: Answers | None = None, *,
 
     Raises InputError for malformed files; a wrong answer never raises an exception.
     """
-    if lines not in ("csv", "json"):
-        raise InputError(f"lines = {lines!r} is no way to speak", 'write "csv" or "json"')
     for name, target in (("digits", digits), ("ulps", ulps), ("timeout", timeout)):
         if target is not None and not 0 < target < 1e9:
             raise InputError(f"{name} = {target} is out of range", "give a number > 0")
@@ -183,7 +180,7 @@ def check(answers: Answers | None = None, *,
         assert isinstance(answers, str)
         name = answers
         text = _edgeproof.read_text(name, "file of answers (CSV)")
-    found = _edgeproof.check(text, name, asked, command, lines == "json", timeout, digits, ulps,
+    found = _edgeproof.check(text, name, asked, command, timeout, digits, ulps,
                              conditioned, threads, progress)
     return Agreement(
         passed=found["passed"],

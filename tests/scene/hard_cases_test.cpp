@@ -25,7 +25,7 @@ constexpr unsigned most_added = 4000;
 
 Digits rounded_to(unsigned digits) { return {digits, Rounding::nearest, false}; }
 
-std::optional<Quantity> quantity_named(const std::string& name) {
+std::optional<Quantity> hard_quantity(const std::string& name) {
     for (const QuantityRow& row : quantity_rows()) {
         if (row.name == name) {
             return row.quantity;
@@ -44,7 +44,7 @@ struct HardCase {
 
 HardCase read_case(const std::string& name, const TomlSection& section) {
     HardCase c{name, section.text("class"), read_contact(section), {}, {}};
-    const auto quantity = quantity_named(section.text("quantity"));
+    const auto quantity = hard_quantity(section.text("quantity"));
     REQUIRE_MESSAGE(quantity, name);
     c.asked.quantity = *quantity;
     const QuantityRow& row = row_of(*quantity);

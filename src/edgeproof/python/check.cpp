@@ -49,11 +49,10 @@ py::list questions(const std::string& recipe) {
 }
 
 conformance::Answers program_answers(const std::string& recipe_file, const std::string& command,
-                                     bool json, double seconds, Progress& progress) {
+                                     double seconds, Progress& progress) {
     const conformance::Recipe recipe = asked_in_binary64(recipe_file);
     conformance::ProgramDriverOptions options;
     options.command = command;
-    options.lines = json ? conformance::Lines::json : conformance::Lines::csv;
     options.seconds = seconds;
     options.progress = std::ref(progress);
     options.write_csv = [&](const conformance::Questions& part) {
@@ -117,7 +116,7 @@ py::dict result_of(const report::Conformance& c) {
 /// which answers `recipe`.
 py::dict check(const std::optional<std::string>& answers, const std::string& name,
                const std::optional<std::string>& recipe, const std::optional<std::string>& command,
-               bool json, double seconds, std::optional<double> digits, std::optional<double> ulps,
+               double seconds, std::optional<double> digits, std::optional<double> ulps,
                bool conditioned, unsigned threads, py::object callback) {
     return result_of(with_progress(std::move(callback), [&](Progress& progress) {
         report::Conformance result;
@@ -126,7 +125,7 @@ py::dict check(const std::optional<std::string>& answers, const std::string& nam
         options.threads = threads;
         options.progress = std::ref(progress);
         if (command) {
-            result.answers = program_answers(*recipe, *command, json, seconds, progress);
+            result.answers = program_answers(*recipe, *command, seconds, progress);
         } else {
             const io::Csv csv = io::parse_csv(*answers, name, {.keep_faults = true});
             result.answers =
@@ -144,8 +143,8 @@ py::dict check(const std::optional<std::string>& answers, const std::string& nam
 void bind_check(py::module_& module) {
     module.def("questions", &questions, py::arg("recipe"));
     module.def("check", &check, py::arg("answers"), py::arg("name"), py::arg("recipe"),
-               py::arg("command"), py::arg("json"), py::arg("seconds"), py::arg("digits"),
-               py::arg("ulps"), py::arg("conditioned"), py::arg("threads"), py::arg("progress"));
+               py::arg("command"), py::arg("seconds"), py::arg("digits"), py::arg("ulps"),
+               py::arg("conditioned"), py::arg("threads"), py::arg("progress"));
 }
 
 } // namespace edgeproof::python

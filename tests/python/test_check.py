@@ -93,7 +93,6 @@ def test_malformed_arguments(recipe, tmp_path):
     for call in (lambda: edgeproof.check(), lambda: edgeproof.check(recipe=recipe),
                  lambda: edgeproof.check(hertz), lambda: edgeproof.check(command="true"),
                  lambda: edgeproof.check(hertz, recipe=recipe, digits=-1),
-                 lambda: edgeproof.check(hertz, recipe=recipe, lines="xml"),
                  lambda: edgeproof.check(hertz, recipe=recipe, threads=-1),
                  lambda: edgeproof.check(hertz, recipe=tmp_path / "none.toml")):
         with pytest.raises(edgeproof.InputError):

@@ -106,7 +106,7 @@ CALLS = [
     (edgeproof.verify, dict(ledger="nothing", digits=20, only="*", threads=1, progress=print)),
     (edgeproof.questions, dict(recipe="nothing")),
     (edgeproof.check, dict(answers="nothing", recipe="nothing", digits=12.0, ulps=1.0,
-                           conditioned=True, lines="csv", timeout=1.0, threads=1, progress=print)),
+                           conditioned=True, timeout=1.0, threads=1, progress=print)),
     (edgeproof.compare, dict(scene=SCENE, results="nothing", columns="x=1,p=2", scale="x=1",
                              origin=0, tolerance="1%", of="peak", edge_zone=0, tolerance_a=1,
                              tolerance_P=1, tolerance_c0=1, partial=True, progress=print)),

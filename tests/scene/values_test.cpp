@@ -323,7 +323,7 @@ TEST_CASE("a load that no contact carries, and points that have no pressure, nam
             CHECK(std::string(error.what()).find(part) != std::string::npos);
         }
     };
-    refused(hertz("1", "u = [\"0.1\",\n\"2\"]\n"), 10, "outside the contact");
+    refused(hertz("1", "u = [\"0.1\",\n\"2\"]\n"), 10, "on an edge"); // a + b = 2
     refused(hertz("1", "u = \"3\"\n"), 9, "outside the contact");
     std::string wedge = hertz("1", "u = \"1\"\n");
     wedge.replace(wedge.find("m = \"1\""), 7, "m = \"0\"");

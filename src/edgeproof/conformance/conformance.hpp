@@ -2,17 +2,14 @@
 #pragma once
 /// Reference values, and the comparison of other programs' numbers with them.
 ///   questions/question.hpp     Question: a value requested for a contact
-///   questions/recipe.hpp  Recipe: grids of contacts with questions, from TOML
+///   questions/recipe.hpp       Recipe: grids of contacts with questions, from TOML
 ///   questions/reference.hpp    the answers, the same on any number of threads; how much of an
-///   error
-///                              the rounding of the inputs explains
+///                              error the rounding of the inputs explains
 ///   answers/answers.hpp        the answers of another program, right or wrong; number_text.hpp
 ///   answers/program_driver.hpp asks a program in batches
 ///   answers/agreement.hpp      correct digits, ulps, and the position in the contact
 ///   causes/convention.hpp      failures that another convention or interpretation explains
 ///   causes/fit.hpp             how well a cause explains failures
-///   causes/self_test.hpp       known mistakes in right answers: which are named; answers made
-///                              wrong, to test that this is detected
 #include "edgeproof/conformance/answers/agreement.hpp"
 #include "edgeproof/conformance/answers/answers.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"

@@ -58,7 +58,7 @@ constexpr CommandHelp helps[] = {
     {"compare",
      "edgeproof compare examples/compare/cylinder.toml examples/compare/mesh-192.csv --edge-zone "
      "2e",
-     {"--columns", "--tolerance", "--format", "--out-dir"}},
+     {"--columns", "--tolerance", "--format", "--figures", "--junit"}},
     {"verify",
      "edgeproof verify moore-hills --only EQ18 --digits 20",
      {"--out-dir", "--only", "--digits", "--strict", "--record"}},

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -26,8 +27,7 @@ struct Lines {
     std::string columns;
     std::vector<std::string> rows;
 
-    explicit Lines(const std::filesystem::path& file) {
-        std::istringstream in(io::read_text(file, "part of a table (CSV)"));
+    explicit Lines(std::istream&& in) {
         for (std::string line; std::getline(in, line);) {
             if (columns.empty() && line.starts_with("#")) {
                 head.push_back(line);
@@ -92,7 +92,7 @@ bool is_complete_part(const std::filesystem::path& file, const PartOfTable& part
     if (!std::filesystem::is_regular_file(file, none)) {
         return false;
     }
-    const Lines lines(file);
+    const Lines lines(std::ifstream{file}); // no input: it may be replaced
     return lines.whole() && lines.fact("program") == program_line() &&
            std::ranges::all_of(facts_of(part), [&](const Fact& fact) {
                return lines.fact(fact.key) == fact.value;
@@ -107,7 +107,7 @@ std::string merged_parts(const std::vector<std::string>& files) {
             .at(file, 1);
     };
     for (const std::string& file : files) {
-        Lines lines(file);
+        Lines lines(std::istringstream{io::read_text(file, "part of a table (CSV)")});
         const auto numbers = numbers_of(lines.fact(part_key));
         if (!numbers) {
             refuse(file, "this is no part of a table: its head has no line '# part: K/N'");

@@ -127,7 +127,7 @@ TEST_CASE("help: five usual options and an example that runs; all options on req
             ++examples;
         }
     }
-    CHECK(examples == 14);
+    CHECK(examples == 13);
     CHECK(has(run(folder, "help").out, "Subcommands:"));
     CHECK(has(run(folder, "help nonsense").err, "unknown subcommand 'nonsense'"));
 }

@@ -3,6 +3,8 @@
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -107,9 +109,6 @@ TEST_CASE("places that do not exist: an error in one line") {
     const std::pair<std::string, const char*> all[] = {
         {given + ask("u = \"3*a\""),
          "s.toml:8: u = 3*a from the right edge: the point lies outside"},
-        {given + ask("x = \"-2*b\""),
-         "s.toml:8: x = -2*b: the point lies outside the contact; give places of the contact, "
-         "-b < x < a, off every corner"},
         {given + ask("u = \"a - b\""), "s.toml:8: u = a - b from the right edge: the point is on"},
         {given + ask("x = \"a\""), "s.toml:8: x = a: the point is on an edge"},
         {given + ask("u = [\"0.1\",\n\"c/2\"]"), "s.toml:9: u = \"c/2\": "},
@@ -141,7 +140,10 @@ TEST_CASE("the greatest pressure, by its name") {
     const auto hertz = pressures(cylinder + by_force + "[ask]\nquantities = [\"peak\"]\n");
     CHECK(hertz["p_max"]["value"] == "0.56418958354775628694807945156077258584405062932900");
     CHECK(hertz["p_max"]["route"] == "at the origin");
-    CHECK(hertz["rows"].empty());
+    REQUIRE(hertz["rows"].size() == 3); // p_max, a, b
+    CHECK(std::ranges::any_of(hertz["rows"], [&](const auto& row) {
+        return row["quantity"] == "p_max" && row["value"] == hertz["p_max"]["value"];
+    }));
     const auto cubic =
         pressures("[profile]\nkind = \"power-law\"\nm = 3\nC = 1\n" + by_edge, "--quantity peak");
     CHECK(cubic["p_max"]["value"] == "0.35355339059327376220042218105242451964241796884424");

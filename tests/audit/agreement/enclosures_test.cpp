@@ -147,3 +147,69 @@ TEST_CASE("a correction is never a formula that only agrees to the digits asked"
     CHECK((correct.empty() || correct == "Es*C/2*sqrt(a^2 - x^2)" ||
            correct == "2*P/(Pi*a)*sqrt(1 - (x/a)^2)"));
 }
+
+TEST_CASE("the note counts the samples that were enclosed") {
+    const ClaimResult integral = result_of(
+        value_claim("Es/(2*Pi)*sqrt(a^2-x^2)*pv(g1(s)/sqrt(a^2-s^2)*(1/(s-x)), s, -a, a, x)"));
+    const std::string enclosed = enclosures_of(integral).find("samples")->text();
+    CHECK(integral.outcome.note == "agrees at " + enclosed + " samples");
+}
+
+TEST_CASE("P'(a) and b'(a) of a curved slope are enclosed") {
+    const auto verdict = [](const std::string& of, const std::string& says) {
+        return verdict_of("kind = \"value\"\nover = \"curved\"\nof = \"" + of + "\"\nsays = \"" +
+                          says + "\"\n");
+    };
+    // Derived by hand: P = Es/2 (pi a^2/12 + 3 pi a^4/64), differentiated.
+    CHECK(verdict("P1", "Es*Pi/2*(a/6 + 3*a^3/16)") == "confirmed");
+    CHECK(verdict("P1", "Es*Pi/2*(a/6 + 3*a^3/16)*(1 + 1e-20)") == "refuted");
+    CHECK(verdict("b1", "1") == "confirmed");
+}
+
+TEST_CASE("where the value is zero, digits are proved relative to the claim's scale") {
+    const std::string zero = "kind = \"value\"\nover = \"hertz\"\nof = \"0\"\nsays = "
+                             "\"integral(g1(s)/sqrt(a^2-s^2), s, -a, a)\"\n";
+    const ClaimResult result = result_of(zero + "scale = \"C*a\"\n");
+    const Evidence& scaled = enclosures_of(result);
+    CHECK(scaled.find("digits_proved")->text() == "34.0");
+    CHECK(scaled.find("samples")->text() == "2");
+}
+
+TEST_CASE("integrals of the contact are proved to the digits of the run, never rounded up") {
+    const ClaimResult force = result_of(
+        value_claim("Es/(2*Pi)*sqrt(a^2-x^2)*pv(g1(s)/sqrt(a^2-s^2)*(1/(s-x)), s, -a, a, x)"));
+    CHECK(force.outcome.verdict == Verdict::confirmed);
+    CHECK(std::stod(enclosures_of(force).find("digits_proved")->text()) > 30);
+    const ClaimResult wrong =
+        result_of(value_claim("Es/2*sqrt(a^2-x^2)*pv(g1(s)/sqrt(a^2-s^2)*(1/(s-x)), s, -a, a, x)"));
+    CHECK(wrong.outcome.verdict == Verdict::refuted);
+    CHECK(basis_of(wrong) == Basis::enclosures);
+}
+
+TEST_CASE("past 100 digits an integral is proved to 100 at every sample, and to all at some") {
+    const std::string of_pressure = "kind = \"value\"\nover = \"nine\"\nof = \"P\"\nsays = \"";
+    const ClaimResult right = result_of(of_pressure + "integral(p(s), s, -a, a)\"\n", 130);
+    CHECK(right.outcome.verdict == Verdict::confirmed);
+    CHECK(right.outcome.evidence.find("digits")->text() == "100.0");
+    const auto& all = std::get<Evidence>(right.outcome.evidence.find("all_digits")->value());
+    CHECK(std::stod(all.find("digits")->text()) > 125);
+    CHECK(all.find("samples")->text() == "6");
+    CHECK(right.outcome.evidence.find("samples")->text() == "9");
+    const ClaimResult wrong =
+        result_of(of_pressure + "integral(p(s), s, -a, a)*(1 + 1e-115)\"\n", 130);
+    CHECK(wrong.outcome.verdict == Verdict::refuted);
+    CHECK(basis_of(wrong) == Basis::enclosures);
+}
+
+TEST_CASE("a ball's text holds all of the ball") {
+    const Ball ball = Ball::around(Real(2) / 3, Real("0.001"), 200);
+    CHECK(ball_text(ball, 2) == "0.67 +- 0.0044");
+    CHECK(ball_text(Ball(5, 100), 3) == "5.00 +- 0");
+}
+
+TEST_CASE("a ball's text shows no digit that the ball does not know") {
+    const Real thousandth = Real(1) / 1000;
+    CHECK(ball_text(Ball::around(Real(1) / 8, Real(2), 200), 50) == "0 +- 2.2");
+    const std::string wide = ball_text(Ball::around(Real(2) / 3, thousandth, 200), 50);
+    CHECK(wide.substr(0, 10) == "0.6667 +- ");
+}

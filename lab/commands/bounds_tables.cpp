@@ -14,10 +14,6 @@ namespace {
 
 using Kind = report::Column::Kind;
 
-std::string capped(unsigned digits) {
-    return digits >= most_digits_right ? "exact" : std::to_string(digits);
-}
-
 using Counts = std::vector<std::pair<const char*, std::size_t validation::CountCell::*>>;
 
 /// Adds two columns that name a cell, and one for each of the counts; a row for each cell with

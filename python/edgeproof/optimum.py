@@ -21,12 +21,11 @@ __all__ = ["Design", "design"]
 
 @dataclasses.dataclass(frozen=True)
 class Design:
-    """The best values of a scene's ranges. The names are those of `edgeproof design --format json`.
+    """The best value of a scene's range. The names are those of `edgeproof design --format json`.
 
     values            for each parameter, a Value in the scene's units
-    reach             the reach there, or its limit (attained is False): for "first_exit" and
-                      "measure" a fraction of a + b, unless the scene has unit = "distance"; for
-                      "slip_load" Q/(friction P)
+    reach             the reach there, or its limit (attained is False): a fraction of a + b, unless
+                      the scene has unit = "distance"
     gap               no other value of the range reaches farther by more than this, as proved by
                       branch and bound; None if nothing is proved
     proved            if False, values and reach are estimates, and `missing` gives the reason
@@ -60,12 +59,12 @@ class Design:
 
     @property
     def parameter(self) -> str:
-        """The name of the parameter, or of the first of two."""
+        """The name of the parameter."""
         return next(iter(self.values))
 
     @property
     def value(self) -> Value:
-        """The best value of that parameter."""
+        """The best value of the parameter."""
         return self.values[self.parameter]
 
     def to_dict(self) -> dict[str, Any]:
@@ -78,15 +77,14 @@ def design(file: str | os.PathLike[str] | None = None, *, text: str | None = Non
            maximise: str | None = None, terms: int | None = None,
            tolerance: Number | None = None, edge: str | None = None, gap: Number = "1e-6",
            digits: int = 30, progress: Callable[[int, int], object] | None = None) -> Design:
-    """Finds the parameter of a scene with ranges for which n terms reach farthest.
+    """Finds the parameter of a scene with a range for which n terms reach farthest.
 
-    file       a scene (TOML) with one or two ranges, such as m = { from = "0", to = "2" }
+    file       a scene (TOML) with one range, such as m = { from = "0", to = "2" }
                (docs/design.md), or the name of one that came with the program: "exponent"
     text       the text of such a file, in place of `file`; errors call it "(text)"
     maximise   "first_exit", the first distance from the edge at which the error of `terms` terms
                reaches the tolerance; "measure", the length of all places at which it is smaller (an
-               estimate); "slip_load", the Q/(friction P) up to which they give a slip zone within
-               the tolerance
+               estimate)
     terms      1 to 12
     tolerance  relative: "1%", "1/100"
     edge       "right", "left", or "both": the lesser reach counts

@@ -63,15 +63,13 @@ py::dict design(const std::string& text, const std::string& file, const std::str
     py::dict values;
     py::dict shown_at;
     py::dict printed;
-    for (std::size_t i = 0; i < design.parameters.size(); ++i) {
-        const py::str name(design.parameters[i].name);
-        values[name] = value(best.value[i]);
-        if (result.proved()) {
-            shown_at[name] = given(best.shown_at[i]);
-        }
-        if (design.parameters[i].printed) {
-            printed[name] = given(*design.parameters[i].printed);
-        }
+    const py::str name(design.parameter);
+    values[name] = value(best.value);
+    if (result.proved()) {
+        shown_at[name] = given(*best.shown_at);
+    }
+    if (design.printed) {
+        printed[name] = given(*design.printed);
     }
     py::dict d;
     d["json"] = json;

@@ -11,7 +11,7 @@
 #include <set>
 #include <string>
 
-/// Errors as functions of parameters, for the tests.
+/// Errors as functions of a parameter, for the tests.
 namespace edgeproof::families {
 
 inline formula::Expr in(const std::string& text, const std::set<std::string>& names) {
@@ -21,7 +21,7 @@ inline formula::Expr in(const std::string& text, const std::set<std::string>& na
 inline ErrorQuestion about(const std::string& name, std::size_t terms = 1,
                            Edge edge = Edge::right) {
     ErrorQuestion q;
-    q.names = {name};
+    q.name = name;
     q.terms = terms;
     q.edge = edge;
     return q;
@@ -42,9 +42,9 @@ inline void check_jet(const ErrorFamily& family, const Rational& u, const Ration
     constexpr long bits = 300;
     const Rational h(1, 10'000'000'000L);
     const auto value = [&](const Rational& x, const Rational& t) {
-        return family.over({Ball(t, bits)}).at(Ball(x, bits));
+        return family.over(Ball(t, bits)).at(Ball(x, bits));
     };
-    const Jet jet = family.over({Ball(parameter, bits)}).jet(Ball(u, bits));
+    const Jet jet = family.over(Ball(parameter, bits)).jet(Ball(u, bits));
     const Ball tiny(Rational(1, 1'000'000'000'000L), bits);
     const auto close = [&](const Ball& x, const Ball& y) {
         CHECK(x.is_finite());

@@ -186,11 +186,10 @@ std::optional<OptimumFound> proved_search(const Claim& claim, const AuditContext
     if (claim.text("along") != "m" || spec.profile != "power-law" || !tolerance.is_rational()) {
         return {};
     }
-    const auto errors = contact::power_law_errors(Expr::symbol("m"), {},
-                                                  {Edge::right,
-                                                   static_cast<std::size_t>(claim.integer("terms")),
-                                                   contact::ReachUnit::fraction,
-                                                   {"m"}});
+    const auto errors =
+        contact::power_law_errors(Expr::symbol("m"), {},
+                                  {Edge::right, static_cast<std::size_t>(claim.integer("terms")),
+                                   contact::ReachUnit::fraction, "m"});
     contact::ReachProblem problem;
     problem.edges = {errors.get()};
     problem.tolerance = tolerance.rational();
@@ -208,7 +207,7 @@ std::optional<OptimumFound> proved_search(const Claim& claim, const AuditContext
         decision(found.is_best ? std::nullopt
                                : Refutation::less(found.claimed_reach, found.best.shown_reach),
                  Confirmation::less(found.falls_short, millionth * 2));
-    result.off = abs(found.best.value[0] - Ball(claimed, optimum_bits));
+    result.off = abs(found.best.value - Ball(claimed, optimum_bits));
     result.text = found.text + " for the tolerance " + tolerance.text();
     result.evidence.add("tolerance", tolerance.text());
     found.add_to(result.evidence);

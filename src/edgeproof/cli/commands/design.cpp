@@ -83,10 +83,6 @@ int run(const DesignCommandOptions& o) {
     if (!o.figure.empty()) {
         report::check_figure(o.figure);
     }
-    if (!o.figure.empty() && design.parameters.size() != 1) {
-        throw InputError("--figure draws the reach against one parameter",
-                         "leave it out, or fix one of the two");
-    }
     scene::DesignRunOptions options;
     options.search.digits = digits.count;
     options.search.gap = gap_of(o.gap);
@@ -98,8 +94,7 @@ int run(const DesignCommandOptions& o) {
         report::write_design_figure(design, result, o.figure);
     }
     report::Table table = report::design_table(design, result, options.search);
-    table.asked = fmt::format("the best {} for the reach of {} term{} within {}",
-                              design.parameters.size() == 1 ? "value" : "values", design.terms,
+    table.asked = fmt::format("the best value for the reach of {} term{} within {}", design.terms,
                               design.terms == 1 ? "" : "s", percent_text(design.tolerance));
     emit(table, o);
     return 0;
@@ -109,8 +104,8 @@ int run(const DesignCommandOptions& o) {
 
 void add_design(CLI::App& app, int& code) {
     auto [sub, o] = add_command<DesignCommandOptions>(
-        app, code, "design",
-        "the parameters of a scene for which an approximation reaches farthest", run);
+        app, code, "design", "the parameter of a scene for which an approximation reaches farthest",
+        run);
     add_given_scene(sub, o);
     sub.get_option("scene")->description("the scene (TOML with [design]); -: standard input");
     sub.get_option("--terms")->description("number of terms (default: the scene's, else 1)");
@@ -120,13 +115,13 @@ void add_design(CLI::App& app, int& code) {
     add_tolerance_option(sub, o, " (default: the scene's)");
     sub.add_option("--maximise", o.maximise,
                    "what the approximation is to reach (default: the scene's, else first_exit)")
-        ->type_name("first_exit|measure|slip_load");
+        ->type_name("first_exit|measure");
     sub.add_option("--digits", o.digits, "significant digits (default: 30; 6 on a terminal)");
     sub.add_option("--gap", o.gap,
                    "nothing else in the range does better by more: proved (default: 1e-6)");
     sub.add_option("--figure", o.figure, "reach against the parameter, as .svg or .csv");
     add_table_options(sub, o);
-    sub.footer("A scene by its quantities has one or two ranges: --t 0..0.9.");
+    sub.footer("A scene by its quantities has one range: --t 0..0.9.");
 }
 
 } // namespace edgeproof::cli

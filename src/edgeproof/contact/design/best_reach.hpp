@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-/// The parameters for which n terms stay within a tolerance for the longest distance from an edge.
+/// The parameter for which n terms stay within a tolerance for the longest distance from an edge.
 /// docs/design.md has the argument.
 namespace edgeproof::contact {
 
@@ -25,12 +25,11 @@ struct ReachProblem {
     std::vector<const ErrorFamily*> edges; ///< not owned
     Rational tolerance;
     Rational part = 1;                ///< the part of a + b that is considered
-    std::size_t parameters = 1;       ///< one or two
     EvaluationCount* count = nullptr; ///< not owned; nothing is counted without it
-    [[nodiscard]] std::vector<ErrorOverBox> over(const std::vector<Ball>& box) const;
+    [[nodiscard]] std::vector<ErrorOverBox> over(const Ball& parameter) const;
 };
 
-/// The first exit for exact parameters, proved (the scan of docs/extents.md, with second
+/// The first exit for all parameters in a ball, proved (the scan of docs/extents.md, with second
 /// derivatives).
 struct ProvedReach {
     Ball reach;
@@ -39,12 +38,7 @@ struct ProvedReach {
     int side = 0;         ///< +1: f = tolerance there, -1: f = -tolerance
 };
 /// Throws BudgetError if the bits do not decide, because the error touches the tolerance.
-[[nodiscard]] ProvedReach proved_reach(const ReachProblem& problem,
-                                       const std::vector<Rational>& parameters, long bits);
-
-/// The same for all parameters in balls.
-[[nodiscard]] ProvedReach proved_reach(const ReachProblem& problem,
-                                       const std::vector<Ball>& parameters);
+[[nodiscard]] ProvedReach proved_reach(const ReachProblem& problem, const Ball& parameter);
 
 /// An estimate of the same by samples. NaN if no sample has a value.
 struct SampledReach {
@@ -63,19 +57,19 @@ struct SampledReach {
     std::vector<Extremum> extrema;
 };
 /// `whole`: also compute the measure, for which the whole contact is sampled.
-[[nodiscard]] SampledReach sampled_reach(const ReachProblem& problem,
-                                         const std::vector<double>& parameters, bool whole = false);
+[[nodiscard]] SampledReach sampled_reach(const ReachProblem& problem, double parameter,
+                                         bool whole = false);
 
 struct ParameterRange {
     Rational from;
     Rational to;
 };
 
-/// Returns a text such as "0.1 ... 0.2, 1 ... 2", rounded outwards.
-[[nodiscard]] std::string text_of(const std::vector<ParameterRange>& ranges);
+/// Returns a text such as "0.1 ... 0.2", rounded outwards.
+[[nodiscard]] std::string range_text(const ParameterRange& range);
 
 struct DesignOptions {
-    unsigned digits = 30;     ///< of the value and of the reach, with one parameter
+    unsigned digits = 30;     ///< of the value and of the reach
     Rational gap{1, 1000000}; ///< no other value of the range may reach farther by more than this
     std::size_t most_boxes = 100'000;
     /// The cost of all evaluations (EvaluationCost): about 15 s if nothing is decided.
@@ -94,33 +88,32 @@ struct BestReach {
         box           ///< known only by the search
     };
     Kind kind = Kind::box;
-    /// One value for each parameter. For the kind `box`, if proved, each contains all values that
-    /// are not proved to reach less than shown_reach.
-    std::vector<Ball> value;
+    /// For the kind `box`, if proved, it contains all values that are not proved to reach less than
+    /// shown_reach.
+    Ball value;
     Ball reach; ///< the limit as the parameter tends to that value
     /// False if the reach jumps there: the limit exists on one side only.
     bool attained = true;
     std::optional<Ball> touches_at; ///< where the error touches the tolerance
-    /// Exact parameters near the best ones; their reach is proved separately.
-    std::vector<Rational> shown_at;
+    /// An exact parameter near the best one; its reach is proved separately.
+    std::optional<Rational> shown_at;
     Ball shown_reach;
     /// Every reach of the range is at most shown_reach + gap: proved by branch and bound.
     bool proved = false;
     std::size_t boxes = 0;
-    /// The least box that holds all values that are not proved to reach less than shown_reach.
-    std::vector<ParameterRange> not_excluded;
+    /// The least range that holds all values that are not proved to reach less than shown_reach.
+    std::optional<ParameterRange> not_excluded;
     std::string missing; ///< why it is not proved
 };
 
 /// Throws BudgetError if not even an estimate is found.
-[[nodiscard]] BestReach best_reach(const ReachProblem& problem,
-                                   const std::vector<ParameterRange>& ranges,
+[[nodiscard]] BestReach best_reach(const ReachProblem& problem, const ParameterRange& range,
                                    const DesignOptions& options);
 
 /// An estimate of the best value and of its reach (or measure), by samples only.
 struct SampledBest {
-    std::vector<double> value;
-    std::vector<double> width; ///< the width of the remaining range
+    std::optional<double> value;
+    double width = 0; ///< the width of the remaining range
     double score = 0;
 };
 /// The numbers of values that are tried: the cells of the first grid and of the later ones, and
@@ -130,42 +123,27 @@ struct SampleGrid {
     int later = 16;
     int rounds =
         14; ///< until binary64 cannot separate values; this matters near a root of the parameter
-    [[nodiscard]] static SampleGrid of(std::size_t parameters, bool costly = false) {
-        return parameters == 1 ? (costly ? SampleGrid{24, 8, 14} : SampleGrid{})
-                               : (costly ? SampleGrid{8, 4, 8} : SampleGrid{24, 6, 14});
-    }
     /// The number of all values, with the ends of cells.
-    [[nodiscard]] std::size_t count(std::size_t parameters) const {
-        const auto cells = [&](int per_side) {
-            const auto n = static_cast<std::size_t>(per_side) + 1;
-            return parameters == 1 ? n : n * n;
-        };
-        return cells(first) + static_cast<std::size_t>(rounds) * cells(later);
-    }
-    /// For reaches whose evaluation takes long.
-    [[nodiscard]] static SampleGrid coarse(std::size_t parameters) {
-        return parameters == 1 ? SampleGrid{16, 6, 4} : SampleGrid{5, 3, 3};
-    }
+    [[nodiscard]] int count() const { return first + 1 + rounds * (later + 1); }
 };
-[[nodiscard]] SampledBest
-sampled_best(const std::function<double(const std::vector<double>&)>& score,
-             const std::vector<ParameterRange>& ranges, const SampleGrid& samples);
+[[nodiscard]] SampledBest sampled_best(const std::function<double(double)>& score,
+                                       const ParameterRange& range, const SampleGrid& samples);
 
 /// The result of branch and bound over the range. In every box that is not open there is a distance
 /// up to `shown` + gap at which the error certainly exceeds the tolerance for all its parameters.
 struct CoveredRange {
     bool covered = false;
     std::size_t boxes = 0;
-    std::vector<ParameterRange> open; ///< the hull of all boxes without such a distance
+    std::optional<ParameterRange> open; ///< the hull of all boxes without such a distance
     /// The hull of the open boxes and of those whose distance is above `shown`. It contains the
     /// best value.
-    std::vector<ParameterRange> best;
+    std::optional<ParameterRange> best;
     /// A box whose middle seems to reach farther than `shown` + gap: the search ended there.
-    std::optional<std::vector<ParameterRange>> better;
+    std::optional<ParameterRange> better;
 };
 [[nodiscard]] CoveredRange covered_by_exits(const ReachProblem& problem,
-                                            const std::vector<ParameterRange>& ranges,
-                                            const Rational& shown, const DesignOptions& options);
+                                            const ParameterRange& range, const Rational& shown,
+                                            const DesignOptions& options);
 
 /// A point (distance, parameter) at which two equations hold, by interval Newton.
 struct DesignPoint {

@@ -19,8 +19,8 @@ constexpr std::size_t places_kept = 3;
 constexpr unsigned finest_box = 70; ///< halvings of a range
 
 struct ParameterBox {
-    std::vector<Rational> lo;
-    std::vector<Rational> hi;
+    Rational lo;
+    Rational hi;
     std::vector<Rational> places; ///< those that decided the parent box, or nearly did
     unsigned depth = 0;
 };
@@ -35,20 +35,14 @@ enum class BoxState {
 
 class Cover {
 public:
-    Cover(const ReachProblem& problem, const std::vector<ParameterRange>& ranges,
-          const Rational& shown, const DesignOptions& options)
-        : problem_(problem), ranges_(ranges), shown_(shown), target_(shown + options.gap),
-          options_(options), tolerance_(problem.tolerance, cover_bits),
-          fewer_(is_costly(*problem.edges[0]) ? 4U : 1U) {}
+    Cover(const ReachProblem& problem, ParameterRange range, const Rational& shown,
+          const DesignOptions& options)
+        : problem_(problem), range_(std::move(range)), shown_(shown), target_(shown + options.gap),
+          options_(options), tolerance_(problem.tolerance, cover_bits) {}
 
     /// Divides the widest boxes first, so that those left at the end of the budget are narrow.
     [[nodiscard]] CoveredRange run() {
-        ParameterBox all;
-        for (const ParameterRange& r : ranges_) {
-            all.lo.push_back(r.from);
-            all.hi.push_back(r.to);
-        }
-        std::deque<ParameterBox> left{all};
+        std::deque<ParameterBox> left{{range_.from, range_.to, {}, 0}};
         CoveredRange result;
         double done = 0;
         while (!left.empty() && result.boxes < options_.most_boxes) {
@@ -65,14 +59,15 @@ public:
                 if (state == BoxState::bounded) {
                     widen(result.best, box);
                 }
-                done += share_of(box);
+                done +=
+                    Rational((box.hi - box.lo) / (range_.to - range_.from)).convert_to<double>();
                 if (options_.progress) {
                     options_.progress(static_cast<std::size_t>(done * 1000), 1000);
                 }
             } else if (state == BoxState::better) {
-                widen(result.better.emplace(), box);
+                widen(result.better, box);
                 break;
-            } else if (box.depth > finest_box * ranges_.size()) {
+            } else if (box.depth > finest_box) {
                 widen(result.open, box);
                 widen(result.best, box);
             } else {
@@ -84,31 +79,19 @@ public:
             widen(result.open, box);
             widen(result.best, box);
         }
-        result.covered = result.open.empty();
+        result.covered = !result.open;
         return result;
     }
 
 private:
-    static void widen(std::vector<ParameterRange>& hull, const ParameterBox& box) {
-        for (std::size_t i = 0; i < box.lo.size(); ++i) {
-            if (hull.size() == i) {
-                hull.push_back({box.lo[i], box.hi[i]});
-            }
-            hull[i].from = std::min(hull[i].from, box.lo[i]);
-            hull[i].to = std::max(hull[i].to, box.hi[i]);
-        }
+    static void widen(std::optional<ParameterRange>& hull, const ParameterBox& box) {
+        hull = hull ? ParameterRange{std::min(hull->from, box.lo), std::max(hull->to, box.hi)}
+                    : ParameterRange{box.lo, box.hi};
     }
     [[nodiscard]] bool beyond(const Ball& f) const { return is_beyond(side_of(f, tolerance_)); }
     [[nodiscard]] BoxState decided(ParameterBox& box) const {
-        std::vector<Ball> whole;
-        std::vector<Ball> middles;
-        std::vector<Ball> offsets;
-        for (std::size_t i = 0; i < box.lo.size(); ++i) {
-            const Rational m = (box.lo[i] + box.hi[i]) / 2;
-            whole.push_back(Ball::hull(Ball(box.lo[i], cover_bits), Ball(box.hi[i], cover_bits)));
-            middles.emplace_back(m, cover_bits);
-            offsets.push_back(whole.back() - middles.back());
-        }
+        const Ball whole = Ball::hull(Ball(box.lo, cover_bits), Ball(box.hi, cover_bits));
+        const Ball middle(Rational((box.lo + box.hi) / 2), cover_bits);
         const auto over = problem_.over(whole);
         const Ball part(problem_.part, cover_bits);
         for (const auto& f : over) {
@@ -118,7 +101,7 @@ private:
                                                                        : BoxState::bounded;
             }
         }
-        const auto in_middle = problem_.over(middles);
+        const auto in_middle = problem_.over(middle);
         const auto decides = [&](const Rational& u) {
             const Ball place(u, cover_bits);
             for (std::size_t e = 0; e < over.size(); ++e) {
@@ -126,15 +109,8 @@ private:
                     return true;
                 }
                 // Mean value form (moore-kearfott-cloud2009).
-                Ball f = in_middle[e].at(place);
-                if (!beyond(f)) {
-                    continue;
-                }
-                const Jet rates = over[e].jet(place);
-                for (std::size_t i = 0; i < offsets.size(); ++i) {
-                    f += rates.g[i + 1] * offsets[i];
-                }
-                if (beyond(f)) {
+                const Ball f = in_middle[e].at(place);
+                if (beyond(f) && beyond(f + over[e].jet(place).g[1] * (whole - middle))) {
                     return true;
                 }
             }
@@ -154,12 +130,8 @@ private:
         std::swap(fresh, box.places);
         if (box.places.empty() &&
             by_parents == BoxState::open) { // the middle may reach farther than all others
-            std::vector<double> at;
-            for (const Ball& x : middles) {
-                at.push_back(x.midpoint().convert_to<double>());
-            }
-            if (sampled_reach(problem_, at).reach > target_.convert_to<double>() &&
-                certainly_less(Ball(target_, cover_bits), proved_at(middles))) {
+            if (sampled_reach(problem_, approximate(middle)).reach > target_.convert_to<double>() &&
+                certainly_less(Ball(target_, cover_bits), proved_at(middle))) {
                 return BoxState::better;
             }
         }
@@ -172,10 +144,10 @@ private:
         const BoxState state = state_by(places);
         return state == BoxState::excluded || by_parents == BoxState::open ? state : by_parents;
     }
-    /// Returns the reach for exact parameters; 0 if it is not proved.
-    [[nodiscard]] Ball proved_at(const std::vector<Ball>& parameters) const {
+    /// Returns the reach for an exact parameter; 0 if it is not proved.
+    [[nodiscard]] Ball proved_at(const Ball& parameter) const {
         try {
-            return proved_reach(problem_, parameters).reach;
+            return proved_reach(problem_, parameter).reach;
         } catch (const BudgetError&) {
             return {0, cover_bits};
         }
@@ -193,11 +165,11 @@ private:
             std::vector<Rational> at;
             std::vector<double> e;
             // A knot near the edge may raise the error only there.
-            for (unsigned k = places_by_the_edge / fewer_; k > 0; --k) {
+            for (unsigned k = places_by_the_edge; k > 0; --k) {
                 at.emplace_back(target_ / (even_places * pow(Integer(2), k)));
             }
-            for (long k = 1; k < even_places / fewer_; ++k) {
-                at.emplace_back(target_ * k * fewer_ / even_places);
+            for (long k = 1; k < even_places; ++k) {
+                at.emplace_back(target_ * k / even_places);
             }
             at.push_back(shown_);
             at.push_back(target_);
@@ -246,46 +218,28 @@ private:
         }
         return u;
     }
-    void split(const ParameterBox& box, std::deque<ParameterBox>& into) const {
-        // The side that is widest relative to its range is divided.
-        std::size_t widest = 0;
-        const auto width = [&](std::size_t i) {
-            return Rational((box.hi[i] - box.lo[i]) / (ranges_[i].to - ranges_[i].from));
-        };
-        for (std::size_t i = 1; i < box.lo.size(); ++i) {
-            widest = width(i) > width(widest) ? i : widest;
-        }
+    static void split(const ParameterBox& box, std::deque<ParameterBox>& into) {
         ParameterBox left = box;
         ParameterBox right = box;
-        left.hi[widest] = right.lo[widest] = (box.lo[widest] + box.hi[widest]) / 2;
+        left.hi = right.lo = (box.lo + box.hi) / 2;
         ++left.depth;
         ++right.depth;
         into.push_back(std::move(left));
         into.push_back(std::move(right));
     }
-    [[nodiscard]] double share_of(const ParameterBox& box) const {
-        double share = 1;
-        for (std::size_t i = 0; i < box.lo.size(); ++i) {
-            share *= Rational((box.hi[i] - box.lo[i]) / (ranges_[i].to - ranges_[i].from))
-                         .convert_to<double>();
-        }
-        return share;
-    }
     const ReachProblem& problem_;
-    const std::vector<ParameterRange>& ranges_;
+    ParameterRange range_;
     Rational shown_;
     Rational target_;
     const DesignOptions& options_;
     Ball tolerance_;
-    unsigned fewer_; ///< divisor of the numbers of places if an evaluation takes long
 };
 
 } // namespace
 
-CoveredRange covered_by_exits(const ReachProblem& problem,
-                              const std::vector<ParameterRange>& ranges, const Rational& shown,
-                              const DesignOptions& options) {
-    return Cover(problem, ranges, shown, options).run();
+CoveredRange covered_by_exits(const ReachProblem& problem, const ParameterRange& range,
+                              const Rational& shown, const DesignOptions& options) {
+    return Cover(problem, range, shown, options).run();
 }
 
 } // namespace edgeproof::contact

@@ -23,7 +23,7 @@ EquationValues equations_at(const ReachProblem& problem, const DesignEquations& 
                             const Ball& parameter) {
     const long bits = u.bits();
     const Ball level(problem.tolerance, bits);
-    const auto errors = problem.over({parameter});
+    const auto errors = problem.over(parameter);
     const Jet f = errors[of.edge].jet(u);
     EquationValues e;
     e.f[0] = f.v - level * of.side;
@@ -157,7 +157,7 @@ std::optional<DesignPoint> touching_at_middle(const ReachProblem& problem, std::
     std::optional<Ball> middle;
     const auto root = isolated_root(
         [&](const Ball& t) {
-            const auto errors = problem.over({t});
+            const auto errors = problem.over(t);
             middle = errors[edge].length / 2;
             const Jet at = errors[edge].jet(*middle);
             return std::pair(at.v - level, at.g[1]);

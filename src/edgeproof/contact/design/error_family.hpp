@@ -15,7 +15,7 @@
 #include <vector>
 
 /// The relative error f = p_n/p - 1 of n terms at an edge as a function of the distance from it and
-/// of parameters of the scene, enclosed for every parameter of a ball.
+/// of a parameter of the scene, enclosed for every value in a ball.
 namespace edgeproof::contact {
 
 /// The unit of distances.
@@ -24,7 +24,7 @@ enum class ReachUnit {
     distance  ///< u
 };
 
-/// f for the parameters of one box. A value that cannot be enclosed is not finite: the box is too
+/// f for the parameter in one ball. A value that cannot be enclosed is not finite: the ball is too
 /// wide, or a knot is at the place or at an edge. An object belongs to one thread, and refers to
 /// its family.
 struct ErrorOverBox {
@@ -47,14 +47,11 @@ struct EvaluationCost {
 
 struct ErrorFamily {
     EvaluationCost cost;
-    /// `parameters`: one ball for each parameter, at the working precision.
-    std::function<ErrorOverBox(const std::vector<Ball>& parameters)> over;
+    /// `parameter`: at the working precision.
+    std::function<ErrorOverBox(const Ball& parameter)> over;
 };
 
-/// True if an evaluation takes so long that fewer samples are taken.
-[[nodiscard]] inline bool is_costly(const ErrorFamily& f) { return f.cost.at > 60; }
-
-/// A scene's numbers as formulas in the names of its parameters.
+/// A scene's numbers as formulas in the name of its parameter.
 struct ParametricLoad {
     std::optional<Expr> a; ///< or
     std::optional<Expr> P;
@@ -64,7 +61,7 @@ struct ErrorQuestion {
     Edge edge = Edge::right;
     std::size_t terms = 1;
     ReachUnit unit = ReachUnit::fraction;
-    std::vector<std::string> names; ///< the names of the parameters, one or two
+    std::string name; ///< of the parameter
 };
 
 /// g' piecewise linear: pieces, knots and the half-planes' load as formulas. The origin is one of
@@ -87,40 +84,24 @@ struct ParametricSlope : LinearSlope<Expr> {
 [[nodiscard]] std::unique_ptr<ErrorFamily> linear_slope_errors(const ParametricSlope& slope,
                                                                const ParametricLoad& load,
                                                                const ErrorQuestion& question);
-/// d_n/d - 1 of a slip zone as a function of the load ratio |Q|/(f P), which takes the
-/// place of the distance; its range is 1 (docs/partial-slip.md). For a power law without a tension.
-[[nodiscard]] std::unique_ptr<ErrorFamily> power_law_slip_errors(const Expr& m,
-                                                                 const ErrorQuestion& question);
-/// The same for a piecewise linear profile; `tension`: sigma_0/Q. Values are not finite if sigma_0
-/// cannot grow in proportion to Q, or if the stick zone does not contain the origin.
-[[nodiscard]] std::unique_ptr<ErrorFamily> linear_slip_errors(const ParametricSlope& slope,
-                                                              const ParametricLoad& load,
-                                                              const std::optional<Expr>& tension,
-                                                              const ErrorQuestion& question);
-
-/// Evaluates formulas in the parameters, over Ball or Jet.
+/// Evaluates formulas in the parameter, over Ball or Jet.
 template <class T> class ParameterValues {
 public:
     using Number = T;
-    ParameterValues(const std::vector<std::string>& names, const std::vector<Ball>& values)
-        : names_(names), bits_(values.front().bits()) {
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if constexpr (std::is_same_v<T, Ball>) {
-                values_.push_back(values[i]);
-            } else {
-                values_.push_back(Jet::variable(values[i], i + 1));
-            }
+    ParameterValues(std::string_view name, const Ball& value) : name_(name), bits_(value.bits()) {
+        if constexpr (std::is_same_v<T, Ball>) {
+            value_ = value;
+        } else {
+            value_ = Jet::variable(value, 1);
         }
     }
     [[nodiscard]] T number(const Rational& q) const { return T(Ball(q, bits_)); }
     [[nodiscard]] T pi() const { return T(Ball::pi(bits_)); }
     [[nodiscard]] T symbol(std::string_view name) const {
-        for (std::size_t i = 0; i < names_.size(); ++i) {
-            if (names_[i] == name) {
-                return values_[i];
-            }
+        if (name != name_) {
+            throw Error("'" + std::string(name) + "' is not the parameter");
         }
-        throw Error("'" + std::string(name) + "' is no parameter");
+        return value_;
     }
     [[nodiscard]] T operator()(const Expr& e) const { return formula::evaluate<T>(e, *this); }
     [[nodiscard]] std::optional<T> operator()(const std::optional<Expr>& e) const {
@@ -129,9 +110,9 @@ public:
     [[nodiscard]] long bits() const { return bits_; }
 
 private:
-    const std::vector<std::string>& names_;
+    std::string_view name_;
     long bits_;
-    std::vector<T> values_;
+    T value_;
 };
 
 /// The family of an error in closed form. `form(values)` makes, for values of either type T, an
@@ -140,12 +121,12 @@ template <class Form>
 [[nodiscard]] std::unique_ptr<ErrorFamily>
 closed_form_errors(const ErrorQuestion& question, const EvaluationCost& cost, const Form& form) {
     return std::make_unique<ErrorFamily>(
-        ErrorFamily{cost, [names = question.names, form](const std::vector<Ball>& at) {
-                        auto balls = form(ParameterValues<Ball>(names, at));
+        ErrorFamily{cost, [name = question.name, form](const Ball& at) {
+                        auto balls = form(ParameterValues<Ball>(name, at));
                         Ball whole = balls.whole();
                         return ErrorOverBox{
                             [balls = std::move(balls)](const Ball& u) { return balls.error(u); },
-                            [jets = form(ParameterValues<Jet>(names, at))](const Ball& u) {
+                            [jets = form(ParameterValues<Jet>(name, at))](const Ball& u) {
                                 return jets.error(Jet::variable(u, 0));
                             },
                             std::move(whole)};

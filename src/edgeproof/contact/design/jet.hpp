@@ -9,14 +9,14 @@
 
 namespace edgeproof::contact {
 
-/// A function of u and up to two parameters with its first and second derivatives, each a ball that
+/// A function of u and one parameter with its first and second derivatives, each a ball that
 /// encloses it for every choice of the arguments from their balls, as interval Newton and the mean
-/// value form need them (moore-kearfott-cloud2009). Variable 0 is u, 1 and 2 are the parameters.
+/// value form need them (moore-kearfott-cloud2009). Variable 0 is u, 1 is the parameter.
 struct Jet {
-    static constexpr std::size_t variables = 3;
+    static constexpr std::size_t variables = 2;
     Ball v;
     std::array<Ball, variables> g;
-    std::array<Ball, 6> h; ///< (0,0) (0,1) (0,2) (1,1) (1,2) (2,2)
+    std::array<Ball, 3> h; ///< (0,0) (0,1) (1,1)
 
     Jet() = default;
     explicit Jet(Ball constant) : v(std::move(constant)) {}

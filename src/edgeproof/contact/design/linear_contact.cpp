@@ -42,12 +42,7 @@ template <class T> std::vector<Mark<T>> LinearContact<T>::marks(const Extent<T>&
 }
 
 template <class T> T LinearContact<T>::imbalance(const Extent<T>& e) const {
-    T sum = linear_imbalance(slope, e, marks(e));
-    if (!slope.has_corner(slope.origin)) {
-        // g'(0) is not 0 in a tilted corrective contact; the integral of 1/w is pi.
-        sum += slope.pieces[slope.origin].at_origin * Field<T>::pi(e.a);
-    }
-    return sum;
+    return linear_imbalance(slope, e, marks(e));
 }
 
 template <class T> T LinearContact<T>::imbalance_rate(const Extent<T>& e) const {
@@ -216,12 +211,9 @@ std::optional<Ball> approximate_left_edge(const LinearContact<Ball>& in_middle, 
 
 std::optional<Extent<Ball>> solve_edges(const LinearContact<Ball>& contact,
                                         const LinearContact<Ball>& in_middle, bool symmetric,
-                                        const std::optional<Ball>& a, const std::optional<Ball>& P,
-                                        const Extent<Ball>* start) {
+                                        const std::optional<Ball>& a,
+                                        const std::optional<Ball>& P) {
     std::optional<Ball> last; // the last left edge, the start for the next one
-    if (start != nullptr) {
-        last = start->b;
-    }
     // Encloses the left edge for a right edge that may itself be a ball.
     const auto left = [&](const Ball& right) -> Ball {
         if (symmetric) {
@@ -261,7 +253,7 @@ std::optional<Extent<Ball>> solve_edges(const LinearContact<Ball>& contact,
     const auto about = approximate_zero(
         [&](const Ball& x) { return load - in_middle.force(to_left_in_middle(x)); },
         [&](const Ball& x) { return -in_middle.force_rate(to_left_in_middle(x)); },
-        start != nullptr ? start->a : middle(load / in_middle.modulus));
+        middle(load / in_middle.modulus));
     const auto right = about ? enclosed_zero(
                                    [&](const Ball& x) {
                                        return *P - contact.force({x, left(x)});
@@ -306,14 +298,8 @@ Extent<Jet> differentiated_edges(const LinearContact<Jet>& contact, const Extent
         contact.force_rate(constant).v));
 }
 
-std::vector<Ball> middles_of(const std::vector<Ball>& parameters) {
-    std::vector<Ball> middles;
-    std::ranges::transform(parameters, std::back_inserter(middles),
-                           [](const Ball& x) { return middle(x); });
-    return middles;
-}
-
-ErrorOverBox unknown_errors(long bits) {
+/// The errors over a box in which no value can be enclosed.
+static ErrorOverBox unknown_errors(long bits) {
     const Ball unknown = unknown_ball(bits);
     Jet jet(unknown);
     jet.g.fill(unknown);
@@ -327,12 +313,11 @@ std::unique_ptr<ErrorFamily> linear_slope_errors(const ParametricSlope& slope,
                                                  const ParametricLoad& load,
                                                  const ErrorQuestion& question) {
     const auto n = static_cast<double>(question.terms);
-    const auto over = [=](const std::vector<Ball>& parameters) {
-        const ParameterValues<Ball> value(question.names, parameters);
-        const std::vector<Ball> middles = middles_of(parameters);
+    const auto over = [=](const Ball& parameter) {
+        const ParameterValues<Ball> value(question.name, parameter);
         const LinearContact<Ball> contact(slope, load.contact_modulus, value);
-        const LinearContact<Ball> in_middle(slope, load.contact_modulus,
-                                            ParameterValues<Ball>(question.names, middles));
+        const LinearContact<Ball> in_middle(
+            slope, load.contact_modulus, ParameterValues<Ball>(question.name, middle(parameter)));
         const auto edges =
             solve_edges(contact, in_middle, slope.symmetric, value(load.a), value(load.P));
         if (!edges) {
@@ -342,10 +327,10 @@ std::unique_ptr<ErrorFamily> linear_slope_errors(const ParametricSlope& slope,
         Ball whole = balls.fraction ? Ball(1, balls.bits) : balls.length;
         return ErrorOverBox{
             [balls = std::move(balls)](const Ball& u) { return balls.error(u); },
-            [&slope, &load, &question, parameters, edges = *edges,
+            [&slope, &load, &question, parameter, edges = *edges,
              jets = std::optional<LinearError<Jet>>()](const Ball& u) mutable {
                 if (!jets) { // made on first use
-                    const ParameterValues<Jet> at(question.names, parameters);
+                    const ParameterValues<Jet> at(question.name, parameter);
                     const LinearContact<Jet> moving(slope, load.contact_modulus, at);
                     jets.emplace(moving,
                                  differentiated_edges(moving, edges, slope.symmetric, at(load.a),

@@ -39,21 +39,16 @@ extern template struct LinearContact<Jet>;
 /// Encloses the edges over a box of parameters by interval Newton, which proves that for each
 /// parameter of the box an edge lies in the ball and is the only one there. Returns nothing if the
 /// box is too wide, or if an edge may lie on a knot. `in_middle`: the contact in the middle of the
-/// box; `start`: edges under a greater load, from which Newton's method starts.
+/// box.
 [[nodiscard]] std::optional<Extent<Ball>> solve_edges(const LinearContact<Ball>& contact,
                                                       const LinearContact<Ball>& in_middle,
                                                       bool symmetric, const std::optional<Ball>& a,
-                                                      const std::optional<Ball>& P,
-                                                      const Extent<Ball>* start = nullptr);
+                                                      const std::optional<Ball>& P);
 /// Adds the derivatives, by the implicit function theorem, to edges that are enclosed.
 [[nodiscard]] Extent<Jet> differentiated_edges(const LinearContact<Jet>& contact,
                                                const Extent<Ball>& edges, bool symmetric,
                                                const std::optional<Jet>& a,
                                                const std::optional<Jet>& P);
-/// The midpoints of the parameters of a box.
-[[nodiscard]] std::vector<Ball> middles_of(const std::vector<Ball>& parameters);
-/// The errors over a box in which no value can be enclosed.
-[[nodiscard]] ErrorOverBox unknown_errors(long bits);
 
 /// artanh(sqrt(x))/sqrt(x), 0 <= x < 1. It increases, since its power series has positive terms.
 inline Ball arc_over_root(const Ball& x) {

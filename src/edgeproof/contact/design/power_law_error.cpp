@@ -2,7 +2,6 @@
 #include "edgeproof/contact/design/edge_function.hpp"
 #include "edgeproof/contact/design/error_family.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
-#include "edgeproof/contact/law/slip_series.hpp"
 
 namespace edgeproof::contact {
 namespace {
@@ -70,33 +69,6 @@ template <class T> struct FullStick {
     }
 };
 
-/// d/a = 1 - (1 - tau)^w, w = 1/(m + 1), since P is proportional to a^(m + 1).
-template <class T> struct PowerLawSlip {
-    T w;
-    std::vector<T> kappa; ///< coefficients of tau, tau^2, ... (docs/partial-slip.md)
-
-    PowerLawSlip(T w_, std::size_t count) : w(std::move(w_)), kappa{w} {
-        for (long k = 1; kappa.size() < count; ++k) {
-            kappa.push_back(kappa.back() * (k - w) / (k + 1));
-        }
-    }
-    [[nodiscard]] Ball whole() const { return {1, value_in(w).bits()}; }
-    [[nodiscard]] T size(const T& tau) const { return 1 - exp(w * log1p(-tau)); }
-    [[nodiscard]] T error(const T& tau) const {
-        if constexpr (std::is_same_v<T, Ball>) { // d increases with tau
-            if (!certainly_positive(tau)) {      // d/tau is a mean of the derivative
-                return horner(kappa, tau) / (w * exp((w - 1) * log1p(-tau))) - 1;
-            }
-            const Ball high = upper_end(tau).with_bits(w.bits());
-            const Ball most = certainly_less(high, whole()) ? size(high) : whole();
-            const Ball least = size(lower_end(tau).with_bits(w.bits()));
-            return slip_sum(kappa, kappa.size(), tau) / Ball::hull(least, most) - 1;
-        } else {
-            return slip_sum(kappa, kappa.size(), tau) / size(tau) - 1;
-        }
-    }
-};
-
 } // namespace
 
 std::unique_ptr<ErrorFamily> power_law_errors(const Expr& m, const std::optional<Expr>& half_width,
@@ -123,15 +95,6 @@ std::unique_ptr<ErrorFamily> full_stick_errors(const Expr& Q, const Expr& bulk_t
                                                       tension / 4, D, question.terms,
                                                       question.unit == ReachUnit::fraction};
                               });
-}
-
-std::unique_ptr<ErrorFamily> power_law_slip_errors(const Expr& m, const ErrorQuestion& question) {
-    const auto n = static_cast<double>(question.terms);
-    return closed_form_errors(
-        question, {5 + 3 * n, 4, 10 + 2 * n}, [m, terms = question.terms](const auto& value) {
-            using T = typename std::decay_t<decltype(value)>::Number;
-            return PowerLawSlip<T>(value.number(Rational(1)) / (value(m) + 1), terms);
-        });
 }
 
 } // namespace edgeproof::contact

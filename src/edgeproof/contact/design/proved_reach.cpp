@@ -156,35 +156,26 @@ private:
 
 } // namespace
 
-std::vector<ErrorOverBox> ReachProblem::over(const std::vector<Ball>& box) const {
+std::vector<ErrorOverBox> ReachProblem::over(const Ball& parameter) const {
     std::vector<ErrorOverBox> all;
     all.reserve(edges.size());
     for (const ErrorFamily* family : edges) {
         if (count == nullptr) {
-            all.push_back(family->over(box));
+            all.push_back(family->over(parameter));
             continue;
         }
         EvaluationCost cost = family->cost;
-        const double more = cost_of_bits(box.front().bits());
+        const double more = cost_of_bits(parameter.bits());
         cost = {cost.over * more, cost.at * more, cost.jet * more};
         charge(*count, cost.over);
-        all.push_back(counted(family->over(box), cost, *count));
+        all.push_back(counted(family->over(parameter), cost, *count));
     }
     return all;
 }
 
-ProvedReach proved_reach(const ReachProblem& problem, const std::vector<Rational>& parameters,
-                         long bits) {
-    std::vector<Ball> at;
-    for (const Rational& q : parameters) {
-        at.emplace_back(q, bits);
-    }
-    return proved_reach(problem, at);
-}
-
-ProvedReach proved_reach(const ReachProblem& problem, const std::vector<Ball>& at) {
-    const long bits = at.front().bits();
-    const auto errors = problem.over(at);
+ProvedReach proved_reach(const ReachProblem& problem, const Ball& parameter) {
+    const long bits = parameter.bits();
+    const auto errors = problem.over(parameter);
     std::optional<ProvedReach> least;
     for (std::size_t i = 0; i < errors.size(); ++i) {
         const Ball& length = errors[i].length;

@@ -17,7 +17,6 @@ namespace {
 
 constexpr long sample_bits = 96;
 constexpr int sample_points = 160;
-constexpr int costly_sample_points = 48;        ///< if an evaluation takes long
 constexpr double width_of_a_crossing = 0x1p-48; // relative
 constexpr int bits_of_an_extremum =
     27; // half of those of a double, since the function is flat there
@@ -30,10 +29,8 @@ double as_double(const Ball& x) {
 
 class EdgeSamples {
 public:
-    EdgeSamples(const ErrorOverBox& f, double tolerance, double end, double middle, int points,
-                bool whole)
-        : f_(f), tolerance_(tolerance), end_(end), middle_(middle), points_(points), whole_(whole) {
-    }
+    EdgeSamples(const ErrorOverBox& f, double tolerance, double end, double middle, bool whole)
+        : f_(f), tolerance_(tolerance), end_(end), middle_(middle), whole_(whole) {}
 
     /// |f| - tolerance; at a corner, where p is infinite, f = -1.
     [[nodiscard]] double excess(double u) const {
@@ -46,9 +43,9 @@ public:
 
     void into(SampledReach& result, std::size_t edge) const {
         std::vector<double> u;
-        for (int k = 0; k < points_; ++k) {
-            const double s = static_cast<double>(k + 1) / points_;
-            u.push_back(end_ * (k + 1 == points_ ? 1 - 1e-9 : s * s * s));
+        for (int k = 0; k < sample_points; ++k) {
+            const double s = static_cast<double>(k + 1) / sample_points;
+            u.push_back(end_ * (k + 1 == sample_points ? 1 - 1e-9 : s * s * s));
         }
         if (middle_ < u.back()) { // a power law's error may have a cusp there
             u.insert(std::lower_bound(u.begin(), u.end(), middle_), middle_);
@@ -128,21 +125,14 @@ private:
     double tolerance_;
     double end_;
     double middle_;
-    int points_;
     bool whole_;
 };
 
 } // namespace
 
-SampledReach sampled_reach(const ReachProblem& problem, const std::vector<double>& parameters,
-                           bool whole) {
+SampledReach sampled_reach(const ReachProblem& problem, double parameter, bool whole) {
     check_interruption();
-    std::vector<Ball> at;
-    at.reserve(parameters.size());
-    for (const double x : parameters) {
-        at.emplace_back(Real(x), sample_bits);
-    }
-    const auto errors = problem.over(at);
+    const auto errors = problem.over(Ball(Real(parameter), sample_bits));
     SampledReach result;
     for (std::size_t i = 0; i < errors.size(); ++i) {
         const double length = as_double(errors[i].length);
@@ -151,8 +141,7 @@ SampledReach sampled_reach(const ReachProblem& problem, const std::vector<double
             result.reach = end;
             return result;
         }
-        EdgeSamples(errors[i], problem.tolerance.convert_to<double>(), end, length / 2,
-                    is_costly(*problem.edges[i]) ? costly_sample_points : sample_points, whole)
+        EdgeSamples(errors[i], problem.tolerance.convert_to<double>(), end, length / 2, whole)
             .into(result, i);
     }
     std::sort(result.extrema.begin(), result.extrema.end(),
@@ -162,67 +151,32 @@ SampledReach sampled_reach(const ReachProblem& problem, const std::vector<double
     return result;
 }
 
-namespace {
-
-/// A grid over a box with its ends: the best value and the cells around it.
-struct GridSearch {
-    std::vector<double> lo;
-    std::vector<double> hi;
-
-    void refine(const std::function<double(const std::vector<double>&)>& score, int points,
-                SampledBest& best) {
-        std::vector<int> at(lo.size(), 0);
-        best.width.clear();
-        for (std::size_t i = 0; i < lo.size(); ++i) {
-            best.width.push_back((hi[i] - lo[i]) / points);
-        }
-        const auto value = [&](std::size_t i, int k) {
-            return k == points ? hi[i] : lo[i] + (hi[i] - lo[i]) * k / points;
-        };
-        for (;;) {
+SampledBest sampled_best(const std::function<double(double)>& score, const ParameterRange& range,
+                         const SampleGrid& samples) {
+    double lo = range.from.convert_to<double>();
+    double hi = range.to.convert_to<double>();
+    SampledBest best;
+    // Tries a grid with its ends, and keeps the cells next to the best value.
+    const auto refine = [&](int cells) {
+        best.width = (hi - lo) / cells;
+        for (int k = 0; k <= cells; ++k) {
             check_interruption();
-            std::vector<double> x;
-            for (std::size_t i = 0; i < at.size(); ++i) {
-                x.push_back(value(i, at[i]));
-            }
+            const double x = k == cells ? hi : lo + (hi - lo) * k / cells;
             const double s = score(x);
-            if (!std::isnan(s) && (best.value.empty() || s > best.score)) {
+            if (!std::isnan(s) && (!best.value || s > best.score)) {
                 best.value = x;
                 best.score = s;
             }
-            std::size_t i = 0;
-            while (i < at.size() && at[i] == points) {
-                at[i++] = 0;
-            }
-            if (i == at.size()) {
-                break;
-            }
-            ++at[i];
         }
-        if (best.value.empty()) {
-            return;
+        if (best.value) {
+            lo = std::max(lo, *best.value - best.width);
+            hi = std::min(hi, *best.value + best.width);
         }
-        for (std::size_t i = 0; i < lo.size(); ++i) {
-            lo[i] = std::max(lo[i], best.value[i] - best.width[i]);
-            hi[i] = std::min(hi[i], best.value[i] + best.width[i]);
-        }
-    }
-};
-
-} // namespace
-
-SampledBest sampled_best(const std::function<double(const std::vector<double>&)>& score,
-                         const std::vector<ParameterRange>& ranges, const SampleGrid& samples) {
-    GridSearch grid;
-    for (const ParameterRange& r : ranges) {
-        grid.lo.push_back(r.from.convert_to<double>());
-        grid.hi.push_back(r.to.convert_to<double>());
-    }
-    SampledBest best;
+    };
     try {
-        grid.refine(score, samples.first, best);
-        for (int k = 0; k < samples.rounds && !best.value.empty(); ++k) {
-            grid.refine(score, samples.later, best);
+        refine(samples.first);
+        for (int k = 0; k < samples.rounds && best.value; ++k) {
+            refine(samples.later);
         }
     } catch (const BudgetError&) { // the best of the values tried is returned
     }

@@ -84,7 +84,7 @@ constexpr unsigned digits_of_a_mark = 6;
 
 /// Columns: the parameter, reach, best, printed.
 Plot design_plot(const scene::DesignScene& design, const scene::DesignResult& result) {
-    const std::string& name = design.parameters.front().name;
+    const std::string& name = design.parameter;
     const bool measure = design.objective == scene::DesignObjective::measure;
     const std::string reach = measure ? "measure" : "reach";
     Plot plot;
@@ -93,15 +93,14 @@ Plot design_plot(const scene::DesignScene& design, const scene::DesignResult& re
     plot.description = "The " + reach + " of " + std::to_string(design.terms) +
                        " term(s) against " + name + ", its best value marked";
     plot.x = {name};
-    plot.y = {design.objective == scene::DesignObjective::slip_load ? "slip load, Q/(f P)"
-              : design.unit == contact::ReachUnit::fraction         ? reach + ", fraction of a + b"
-                                                            : reach + ", distance from the edge"};
+    plot.y = {reach + (design.unit == contact::ReachUnit::fraction ? ", fraction of a + b"
+                                                                   : ", distance from the edge")};
     plot.columns = {name, "reach", "best", "printed"};
     plot.curves.push_back(
         {"reach", "within " + in_percent(design.tolerance), {Pen::Colour::blue, 1}});
     const auto mark = [](const Ball& x) { return to_decimal(x.midpoint(), digits_of_a_mark); };
     plot.curves.push_back({"best",
-                           "best: " + name + " = " + mark(result.best.value[0]),
+                           "best: " + name + " = " + mark(result.best.value),
                            {Pen::Colour::vermilion, 0, 7, 1}});
     double highest = 0;
     for (const auto& [x, y] : result.curve) {
@@ -116,9 +115,9 @@ Plot design_plot(const scene::DesignScene& design, const scene::DesignResult& re
         auto& row = plot.add_row(Real(x));
         row[1] = before ? std::optional(Real(y)) : std::nullopt;
     }
-    plot.add_row(result.best.value[0].midpoint())[2] = result.best.reach.midpoint();
+    plot.add_row(result.best.value.midpoint())[2] = result.best.reach.midpoint();
     if (result.printed_reach) {
-        const Rational& printed = *design.parameters.front().printed;
+        const Rational& printed = *design.printed;
         plot.add_row(from_rational<Real>(printed))[3] = result.printed_reach->midpoint();
         plot.curves.push_back({"printed",
                                "printed: " + name + " = " + exact_text(printed),

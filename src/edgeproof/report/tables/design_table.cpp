@@ -12,10 +12,6 @@ namespace {
 constexpr unsigned digits_of_an_estimate = 10;
 
 std::string reach_note(const scene::DesignScene& design) {
-    if (design.objective == scene::DesignObjective::slip_load) {
-        return "the Q/(f P) up to which the terms of the slip zone's size are within the tolerance "
-               "of it, P and bulk_tension/Q constant; 1: up to full sliding";
-    }
     return std::string(design.objective == scene::DesignObjective::measure
                            ? "the length of all places at which the terms are within the tolerance"
                            : "the first distance from the edge at which the terms are off by the "
@@ -72,22 +68,16 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
                    {"proof", proved ? "yes" : "no (estimate): " + result.missing}};
     if (proved) {
         table.facts.push_back({"boxes", std::to_string(best.boxes)});
-        std::string at;
-        for (const Rational& q : best.shown_at) {
-            at += (at.empty() ? "" : ", ") + to_decimal(q, 20, Rounding::nearest);
-        }
-        table.facts.push_back({"reach shown at", at});
-        table.facts.push_back({"not excluded", contact::text_of(best.not_excluded)});
+        table.facts.push_back(
+            {"reach shown at", to_decimal(*best.shown_at, 20, Rounding::nearest)});
+        table.facts.push_back(
+            {"not excluded", best.not_excluded ? contact::range_text(*best.not_excluded) : ""});
     }
     if (best.touches_at) {
         table.facts.push_back({"touches at", text(*best.touches_at).text});
     }
     if (result.printed_reach) {
-        std::string at;
-        for (const scene::DesignScene::Parameter& p : design.parameters) {
-            at += (at.empty() ? "" : ", ") + exact_text(*p.printed);
-        }
-        table.facts.push_back({"printed", at});
+        table.facts.push_back({"printed", exact_text(*design.printed)});
         table.facts.push_back({"reach at printed", text(*result.printed_reach).text});
         table.facts.push_back({"falls short by", text(*result.falls_short).text});
     }
@@ -116,11 +106,9 @@ Table design_table(const scene::DesignScene& design, const scene::DesignResult& 
     table.columns[2].role = Column::Role::bound;
     table.columns[4].role = Column::Role::bound;
     const scene::PrintedValue reach = text(best.reach);
-    for (std::size_t i = 0; i < design.parameters.size(); ++i) {
-        const scene::PrintedValue value = text(best.value[i]);
-        table.rows.push_back({design.parameters[i].name, value.text, value.bound, reach.text,
-                              reach.bound, proved ? exact_text(search.gap) : ""});
-    }
+    const scene::PrintedValue value = text(best.value);
+    table.rows.push_back({design.parameter, value.text, value.bound, reach.text, reach.bound,
+                          proved ? exact_text(search.gap) : ""});
     return table;
 }
 

@@ -5,6 +5,7 @@
 #include "edgeproof/scene/design/design_file.hpp"
 #include "edgeproof/scene/input/readers.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace edgeproof::scene {
@@ -12,11 +13,10 @@ namespace {
 
 using contact::ParametricSlope;
 
-/// The numbers of a design scene as formulas in its parameters.
+/// The numbers of a design scene as formulas in its parameter.
 class DesignFormulas {
 public:
-    DesignFormulas(const io::TomlSection& top, const std::vector<std::string>& names)
-        : top_(top), names_(names.begin(), names.end()) {}
+    DesignFormulas(const io::TomlSection& top, const std::string& name) : top_(top), names_{name} {}
 
     [[nodiscard]] Expr number(const char* section, const std::string& key) const {
         const io::TomlSection s = top_.section(section);
@@ -94,7 +94,7 @@ ParametricSlope tilted_flat_and_rounded(const DesignFormulas& of) {
              .origin = 2}};
 }
 
-/// Upper bounds of the degrees of a quotient of polynomials in each parameter.
+/// Upper bounds of the degrees of a quotient of polynomials in the parameter.
 struct Degrees {
     long over;
     long under;
@@ -139,48 +139,35 @@ std::optional<Degrees> degrees_of(const Expr& e) {
     }
 }
 
-/// True if a quotient of polynomials in the parameters is identically zero. It is, if it is exactly
-/// zero for more values of each parameter than its numerator can have roots.
-bool identically_zero(const Expr& e, const std::vector<DesignScene::Parameter>& parameters) {
+/// True if a quotient of polynomials in the parameter is identically zero. It is, if it is exactly
+/// zero for more values of the parameter than its numerator can have roots.
+bool identically_zero(const Expr& e, const DesignScene& design) {
     const auto degrees = degrees_of(e);
     if (!degrees || degrees->over > 40) {
         return false;
     }
     const long values = degrees->over + 1;
-    const auto value = [&](const DesignScene::Parameter& p, long k) {
-        return Rational(p.range.from + (p.range.to - p.range.from) * (2 * k + 1) / (2 * values));
-    };
-    const long second = parameters.size() == 2 ? values : 1;
+    const auto& [from, to] = design.range;
     for (long k = 0; k < values; ++k) {
-        for (long j = 0; j < second; ++j) {
-            Expr at = substitute(e, parameters[0].name, Expr::number(value(parameters[0], k)));
-            if (parameters.size() == 2) {
-                at = substitute(at, parameters[1].name, Expr::number(value(parameters[1], j)));
-            }
-            const Rational* q = at.rational();
-            if (q == nullptr || *q != 0) {
-                return false;
-            }
+        const Rational value = from + (to - from) * (2 * k + 1) / (2 * values);
+        const Expr at = substitute(e, design.parameter, Expr::number(value));
+        const Rational* q = at.rational();
+        if (q == nullptr || *q != 0) {
+            return false;
         }
     }
     return true;
 }
 
-/// Returns the number of knots left of the origin at one end of the ranges of the parameters.
-std::size_t knots_before_origin(const std::vector<Expr>& knots,
-                                const std::vector<DesignScene::Parameter>& parameters, bool upper) {
-    std::size_t before = 0;
-    for (Expr knot : knots) {
-        for (const DesignScene::Parameter& p : parameters) {
-            knot = substitute(knot, p.name, Expr::number(upper ? p.range.to : p.range.from));
-        }
-        before += Exact(knot).sign() < 0 ? 1 : 0;
-    }
-    return before;
+/// Returns the number of knots left of the origin for one value of the parameter.
+std::size_t knots_before_origin(const std::vector<Expr>& knots, const std::string& parameter,
+                                const Rational& value) {
+    return static_cast<std::size_t>(std::ranges::count_if(knots, [&](const Expr& knot) {
+        return Exact(substitute(knot, parameter, Expr::number(value))).sign() < 0;
+    }));
 }
 
-std::optional<ParametricSlope> piecewise(const DesignFormulas& of,
-                                         const std::vector<DesignScene::Parameter>& parameters,
+std::optional<ParametricSlope> piecewise(const DesignFormulas& of, const DesignScene& design,
                                          std::string& why_not) {
     std::vector<Expr> knots = of.list("knots", false);
     std::vector<ParametricSlope::Piece> pieces;
@@ -211,13 +198,13 @@ std::optional<ParametricSlope> piecewise(const DesignFormulas& of,
         s.knots = std::move(all);
         s.pieces = std::move(both);
     } else {
-        s.origin = knots_before_origin(knots, parameters, false);
-        if (s.origin != knots_before_origin(knots, parameters, true)) {
+        s.origin = knots_before_origin(knots, design.parameter, design.range.from);
+        if (s.origin != knots_before_origin(knots, design.parameter, design.range.to)) {
             why_not = "a knot passes the origin within the range";
             return {};
         }
         const auto at = static_cast<std::ptrdiff_t>(s.origin);
-        if (s.origin == knots.size() || !identically_zero(knots[s.origin], parameters)) {
+        if (s.origin == knots.size() || !identically_zero(knots[s.origin], design)) {
             pieces.insert(pieces.begin() + at, pieces[s.origin]);
             knots.insert(knots.begin() + at, whole(0));
         }
@@ -228,8 +215,7 @@ std::optional<ParametricSlope> piecewise(const DesignFormulas& of,
         const auto value = [&](const ParametricSlope::Piece& p) {
             return p.at_origin + p.rate * s.knots[i];
         };
-        s.corners.push_back(
-            !identically_zero(value(s.pieces[i + 1]) - value(s.pieces[i]), parameters));
+        s.corners.push_back(!identically_zero(value(s.pieces[i + 1]) - value(s.pieces[i]), design));
     }
     return s;
 }
@@ -256,31 +242,13 @@ std::vector<std::unique_ptr<contact::ErrorFamily>> DesignScene::errors(std::stri
     contact::ErrorQuestion question;
     question.terms = terms;
     question.unit = unit;
-    for (const Parameter& p : parameters) {
-        question.names.push_back(p.name);
-    }
-    const DesignFormulas of(*top_, question.names);
+    question.name = parameter;
+    const DesignFormulas of(*top_, parameter);
     const std::string kind = of.kind();
     std::vector<std::unique_ptr<contact::ErrorFamily>> all;
     const auto load = load_of(of, why_not);
     if (!load) {
         return all;
-    }
-    const bool slip = objective == DesignObjective::slip_load;
-    std::optional<Expr> tension; // divided by Q
-    if (slip) {
-        tension = of.number_or_none("shear", "bulk_tension");
-        if (tension && tension->rational() != nullptr && *tension->rational() == 0) {
-            tension.reset();
-        }
-        if (tension) {
-            tension = *tension / of.number("shear", "Q");
-        }
-        if (tension && kind == "power-law") {
-            why_not = "the stick zones of a power law under a tension have no closed form: write "
-                      "m = 1 as a piecewise slope";
-            return all;
-        }
     }
     const bool symmetric_kind = kind == "power-law" || kind == "flat-and-rounded" ||
                                 (kind == "piecewise" && of.flag("symmetric"));
@@ -293,7 +261,7 @@ std::vector<std::unique_ptr<contact::ErrorFamily>> DesignScene::errors(std::stri
         slope = kind == "flat-and-rounded"          ? std::optional(flat_and_rounded(of))
                 : kind == "tilted-wedge"            ? std::optional(tilted_wedge(of))
                 : kind == "tilted-flat-and-rounded" ? std::optional(tilted_flat_and_rounded(of))
-                                                    : piecewise(of, parameters, why_not);
+                                                    : piecewise(of, *this, why_not);
         if (!slope) {
             return all;
         }
@@ -308,16 +276,12 @@ std::vector<std::unique_ptr<contact::ErrorFamily>> DesignScene::errors(std::stri
         question.edge = edge;
         if (shear) {
             if (!length) {
-                why_not = "a + b is no formula in the parameters: give a symmetric profile and a";
+                why_not = "a + b is no formula in the parameter: give a symmetric profile and a";
                 return {};
             }
             all.push_back(contact::full_stick_errors(
                 of.number_or_none("shear", "Q").value_or(whole(0)),
                 of.number_or_none("shear", "bulk_tension").value_or(whole(0)), *length, question));
-        } else if (slip) {
-            all.push_back(
-                slope ? contact::linear_slip_errors(*slope, *load, tension, question)
-                      : contact::power_law_slip_errors(of.number("profile", "m"), question));
         } else if (kind == "power-law") {
             if (unit == contact::ReachUnit::distance && !load->a) {
                 why_not = "the half-width of a power law under a given load is not enclosed over a "

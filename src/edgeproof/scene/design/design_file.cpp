@@ -9,6 +9,8 @@
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/input/readers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -17,7 +19,6 @@ namespace edgeproof::scene {
 namespace {
 
 constexpr long most_design_terms = 12;
-constexpr std::size_t most_design_parameters = 2;
 
 Rational rational_at(const io::TomlSection& section, std::string_view key) {
     const Exact x = section.exact(key);
@@ -39,15 +40,12 @@ contact::ParameterRange range_at(const io::TomlSection& section, std::string_vie
     return r;
 }
 
-void read_parameters(const io::TomlSection& top, std::size_t line, DesignScene& design) {
+void read_parameter(const io::TomlSection& top, std::size_t line, DesignScene& design) {
+    std::size_t ranges = 0;
     const auto add = [&](const io::TomlSection& section, const std::string& name) {
-        for (const DesignScene::Parameter& p : design.parameters) {
-            if (p.name == name) {
-                section.reject(name, "the parameter " + name + " is given twice",
-                               "give one of them another name, in [parameters]");
-            }
-        }
-        design.parameters.push_back({name, range_at(section, name), {}});
+        ++ranges;
+        design.parameter = name;
+        design.range = range_at(section, name);
     };
     for (const char* where : {"profile", "load", "shear"}) {
         if (!top.has(where)) {
@@ -69,10 +67,9 @@ void read_parameters(const io::TomlSection& top, std::size_t line, DesignScene& 
             add(section, key);
         }
     }
-    if (design.parameters.empty() || design.parameters.size() > most_design_parameters) {
-        top.reject(line,
-                   std::to_string(design.parameters.size()) + " numbers of the scene are ranges",
-                   "write one or two as { from = \"0\", to = \"3\" }");
+    if (ranges != 1) {
+        top.reject(line, std::to_string(ranges) + " numbers of the scene are ranges",
+                   "write one as { from = \"0\", to = \"3\" }");
     }
 }
 
@@ -88,7 +85,7 @@ std::vector<Edge> edges_named(const std::string& edge) {
 
 DesignObjective objective_named(const std::string& maximise) {
     // In the order of DesignObjective.
-    static constexpr std::array<std::string_view, 3> names{"first_exit", "measure", "slip_load"};
+    static constexpr std::array<std::string_view, 2> names{"first_exit", "measure"};
     const auto* const name = std::ranges::find(names, maximise);
     if (name == names.end()) {
         throw InputError("unknown objective '" + maximise + "'", one_of(maximise, names));
@@ -141,14 +138,6 @@ void set_question(const DesignQuestion& asked, const io::TomlSection* section,
 
 /// Reads the keys that only [design] has.
 void read_design_section(const io::TomlSection& section, DesignScene& design) {
-    if (design.objective == DesignObjective::slip_load) {
-        for (const char* key : {"of", "unit", "part"}) {
-            if (section.has(key)) {
-                section.reject(key, std::string(key) + " is of distances, slip_load of Q/(f P)",
-                               "leave it out");
-            }
-        }
-    }
     if (section.has("of")) {
         const std::string of = section.text("of");
         if (of != "pressure" && of != "shear") {
@@ -175,13 +164,11 @@ void read_design_section(const io::TomlSection& section, DesignScene& design) {
     if (section.has("printed")) {
         const io::TomlSection printed = section.section("printed");
         for (const std::string& key : printed.keys()) {
-            const auto it =
-                std::find_if(design.parameters.begin(), design.parameters.end(),
-                             [&](const DesignScene::Parameter& p) { return p.name == key; });
-            if (it == design.parameters.end()) {
-                section.reject("printed", "there is no parameter " + key, "name one of the ranges");
+            if (key != design.parameter) {
+                section.reject("printed", "there is no parameter " + key,
+                               "write " + design.parameter);
             }
-            it->printed = rational_at(printed, key);
+            design.printed = rational_at(printed, key);
         }
     }
 }
@@ -192,8 +179,8 @@ bool is_name_character(char c) {
 
 } // namespace
 
-std::string with_names_replaced(std::string_view formula,
-                                const std::map<std::string, std::string>& values) {
+std::string with_name_replaced(std::string_view formula, std::string_view name,
+                               std::string_view value) {
     std::string out;
     for (std::size_t at = 0; at < formula.size();) {
         if (!is_name_character(formula[at])) {
@@ -204,34 +191,22 @@ std::string with_names_replaced(std::string_view formula,
         while (end < formula.size() && is_name_character(formula[end])) {
             ++end;
         }
-        const std::string name(formula.substr(at, end - at));
-        const auto it = values.find(name);
-        out += it == values.end() ? name : "(" + it->second + ")";
+        const std::string_view word = formula.substr(at, end - at);
+        out += word == name ? fmt::format("({})", value) : std::string(word);
         at = end;
     }
     return out;
 }
 
-std::vector<contact::ParameterRange> DesignScene::ranges() const {
-    std::vector<contact::ParameterRange> all;
-    for (const Parameter& p : parameters) {
-        all.push_back(p.range);
-    }
-    return all;
-}
-
-Scene DesignScene::at(const std::vector<Rational>& values) const {
-    std::map<std::string, std::string> texts;
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        texts[parameters[i].name] = exact_text(values[i]);
-    }
+Scene DesignScene::at(const Rational& value) const {
+    const std::string number = exact_text(value);
     const auto change = [&](std::string_view, std::string_view key,
                             const std::string* text) -> std::optional<std::string> {
         if (text != nullptr) {
-            return key == "kind" || key == "path" ? *text : with_names_replaced(*text, texts);
+            return key == "kind" || key == "path" ? *text
+                                                  : with_name_replaced(*text, parameter, number);
         }
-        const auto range = texts.find(std::string(key));
-        return range == texts.end() ? std::nullopt : std::optional(range->second);
+        return key == parameter ? std::optional(number) : std::nullopt;
     };
     Scene scene = scene_of(top_->changed({"profile", "load", "shear"}, change));
     if (scene.round && scene.round->law && !scene.shear &&
@@ -245,8 +220,7 @@ Scene DesignScene::at(const std::vector<Rational>& values) const {
     scene.ask.terms = {terms};
     scene.ask.tolerance = tolerance;
     scene.ask.part = {Exact(), Exact::of(part)};
-    const bool slip = objective == DesignObjective::slip_load;
-    scene.ask.quantities = {slip ? QuantityGroup::slip : QuantityGroup::extent};
+    scene.ask.quantities = {QuantityGroup::extent};
     return scene;
 }
 
@@ -267,30 +241,20 @@ DesignScene parse_design(std::string_view text, const std::string& file,
     design.title = top.has("title") ? top.text("title") : std::string();
     design.top_ = top;
     const std::size_t line = section ? section->line() : top.line();
-    read_parameters(top, line, design);
+    read_parameter(top, line, design);
     set_question(asked, section ? &*section : nullptr, design);
     if (section) {
         read_design_section(*section, design);
     }
     // Both ends must make valid scenes. Values between them are convex if the ends are, or are
     // refused when they are tried.
-    std::vector<Rational> lo;
-    std::vector<Rational> hi;
-    for (const DesignScene::Parameter& p : design.parameters) {
-        lo.push_back(p.range.from);
-        hi.push_back(p.range.to);
-    }
-    const Scene one = design.at(lo);
-    (void)design.at(hi);
+    const Scene one = design.at(design.range.from);
+    (void)design.at(design.range.to);
     if (top.has("ask")) { // it is not used, but an error in it is reported
         const io::TomlSection ask = top.section("ask");
         Scene asking = one;
         io::at_place(ask.file(), ask.line(),
                      [&] { read_ask(ask, top.section("profile"), asking); });
-    }
-    if (design.objective == DesignObjective::slip_load && !one.slips()) {
-        top.reject(line, "slip_load is requested, but nothing slips",
-                   "add [shear] with Q and friction");
     }
     if (design.shear && !one.shear) {
         top.reject(line, "shear is requested, but there is no [shear]",

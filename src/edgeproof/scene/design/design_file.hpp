@@ -4,7 +4,6 @@
 #include "edgeproof/scene/input/scene_file.hpp"
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,8 +16,7 @@ namespace edgeproof::scene {
 /// The quantity that a design maximises.
 enum class DesignObjective {
     first_exit, ///< the first distance at which the error of n terms is the tolerance
-    measure,    ///< the total length of the places where it is within the tolerance
-    slip_load   ///< the Q/(f P) up to which the slip-zone size by n terms is within the tolerance
+    measure     ///< the total length of the places where it is within the tolerance
 };
 
 /// Values that replace those of [design].
@@ -29,18 +27,14 @@ struct DesignQuestion {
     std::optional<long> terms;
 };
 
-/// A scene in which one or two numbers are ranges; the best values are to be found
-/// (docs/design.md).
+/// A scene in which one number is a range; its best value is to be found (docs/design.md).
 class DesignScene {
 public:
-    struct Parameter {
-        std::string name;
-        contact::ParameterRange range;
-        std::optional<Rational> printed; ///< a value to compare with
-    };
     std::string file;
     std::string title;
-    std::vector<Parameter> parameters;
+    std::string parameter; ///< its name
+    contact::ParameterRange range;
+    std::optional<Rational> printed; ///< a value of the parameter to compare with
     DesignObjective objective = DesignObjective::first_exit;
     bool shear = false; ///< of the shear traction instead of the pressure
     std::size_t terms = 1;
@@ -49,11 +43,10 @@ public:
     contact::ReachUnit unit = contact::ReachUnit::fraction;
     Rational part = 1; ///< the part considered, as a fraction of a + b
 
-    [[nodiscard]] std::vector<contact::ParameterRange> ranges() const;
-    /// Returns the scene for one value of each parameter. Throws InputError if these values do not
-    /// make a valid scene.
-    [[nodiscard]] Scene at(const std::vector<Rational>& values) const;
-    /// Returns the relative error as a function of the parameters in closed form. An element is
+    /// Returns the scene for one value of the parameter. Throws InputError if it does not make a
+    /// valid scene.
+    [[nodiscard]] Scene at(const Rational& value) const;
+    /// Returns the relative error as a function of the parameter in closed form. An element is
     /// null if there is no closed form; then `why_not` gives the reason, and no proof is possible.
     [[nodiscard]] std::vector<std::unique_ptr<contact::ErrorFamily>>
     errors(std::string& why_not) const;
@@ -70,9 +63,9 @@ private:
 [[nodiscard]] DesignScene parse_design(std::string_view text, const std::string& file,
                                        const DesignQuestion& asked = {});
 
-/// Replaces names in a formula by their values in parentheses.
-[[nodiscard]] std::string with_names_replaced(std::string_view formula,
-                                              const std::map<std::string, std::string>& values);
+/// Replaces a name in a formula by its value in parentheses.
+[[nodiscard]] std::string with_name_replaced(std::string_view formula, std::string_view name,
+                                             std::string_view value);
 
 inline constexpr unsigned most_design_digits = 1000;
 
@@ -81,10 +74,10 @@ struct DesignResult {
     /// Empty if everything is proved; otherwise the reason why the result is an estimate.
     std::string missing;
     [[nodiscard]] bool proved() const { return best.proved && missing.empty(); }
-    /// The reach for the printed values, proved if `best` is proved.
+    /// The reach for the printed value, proved if `best` is proved.
     std::optional<Ball> printed_reach;
     std::optional<Ball> falls_short; ///< 1 - printed_reach/best
-    /// For one parameter: samples of value and reach (or measure), for a picture.
+    /// Samples of value and reach (or measure), for a picture.
     std::vector<std::pair<double, double>> curve;
 };
 

@@ -55,13 +55,13 @@ ProvedOptimum proved_optimum(const contact::ReachProblem& problem,
                              const std::string& parameter) {
     ProvedOptimum found;
     try {
-        found.claimed_reach = proved_reach(problem, std::vector<Ball>{claimed}).reach;
+        found.claimed_reach = proved_reach(problem, claimed).reach;
         contact::DesignOptions options;
         options.digits = optimum_digits + 5;
         // The best reach is not less than the reach of the claimed value.
         options.gap = contact::exact_value(
             Ball(Ball(found.claimed_reach.lower(), 64) / 1'000'000).with_bits(32).lower());
-        found.best = best_reach(problem, {range}, options);
+        found.best = best_reach(problem, range, options);
     } catch (const BudgetError& problem_found) {
         found.best.missing = problem_found.what();
         return found;
@@ -71,7 +71,7 @@ ProvedOptimum proved_optimum(const contact::ReachProblem& problem,
     found.falls_short = 1 - found.claimed_reach / best.reach;
     found.is_best = !certainly_less(Ball(Rational(1, 1'000'000), optimum_bits), found.falls_short);
     const auto digits = [](const Ball& x, unsigned count) { return round_ball(x, count).text; };
-    found.text = parameter + " = " + digits(best.value[0], optimum_digits) +
+    found.text = parameter + " = " + digits(best.value, optimum_digits) +
                  (best.attained ? ", reaching " : ", approaching which it reaches up to ") +
                  digits(best.reach, optimum_digits) +
                  " of a + b (proved); the value claimed reaches " +
@@ -88,7 +88,7 @@ void ProvedOptimum::add_to(Evidence& evidence) const {
         return;
     }
     const auto digits = [](const Ball& x) { return round_ball(x, optimum_digits).text; };
-    evidence.add("best_value", digits(best.value[0]))
+    evidence.add("best_value", digits(best.value))
         .add("reach_there", digits(best.reach))
         .add("attained", best.attained);
     if (best.touches_at) {

@@ -53,6 +53,22 @@ void taylor_quotient(acb_ptr out, const acb_t theta, const acb_t s, const SlopeI
     }
 }
 
+/// Computes zeta - s from the nearer edge e, zeta - e +- 2 d sin^2(theta/2) or cos^2: over a wide
+/// theta the cosine itself is known only to the width of theta, so that near an edge very narrow
+/// pieces of the path would be needed.
+void distance_from_zeta(acb_ptr out, const acb_t theta, const SlopeIntegrand& f, slong bits) {
+    const bool right = arf_cmp_d(arb_midref(acb_realref(theta)), 1.5) < 0;
+    const Ball edge = right ? f.centre + f.half_length : f.centre - f.half_length;
+    AcbValue r;
+    acb_mul_2exp_si(r, theta, -1);
+    (right ? acb_sin : acb_cos)(r, r, bits);
+    acb_mul(r, r, r, bits);
+    acb_mul_arb(r, r, f.half_length.data(), bits);
+    acb_mul_si(r, r, right ? 2 : -2, bits);
+    acb_sub_arb(out, f.zeta->get(), edge.data(), bits);
+    acb_add(out, out, r, bits);
+}
+
 /// For order = 0 an enclosure of the values on a piece of the path, which is real, suffices. No
 /// exception may pass through Arb: after an interruption all remaining values are zero, and
 /// `integrate` throws.
@@ -81,7 +97,11 @@ int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong order, slong
         taylor(g, *f.formula, rooted ? theta : s, 1, bits);
         acb_poly_get_coeff_acb(out, g, 0);
         acb_sub_arb(out, out, f.mean->data(), bits);
-        acb_sub(s, f.zeta->get(), s, bits);
+        if (rooted) {
+            acb_sub(s, f.zeta->get(), s, bits);
+        } else {
+            distance_from_zeta(s, theta, f, bits);
+        }
         acb_pow_ui(s, s, static_cast<ulong>(f.poles), bits);
         acb_div(out, out, s, bits);
     } else if (f.x != nullptr) {

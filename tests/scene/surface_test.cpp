@@ -173,3 +173,34 @@ TEST_CASE("displacements of a surface that are refused") {
     CHECK(refusal(load + "nu = 0.3\n", "").find("give a reference") != std::string::npos);
     CHECK(refusal(load + "nu = 0.3\n", "reference = 0\n").empty());
 }
+
+// The whole force lies on one side of an edge, so that ux there is -(1 - 2 nu) (1 + nu)/E times
+// half the force, from the middle of a symmetric contact. g falls by g(a) from the middle to an
+// edge, and each of two equal bodies takes half of that: a^2/(2R) = 2P/pi of a cylinder (a^2 = 4 P
+// R/(pi E*)), phi a = P/E* of a wedge.
+TEST_CASE("displacements at an edge that follows from the force") {
+    const std::string load = "[load]\nP = 1\ncontact_modulus = 1\nnu = 0.3\n";
+    const std::pair<std::string, const char*> rows[] = {
+        {"[profile]\nkind = \"hertz\"\nR = 10\n" + load, "1/pi"},
+        {"[profile]\nkind = \"power-law\"\nm = 1\nC = \"1/10\"\n" + load, "1/pi"},
+        {"[profile]\nkind = \"wedge\"\nphi = 0.1\n" + load, "1/2"},
+    };
+    for (const auto& row : rows) {
+        const std::string& text = row.first;
+        CAPTURE(text);
+        const std::string fall = std::string("-") + row.second;
+        CHECK(is_surface_value(surface_value(text, Quantity::ux, "a", Body::A, "0"), "-1/7"));
+        CHECK(is_surface_value(surface_value(text, Quantity::ux, "-b", Body::A, "0"), "1/7"));
+        CHECK(is_surface_value(surface_value(text, Quantity::uz, "a", Body::A, "0"), fall.c_str()));
+    }
+    // Under full stick the surface is vertical there.
+    for (const char* given : {"P = 1", "a = 2"}) {
+        CHECK_THROWS_WITH_AS(
+            (void)surface_value("[profile]\nkind = \"hertz\"\nR = 10\n[load]\n" +
+                                    std::string(given) +
+                                    "\ncontact_modulus = 1\nnu = 0.3\n[shear]\nQ = "
+                                    "0.1\n",
+                                Quantity::slope, "a", Body::A, "0"),
+            doctest::Contains("slope at x = a"), Error);
+    }
+}

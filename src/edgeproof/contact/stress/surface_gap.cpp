@@ -128,6 +128,32 @@ SurfacePotential of_power_law(const BallContact& contact, const Ball& x) {
             (growth * at.h + x * T.imaginary()) / Ball::pi(x.bits()) / power};
 }
 
+Ball lift_of_linear(const BallContact& contact, const Ball& x) {
+    const Ball factor = Ball::pi(x.bits()) * contact.modulus() / 2;
+    return cauchy_integral_at_edge(contact, Edge::right) * (x - contact.a()) +
+           (rise_of_profile(contact, x) - gap_at(contact, x)) * factor;
+}
+
+/// The potential where x is known only to be within `slack` of an edge: the force carried decreases
+/// as x grows, and for a power law, whose lift is 0 at both edges, T there is between 0 and that of
+/// the slope alone.
+SurfacePotential potential_about(const BallContact& contact, Edge edge, const Ball& x,
+                                 const Ball& slack) {
+    const bool right = edge == Edge::right;
+    const Ball inside =
+        right ? lower_end(contact.a()) - slack * 2 : slack * 2 - lower_end(contact.b());
+    const Ball there = right                        ? Ball(0, x.bits())
+                       : contact.piecewise_linear() ? contact.zone_force()
+                                                    : contact.force();
+    if (contact.piecewise_linear()) {
+        return {lift_of_linear(contact, x), Ball::hull(there, carried_by_linear(contact, inside))};
+    }
+    const Ball farthest = (contact.a() + slack) / contact.a();
+    const Ball most = cauchy_integral_at_edge(contact, Edge::right) *
+                      pow(farthest, contact.power_law()->exponent) * slack;
+    return {Ball::hull(-most, most), Ball::hull(there, of_power_law(contact, inside).carried)};
+}
+
 } // namespace
 
 Ball gap_beyond(const BallContact& contact, Edge edge, const Ball& beyond) {
@@ -144,18 +170,29 @@ Ball gap_at(const BallContact& contact, const Ball& x) {
     if (certainly_negative(right) && certainly_negative(left)) {
         return {0, x.bits()};
     }
-    return certainly_negative(right) ? gap_beyond(contact, Edge::left, clamped(left))
-                                     : gap_beyond(contact, Edge::right, clamped(right));
+    const Edge edge = certainly_negative(right) ? Edge::left : Edge::right;
+    const Ball& beyond = edge == Edge::left ? left : right;
+    if (!contains_zero(beyond)) {
+        return gap_beyond(contact, edge, beyond);
+    }
+    // The gap grows outwards from 0: h' = W(x)/pi times the integral of the divided difference of
+    // g' over 1/w, and g' does not decrease.
+    const Ball most = upper_end(beyond);
+    const Ball zero(0, x.bits());
+    return certainly_positive(most) ? Ball::hull(zero, gap_beyond(contact, edge, most)) : zero;
 }
 
 SurfacePotential surface_potential(const BallContact& contact, const Ball& x) {
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        const Ball inwards = edge == Edge::right ? contact.a() - x : contact.b() + x;
+        if (contains_zero(inwards) && arb_is_exact(inwards.data()) == 0) {
+            return potential_about(contact, edge, x, upper_end(abs(inwards)));
+        }
+    }
     if (!contact.piecewise_linear()) {
         return of_power_law(contact, x);
     }
-    const Ball factor = Ball::pi(x.bits()) * contact.modulus() / 2;
-    return {cauchy_integral_at_edge(contact, Edge::right) * (x - contact.a()) +
-                (rise_of_profile(contact, x) - gap_at(contact, x)) * factor,
-            carried_by_linear(contact, x)};
+    return {lift_of_linear(contact, x), carried_by_linear(contact, x)};
 }
 
 // The traction is (Q/pi + sigma_0 (x - c)/4)/w (docs/shear.md).
@@ -166,7 +203,7 @@ SurfacePotential surface_potential(const Extent<Ball>& e, const ShearLoad<Ball>&
     const Ball right = positive_part(x - e.a);
     const Ball left = positive_part(-x - e.b);
     const Ball beyond = right + left; // one of them is 0
-    const Ball root = sqrt(beyond * (beyond + half * 2));
+    const Ball root = Field<Ball>::root(beyond * (beyond + half * 2));
     const Ball tension = load.bulk_tension / 4;
     const Ball pi = Ball::pi(x.bits());
     const Ball signed_root = certainly_positive(left) ? -root : root;

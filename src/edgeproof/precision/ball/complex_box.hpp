@@ -63,7 +63,12 @@ public:
         acb_mul(x.z_, x.z_, y.z_, x.widen(y.bits_));
         return x;
     }
+    /// If y may be 0, neither part is finite. (Arb leaves the imaginary part of 1/0 exactly 0.)
     friend Box operator/(Box x, const Box& y) {
+        if (acb_contains_zero(y.z_) != 0) {
+            acb_indeterminate(x.z_);
+            return x;
+        }
         acb_div(x.z_, x.z_, y.z_, x.widen(y.bits_));
         return x;
     }

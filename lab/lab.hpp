@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/report/tables/table.hpp"
+
 #include <CLI/CLI.hpp>
+
+#include <string>
 
 /// The commands of the program edgeproof-lab, which edgeproof starts
 /// (edgeproof/cli/all_commands.hpp):
@@ -11,5 +15,8 @@ namespace edgeproof::cli {
 
 void add_bounds(CLI::App& app, int& code);
 void add_cost(CLI::App& app, int& code);
+
+/// Returns title, notes and aligned columns: text to the left, numbers to the right.
+[[nodiscard]] std::string aligned_text(const report::Table& table);
 
 } // namespace edgeproof::cli

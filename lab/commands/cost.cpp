@@ -6,7 +6,6 @@
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/report/text/program_line.hpp"
-#include "lab/commands/bounds_tables.hpp"
 #include "lab/cost/cost_page.hpp"
 
 #include <fmt/format.h>

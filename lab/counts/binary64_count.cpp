@@ -265,22 +265,28 @@ DrawnForm drawn_form(SplitMix64& dice, const Contact& contact) {
 
 } // namespace
 
-const CountKind& binary64_count() {
-    // The draw number changes when the same seed draws other values.
-    static const CountKind kind{"binary64, draw 2",
-                                false,
-                                {drawn_forms.begin(), drawn_forms.end()},
-                                {drawn_places.begin(), drawn_places.end()},
-                                places_a_contact,
-                                true};
-    return kind;
-}
-
-CountResult<std::string> count_binary64(const Binary64Options& options, CountState& state) {
-    return count_contacts<std::string>(binary64_count(), options, state,
+CountResult<std::string> count_binary64(const Binary64Options& options) {
+    return count_contacts<std::string>(places_a_contact, options,
                                        [&options](std::size_t number, std::size_t values) {
                                            return count_binary64_contact(options, number, values);
                                        });
+}
+
+report::Table binary64_table(const CountResult<std::string>& count) {
+    report::Table t;
+    t.title = "Values in double words, in " + std::to_string(count.contacts) + " contacts";
+    t.notes = {"undecided: left to balls, as the rounding is open",
+               "wrong: not the binary64 that an enclosure of 320 bits or more rounds to"};
+    add_counts(t,
+               {"value",
+                "place",
+                {drawn_forms.begin(), drawn_forms.end()},
+                {drawn_places.begin(), drawn_places.end()}},
+               {{"values", &CountCell::values},
+                {"undecided", &CountCell::undecided},
+                {"wrong", &CountCell::wrong}},
+               count.cells, count.total);
+    return t;
 }
 
 CountedContact<std::string> count_binary64_contact(const Binary64Options& options,

@@ -20,9 +20,6 @@ enum class DrawnForm : std::uint8_t { p, full_stick, similar, partial_slip, sum,
 inline constexpr std::array<std::string_view, 6> drawn_forms{
     "p", "q, full stick", "q, similar to p", "q, partial slip", "sum of terms", "relative error"};
 
-/// The rows are the forms of the values, the columns their places; `undecided`: left to balls.
-[[nodiscard]] const CountKind& binary64_count();
-
 struct Binary64Options : CountOptions {
     /// Changes a value in double words before it is rounded, for a test that a wrong bound is
     /// counted.
@@ -36,10 +33,10 @@ inline constexpr std::size_t places_a_contact = 10'000;
 /// only with whole and half exponents), and places in each: u from 1e-60 of the length to the full
 /// length, uniformly, and near knots and the edges of stick zones down to the last bits; q at
 /// |Q|/(f P) from 9/10 to 1e-10. The result depends only on the seed and the number of values, not
-/// on the number of threads. Contacts in `state` are not repeated, unless they had findings. Throws
-/// Interrupted.
-[[nodiscard]] CountResult<std::string> count_binary64(const Binary64Options& options,
-                                                      CountState& state);
+/// on the number of threads. Values are undecided if they are left to balls. Throws Interrupted.
+[[nodiscard]] CountResult<std::string> count_binary64(const Binary64Options& options);
+/// The rows are the forms of the values and their places.
+[[nodiscard]] report::Table binary64_table(const CountResult<std::string>& count);
 
 /// The findings are texts with the scene, the place and both numbers of a wrong value.
 [[nodiscard]] CountedContact<std::string>

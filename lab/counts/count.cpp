@@ -10,21 +10,43 @@
 
 namespace edgeproof::validation {
 
-const CountKind& enclosure_count() {
-    static const CountKind kind{"count",
-                                true,
-                                {sampled_profiles.begin(), sampled_profiles.end()},
-                                {sampled_regimes.begin(), sampled_regimes.end()},
-                                values_a_contact,
-                                false};
-    return kind;
-}
-
-CountResult<CountFinding> count_values(const EnclosureCountOptions& options, CountState& state) {
-    return count_contacts<CountFinding>(enclosure_count(), options, state,
+CountResult<CountFinding> count_values(const EnclosureCountOptions& options) {
+    return count_contacts<CountFinding>(values_a_contact, options,
                                         [&options](std::size_t number, std::size_t values) {
                                             return count_contact(options, number, values);
                                         });
+}
+
+report::Table count_table(const EnclosureCountOptions& options,
+                          const CountResult<CountFinding>& result) {
+    report::Table t;
+    t.title = std::to_string(result.total.values) + " values at " + std::to_string(options.digits) +
+              " digits, seed " + std::to_string(options.seed);
+    t.notes = {
+        "excluded: the enclosure leaves out the value that the routes in Real give at twice "
+        "the digits",
+        "wrong: a printed digit is not that of a second enclosure at twice the digits, or of "
+        "the value in Real",
+        "wide: the enclosure is wider than 10 units of the last digit asked",
+        "undecided: no enclosure, or no second value, within the budgets"};
+    add_counts(t,
+               {"profile",
+                "regime",
+                {sampled_profiles.begin(), sampled_profiles.end()},
+                {sampled_regimes.begin(), sampled_regimes.end()}},
+               {{"values", &CountCell::values},
+                {"excluded", &CountCell::excluded},
+                {"wrong", &CountCell::wrong},
+                {"wide", &CountCell::wide},
+                {"undecided", &CountCell::undecided}},
+               result.cells, result.total);
+    return t;
+}
+
+std::string text_of(const CountFinding& f) {
+    return std::string(f.failed ? "FAILED" : "undecided") + ": " + f.asked + " (contact " +
+           std::to_string(f.contact) + ", value " + std::to_string(f.value) + "): " + f.what +
+           "\n  printed " + f.text + "\n  second  " + f.second + "\n" + f.scene;
 }
 
 namespace {

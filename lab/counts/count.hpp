@@ -27,9 +27,6 @@ struct CountFinding {
     std::string scene;       ///< TOML
 };
 
-/// The rows are the profiles of the contacts, the columns the regimes of the values.
-[[nodiscard]] const CountKind& enclosure_count();
-
 struct EnclosureCountOptions : CountOptions {
     /// Changes the second value before the comparison, for a test that a wrong value is counted.
     std::function<void(const SampledValue&, Real&)> second = {};
@@ -48,10 +45,14 @@ struct EnclosureCountOptions : CountOptions {
 /// for a curved g' and for one in 8 of the others, by Barber-Mossakovskii for one of a symmetric
 /// contact (for others b(s) has to be solved at every node of the integral, which takes minutes at
 /// this number of digits), else by logarithms in Real; coefficients, P, b and q are computed by the
-/// routes in Real. The result does not depend on the number of threads. Contacts in `state` are not
-/// repeated, unless they had findings.
-[[nodiscard]] CountResult<CountFinding> count_values(const EnclosureCountOptions& options,
-                                                     CountState& state);
+/// routes in Real. The result does not depend on the number of threads.
+[[nodiscard]] CountResult<CountFinding> count_values(const EnclosureCountOptions& options);
+
+/// The rows are the profiles of the contacts and the regimes of the values.
+[[nodiscard]] report::Table count_table(const EnclosureCountOptions& options,
+                                        const CountResult<CountFinding>& result);
+/// Returns everything that is needed to reproduce a finding.
+[[nodiscard]] std::string text_of(const CountFinding& finding);
 
 /// Throws Interrupted; then no value of the contact is counted.
 [[nodiscard]] CountedContact<CountFinding> count_contact(const EnclosureCountOptions& options,

@@ -96,7 +96,6 @@ std::vector<LongRun> long_runs() {
         {"table in parts", "table in --part 1/2 --out t.csv --threads 1",
          tilted_recipe(3000, 1000)},
         {"a count", "bounds count --values 1000000", ""},
-        {"a count kept", "bounds count --values 1000000 --state kept", "", {"kept"}},
         {"costs", "cost --digits 5000 --full --out costs", ""},
         {"a program that hangs",
          "check in --exec 'echo $$ >child; exec sleep 1000'",

@@ -267,16 +267,11 @@ def pack(rng, _library, command):
     return ["pack", "--threads", count(rng, ["1"]), *maybe(rng, 0.3, "--date", value(rng, ["2026-01-01"]))]
 
 
-def bounds(rng, library, command):
+def bounds(rng, _library, _command):
     kind = rng.choice(["count"] * 3 + ["binary64"] * 3 + ["", "x"])
     if kind in ("count", "binary64"):
-        command.kept = ("state",)
-        words = [kind, "--values", count(rng, ["1", "10"]), "--seed", count(rng, ["1", "5", "123"]), "--threads", "1"]
-        if rng.random() < 0.3:
-            words += ["--state", "state"]
-            if rng.random() < 0.5:
-                command.files["state"] = library.drawn(rng.choice(["answers", "scene"]), rng)
-        return words
+        return [kind, "--values", count(rng, ["1", "10"]), "--seed", count(rng, ["1", "5", "123"]), "--threads", "1",
+                *maybe(rng, 0.3, "--format", value(rng, ["csv", "json", "md"]))]
     return [kind]
 
 

@@ -95,19 +95,16 @@ TEST_CASE("clean_up: an incomplete file is removed, a complete one remains") {
     std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("an interrupted process writes no result, but writes a checkpoint") {
+TEST_CASE("an interrupted process writes no result") {
     const auto folder = own_folder();
     request_interruption(SIGTERM);
     {
         AtomicFile result(folder / "result");
         result.write("of work cut off");
         CHECK_THROWS_AS(result.commit(), Interrupted);
-        AtomicFile state(folder / "state", AtomicFile::Content::checkpoint);
-        state.commit();
     }
     withdraw_interruption();
     CHECK_FALSE(std::filesystem::exists(folder / "result"));
-    CHECK(std::filesystem::exists(folder / "state"));
     std::filesystem::remove_all(folder);
 }
 

@@ -230,8 +230,8 @@ def test_tables_that_are_written(command):
 
 @pytest.mark.parametrize("command", [
     ["relations", "left.c0", "right.c0", "--symmetric", "--format", "json"],
-    ["bounds", "count", "--values", "4", "--json"],
-    ["bounds", "binary64", "--values", "40", "--json"],
+    ["bounds", "count", "--values", "4", "--format", "json"],
+    ["bounds", "binary64", "--values", "40", "--format", "json"],
 ], ids=lambda c: " ".join(c[:2]))
 def test_counts_and_relations(command):
     data = json.loads(run(*command))

@@ -95,7 +95,7 @@ def shipped_checks(seed):
     yield Case("pack", [["pack", "pack", *ONE], ["pack", "pack", "--check", *ONE]], seconds=6)
     for kind, count in (("count", "60"), ("binary64", "300")):
         words = ["bounds", kind, "--values", count, "--seed", str(seed), *ONE]
-        options = ([], ["--csv"], ["--json"], ["--md"], ["--state", "state"])
+        options = ([], ["--format", "csv"], ["--format", "json"], ["--format", "md"])
         yield Case(f"bounds {kind}", [words + o for o in options], seconds=4)
     yield Case("relations", [s for words in (
         "left.c0 right.c0", "left.c1 left.c0 left.s0 --degree 2",

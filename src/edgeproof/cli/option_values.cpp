@@ -113,16 +113,4 @@ bool text_or_json(const std::string& format) {
     return format == "json";
 }
 
-void check_state(const std::string& file) {
-    if (file.empty()) {
-        return;
-    }
-    const io::OutputTarget target = io::OutputTarget::of(file);
-    if (file == "-" || target.special) {
-        throw InputError("--state " + file + ": a state is read again, which that cannot be",
-                         "name a file");
-    }
-    io::check_folder(target.path.parent_path());
-}
-
 } // namespace edgeproof::cli

@@ -119,7 +119,5 @@ void refuse_whole_tolerance(const std::string& option, const std::string& text);
 [[nodiscard]] report::TableFormat format_of(const std::string& name);
 /// Reads text or json of --format; returns true for json. Empty: text.
 [[nodiscard]] bool text_or_json(const std::string& format);
-/// Like check_output (io/output_file.hpp), for a file that is read again: neither "-" nor a device.
-void check_state(const std::string& file);
 
 } // namespace edgeproof::cli

@@ -122,9 +122,9 @@ int write_all(int fd, const std::string& text) {
     return 0;
 }
 
-AtomicFile::AtomicFile(std::filesystem::path file, Content content)
+AtomicFile::AtomicFile(std::filesystem::path file)
     : file_(std::move(file)), target_(OutputTarget::of(file_)),
-      aside_(temporary_name(target_.path)), content_(content) {
+      aside_(temporary_name(target_.path)) {
     if (target_.special) {
         fd_ = target_.descriptor >= 0
                   ? ::fcntl(target_.descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)
@@ -182,18 +182,14 @@ void AtomicFile::give_name() {
 }
 
 void AtomicFile::commit() {
-    if (content_ == Content::result) {
-        check_interruption();
-    }
+    check_interruption(); // a result may be incomplete then
     flush();
     if (target_.special) {
         ::close(fd_);
         fd_ = -1;
         return;
     }
-    if (content_ == Content::result) {
-        require_replaceable(file_, head_);
-    }
+    require_replaceable(file_, head_);
     if (::fsync(fd_) != 0) {
         cannot("write", file_, errno);
     }

@@ -43,11 +43,7 @@ struct OutputTarget {
 /// FIFO or an open descriptor is written directly.
 class AtomicFile {
 public:
-    /// A checkpoint is also valid in an interrupted process. A result is not written there, since
-    /// it may be incomplete.
-    enum class Content { result, checkpoint };
-
-    explicit AtomicFile(std::filesystem::path file, Content content = Content::result);
+    explicit AtomicFile(std::filesystem::path file);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
@@ -62,8 +58,7 @@ private:
     std::filesystem::path file_; ///< as the user named it
     OutputTarget target_;
     TemporaryPath aside_; ///< its temporary name
-    Content content_;
-    std::string head_; ///< the beginning of the text
+    std::string head_;    ///< the beginning of the text
     std::string waiting_;
     int fd_ = -1;
     bool named_ = false;

@@ -35,12 +35,6 @@ void write_whole(const std::filesystem::path& file, const std::string& text) {
     whole.commit();
 }
 
-void write_checkpoint(const std::filesystem::path& file, const std::string& text) {
-    AtomicFile whole(file, AtomicFile::Content::checkpoint);
-    whole.write(text);
-    whole.commit();
-}
-
 void write_output(const std::filesystem::path& file, const std::string& text) {
     if (file != "-") {
         write_whole(file, text);

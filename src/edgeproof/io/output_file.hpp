@@ -12,9 +12,6 @@ namespace edgeproof::io {
 /// be written (the part written is removed), Interrupted after an interruption.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
-/// Like write_whole, for a state from which work continues: also written in an interrupted process.
-void write_checkpoint(const std::filesystem::path& file, const std::string& text);
-
 void write_output(const std::filesystem::path& file, const std::string& text);
 
 /// Flushes standard output. Throws InputError if any of it, now or earlier, could not be written.

@@ -21,17 +21,12 @@ Binary64Options options(std::uint64_t seed, std::size_t values) {
 }
 using Count = CountResult<std::string>;
 
-Count counted(const Binary64Options& o) {
-    CountState state;
-    return count_binary64(o, state);
-}
-
 } // namespace
 
 TEST_CASE(
     "a hundred thousand values in double words, on corners too: none wrong, 1 in 10^5 left to "
     "balls at most") {
-    const Count count = counted(options(3, 100'000));
+    const Count count = count_binary64(options(3, 100'000));
     CHECK(count.contacts == 10);
     CHECK(count.total.values == 100'000);
     CHECK(count.total.wrong == 0);
@@ -59,43 +54,15 @@ TEST_CASE(
 }
 
 TEST_CASE("the same values for the same seed, others for another") {
-    const Count one = counted(options(3, 2000));
-    CHECK(one.cells.at(0).values == counted(options(3, 2000)).cells.at(0).values);
-    CHECK(one.cells.at(0).values != counted(options(4, 2000)).cells.at(0).values);
+    const Count one = count_binary64(options(3, 2000));
+    CHECK(one.cells.at(0).values == count_binary64(options(3, 2000)).cells.at(0).values);
+    CHECK(one.cells.at(0).values != count_binary64(options(4, 2000)).cells.at(0).values);
 }
 
 TEST_CASE("a value that is off by more than its bound is counted as wrong") {
     Binary64Options o = options(5, 2000);
     o.changed = [](DoubleWord& x) { x.low += 0x1p-56 * x.high; };
-    const Count count = counted(o);
+    const Count count = count_binary64(o);
     CHECK(count.total.wrong > 100);
     CHECK(count.findings.size() == count.total.wrong);
-}
-
-TEST_CASE("a count in double words continues from its state") {
-    CountState state;
-    Binary64Options o = options(6, 20'000);
-    std::string kept;
-    o.checkpoint = [&](const CountState& now) { kept = write_count_state(binary64_count(), now); };
-    const Count whole = count_binary64(o, state);
-    CountState wanted;
-    wanted.seed = 6;
-    wanted.values = 20'000;
-    CountState again = parse_count_state(binary64_count(), kept, "state", wanted);
-    CHECK(again.contacts.size() == 2);
-    again.contacts.erase(1);
-    const Count second = count_binary64(o, again);
-    CHECK(second.total.values == whole.total.values);
-    CHECK(second.cells.at(5 * drawn_places.size() + 1).values ==
-          whole.cells.at(5 * drawn_places.size() + 1).values);
-    CHECK_THROWS_AS(
-        (void)parse_count_state(binary64_count(), kept.substr(0, kept.size() - 2), "state", wanted),
-        InputError);
-    wanted.seed = 7;
-    CHECK_THROWS_AS((void)parse_count_state(binary64_count(), kept, "state", wanted), InputError);
-    CHECK_THROWS_AS((void)parse_count_state(
-                        binary64_count(),
-                        "edgeproof bounds binary64, draw 2, seed 7, values 20000\n0 1:2\nend\n",
-                        "state", wanted),
-                    InputError);
 }

@@ -39,15 +39,6 @@ Ball around(const char* middle, int decades) {
     return Ball::around(Ball(parse_decimal(middle), 200).midpoint(), pow(Real(10), -decades), 200);
 }
 
-std::string message_of(const std::string& text, const CountState& wanted) {
-    try {
-        (void)parse_count_state(enclosure_count(), text, "s", wanted);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
 } // namespace
 
 TEST_CASE("the same seed draws the same contacts, another seed others; every value is inside") {
@@ -114,14 +105,12 @@ TEST_CASE("a value compared with a second one: excluded, wrong, wide or undecide
 
 TEST_CASE("values drawn: all enclosed, rounded correctly and tight, on one thread or two") {
     EnclosureCountOptions options = small(150, 30);
-    CountState state;
-    const Result two = count_values(options, state);
+    const Result two = count_values(options);
     CHECK(two.total.values == 150);
     CHECK(two.total.failures() == 0);
     CHECK(two.total.undecided == 0);
     options.threads = 1;
-    CountState again;
-    CHECK(cells_text(count_values(options, again)) == cells_text(two));
+    CHECK(cells_text(count_values(options)) == cells_text(two));
 }
 
 TEST_CASE("a wrong second value is counted, in its cell, with the data that reproduce it") {
@@ -148,39 +137,10 @@ TEST_CASE("a wrong second value is counted, in its cell, with the data that repr
     CHECK(found.findings.front().scene.find("[profile]") == 0);
 }
 
-TEST_CASE(
-    "a stopped count continues to the same result; a contact with a finding is counted again") {
-    const EnclosureCountOptions options = small(150);
-    CountState whole;
-    const Result at_once = count_values(options, whole);
-    CountState half = whole;
-    half.contacts.erase(half.contacts.begin());
-    CountState resumed = parse_count_state(
-        enclosure_count(), write_count_state(enclosure_count(), half), "state", half);
-    CHECK(resumed.contacts.size() == 2);
-    CHECK(cells_text(count_values(options, resumed)) == cells_text(at_once));
-
-    CountState spoilt = whole;
-    spoilt.contacts.begin()->second.begin()->second.wrong = 1;
-    CHECK(parse_count_state(enclosure_count(), write_count_state(enclosure_count(), spoilt),
-                            "state", spoilt)
-              .contacts.size() == 2);
-
-    const std::string text = write_count_state(enclosure_count(), whole);
-    CountState other = whole;
-    other.seed = 2;
-    CHECK(message_of(text, other).find("s:1: the state is not one of") == 0);
-    CHECK(message_of(text.substr(0, text.size() - 4), whole).find("the state is incomplete") !=
-          std::string::npos);
-    CHECK(message_of("edgeproof bounds count, seed 1, values 150, digits 20\n0 x:3\nend\n", whole)
-              .find("s:2: a contact's counts are malformed") == 0);
-}
-
 TEST_SUITE("slow") {
     TEST_CASE("2,000 values drawn: none excluded, no wrong digit, none too wide") {
         EnclosureCountOptions options = small(2000, 50);
-        CountState state;
-        const Result result = count_values(options, state);
+        const Result result = count_values(options);
         CHECK(result.total.values == 2000);
         CHECK(result.total.failures() == 0);
         CHECK(result.total.undecided == 0);

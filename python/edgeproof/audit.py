@@ -27,7 +27,7 @@ class Claim:
     correct   the corrected formula of a refuted one, where one was found
     quoted, computed  of a quoted figure: as it is printed, and as it is
     note      what was found, a sentence
-    rests_on  "theorem", "identity", "enclosures", "text" or "none" (docs/trust.md)
+    rests_on  "theorem", "identity", "enclosures", "text" or "none" (docs/verdicts.md)
     certificate  file of theorems about it for Coq, from the ledger's folder; None where there is none
     fields_sha256  the hash of what the claim states (docs/file-formats.md)
     evidence  what the verdict rests on

@@ -197,7 +197,7 @@ Ball IntegratedContact::reach(Edge edge) const {
                                                   : disk->disk.radius().with_bits(bits_);
 }
 
-/// Cauchy's estimate for sqrt(D - u) I on the disk about the edge (docs/extents.md).
+/// Cauchy's estimate for sqrt(D - u) I on the disk about the edge (docs/expansions.md).
 Ball IntegratedContact::majorant(Edge edge, const Ball& rho) const {
     const Disk* disk = disk_at_edge(edge);
     if (disk == nullptr || !disk->disk.found() || certainly_less(disk->disk.radius(), rho)) {

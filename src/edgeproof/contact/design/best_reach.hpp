@@ -29,7 +29,7 @@ struct ReachProblem {
     [[nodiscard]] std::vector<ErrorOverBox> over(const Ball& parameter) const;
 };
 
-/// The first exit for all parameters in a ball, proved (the scan of docs/extents.md, with second
+/// The first exit for all parameters in a ball, proved (the scan of docs/expansions.md, with second
 /// derivatives).
 struct ProvedReach {
     Ball reach;

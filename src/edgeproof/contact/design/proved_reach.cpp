@@ -42,7 +42,7 @@ ErrorOverBox counted(ErrorOverBox f, const EvaluationCost& cost, EvaluationCount
             std::move(length)};
 }
 
-/// The scan of one edge (docs/extents.md).
+/// The scan of one edge (docs/expansions.md).
 class ReachScan {
 public:
     ReachScan(const ErrorOverBox& f, const Rational& tolerance, const Rational& part, long bits)

@@ -109,7 +109,7 @@ public:
 
 private:
     /// Returns the crossing between `in`, within the tolerance, and `out`, beyond it, by the
-    /// method of docs/extents.md.
+    /// method of docs/expansions.md.
     [[nodiscard]] double crossing(double in, double at_in, double out, double at_out) const {
         return roots::bracketed_root([this](double u) { return excess(u); }, in, at_in, out, at_out,
                                      width_of_a_crossing)

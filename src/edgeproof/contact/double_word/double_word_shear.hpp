@@ -122,7 +122,7 @@ private:
         DoubleWordPressure pressure;
         DoubleWord ratio;
 
-        /// q = (Q/P) p (docs/shear.md, "P and Q in proportion").
+        /// q = (Q/P) p (docs/partial-slip.md, "P and Q in proportion").
         [[nodiscard]] DoubleWord at(Edge edge, const DoubleWord& u) const {
             return times(ratio, pressure.formula(edge, u));
         }

@@ -49,7 +49,7 @@ void BallExtentSearch::merge_unknown(std::vector<Piece>& pieces) {
     pieces = std::move(merged);
 }
 
-// docs/extents.md, "Proved"
+// docs/expansions.md, "Extents"
 void BallExtentSearch::scan() {
     const Ball decades = log(enclosed_constant(tolerance_, 64)) / log(Ball(2, 64));
     const long small = std::max(0L, -static_cast<long>(approximate(decades)));

@@ -28,10 +28,11 @@ struct EnclosedExtents {
     Ball length; ///< a + b
 };
 
-/// The search of docs/extents.md. Next to the edge the omitted terms are bounded by a majorant of
-/// the expansion. In the rest of the range p and its Taylor remainder are enclosed over intervals.
-/// These are halved until f = p_local/p - 1 is certainly within the tolerance, certainly beyond it,
-/// or certainly monotone. In the last case the signs at the ends give the number of crossings.
+/// The search of docs/expansions.md. Next to the edge the omitted terms are bounded by a majorant
+/// of the expansion. In the rest of the range p and its Taylor remainder are enclosed over
+/// intervals. These are halved until f = p_local/p - 1 is certainly within the tolerance, certainly
+/// beyond it, or certainly monotone. In the last case the signs at the ends give the number of
+/// crossings.
 class BallExtentSearch {
 public:
     /// Returns a contact at a number of bits; throws BudgetError if they are too few.

@@ -305,7 +305,7 @@ BallSeries BallContact::pressure_series(Edge edge, const Ball& u, std::size_t or
 Ball BallContact::reach(Edge edge) const {
     Ball least = a_ + b_;
     if (power_) {
-        // docs/extents.md: the majorant of a power law holds for rho < a/(m + 4)
+        // docs/expansions.md: the majorant of a power law holds for rho < a/(m + 4)
         return a_ / (power_->exponent + 4);
     }
     for (const std::size_t i : fixed_.inside) {
@@ -315,8 +315,8 @@ Ball BallContact::reach(Edge edge) const {
 }
 
 Ball BallContact::majorant(Edge edge, const Ball& rho) const {
-    // docs/extents.md: the size of each coefficient is at most that of the majorant, so that |c_k|
-    // rho^k <= M.
+    // docs/expansions.md: the size of each coefficient is at most that of the majorant, so that
+    // |c_k| rho^k <= M.
     const Ball D = a_ + b_;
     const Ball pi = Ball::pi(bits_);
     if (power_) {

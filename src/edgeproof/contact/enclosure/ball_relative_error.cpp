@@ -111,7 +111,7 @@ Rational RelativeError::safe_distance() const {
     const auto n = static_cast<long>(c_.size());
     Ball u = rho / 2;
     for (int k = 0; k < most_halvings && certainly_positive(u) && M.is_finite(); ++k) {
-        // docs/extents.md, "Next to the edge: a majorant"
+        // docs/expansions.md, "Next to the edge: a majorant"
         const Ball z = u / rho;
         const Ball tail = M * pow_int(z, n) / (1 - z);
         const Ball least = c_[0] - M * z / (1 - z);

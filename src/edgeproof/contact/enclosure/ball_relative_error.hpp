@@ -22,8 +22,8 @@ enum class Side { below, within, above, unknown };
 /// A rational number with few digits in the interval, near its middle.
 [[nodiscard]] Rational middle(const Rational& lo, const Rational& hi);
 
-/// f = p_local/p - 1 for the sum p_local of n terms at an edge, in balls (docs/extents.md). Keeps a
-/// reference to the contact. `u`, `lo` and `hi` are distances from the edge (lengths).
+/// f = p_local/p - 1 for the sum p_local of n terms at an edge, in balls (docs/expansions.md).
+/// Keeps a reference to the contact. `u`, `lo` and `hi` are distances from the edge (lengths).
 class RelativeError {
 public:
     /// Throws BudgetError if the contact does not enclose the expansion.

@@ -118,7 +118,7 @@ struct Crossing {
 };
 
 /// The place of a crossing at a precision of `bits`. Newton's method finds it and proves nothing;
-/// then two places with opposite signs enclose it (docs/extents.md), at least 2^-(bits - kept)
+/// then two places with opposite signs enclose it (docs/expansions.md), at least 2^-(bits - kept)
 /// times the place away from it. `tangent(x)` returns the function and its derivative, `at(x)` the
 /// function. Returns nothing if the bits do not decide the signs.
 template <class Tangent, class At>

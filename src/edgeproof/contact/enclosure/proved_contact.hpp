@@ -60,7 +60,7 @@ public:
     /// A distance from the edge up to which p/sqrt(u) is proved to have a power series; zero if
     /// there is no proof.
     [[nodiscard]] virtual Ball reach(Edge edge) const = 0;
-    /// M with |c_k| <= M/rho^k for all k, 0 < rho < reach (docs/extents.md).
+    /// M with |c_k| <= M/rho^k for all k, 0 < rho < reach (docs/expansions.md).
     [[nodiscard]] virtual Ball majorant(Edge edge, const Ball& rho) const = 0;
     /// c_0 ... c_{terms-1} at an edge, each enclosed. An edge that lies on a knot exactly, as given
     /// or as proved, is expanded from inside the contact. If an edge may lie on a knot at this

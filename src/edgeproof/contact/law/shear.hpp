@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <vector>
 
-/// The shear traction under full stick (moore-hills EQ34; derived in docs/shear.md): elastically
-/// similar half-planes, so that normal and shear problems are uncoupled; the normal load is applied
-/// first and held, then a shear force Q per unit length and a differential bulk tension sigma_0; no
-/// slip anywhere.
+/// The shear traction under full stick (moore-hills EQ34; derived in docs/partial-slip.md):
+/// elastically similar half-planes, so that normal and shear problems are uncoupled; the normal
+/// load is applied first and held, then a shear force Q per unit length and a differential bulk
+/// tension sigma_0; no slip anywhere.
 ///
 /// Signs: q and Q are the traction on body A, exerted by body B, positive towards +x; sigma_0 is
 /// the bulk tension of B less that of A. A tension in B pulls the surface of A outwards: q > 0 at
@@ -51,7 +51,7 @@ template <class T>
 /// moore-hills EQ39), over any field, with `scale` in place of the sqrt(a + b) in them.
 /// `Q_over_pi` = Q/pi (force per unit length), `length` = D = a + b. With u = D z the traction is
 /// [Q/pi +- sigma_0 D (1 - 2z)/8] (1 - z)^(-1/2)/sqrt(D u), and (1 - z)^(-1/2) is the sum of beta_k
-/// z^k (docs/shear.md, "The expansion at an edge").
+/// z^k (docs/partial-slip.md, "The expansion at an edge").
 template <class T>
 [[nodiscard]] std::vector<T> full_stick_terms(const T& Q_over_pi, const T& bulk_tension,
                                               const T& length, Edge edge, std::size_t terms,

@@ -376,7 +376,7 @@ CauchyBounds cauchy_bounds(const BallContact& contact, const Box& zeta) {
                                       : power_law_bounds(contact, zeta);
 }
 
-// docs/stress.md, "Full stick": T = Q/W + (pi sigma_0/4)((zeta - c)/W - 1)
+// docs/stress.md, "The Cauchy integrals of q": T = Q/W + (pi sigma_0/4)((zeta - c)/W - 1)
 CauchyIntegral cauchy_integral(const Extent<Ball>& e, const ShearLoad<Ball>& load,
                                const Box& zeta) {
     const Outside at(e, zeta);

@@ -27,7 +27,7 @@ Ball StressState::tresca(const Ball& nu) const {
     return across ? tau_max() * 2 : tau_max() + max(tau_max(), (1 - nu * 2) * abs(mean()));
 }
 
-// johnson1985, eq. 2.23 (docs/stress.md, "Stresses")
+// johnson1985, eq. 2.23 (docs/stress.md, "The Cauchy integrals")
 StressState stress_of(const CauchyIntegral& p, const CauchyIntegral& q, const Box& zeta,
                       const Ball& bulk) {
     const Ball z = zeta.imaginary();

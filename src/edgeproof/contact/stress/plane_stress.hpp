@@ -44,7 +44,7 @@ private:
 /// The stress at zeta = x + i z of a half-plane whose surface carries the pressure with the Cauchy
 /// integral `p`, the shear traction with the Cauchy integral `q`, and the bulk stress `bulk`
 /// (stress)
-/// (`johnson1985`, eq. 2.23; docs/stress.md, "Stresses").
+/// (`johnson1985`, eq. 2.23; docs/stress.md, "The Cauchy integrals").
 [[nodiscard]] StressState stress_of(const CauchyIntegral& p, const CauchyIntegral& q,
                                     const Box& zeta, const Ball& bulk);
 

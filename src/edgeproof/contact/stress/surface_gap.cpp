@@ -195,7 +195,7 @@ SurfacePotential surface_potential(const BallContact& contact, const Ball& x) {
     return {lift_of_linear(contact, x), carried_by_linear(contact, x)};
 }
 
-// The traction is (Q/pi + sigma_0 (x - c)/4)/w (docs/shear.md).
+// The traction is (Q/pi + sigma_0 (x - c)/4)/w (docs/partial-slip.md).
 SurfacePotential surface_potential(const Extent<Ball>& e, const ShearLoad<Ball>& load,
                                    const Ball& x) {
     const Ball half = e.length() / 2;

@@ -14,8 +14,8 @@ struct Crossing {
     Real estimate; ///< relative error
 };
 
-/// Finds the place where f = level between two samples (docs/extents.md, "Sampled"), first at the
-/// digits of the scan, then at full digits.
+/// Finds the place where f = level between two samples (docs/expansions.md, "Extents"), first at
+/// the digits of the scan, then at full digits.
 class Refiner {
 public:
     Refiner(const SignedError& coarse, const SignedError& fine, std::vector<Landmark> marks,

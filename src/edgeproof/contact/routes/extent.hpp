@@ -10,8 +10,8 @@
 namespace edgeproof::contact {
 
 /// The places where the n-term approximation at an edge is within a tolerance of the pressure:
-/// |1 - p_local(u)/p(u)| < tolerance (moore-hills EQ15; docs/extents.md, "Sampled"). All distances
-/// are u from this edge, in the unit of length.
+/// |1 - p_local(u)/p(u)| < tolerance (moore-hills EQ15; docs/expansions.md, "Extents"). All
+/// distances are u from this edge, in the unit of length.
 ///
 /// Each crossing is refined to the digits of the contact, with the relative error `estimate`. That
 /// there are no others is *sampled*, not proved: at several hundred points, geometric towards both
@@ -37,7 +37,8 @@ struct Extents {
 
 [[nodiscard]] Real power_of_ten(int k);
 
-/// f = p_local/p - 1 for the sum p_local of n terms at an edge, at one precision (docs/extents.md).
+/// f = p_local/p - 1 for the sum p_local of n terms at an edge, at one precision
+/// (docs/expansions.md).
 class SignedError {
 public:
     SignedError(const NormalContact& contact, unsigned digits, Edge edge, std::size_t n);

@@ -17,7 +17,7 @@ constexpr double half_turn = 3.14159265358979323846;
 std::vector<std::string> found(const std::string& keys, const std::vector<std::string>& contacts,
                                const std::string& quantity,
                                const std::function<double(std::size_t, double)>& f,
-                               const char* format = "%.17g") {
+                               const char* format = "%.17g", const std::string& name = "") {
     std::string text = "id," + keys + ",quantity,edge,u,value\n";
     const bool point = quantity == "p";
     std::size_t id = 0;
@@ -34,6 +34,7 @@ std::vector<std::string> found(const std::string& keys, const std::vector<std::s
     std::vector<std::string> said;
     for (const Convention& k : infer_conventions(answers, compare(answers, {}, {}), {})) {
         said.push_back(k.of + ": " + k.relation);
+        CHECK((name.empty() || k.name == name));
     }
     return said;
 }
@@ -133,6 +134,37 @@ TEST_CASE("angles in degrees, and the moduli of one body") {
     CHECK(found(bodies, two, "p", [&](auto c, double u) {
               return one_body[c] * wedge_pressure(a_of(c), u);
           }) == Said{"p: ours with E/(1 - nu^2) of body 1 instead of E*"});
+    // A rigid body under one with nu = 0.3: E* = 1 is E/(1 - nu^2). The force is E* C a pi/2.
+    CHECK(found(keys, hertzes, "p", [&](auto c, double u) {
+              return 0.91 * hertz_pressure(a_of(c), u);
+          }) == Said{"p: ours with plane stress, E instead of E/(1 - nu^2), if nu is 3/10"});
+    // Bodies alike, R and P given: p depends on E*/R. A recipe without C has no gap's constant.
+    const auto line = [](double E, double P) {
+        return [=](std::size_t c, double u) {
+            const double R = c == 0 ? 10 : 20;
+            const double a = std::sqrt(4 * P * R / (half_turn * E));
+            return E / (2 * R) * std::sqrt(u * (2 * a - u));
+        };
+    };
+    CHECK(found("kind,R,P,E1,nu1,E2,nu2",
+                {"cylinder-on-flat,10,100,182,0.3,182,0.3",
+                 "cylinder-on-flat,20,100,182,0.3,182,0.3"},
+                "p", line(200, 100)) == Said{"p: ours with E/(1 - nu^2) of body 1 instead of E*"});
+    CHECK(found("kind,R,P,E1,nu1,E2,nu2",
+                {"cylinder-on-flat,10,100,182,0.3,182,0.3",
+                 "cylinder-on-flat,20,100,182,0.3,182,0.3"},
+                "p", [&](auto c, double u) { return half_turn / 4 * line(100, 100)(c, u); }) ==
+          Said{"p, right edge: pi/4 times ours"});
+    // The width of the contact, where nothing else is wrong.
+    CHECK(found(
+              "kind,R,P,contact_modulus",
+              {"cylinder-on-flat,10,100,100", "cylinder-on-flat,20,100,100",
+               "cylinder-on-flat,40,100,100"},
+              "a",
+              [](auto c, double) {
+                  return 2 * std::sqrt(4 * 100 * 10 * std::pow(2.0, c) / (half_turn * 100));
+              },
+              "%.17g", "full-width-for-half") == Said{"a: 2 times ours"});
     CHECK(found(bodies, two, "p", [&](auto c, double u) {
               return no_nu[c] * wedge_pressure(a_of(c), u);
           }) == Said{"p: ours with plane stress, 1/E* = 1/E1 + 1/E2"});

@@ -196,8 +196,9 @@ void CauseSearch::add_near_factors(Convention& of, double least, double most) co
         const Real& k = factor.value;
         const bool apart = wide > 0 && (k < least - wide || k > most + wide);
         const double error = std::max(rest(k), rest(Real(1 / k)));
-        return apart ? std::numeric_limits<double>::max()
-                     : rest_left(k) * std::max(1 / most_rest, least_gain / error);
+        return apart || !possible(factor, "")
+                   ? std::numeric_limits<double>::max()
+                   : rest_left(k) * std::max(1 / most_rest, least_gain / error);
     };
     const double nearest = of_limits(*std::ranges::min_element(factors_, {}, of_limits));
     if (nearest > 1) {

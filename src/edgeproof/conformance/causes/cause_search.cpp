@@ -193,7 +193,8 @@ void CauseSearch::add_factors(const WrongRows& rows, const Values& values,
         return;
     }
     for (const NamedFactor& factor : factors_) {
-        if (abs(Real(ratio->value / factor.value - 1)) > most_scatter) {
+        if (!possible(factor, to.group.family) ||
+            abs(Real(ratio->value / factor.value - 1)) > most_scatter) {
             continue;
         }
         auto fit = fit_of(rows, times(values, factor.value), noise_);
@@ -204,12 +205,26 @@ void CauseSearch::add_factors(const WrongRows& rows, const Values& values,
     }
 }
 
+bool CauseSearch::possible(const NamedFactor& factor, const std::string& family) {
+    return factor.name != std::string_view("mean-for-peak") || family == "p" || family == "c_k";
+}
+
 Likely CauseSearch::likely(const NamedFactor& factor, const CommonRatio& ratio, Fit fit,
-                           std::optional<std::size_t> swapped) {
+                           std::optional<std::size_t> swapped) const {
     const std::string ours = swapped ? "ours at the other edge" : "ours";
-    return {swapped ? "edges-swapped" : factor.name,
+    // Another modulus changes the pressure, too.
+    const bool only_sizes = std::ranges::all_of(rows_of_family_, [](const auto& failing) {
+        return failing.first == "a" || failing.first == "b";
+    });
+    const bool width = only_sizes && (factor.value == 2 || factor.value == Real(1) / 2);
+    return {swapped ? "edges-swapped"
+            : width ? "full-width-for-half"
+                    : factor.name,
             factor.words + ours,
-            swapped ? "left taken for right, and a factor" : factor.hint,
+            swapped ? "left taken for right, and a factor"
+            : width ? "the whole width of the contact for a half (or the reverse)? a and b are "
+                      "the distances of its edges from the origin"
+                    : factor.hint,
             factor.value.convert_to<double>(),
             factor.common && !swapped ? 0 : 2,
             false,
@@ -272,7 +287,8 @@ void CauseSearch::add_undistinguished(const WrongRows& some, const WrongRows& al
         const bool known = std::ranges::any_of(to.likely, [&](const Likely& l) {
             return l.name == factor.name && l.relation == factor.words + "ours";
         });
-        if (!ratio || known || abs(Real(ratio->value / factor.value - 1)) > most_scatter) {
+        if (!ratio || known || !possible(factor, to.group.family) ||
+            abs(Real(ratio->value / factor.value - 1)) > most_scatter) {
             continue;
         }
         if (misfit(remainder_of(some, times(all_of(some), factor.value)), unit) <= most) {

@@ -84,8 +84,10 @@ private:
     void add_factors(const WrongRows& rows, const Values& values,
                      std::optional<std::size_t> swapped, Explained& to);
 
-    [[nodiscard]] static Likely likely(const NamedFactor& factor, const CommonRatio& ratio, Fit fit,
-                                       std::optional<std::size_t> swapped);
+    [[nodiscard]] Likely likely(const NamedFactor& factor, const CommonRatio& ratio, Fit fit,
+                                std::optional<std::size_t> swapped) const;
+    /// True if a factor of this name is possible in a quantity.
+    [[nodiscard]] static bool possible(const NamedFactor& factor, const std::string& family);
 
     [[nodiscard]] static Values all_of(const WrongRows& rows);
 

@@ -33,6 +33,9 @@ constexpr const char* sign_hint =
     "the other sign convention? p is positive in compression, q towards +x on the body that Q acts "
     "on; change the sign";
 
+constexpr const char* mean_hint = "the mean pressure taken for the greatest? It is pi/4 of that in "
+                                  "a line contact, 2/3 in that of a ball";
+
 /// Factors with one cause. A kilogram-force, an inch in mm, a psi in Pa and in kPa are units.
 struct NamedFactors {
     std::string_view formulas;
@@ -45,6 +48,7 @@ constexpr NamedFactors factors_with_names[] = {
     {"2 4", modulus_hint, "factor-2", true},
     {"1/2 1/4", half_hint, "factor-2", true},
     {"pi 1/pi 2*pi 1/(2*pi) pi/2 2/pi", pi_hint, "factor-pi", false},
+    {"pi/4 2/3", mean_hint, "mean-for-peak", false},
     {"sqrt(2) 1/sqrt(2) 2*sqrt(2)", root_hint, "factor-sqrt-2", false},
     {"sqrt(pi) 1/sqrt(pi)", intensity_hint, "factor-sqrt-pi", false},
     {"sqrt(2*pi) 1/sqrt(2*pi)", intensity_hint, "factor-sqrt-2-pi", false},

@@ -129,8 +129,6 @@ std::vector<std::optional<Real>> times_lengths(const Answers& answers, const Agr
 std::vector<Reading> readings_of(const Questions& questions,
                                  const std::set<std::size_t>& contacts) {
     std::vector<Reading> all{
-        {"gap-for-slope", "ours with C taken for the gap's constant, g = C x^(m + 1)",
-         "C is the slope's constant: g' = C x^m", gap_for_slope},
         {"sign", "ours with Q and the bulk tension in the other direction",
          "Q is positive towards +x on the body that it acts on", reverse_shear},
         {"x-for-u",
@@ -147,6 +145,15 @@ std::vector<Reading> readings_of(const Questions& questions,
              q.edge = opposite(q.edge);
              return q.at_edge() && (!scene.symmetric() || scene.shear);
          }}};
+    const bool gives_C = std::ranges::any_of(contacts, [&](std::size_t contact) {
+        return std::ranges::find(questions.contacts[contact].parameters, "C", &Parameter::key) !=
+               questions.contacts[contact].parameters.end();
+    });
+    if (gives_C) {
+        all.insert(all.begin(), Reading{"gap-for-slope",
+                                        "ours with C taken for the gap's constant, g = C x^(m + 1)",
+                                        "C is the slope's constant: g' = C x^m", gap_for_slope});
+    }
     for (const auto& [name, words, n] : {std::tuple{"one-term", "the first term", 1U},
                                          std::tuple{"two-term", "the first two terms", 2U},
                                          std::tuple{"three-term", "the first three terms", 3U}}) {

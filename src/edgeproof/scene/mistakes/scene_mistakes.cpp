@@ -123,8 +123,9 @@ private:
                          [change = std::move(change)](Scene& s) { change_given(s, change); }});
     }
 
-    void modulus(std::string_view name, const char* what, const Expr& value) {
-        add(name, what, modulus_advice, [value](Scene& s) { s.contact_modulus = Exact(value); });
+    void modulus(std::string_view name, std::string what, const Expr& value) {
+        add(name, std::move(what), modulus_advice,
+            [value](Scene& s) { s.contact_modulus = Exact(value); });
     }
     void moduli() {
         if (!scene_.bodies) {
@@ -133,6 +134,13 @@ private:
             modulus("factor-2", "half of E*", E / two);
             modulus("factor-pi", "pi times E*", E * Expr::pi());
             modulus("factor-pi", "E* divided by pi", E / Expr::pi());
+            // If the other body is rigid, E* is E/(1 - nu^2) of this one, with an unknown nu.
+            for (const char* const nu : {"1/4", "0.28", "3/10", "0.32", "1/3", "0.35", "1/2"}) {
+                const Expr squared = Exact::parse(std::string(nu) + "*" + nu).expr();
+                modulus("plane-stress",
+                        "plane stress, E instead of E/(1 - nu^2), if nu is " + std::string(nu),
+                        E * (integer(1) - squared));
+            }
             return;
         }
         const Expr E1 = scene_.bodies->E1.expr();

@@ -10,6 +10,7 @@
 #include <doctest/doctest.h>
 
 #include <sstream>
+#include <tuple>
 
 using namespace edgeproof::hertz_data;
 
@@ -161,6 +162,60 @@ TEST_CASE("half of a symmetric contact") {
         const FileComparison file = compared(table(even_places(from, to, 32), p), part);
         CHECK_FALSE(file.data.half);
         CHECK(file.passes());
+    }
+}
+
+TEST_CASE("half of a flat pad: the pressure in its middle is a small part of the greatest") {
+    for (const std::string t : {"0.3", "0.84", "0.97", "0.999"}) {
+        const ExactContact pad(
+            parse_scene("[profile]\nkind = \"flat-and-rounded\"\nR = \"1\"\nt = \"" + t +
+                            "\"\n[load]\na = \"1\"\ncontact_modulus = \"1\"\n",
+                        "s.toml"));
+        // The nodes end at the edge, within an element of it, or outside; the last are a part only.
+        for (const auto& [from, to, half] : {std::tuple{0.0, 1.0, true},
+                                             {0.0, 0.9999, true},
+                                             {0.0, 1.3, true},
+                                             {0.3, 1.3, false},
+                                             {-0.3, 1.3, false}}) {
+            for (const double side : {1.0, -1.0}) {
+                const auto file =
+                    compare_file(parse_result(table(
+                                                  even_places(from, to, 2000),
+                                                  [&](double x) { return pad.pressure(x); },
+                                                  [&](double x) { return side * x; }),
+                                              "r"),
+                                 pad, within(1e-6), Rational(0));
+                CAPTURE(t);
+                CAPTURE(to);
+                CHECK(file.passes() == half);
+            }
+        }
+    }
+}
+
+TEST_CASE("samples of a line through a mesh are not its elements") {
+    const auto through = [](double element) {
+        return [element](double x) {
+            const double left = element * std::floor(x / element);
+            return p(left) + (p(left + element) - p(left)) * (x - left) / element;
+        };
+    };
+    struct Case {
+        double element; ///< 0: none, the curve itself
+        double step;
+    };
+    for (const auto& [element, step] : {Case{0.1, 0.02}, Case{0.1, 0.0171}, Case{0.25, 0.05},
+                                        Case{0.05, 0.025}, Case{0, 0.02}, Case{0, 0.0003}}) {
+        CAPTURE(element);
+        CAPTURE(step);
+        const int n = static_cast<int>(4 / step);
+        const auto places = even_places(-n * step / 2, n * step / 2, n);
+        const FileComparison file =
+            compared(element > 0 ? table(places, through(element)) : table(places, p), within(0.2));
+        const double right = element > 0 ? element : step;
+        CHECK(file.contact.mean_element == doctest::Approx(right).epsilon(0.1));
+        CHECK(file.contact.element[0] == doctest::Approx(right).epsilon(0.2));
+        CHECK(has_finding(file, "samples of a line") == (element > 0));
     }
 }
 

@@ -331,6 +331,14 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
         node.p = node.exact.p.value_or(node.p);
     }
     file.of_exact = contact_of(of_exact, exact);
+    if (const auto elements = sampled_elements(file.table)) {
+        file.contact.element = elements->at_edge;
+        file.contact.mean_element = elements->mean;
+        file.data.findings.push_back(
+            fmt::format("p is linear between places that are about {:.4g} apart: the rows are "
+                        "samples of a line through elements of this width",
+                        elements->mean));
+    }
     file.undetermined = undetermined(file.data, file.of_exact, exact);
     count_nodes(file);
     find_more(file, exact);
@@ -362,6 +370,10 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
         exact.scale().mean));
     if (suspects != nullptr && file.all.peak > least) {
         file.diagnosis = diagnose(file.table, file.data, file.contact, *suspects, exact, own_error);
+    }
+    if (file.passes() && file.diagnosis && file.diagnosis->too_few &&
+        file.diagnosis->causes.empty()) {
+        file.diagnosis.reset(); // there is no error that these nodes show
     }
     const bool right = !file.diagnosis || file.diagnosis->at_edges_only;
     if (!file.passes() && file.diagnosis && file.diagnosis->at_edges_only &&

@@ -55,6 +55,12 @@ TEST_CASE("compare: right numbers pass, wrong ones fail, bad input is reported")
     CHECK(lines(right.out).back() == "pass: 1 file");
     CHECK(has(right.out, "largest p [MPa]"));
     CHECK(has(right.out, "lengths in mm, P in N/mm, M in N, pressures in MPa"));
+    CHECK(has(right.out, "P [N/mm]"));
+    // The force of a ball is a whole one.
+    std::string ball = compared_scene;
+    ball.insert(ball.find("kind ="), "geometry = \"axisymmetric\"\n");
+    c.folder.write("ball.toml", ball);
+    CHECK(has(run(c.folder, "compare ball.toml right.csv").out, "P [N]"));
     const Outcome wrong = run(c.folder, "compare scene.toml right.csv wrong.csv");
     CHECK(wrong.code == 1);
     CHECK(lines(wrong.out).back() == "FAIL: 1 of 2 files");

@@ -151,7 +151,22 @@ TEST_CASE("results: units that a file states are converted, exactly") {
     CHECK(found(parsed_result("x [m],p [Pa]\n0,1\n1,2\n", in_mm_and_MPa()),
                 "converted from m to mm"));
     CHECK(found(parsed_result("x [m],p\n0,1\n1,2\n"), "the scene states no units"));
-    CHECK(found(parsed_result("x [furlong],p\n0,1\n1,2\n", in_mm_and_MPa()), "'furlong'"));
+    // A unit that is not known is refused, wherever it stands.
+    for (const auto& [text, line] : std::vector<std::pair<std::string, std::string>>{
+             {"x [furlong],p\n0,1\n1,2\n", "r.csv:1: 'furlong'"},
+             {"x (mm),p (KPa)\n0,1\n1,2\n", "r.csv:1: 'KPa'"},
+             {"x_inches,p_MPa\n0,1\n1,2\n", "r.csv:1: 'inches'"},
+             {"x / mm,p / atm\n0,1\n1,2\n", "r.csv:1: 'atm'"},
+             {"x,p\ninches,MPa\n0,1\n1,2\n", "r.csv:1: 'inches'"},
+             {"# units: mm, KPa\nx,p\n0,1\n1,2\n", "r.csv:1: 'KPa'"},
+         }) {
+        CAPTURE(text);
+        CHECK(begins(refusal(text, in_mm_and_MPa()), line));
+        ResultReading scaled = in_mm_and_MPa();
+        parse_scale("x=1,p=1", scaled);
+        CHECK(parsed_result(text, scaled).rows.size() == 2);
+    }
+    CHECK(parsed_result("x [-],p [1]\n0,1\n1,2\n", in_mm_and_MPa()).rows.size() == 2);
     CHECK(begins(refusal("x [MPa],p\n0,1\n1,2\n", in_mm_and_MPa()), "r.csv:1: x is in MPa"));
 }
 

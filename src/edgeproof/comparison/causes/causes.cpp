@@ -43,7 +43,9 @@ struct Candidate {
 /// Returns the most likely first, without those that leave clearly more than the best one and that
 /// the data exclude.
 std::vector<Cause> ranked(std::vector<Candidate> candidates, const Observed& data, double factor) {
-    std::ranges::stable_sort(candidates, {}, [](const Candidate& one) { return one.fit.left; });
+    // Mistakes of the same effect stay in the order of the catalogue.
+    std::ranges::stable_sort(
+        candidates, {}, [](const Candidate& one) { return std::round(one.fit.left / roundoff); });
     std::vector<Cause> causes;
     for (const Candidate& one : candidates) {
         const Candidate& best = candidates.front();
@@ -73,22 +75,25 @@ std::vector<Cause> ranked(std::vector<Candidate> candidates, const Observed& dat
     return causes;
 }
 
+/// Noise of some percent needs the floor: the scatter of a few hundred nodes is not known better.
+double allowance_for(double mesh_error, double unexplained) {
+    return std::max(std::min(mesh_error, most_of_a_mesh),
+                    std::min(right_as_a_mesh, share_of_error * unexplained));
+}
+
 Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
                             const std::vector<Suspect>& suspects, double mesh_error) {
     Diagnosis diagnosis;
     const auto as_it_is = fit_of(data, right); // empty if hardly any node lies in the exact contact
     diagnosis.unexplained = as_it_is ? as_it_is->left : 1;
+    diagnosis.too_few = !as_it_is;
     if (as_it_is) {
         diagnosis.noise = as_it_is->noise;
         diagnosis.largest_inside = as_it_is->largest_counted;
         diagnosis.at_edges_only =
             as_it_is->is_scatter(std::max(right_as_a_mesh, std::min(mesh_error, most_of_a_mesh)));
     }
-    // Noise of some percent needs the floor: the scatter of a few hundred nodes is not known
-    // better.
-    const double allowance =
-        std::max(std::min(mesh_error, most_of_a_mesh),
-                 std::min(right_as_a_mesh, share_of_error * diagnosis.unexplained));
+    const double allowance = allowance_for(mesh_error, diagnosis.unexplained);
     const double factor = median_ratio(data, right.values);
     // If one mistake explains the data, those are named with it that the data do not exclude: of
     // some hundred sets of data, the scale of the right one is off by more than three standard
@@ -127,6 +132,52 @@ Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
     return diagnosis;
 }
 
+/// The scene under the force that the data carry. The rule for it is applied to its exact pressure,
+/// too, to correct the error of the rule.
+std::optional<Cause> own_force(const Observed& data, double force, SuspectContacts& suspects,
+                               double allowance, double unexplained) {
+    const ExactContact* contact = nullptr;
+    const auto solve = [&](double P) {
+        contact = suspects.with(fmt::format("P = {:.17g}", P), [P](scene::Scene& other) {
+            other = other.without_shear();
+            scene::change_given(other, [P](scene::Scene& given) {
+                given.load =
+                    contact::Load::force(formula::Exact(formula::Expr::number(exact_rational(P))));
+            });
+        });
+    };
+    if (!(force > 0 && std::isfinite(force))) {
+        return {};
+    }
+    solve(force);
+    if (contact != nullptr) {
+        const auto exact = [&](const Node& node) { return contact->at(Real(node.x)).p; };
+        const double corrected = force * force / force_of(data.nodes.data, *contact, exact);
+        force = corrected > 0 && corrected < 2 * force ? corrected : force;
+        solve(force);
+    }
+    if (contact == nullptr) {
+        return {};
+    }
+    Suspect carried{"another-force", "", contact->a().value, contact->b().value, {}};
+    for (std::size_t i = 0; i < data.nodes.size(); ++i) {
+        carried.values.push_back(contact->at(Real(data.nodes[i].x)).p.value_or(std::nan("")));
+    }
+    const auto fit = fit_of(data, carried);
+    if (!fit || !explains(*fit, allowance, unexplained)) {
+        return {};
+    }
+    return Cause{
+        carried.name,
+        fmt::format("the data carry P = {:.5g}; with that force they agree to {:.2g} %: "
+                    "another load step{}?",
+                    force, 100 * fit->left,
+                    contact->axisymmetric() ? "" : ", or a total force for a force per length"),
+        median_ratio(data, carried.values),
+        fit->left,
+        {}};
+}
+
 } // namespace
 
 Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const DataContact& contact,
@@ -140,6 +191,14 @@ Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const Da
     }
     Diagnosis diagnosis = diagnose_observed(
         observed, right, pressure_suspects(observed.nodes, suspects, exact), mesh_error);
+    if (diagnosis.causes.empty() && !diagnosis.at_edges_only) {
+        const double allowance = allowance_for(mesh_error, diagnosis.unexplained);
+        if (auto cause = own_force(observed, contact.force.value_or(0), suspects, allowance,
+                                   diagnosis.unexplained)) {
+            diagnosis.causes.push_back(std::move(*cause));
+            diagnosis.factor.reset();
+        }
+    }
     if (diagnosis.at_edges_only && diagnosis.causes.empty()) {
         if (const auto cause = cause_in_digits(table, data, exact)) {
             diagnosis.causes.push_back(*cause);

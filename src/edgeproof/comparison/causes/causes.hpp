@@ -89,6 +89,7 @@ struct Diagnosis {
     double noise = 0;
     bool at_edges_only = false;  ///< those nodes agree to three thousandths, as in a correct mesh
                                  ///< solution: the error is not due to a mistake
+    bool too_few = false;        ///< fewer than eight of those nodes lie in the exact contact
     bool largest_inside = false; ///< the largest error is at one of those nodes, not near an edge
     std::vector<Cause> causes;   ///< the most likely first
     /// If no cause is found: a factor that explains the data as a cause would.
@@ -104,7 +105,9 @@ struct Diagnosis {
 /// the mesh's own error (measures/measures.hpp), and at most three hundredths of the largest
 /// pressure. Mistakes whose remaining error is
 /// within a fifth of the best are equally likely: the data do not distinguish them. Data that carry
-/// too few digits, or are binary32, and otherwise agree, have that cause. No cause is proved.
+/// too few digits, or are binary32, and otherwise agree, have that cause. Data that none of these
+/// explains, but the scene under the force that they carry, have the cause another-force. No cause
+/// is proved.
 /// Throws Interrupted.
 [[nodiscard]] Diagnosis diagnose(const ResultTable& table, const AlignedResult& data,
                                  const DataContact& contact, SuspectContacts& suspects,

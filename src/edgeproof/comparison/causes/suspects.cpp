@@ -127,6 +127,15 @@ private:
         both_ways("factor-pi", "pi", pi);
         both_ways("factor-pi", "2 pi", 2 * pi);
         both_ways("factor-sqrt-pi", "sqrt(pi)", std::sqrt(pi));
+        const double width = exact_.a().value + exact_.b().value;
+        const double mean =
+            exact_.force().value / (exact_.axisymmetric() ? pi * width * width / 4 : width);
+        const double hertz = exact_.axisymmetric() ? 2.0 / 3 : pi / 4;
+        constexpr double same = 1e-9;
+        if (std::abs(mean / exact_.scale().value / hertz - 1) < same) {
+            add("mean-for-peak", "the mean pressure, taken for the greatest",
+                [&](std::size_t i) { return hertz * exact_pressure(i); });
+        }
         // K = sqrt(2 pi) c_0: the stress intensity of fracture mechanics.
         both_ways("factor-sqrt-2-pi", "sqrt(2 pi)", std::sqrt(2 * pi));
         both_ways("unit-g", "9.80665", 9.80665);
@@ -199,7 +208,7 @@ private:
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             points.push_back({nodes_[i].x, nodes_[i].p});
         }
-        const auto support = support_of(points);
+        const auto support = support_of(points, exact_);
         const auto found =
             support ? origin_of(points, *support, nodes_.data.half, exact_) : std::nullopt;
         return found ? std::optional(found->exact.convert_to<double>()) : std::nullopt;

@@ -116,7 +116,7 @@ ColumnName read_column_name(std::string_view written) {
             written.substr(open + 1, close == std::string_view::npos ? close : close - open - 1));
         name.plain = plain_of(written.substr(0, open));
         name.unit = scene::unit_named(inside);
-        name.unread = name.unit ? "" : std::string(inside);
+        name.unread = name.unit || inside == "-" || inside == "1" ? "" : std::string(inside);
         return name;
     }
     for (const std::string_view before : {"/", "_", ",", " in ", " "}) {
@@ -124,8 +124,11 @@ ColumnName read_column_name(std::string_view written) {
         if (at == std::string_view::npos || at == 0) {
             continue;
         }
-        if (auto unit = scene::unit_named(trimmed(written.substr(at + before.size())))) {
+        const std::string_view after = trimmed(written.substr(at + before.size()));
+        auto unit = scene::unit_named(after);
+        if (unit || scene::resembles_unit(after)) {
             name.plain = plain_of(written.substr(0, at));
+            name.unread = unit ? "" : std::string(after);
             name.unit = std::move(unit);
             return name;
         }

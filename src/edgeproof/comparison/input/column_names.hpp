@@ -24,7 +24,7 @@ inline constexpr std::array surface_roles{ColumnRole::gap, ColumnRole::slip, Col
 struct ColumnName {
     std::string plain; ///< lower case, letters and digits only
     std::optional<scene::Unit> unit;
-    std::string unread; ///< text in brackets that is not a unit
+    std::string unread; ///< text in the place of a unit that is none
 };
 [[nodiscard]] ColumnName read_column_name(std::string_view written);
 

@@ -15,19 +15,21 @@
 namespace edgeproof::comparison {
 namespace {
 
-/// The unit in a cell, with or without brackets.
-std::optional<scene::Unit> unit_cell(const Cell& cell) {
+/// The text of a cell without brackets.
+std::string_view without_brackets(const Cell& cell) {
     std::string_view text = cell.text;
-    if (text.size() > 2 && (text.front() == '[' || text.front() == '(')) {
-        text = text.substr(1, text.size() - 2);
-    }
-    return scene::unit_named(text);
+    return text.size() > 2 && (text.front() == '[' || text.front() == '(')
+               ? text.substr(1, text.size() - 2)
+               : text;
+}
+bool is_unit(const Cell& cell) {
+    const std::string_view text = without_brackets(cell);
+    return scene::unit_named(text).has_value() || scene::resembles_unit(text);
 }
 
 bool all_units(const std::vector<Cell>& cells) {
-    return std::ranges::any_of(cells, [](const Cell& c) { return unit_cell(c).has_value(); }) &&
-           std::ranges::all_of(cells, [](const Cell& c) {
-               return unit_cell(c) || c.text.empty() || c.text == "-" || c.text == "[-]" ||
+    return std::ranges::any_of(cells, is_unit) && std::ranges::all_of(cells, [](const Cell& c) {
+               return is_unit(c) || c.text.empty() || c.text == "-" || c.text == "[-]" ||
                       c.text == "1";
            });
 }
@@ -331,23 +333,30 @@ private:
             const auto cells = cells_in(without_comment_mark(text_.lines[i]));
             if (cells.size() == text_.size && all_units(cells)) {
                 for (UsedColumn* c : {&found_.x, &found_.p}) {
-                    c->name.unit = c->name.unit ? c->name.unit : unit_cell(cells[c->index]);
+                    const std::string_view text = without_brackets(cells[c->index]);
+                    c->name.unit = c->name.unit ? c->name.unit : scene::unit_named(text);
+                    c->name.unread = scene::resembles_unit(text) ? text : c->name.unread;
                 }
             }
             const std::string& text = text_.lines[i].text;
             const std::size_t word = lower_case(text).find("unit");
             if (word != std::string::npos) {
-                units_in_text(std::string_view(text).substr(word));
+                units_in_text(std::string_view(text).substr(word), text_.lines[i].number);
             }
         }
         const scene::Units units = reading_.units.value_or(scene::Units{});
         convert(found_.x, scene::Unit::Dimension::length, reading_.x_scale, units.length, "x");
         convert(found_.p, scene::Unit::Dimension::pressure, reading_.p_scale, units.pressure, "p");
     }
-    void units_in_text(std::string_view text) {
+    void units_in_text(std::string_view text, std::size_t line) {
         for (std::size_t at = 0; at < text.size();) {
             const std::size_t end = std::min(text.find_first_of(" \t,;:=()[]\"", at), text.size());
-            if (const auto unit = scene::unit_named(text.substr(at, end - at))) {
+            const std::string_view word = text.substr(at, end - at);
+            if (scene::resembles_unit(word) && reading_.units &&
+                !(reading_.x_scale && reading_.p_scale)) {
+                reject_unit(line, word, "x and p", "x=25.4,p=1");
+            }
+            if (const auto unit = scene::unit_named(word)) {
                 UsedColumn* const c = unit->dimension == scene::Unit::Dimension::length ? &found_.x
                                       : unit->dimension == scene::Unit::Dimension::pressure
                                           ? &found_.p
@@ -359,6 +368,13 @@ private:
             at = end + 1;
         }
     }
+    [[noreturn]] void reject_unit(std::size_t line, std::string_view name, std::string_view of,
+                                  std::string_view scale) const {
+        text_.reject(line, fmt::format("'{}', the unit of {}, is not known", printable(name), of),
+                     fmt::format("write one such as mm, um or in, kPa, MPa, psi or N/mm^2, or give "
+                                 "the factor to the unit of the scene: --scale {}",
+                                 scale));
+    }
     void convert(UsedColumn& c, scene::Unit::Dimension dimension,
                  const std::optional<Rational>& scale, const std::optional<scene::Unit>& wanted,
                  const char* key) {
@@ -368,6 +384,9 @@ private:
             found_.findings.push_back(fmt::format("{} is multiplied by {}, as --scale states", key,
                                                   exact_text(c.factor)));
             return;
+        }
+        if (!c.name.unread.empty() && wanted) {
+            reject_unit(header_line_, c.name.unread, key, std::string(key) + "=25.4");
         }
         if (!c.name.unread.empty()) {
             found_.findings.push_back(fmt::format(

@@ -26,7 +26,7 @@ public:
     }
 
     AlignedResult align(const std::optional<Rational>& given) {
-        const auto support = support_of(points_);
+        const auto support = support_of(points_, exact_);
         find_half(support, given ? given->convert_to<double>() : 0);
         if (given) {
             result_.origin = given->convert_to<double>();
@@ -277,23 +277,32 @@ constexpr double same_origin = 1e-4; ///< relative to a + b
 
 } // namespace
 
-std::optional<Support> support_of(const std::vector<RoughPoint>& points) {
+std::optional<Support> support_of(const std::vector<RoughPoint>& points,
+                                  const ExactContact& exact) {
+    // The middle of a flat pad has a small part of the greatest pressure.
+    const double in_middle = exact.pressure(0.5 * (exact.a().value - exact.b().value));
+    const double least = loaded_fraction * std::min(1.0, in_middle / exact.scale().value);
     double most = 0;
     for (const RoughPoint& point : points) {
         most = std::max(most, point.p);
     }
-    const auto loaded = [&](const RoughPoint& point) { return point.p > loaded_fraction * most; };
+    const auto loaded = [&](const RoughPoint& point) { return point.p > least * most; };
     const auto first = std::ranges::find_if(points, loaded);
     if (first == points.end()) {
         return {};
     }
     const auto last = std::find_if(points.rbegin(), points.rend(), loaded).base() - 1;
-    constexpr double high = 0.4; // an end of the data at such a pressure is not an edge
+    // p^2 vanishes linearly at an edge: within an element of the end of the data, or not there.
+    const auto falls = [](auto end, auto stop) {
+        const auto next =
+            std::find_if(end, stop, [&](const RoughPoint& point) { return point.x != end->x; });
+        return next != stop && 2 * end->p * end->p <= next->p * next->p;
+    };
     Support s;
     s.left = first == points.begin() ? first->x : 0.5 * (first->x + (first - 1)->x);
     s.right = last + 1 == points.end() ? last->x : 0.5 * (last->x + (last + 1)->x);
-    s.left_falls = first != points.begin() || first->p < high * most;
-    s.right_falls = last + 1 != points.end() || last->p < high * most;
+    s.left_falls = first != points.begin() || falls(points.begin(), points.end());
+    s.right_falls = last + 1 != points.end() || falls(points.rbegin(), points.rend());
     return s;
 }
 

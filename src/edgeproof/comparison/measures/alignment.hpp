@@ -103,7 +103,8 @@ struct Support {
     bool right_falls = false;
 };
 /// Returns nothing if no node is loaded. `points`: by x.
-[[nodiscard]] std::optional<Support> support_of(const std::vector<RoughPoint>& points);
+[[nodiscard]] std::optional<Support> support_of(const std::vector<RoughPoint>& points,
+                                                const ExactContact& exact);
 
 /// The scene's origin in the x of the data.
 struct FoundOrigin {

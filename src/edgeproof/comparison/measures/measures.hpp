@@ -4,6 +4,7 @@
 #include "edgeproof/comparison/measures/alignment.hpp"
 #include "edgeproof/comparison/measures/data_edges.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -126,6 +127,15 @@ inline constexpr double mesh_error_by_corner_times_elements = 0.15;
     return (corner ? mesh_error_by_corner_times_elements : mesh_error_times_elements) /
            (elements > 1 ? elements : 1);
 }
+
+/// The widths of the elements of a mesh, by index_of(edge), if the rows of a table are samples of a
+/// line through it: p is linear, to its written digits, except at places farther apart than the
+/// rows. Nothing if the rows are nodes.
+struct SampledElements {
+    std::array<double, 2> at_edge{};
+    double mean = 0;
+};
+[[nodiscard]] std::optional<SampledElements> sampled_elements(const ResultTable& table);
 
 /// The errors of several meshes of one contact, from their differences from the finest one: error
 /// = C h^q, with q between 1/2 and 4 from the first and the last but one of three meshes or more,

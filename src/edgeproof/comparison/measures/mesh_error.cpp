@@ -34,6 +34,9 @@ Inner inner_of(const ResultTable& table) {
     Inner inner{{first + left_out, last - left_out}, 0};
     inner.width = (inner.nodes.back().first - inner.nodes.front().first) /
                   static_cast<double>(inner.nodes.size() - 1);
+    if (const auto elements = sampled_elements(table)) {
+        inner.width = elements->mean;
+    }
     for (auto& [x, p] : inner.nodes) {
         p /= largest;
     }
@@ -60,6 +63,67 @@ std::optional<double> difference(const Inner& mesh, const Inner& finest) {
 }
 
 } // namespace
+
+std::optional<SampledElements> sampled_elements(const ResultTable& table) {
+    struct Sample {
+        double x, p, x_rounding, p_rounding;
+    };
+    std::vector<Sample> all;
+    double largest = 0;
+    for (const ResultRow& row : table.rows) {
+        all.push_back({row.x.convert_to<double>(), row.p.convert_to<double>(), row.x_rounding,
+                       row.p_rounding});
+        largest = std::max(largest, std::abs(all.back().p));
+    }
+    constexpr double loaded_share = 0.02;
+    constexpr double of_binary32 = 1e-6;
+    constexpr double clearly = 3;
+    constexpr std::size_t most_of_a_node = 2; // a node between two samples is seen at both
+    constexpr std::size_t fewest_nodes = 4;
+    std::vector<double> nodes;
+    std::size_t linear = 0;
+    std::size_t run = 0;       // of samples between which the slope changes
+    double largest_of_run = 0; // in units of the tolerance
+    double place = 0;
+    for (std::size_t i = 1; i + 1 < all.size(); ++i) {
+        const Sample& before = all[i - 1];
+        const Sample& here = all[i];
+        const Sample& after = all[i + 1];
+        if (std::min({std::abs(before.p), std::abs(here.p), std::abs(after.p)}) <=
+            loaded_share * largest) {
+            continue;
+        }
+        if (!(before.x < here.x && here.x < after.x)) {
+            return {};
+        }
+        const double slope = (after.p - before.p) / (after.x - before.x);
+        const double off = std::abs(here.p - before.p - slope * (here.x - before.x));
+        const double tolerance = of_binary32 * largest + here.p_rounding +
+                                 std::max(before.p_rounding, after.p_rounding) +
+                                 2 * std::abs(slope) * here.x_rounding;
+        if (off > tolerance) {
+            place = off / tolerance > largest_of_run ? here.x : place;
+            largest_of_run = std::max(largest_of_run, off / tolerance);
+            ++run;
+            continue;
+        }
+        ++linear;
+        if (run > most_of_a_node || (run > 0 && largest_of_run < clearly)) {
+            return {}; // a curve
+        }
+        if (run > 0) {
+            nodes.push_back(place);
+        }
+        run = 0;
+        largest_of_run = 0;
+    }
+    const std::size_t n = nodes.size();
+    if (n < fewest_nodes || linear < n) {
+        return {};
+    }
+    return SampledElements{{nodes[n - 1] - nodes[n - 2], nodes[1] - nodes[0]},
+                           (nodes[n - 1] - nodes[0]) / static_cast<double>(n - 1)};
+}
 
 std::optional<std::vector<double>> mesh_errors(const std::vector<ResultTable>& tables) {
     std::vector<Inner> meshes;

@@ -100,6 +100,10 @@ std::vector<std::string> lines_of(const std::optional<comparison::Diagnosis>& di
         lines.push_back(fmt::format("away from the edges {} is right to {}: the errors are at the "
                                     "edges, as those of a mesh usually are",
                                     symbol, percent_text(d.unexplained)));
+    } else if (d.too_few) {
+        lines.push_back(fmt::format("fewer than eight nodes lie in the exact contact, away from "
+                                    "its edges: too few to find the cause of an error of {}",
+                                    symbol));
     } else if (d.factor) {
         lines.push_back(
             fmt::format("away from the edges {} is {:.6g} +- {:.2g} times the exact {}, "
@@ -134,8 +138,10 @@ std::vector<HeldQuantity> held_quantities(const ComparisonReport& report,
     const scene::Units units = report.units.value_or(scene::Units{});
     const std::string length = with_unit(units.length, "");
     const std::string pressure = with_unit(units.pressure, "");
-    const std::string force =
-        units.force && units.length ? units.force->name + "/" + units.length->name : "";
+    const std::string force = exact.axisymmetric() ? with_unit(units.force, "")
+                              : units.force && units.length
+                                  ? units.force->name + "/" + units.length->name
+                                  : "";
     const auto coefficient = [&](const char* power) {
         return units.length && units.pressure ? pressure + "/" + length + "^" + std::string(power)
                                               : std::string();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/input/units.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <utility>
 
 namespace edgeproof::scene {
@@ -101,6 +103,33 @@ std::optional<Unit> unit_named(std::string_view name) {
     }
     auto unit = plain_unit(name);
     return unit ? unit : force_over_area(name);
+}
+
+bool resembles_unit(std::string_view name) {
+    std::string lower(name);
+    std::ranges::transform(lower, lower.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const auto is_same = [&](std::string other) {
+        std::ranges::transform(other, other.begin(),
+                               [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        return lower == other;
+    };
+    static constexpr std::array<std::string_view, 18> other_names{
+        "inches", "feet", "meter",      "metre",      "meters", "metres",
+        "micron", "atm",  "millimeter", "millimetre", "torr",   "millimeters",
+        "psf",    "mmhg", "pascal",     "megapascal", "msi",    "millimetres"};
+    return !unit_named(name) &&
+           (std::ranges::any_of(si_units,
+                                [&](const auto& si) {
+                                    return std::ranges::any_of(prefixes, [&](const auto& prefix) {
+                                        return is_same(std::string(prefix.name) +
+                                                       std::string(si.first));
+                                    });
+                                }) ||
+            std::ranges::any_of(
+                other_units, [&](const auto& unit) { return is_same(std::string(unit.name)); }) ||
+            is_same("psi") || is_same("ksi") ||
+            std::ranges::find(other_names, lower) != other_names.end());
 }
 
 std::string unit_label(const std::optional<Unit>& unit) {

@@ -23,6 +23,10 @@ struct Unit {
 /// kilogram-force 9.80665 N (BIPM, NIST SP 811). Returns nothing for other names.
 [[nodiscard]] std::optional<Unit> unit_named(std::string_view name);
 
+/// True for a text that is meant as a unit, and is none of unit_named(): the name of one in other
+/// letters (KPa, MPA), in words (inches), or of another system (atm).
+[[nodiscard]] bool resembles_unit(std::string_view name);
+
 /// The units of a scene's numbers. They are labels: no number of the scene is converted.
 struct Units {
     std::optional<Unit> length;

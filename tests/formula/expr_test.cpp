@@ -3,6 +3,7 @@
 
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "tests/formula/items.hpp"
 #include "tests/formula/random_expr.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -36,47 +37,14 @@ formula::Expr named(const std::string& text) {
 
 TEST_CASE("expressions are printed as they would be written by hand") {
     // Each of these is already its own shortest text.
-    for (const char* text : {
-             "0",
-             "12",
-             "0.4",
-             "1e-30",
-             "2.5e12",
-             "1000000",
-             "Pi",
-             "a",
-             "-a",
-             "-2",
-             "-a^2",
-             "(-a)^2",
-             "a - b - x",
-             "a - (b - x)",
-             "a + b + x",
-             "a + (b + x)",
-             "a/b/x",
-             "a/(b/x)",
-             "a*b/x",
-             "a*(b/x)",
-             "a^b^x",
-             "(a^b)^x",
-             "a^(-1/2)",
-             "a^(3/2)",
-             "a^(-2)",
-             "-(a + b)",
-             "-(a*b)",
-             "-a*b",
-             "a*(-b)",
-             "a - (-b)",
-             "-(-a)",
-             "(a + b)*(a - b)",
-             "sqrt(a^2 - b^2)",
-             "2*sqrt(2)/(3*a^(3/2)*Pi)*(5*P1/8 - a*x)",
-             "max(a, b, x)",
-             "g(f(a), -b)",
-             "integral(f(s)/sqrt(a^2 - s^2), s, 0, a)",
-             "pv(f(s)/(s - x), s, -a, a, x)",
-             "sum(a^k/k, k, 1, 10)",
-         }) {
+    for (const std::string& text : test::items(R"ITEMS(
+        0   12   0.4   1e-30   2.5e12   1000000   Pi   a   -a   -2   -a^2   (-a)^2   a - b - x
+        a - (b - x)   a + b + x   a + (b + x)   a/b/x   a/(b/x)   a*b/x   a*(b/x)   a^b^x   (a^b)^x
+        a^(-1/2)   a^(3/2)   a^(-2)   -(a + b)   -(a*b)   -a*b   a*(-b)   a - (-b)   -(-a)
+        (a + b)*(a - b)   sqrt(a^2 - b^2)   2*sqrt(2)/(3*a^(3/2)*Pi)*(5*P1/8 - a*x)   max(a, b, x)
+        g(f(a), -b)   integral(f(s)/sqrt(a^2 - s^2), s, 0, a)   pv(f(s)/(s - x), s, -a, a, x)
+        sum(a^k/k, k, 1, 10)
+    )ITEMS")) {
         const Expr e = read(text);
         CAPTURE(text);
         CHECK(to_text(e) == text);

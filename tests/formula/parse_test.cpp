@@ -2,6 +2,7 @@
 #include "edgeproof/formula/parse.hpp"
 
 #include "edgeproof/formula/exact/exact.hpp"
+#include "tests/formula/items.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -134,79 +135,44 @@ TEST_CASE("names with a meaning of their own cannot be given to variables") {
 }
 
 TEST_CASE("malformed text is one line of error, with its place") {
-    struct Case {
-        std::string text;
-        std::size_t offset;
-    };
-    const std::vector<Case> cases{
-        {"", 0},
-        {"   ", 0},
-        {"2a", 1},
-        {"2 a", 2},
-        {"2(a+b)", 1},
-        {"(a)(b)", 3},
-        {"a b", 2},
-        {"a(b)", 0},
-        {"Pi(2)", 0},
-        {"(a", 0},
-        {"a)", 1},
-        {"((a)", 0},
-        {"a + ", 4},
-        {"* a", 0},
-        {"a */ b", 3},
-        {"a ** 2", 2},
-        {"a + + ", 6},
-        {"()", 1},
-        {"sqrt()", 0},
-        {"sqrt", 0},
-        {"sqrt(1, 2)", 0},
-        {"kernel(1)", 0},
-        {"slope", 0},
-        {"sqrt(a", 4},
-        {"sqrt(a,)", 7},
-        {"a, b", 1},
-        {"1.2.3", 0},
-        {".", 0},
-        {"1..2", 0},
-        {"1e", 1},
-        {"1e+", 1},
-        {"0x10", 1},
-        {"a = b", 2},
-        {"a < b", 2},
-        {"[a]", 0},
-        {"\\frac{a}{b}", 0},
-        {"P'(a)", 0},
-        {"a\xE2\x88\x92"
-         "b",
-         1},
-        {"\xCF\x80", 0},
-        {std::string("a\0b", 3), 1},
-        {"a\x01", 1},
-        {"a\xFF", 1},
-        {"integral(x, 2, 0, 1)", 12},
-        {"integral(x, Pi, 0, 1)", 12},
-        {"integral(x, e, 0, 1)", 12},
-        {"integral(x, x, 0)", 0},
-        {"pv(x, x, 0, 1)", 0},
-        {"pv(x, x, 0, 1, c)", 15},
-        {"a^", 2},
-        {"a^^2", 2},
-        {"#", 0},
-        {"a; b", 1},
-        {"1,5", 1},
-    };
-    for (const Case& c : cases) {
-        CAPTURE(c.text);
-        const FormulaError e = error_of(c.text);
-        if (c.text != "P'(a)") {
-            CHECK(e.offset() == c.offset);
-        }
+    const auto check = [](const std::string& text, std::size_t offset) {
+        CAPTURE(text);
+        const FormulaError e = error_of(text);
+        CHECK(e.offset() == offset);
         const std::string line = e.what();
         CHECK(line.find('\n') == std::string::npos);
         CHECK(line.find('\0') == std::string::npos);
         CHECK_FALSE(e.problem().empty());
         CHECK_FALSE(e.instead().empty());
+    };
+    const std::pair<std::size_t, const char*> by_offset[] = {
+        {0, R"(a(b)   Pi(2)   (a   ((a)   * a   sqrt()   sqrt   sqrt(1, 2)   kernel(1)   slope)"},
+        {0, R"(1.2.3   .   1..2   [a]   \frac{a}{b}   integral(x, x, 0)   pv(x, x, 0, 1)   #)"},
+        {1, R"(2a   2(a+b)   a)   ()   a, b   1e   1e+   0x10   a; b   1,5)"},
+        {2, R"(2 a   a b   a ** 2   a = b   a < b   a^   a^^2)"},
+        {3, R"((a)(b)   a */ b)"},
+        {4, R"(sqrt(a)"},
+        {7, R"(sqrt(a,))"},
+        {12, R"(integral(x, 2, 0, 1)   integral(x, Pi, 0, 1)   integral(x, e, 0, 1))"},
+        {15, R"(pv(x, x, 0, 1, c))"},
+    };
+    for (const auto& [offset, texts] : by_offset) {
+        for (const std::string& text : test::items(texts)) {
+            check(text, offset);
+        }
     }
+    check("", 0);
+    check(" ", 0);
+    check("a + ", 4);
+    check("a + + ", 6);
+    check("a\xE2\x88\x92"
+          "b",
+          1);
+    check("\xCF\x80", 0);
+    check(std::string("a\0b", 3), 1);
+    check("a\x01", 1);
+    check("a\xFF", 1);
+    CHECK_FALSE(error_of("P'(a)").instead().empty());
     CHECK(error_of("2a").problem() == "a '*' is missing at column 2");
     CHECK(error_of("\xCF\x80 c").problem() == "unexpected '\xCF\x80' at column 1");
     CHECK(error_of("a + \xFF").problem() == "unexpected byte 0xff at column 5");

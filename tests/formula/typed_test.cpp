@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/typed.hpp"
+#include "tests/formula/items.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -147,85 +148,28 @@ TEST_CASE("a subset of LaTeX is read") {
 }
 
 TEST_CASE("LaTeX that can be read in two ways, or is not of the subset, is refused in one line") {
-    for (const char* text : {R"(a/2b\cdot{})",
-                             R"(1/2\sqrt{x})",
-                             R"(\sin 2x)",
-                             R"(\sin x y)",
-                             R"(\sin^{-1}x)",
-                             R"(\sin(x)^2\,)",
-                             R"(P(a)\,)",
-                             R"(P(a+b)\,)",
-                             R"(\mathrm{C}(a))",
-                             R"(\int_0^a ds\,p(s))",
-                             R"(\int_0^a p(s) ds\, x)",
-                             R"(\sin x/2)",
-                             R"(\ln a\cdot b)",
-                             R"({\sin x}a)",
-                             R"(\sin^{(-1)}x)",
-                             R"(\int_0^a dx/x)",
-                             R"(\int_0^a dx \sin x)",
-                             R"({\int_0^a s\,ds}b)",
-                             R"(\int_0^a s\,ds\cdot b)",
-                             R"(\,exp(x))",
-                             R"(a\,exp(x))",
-                             R"(\,gap(x))",
-                             R"(\,e(x))",
-                             R"(2e-3\,)",
-                             R"(3e2\,)",
-                             R"(2\frac12)",
-                             R"(2{3})",
-                             R"(a\mathrm{3})",
-                             R"(P^{(2)})",
-                             R"(p^{-1}(x)\,)",
-                             R"(\frac{dP}{da})",
-                             R"(\frac{d^2P}{da^2})",
-                             R"(C(-a)\,)",
-                             R"(C[a]\,)",
-                             R"(C{(a)})",
-                             R"({C}(a))",
-                             R"(C\{a\})"}) {
+    for (const std::string& text : test::items(R"ITEMS(
+        a/2b\cdot{}   1/2\sqrt{x}   \sin 2x   \sin x y   \sin^{-1}x   \sin(x)^2\,   P(a)\,
+        P(a+b)\,   \mathrm{C}(a)   \int_0^a ds\,p(s)   \int_0^a p(s) ds\, x   \sin x/2
+        \ln a\cdot b   {\sin x}a   \sin^{(-1)}x   \int_0^a dx/x   \int_0^a dx \sin x
+        {\int_0^a s\,ds}b   \int_0^a s\,ds\cdot b   \,exp(x)   a\,exp(x)   \,gap(x)   \,e(x)
+        2e-3\,   3e2\,   2\frac12   2{3}   a\mathrm{3}   P^{(2)}   p^{-1}(x)\,   \frac{dP}{da}
+        \frac{d^2P}{da^2}   C(-a)\,   C[a]\,   C{(a)}   {C}(a)   C\{a\}
+    )ITEMS")) {
         CAPTURE(text);
         CHECK(refused(tex, text).find("can be read in two ways") != std::string::npos);
     }
-    for (const char* text : {R"(\frac{a}{b)",
-                             R"(\frac{a})",
-                             R"(\frac)",
-                             R"(\sqrt)",
-                             R"(\sqrt[3)",
-                             R"(\left(a)",
-                             R"(a})",
-                             R"(\foo{a})",
-                             R"(a \pm b\,)",
-                             R"(x^2^3\,)",
-                             R"(x_1_2\,)",
-                             R"(\int_0^a p(s)\,)",
-                             R"(\int p(s)\,ds)",
-                             R"(\Pi a)",
-                             R"(\,y)",
-                             R"(a=b\,)",
-                             R"({a+b}c)",
-                             R"(\)",
-                             R"(\\)",
-                             R"(|x\,)",
-                             R"(\sum_{k=0}^{3} k)",
-                             R"(\partial x)",
-                             "\\frac{a}{\xFF}",
-                             "\\\x01",
-                             R"(a\,2)",
-                             R"(\log_2 x)",
-                             R"(\input{file})",
-                             R"(\mathrm{a b^2})",
-                             "{",
-                             "}",
-                             R"(\{a)",
-                             R"(R'\,)",
-                             R"({x^2}^3)",
-                             R"({\sin x}^2)",
-                             R"(\int_0^a \frac{s}{ds})",
-                             R"(\left.x\right.)"}) {
+    for (const std::string& text : test::items(R"ITEMS(
+        \frac{a}{b   \frac{a}   \frac   \sqrt   \sqrt[3   \left(a   a}   \foo{a}   a \pm b\,
+        x^2^3\,   x_1_2\,   \int_0^a p(s)\,   \int p(s)\,ds   \Pi a   \,y   a=b\,   {a+b}c   \   \\
+        |x\,   \sum_{k=0}^{3} k   \partial x   a\,2   \log_2 x   \input{file}   \mathrm{a b^2}   {
+        }   \{a   R'\,   {x^2}^3   {\sin x}^2   \int_0^a \frac{s}{ds}   \left.x\right.
+    )ITEMS")) {
         CAPTURE(text);
         (void)refused(tex, text);
     }
+    (void)refused(tex, "\\frac{a}{\xFF}");
+    (void)refused(tex, "\\\x01");
 }
 
 TEST_CASE("hostile LaTeX ends soon, with one line") {

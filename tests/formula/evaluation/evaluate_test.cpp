@@ -2,6 +2,7 @@
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 
 #include "edgeproof/formula/parse.hpp"
+#include "tests/formula/items.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -40,48 +41,19 @@ TEST_CASE_TEMPLATE("identities hold in every arithmetic", T, double, long double
     Values<T> values;
     values.set("x", from_rational<T>(Rational(3, 7))).set("y", from_rational<T>(Rational(-11, 13)));
     const T tolerance = T(64) * unit_roundoff<T>();
-    for (const char* zero : {
-             "6*asin(1/2) - Pi",
-             "gamma(1/2)^2 - Pi",
-             "3*acos(1/2) - Pi",
-             "4*atan(1) - Pi",
-             "16*atan(1/5) - 4*atan(1/239) - Pi",
-             "atan2(1, -1) - 3*Pi/4",
-             "atan2(-1, -1) + 3*Pi/4",
-             "exp(log(x)) - x",
-             "sin(x)^2 + cos(x)^2 - 1",
-             "tan(x) - sin(x)/cos(x)",
-             "cosh(x)^2 - sinh(x)^2 - 1",
-             "tanh(x) - sinh(x)/cosh(x)",
-             "asinh(x) - log(x + sqrt(x^2 + 1))",
-             "acosh(1 + x) - log(1 + x + sqrt((1 + x)^2 - 1))",
-             "atanh(x) - log((1 + x)/(1 - x))/2",
-             "gamma(x + 1) - x*gamma(x)",
-             "gamma(6) - 120",
-             "hypot(3*x, 4*x) - 5*x",
-             "abs(y) + y",
-             "sgn(y) + 1",
-             "sgn(x) - 1",
-             "sgn(x - x)",
-             "step(x) - 1",
-             "step(y)",
-             "step(x - x) - 1/2",
-             "max(y, x, 0) - x",
-             "min(y, x, 0) - y",
-             "x^(3/2) - x*sqrt(x)",
-             "x^(-5/2)*x^3/sqrt(x) - 1",
-             "x^-3*x*x*x - 1",
-             "(x^(1/3))^3 - x",
-             "y^3 - y*y*y",
-             "y^-2 - 1/(y*y)",
-             "y^20*y^-20 - 1",
-             "x^0 - 1",
-             "0^0 - 1",
-             "x^y - exp(y*log(x))",
-             "sum(n, n, 1, 10) - 55",
-             "sum(x^n, n, 0, 20)*(1 - x) - 1 + x^21",
-             "sum(y^n/n, n, 3, 2)",
-         }) {
+    for (const std::string& zero : test::items(R"ITEMS(
+        6*asin(1/2) - Pi   gamma(1/2)^2 - Pi   3*acos(1/2) - Pi   4*atan(1) - Pi
+        16*atan(1/5) - 4*atan(1/239) - Pi   atan2(1, -1) - 3*Pi/4   atan2(-1, -1) + 3*Pi/4
+        exp(log(x)) - x   sin(x)^2 + cos(x)^2 - 1   tan(x) - sin(x)/cos(x)
+        cosh(x)^2 - sinh(x)^2 - 1   tanh(x) - sinh(x)/cosh(x)   asinh(x) - log(x + sqrt(x^2 + 1))
+        acosh(1 + x) - log(1 + x + sqrt((1 + x)^2 - 1))   atanh(x) - log((1 + x)/(1 - x))/2
+        gamma(x + 1) - x*gamma(x)   gamma(6) - 120   hypot(3*x, 4*x) - 5*x   abs(y) + y   sgn(y) + 1
+        sgn(x) - 1   sgn(x - x)   step(x) - 1   step(y)   step(x - x) - 1/2   max(y, x, 0) - x
+        min(y, x, 0) - y   x^(3/2) - x*sqrt(x)   x^(-5/2)*x^3/sqrt(x) - 1   x^-3*x*x*x - 1
+        (x^(1/3))^3 - x   y^3 - y*y*y   y^-2 - 1/(y*y)   y^20*y^-20 - 1   x^0 - 1   0^0 - 1
+        x^y - exp(y*log(x))   sum(n, n, 1, 10) - 55   sum(x^n, n, 0, 20)*(1 - x) - 1 + x^21
+        sum(y^n/n, n, 3, 2)
+    )ITEMS")) {
         CAPTURE(zero);
         const T error = value<T>(zero, values);
         CHECK(error <= tolerance);
@@ -99,11 +71,11 @@ TEST_CASE("rational parts are rounded once") {
 
 TEST_CASE("outside its domain a function throws, and the error names it and the argument") {
     Values<double> values{{"x", -1.0}, {"y", 0.0}, {"n", 2.0}};
-    for (const char* text :
-         {"log(x)",        "log(y)",   "sqrt(x)",   "asin(n)",  "acos(-n)", "acosh(y)",
-          "atanh(x)",      "atanh(n)", "gamma(x)",  "gamma(y)", "1/y",      "y^-1",
-          "y^(-1/2)",      "x^(1/2)",  "x^(1/3)",   "x^(n/4)",  "y^x",      "atan2(y, y)",
-          "1/(x + n - 1)", "1e400*x",  "1e-400 + x"}) {
+    for (const std::string& text : test::items(R"ITEMS(
+        log(x)   log(y)   sqrt(x)   asin(n)   acos(-n)   acosh(y)   atanh(x)   atanh(n)   gamma(x)
+        gamma(y)   1/y   y^-1   y^(-1/2)   x^(1/2)   x^(1/3)   x^(n/4)   y^x   atan2(y, y)
+        1/(x + n - 1)   1e400*x   1e-400 + x
+    )ITEMS")) {
         CAPTURE(text);
         CHECK_THROWS_AS((void)value<double>(text, values), DomainError);
     }

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <random>
 #include <regex>
+#include <sstream>
 #include <string>
 
 using Kind = WrittenNumber::Kind;
@@ -119,40 +120,15 @@ TEST_CASE("numbers in answers: one grammar, the whole text or nothing") {
         CAPTURE(text);
         CHECK(written_number(text).kind == Kind::infinite);
     }
-    for (const char* text : {"",
-                             "+",
-                             "++0.4",
-                             "+-1",
-                             "-+1",
-                             "--1",
-                             " 1",
-                             "1 ",
-                             "1e",
-                             "1e+",
-                             "1e++",
-                             "e5",
-                             ".",
-                             "1.2.3",
-                             "3/2",
-                             "1,5",
-                             "0x",
-                             "0x.",
-                             "0x1p",
-                             "0x1p+-3",
-                             "0x1g",
-                             "1p3",
-                             "1e5.0",
-                             "1d2e3",
-                             "nano",
-                             "nan(",
-                             "nan()x",
-                             "infx",
-                             "infinit",
-                             "1e100001",
-                             "0x1p999999999999999999999",
-                             "1e999999999999999999999",
-                             "0.4 NaN (diverged)",
-                             "None"}) {
+    std::istringstream others("+ ++0.4 +-1 -+1 --1 1e 1e+ 1e++ e5 . 1.2.3 3/2 1,5 0x 0x."
+                              " 0x1p 0x1p+-3 0x1g 1p3 1e5.0 1d2e3 nano nan( nan()x infx"
+                              " infinit 1e100001 0x1p999999999999999999999"
+                              " 1e999999999999999999999 None");
+    for (std::string text; others >> text;) {
+        CAPTURE(text);
+        CHECK(written_number(text).kind == Kind::other);
+    }
+    for (const char* text : {"", " 1", "1 ", "0.4 NaN (diverged)"}) {
         CAPTURE(text);
         CHECK(written_number(text).kind == Kind::other);
     }

@@ -19,31 +19,40 @@ using State = Answer::State;
 
 namespace {
 
-/// Returns u = 1/10, ..., 16/10, one question for each.
-Questions sixteen() {
-    return parse_recipe("[scenes.h]\nu = { from = \"0.1\", to = \"1.6\", points = 16 }\n"
-                        "quantities = [\"p\"]\n[scenes.h.profile]\nkind = \"power-law\"\n"
-                        "m = \"1\"\nC = \"1\"\n[scenes.h.load]\na = \"1\"\ncontact_modulus = "
-                        "\"1\"\n",
+/// Returns u = 1/10, ..., 16/10 or u = 1/100, ..., 64/100, one question for each.
+Questions questions_at(const std::string& range) {
+    return parse_recipe("[scenes.h]\nu = { " + range +
+                            " }\nquantities = [\"p\"]\n"
+                            "profile = { kind = \"power-law\", m = \"1\", C = \"1\" }\n"
+                            "load = { a = \"1\", contact_modulus = \"1\" }\n",
                         "r.toml")
         .questions;
 }
+const Questions& sixteen() {
+    static const Questions questions = questions_at("from = \"0.1\", to = \"1.6\", points = 16");
+    return questions;
+}
+const Questions& sixty_four() {
+    static const Questions questions = questions_at("from = \"0.01\", to = \"0.64\", points = 64");
+    return questions;
+}
 
+/// The answers of a program that reads `head` and the ids of the questions, a line each.
 Answers asked(
     const std::string& command,
-    const std::function<void(ProgramDriverOptions&)>& change = [](ProgramDriverOptions&) {}) {
+    const std::function<void(ProgramDriverOptions&)>& change = [](ProgramDriverOptions&) {},
+    const Questions& questions = sixteen(), const std::string& head = "id\n") {
     ProgramDriverOptions options;
     options.command = command;
     options.seconds = 20;
-    options.write_csv = [](const Questions& part) {
-        std::string text = "id\n";
+    options.write_csv = [head](const Questions& part) {
+        std::string text = head;
         for (const Question& q : part.list) {
             text += q.id + "\n";
         }
         return text;
     };
     change(options);
-    static const Questions questions = sixteen();
     return ask_program_in_batches(questions, options);
 }
 
@@ -114,18 +123,6 @@ TEST_CASE(
 
 namespace {
 
-/// Returns u = 1/100, ..., 64/100.
-const Questions& sixty_four() {
-    static const Questions questions =
-        parse_recipe("[scenes.h]\nu = { from = \"0.01\", to = \"0.64\", points = 64 }\n"
-                     "quantities = [\"p\"]\n[scenes.h.profile]\nkind = \"power-law\"\n"
-                     "m = \"1\"\nC = \"1\"\n[scenes.h.load]\na = \"1\"\ncontact_modulus = "
-                     "\"1\"\n",
-                     "r.toml")
-            .questions;
-    return questions;
-}
-
 /// Runs a program that reads the ids of questions and ends itself at the bad ones. `begin`, `one`
 /// and `end` are its commands at the beginning, at each question and at the end.
 Answers asked_of_numbers(const std::vector<std::size_t>& bad, const std::string& begin,
@@ -134,18 +131,10 @@ Answers asked_of_numbers(const std::vector<std::size_t>& bad, const std::string&
     for (const std::size_t i : bad) {
         ends += (ends.empty() ? "" : "|") + sixty_four().list[i].id;
     }
-    ProgramDriverOptions options;
-    options.seconds = 20;
-    options.write_csv = [](const Questions& part) {
-        std::string text;
-        for (const Question& q : part.list) {
-            text += q.id + "\n";
-        }
-        return text;
-    };
-    options.command = begin + " while read -r row; do case $row in " + ends +
-                      ") kill -SEGV $$;; *) " + one + ";; esac; done; " + end;
-    return ask_program_in_batches(sixty_four(), options);
+    return asked(
+        begin + " while read -r row; do case $row in " + ends + ") kill -SEGV $$;; *) " + one +
+            ";; esac; done; " + end,
+        [](ProgramDriverOptions&) {}, sixty_four(), "");
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 #include "edgeproof/conformance/causes/convention.hpp"
 #include "edgeproof/parallel/parallel.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "tests/support/injected_keys.hpp"
 
@@ -36,45 +35,40 @@ struct TestedProfile {
     std::string name;
     SceneKeys keys;
 };
+/// A line: the name, and the keys of the scene.
+const char* const contacts_and_keys = R"(
+a wedge: profile.kind=power-law profile.m=0 profile.C=0.1 load.a=1.3 UNLIKE
+a cylinder, a given: profile.kind=cylinder-on-flat profile.R=40 load.a=0.7 LIKE
+two cylinders, P given: profile.kind=hertz profile.R1=20 profile.R2=50 load.P=300 UNLIKE
+a power law, P given: profile.kind=power-law profile.m=3 profile.C=0.02 load.P=300 load.contact_modulus=80e3
+a flat with rounded edges, a given: profile.kind=flat-and-rounded profile.t=1 profile.R=75 load.a=1.6 UNLIKE
+a flat with rounded edges, P given: profile.kind=flat-and-rounded profile.t=2 profile.R=75 load.P=400 LIKE
+a tilted wedge: profile.kind=tilted-wedge profile.phi=0.15 profile.alpha=0.05 load.a=1 LIKE
+a tilted flat with rounded edges: profile.kind=tilted-flat-and-rounded profile.alpha=0.01 profile.t=1 profile.R=75 load.a=3 UNLIKE
+a wedge under P and M: profile.kind=tilted-wedge profile.phi=0.1 load.P=5000 load.M=-2000 LIKE
+a piecewise linear profile: profile.kind=piecewise profile.knots=-1/2;0;1/3 profile.slopes=-3/20;-1/20;1/10;1/5 load.a=1 UNLIKE
+two spheres: profile.geometry=axisymmetric profile.kind=hertz profile.R1=20 profile.R2=50 load.P=300 UNLIKE
+a sphere, delta given: profile.geometry=axisymmetric profile.kind=hertz profile.R=30 load.delta=0.02 LIKE
+a cylinder, full stick: profile.kind=cylinder-on-flat profile.R=30 load.P=300 shear.Q=40 shear.bulk_tension=60 LIKE
+)";
+
 std::vector<TestedProfile> tested_profiles() {
-    const std::string like = " load.E1=200e3 load.nu1=0.3 load.E2=200e3 load.nu2=0.3";
-    const std::string unlike = " load.E1=115e3 load.nu1=0.32 load.E2=70e3 load.nu2=0.25";
-    const auto keys = [](const std::string& text) { return test::keys_of(text); };
-    return {
-        {"a wedge", keys("profile.kind=power-law profile.m=0 profile.C=0.1 load.a=1.3" + unlike)},
-        {"a cylinder, a given",
-         keys("profile.kind=cylinder-on-flat profile.R=40 load.a=0.7" + like)},
-        {"two cylinders, P given",
-         keys("profile.kind=hertz profile.R1=20 profile.R2=50 load.P=300" + unlike)},
-        {"a power law, P given",
-         keys("profile.kind=power-law profile.m=3 profile.C=0.02 load.P=300 "
-              "load.contact_modulus=80e3")},
-        {"a flat with rounded edges, a given",
-         keys("profile.kind=flat-and-rounded profile.t=1 profile.R=75 load.a=1.6" + unlike)},
-        {"a flat with rounded edges, P given",
-         keys("profile.kind=flat-and-rounded profile.t=2 profile.R=75 load.P=400" + like)},
-        {"a tilted wedge",
-         keys("profile.kind=tilted-wedge profile.phi=0.15 profile.alpha=0.05 load.a=1" + like)},
-        {"a tilted flat with rounded edges",
-         keys("profile.kind=tilted-flat-and-rounded profile.alpha=0.01 profile.t=1 profile.R=75 "
-              "load.a=3" +
-              unlike)},
-        {"a wedge under P and M",
-         keys("profile.kind=tilted-wedge profile.phi=0.1 load.P=5000 load.M=-2000" + like)},
-        {"a piecewise linear profile",
-         keys("profile.kind=piecewise profile.knots=-1/2;0;1/3 profile.slopes=-3/20;-1/20;1/10;1/5 "
-              "load.a=1" +
-              unlike)},
-        {"two spheres", keys("profile.geometry=axisymmetric profile.kind=hertz profile.R1=20 "
-                             "profile.R2=50 load.P=300" +
-                             unlike)},
-        {"a sphere, delta given",
-         keys("profile.geometry=axisymmetric profile.kind=hertz profile.R=30 load.delta=0.02" +
-              like)},
-        {"a cylinder, full stick", keys("profile.kind=cylinder-on-flat profile.R=30 load.P=300 "
-                                        "shear.Q=40 shear.bulk_tension=60" +
-                                        like)},
-    };
+    std::vector<TestedProfile> all;
+    std::istringstream text(contacts_and_keys);
+    for (std::string line; std::getline(text, line);) {
+        const std::size_t colon = line.find(": ");
+        if (colon == std::string::npos) {
+            continue;
+        }
+        SceneKeys keys = test::keys_of(line.substr(colon + 2));
+        if (keys.erase("LIKE") == 1) {
+            keys.merge(test::keys_of("load.E1=200e3 load.nu1=0.3 load.E2=200e3 load.nu2=0.3"));
+        } else if (keys.erase("UNLIKE") == 1) {
+            keys.merge(test::keys_of("load.E1=115e3 load.nu1=0.32 load.E2=70e3 load.nu2=0.25"));
+        }
+        all.push_back({line.substr(0, colon), std::move(keys)});
+    }
+    return all;
 }
 
 AskedContact contact_of(const SceneKeys& keys, double load) {
@@ -343,86 +337,80 @@ std::vector<WrongProgram> mistakes(const SceneKeys& keys, const ReferenceOptions
     return list;
 }
 
-class CauseTrials {
-public:
-    CauseTrials(std::uint64_t seed, ReferenceOptions options)
-        : seed_(seed), options_(std::move(options)) {}
+Answer written(double value) {
+    Answer answer = read_answer(fmt::format("{:.17g}", value));
+    answer.line = 1;
+    return answer;
+}
 
-    std::vector<test::MistakeTrial> profile(const TestedProfile& tested) {
-        const PrecisionScope scope(60);
-        const Asked asked = asked_about(tested.keys, options_);
-        Answers answers{asked.questions, {}, {}};
-        for (const Real& right : asked.right) {
-            answers.given.push_back(written(right.convert_to<double>()));
-        }
-        constexpr Target target{11, {}, false};
-        const Agreements right = compare(answers, target, options_);
-        KnownReadings known;
-        for (const WrongProgram& mistake : mistakes(tested.keys, options_)) {
-            check_interruption();
-            std::optional<std::vector<double>> values;
-            try {
-                values = mistake.program(asked);
-            } catch (const Error&) { // the changed keys are no contact
-            }
-            if (!values) {
-                continue;
-            }
-            std::vector<double> without_noise = *values;
-            if (mistake.write) {
-                std::ranges::transform(*values, without_noise.begin(), mistake.write);
-            }
-            if (!mistake.name.empty() && changed(asked, without_noise, no_change) == 0) {
-                continue;
-            }
-            for (std::size_t level = 0; level < test::noise_levels.size(); ++level) {
-                const double noise = test::noise_levels[level];
-                std::mt19937_64 random(seed_++);
-                std::normal_distribution<double> normal;
-                for (std::size_t i = 0; i < values->size(); ++i) {
-                    const double value = (*values)[i] * (1 + noise * normal(random));
-                    answers.given[i] = written(mistake.write ? mistake.write(value) : value);
-                }
-                const auto found = infer_conventions(answers, compare_again(answers, target, right),
-                                                     options_, known);
-                trial(mistake, tested, level, found,
-                      changed(asked, without_noise, std::max(no_change, above_noise * noise)));
-            }
-        }
-        return std::move(trials_);
+/// The number of answers that are wrong by more than `by`.
+std::size_t changed(const Asked& asked, const std::vector<double>& values, double by) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        count += std::abs(values[i] / asked.right[i].convert_to<double>() - 1) > by ? 1 : 0;
     }
+    return count;
+}
 
-private:
-    static Answer written(double value) {
-        Answer answer = read_answer(fmt::format("{:.17g}", value));
-        answer.line = 1;
-        return answer;
+test::MistakeTrial trial_of(const WrongProgram& mistake, const TestedProfile& tested,
+                            std::size_t level, const std::vector<Convention>& found,
+                            std::size_t changed) {
+    test::MistakeTrial trial{mistake.name, tested.name, level, {}};
+    trial.hidden = !mistake.name.empty() && changed < least_changed;
+    for (const Convention& c : found) {
+        std::vector<std::string> names = c.equally_likely;
+        names.push_back(c.name);
+        trial.misled = trial.misled || std::ranges::find(names, mistake.name) == names.end();
+        trial.named.insert(trial.named.end(), names.begin(), names.end());
     }
-    /// The number of answers that are wrong by more than that.
-    static std::size_t changed(const Asked& asked, const std::vector<double>& values, double by) {
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            count += std::abs(values[i] / asked.right[i].convert_to<double>() - 1) > by ? 1 : 0;
-        }
-        return count;
-    }
-    void trial(const WrongProgram& mistake, const TestedProfile& tested, std::size_t level,
-               const std::vector<Convention>& found, std::size_t changed) {
-        test::MistakeTrial trial{mistake.name, tested.name, level, {}};
-        trial.hidden = !mistake.name.empty() && changed < least_changed;
-        for (const Convention& c : found) {
-            std::vector<std::string> names = c.equally_likely;
-            names.push_back(c.name);
-            trial.misled = trial.misled || std::ranges::find(names, mistake.name) == names.end();
-            trial.named.insert(trial.named.end(), names.begin(), names.end());
-        }
-        trials_.push_back(std::move(trial));
-    }
+    return trial;
+}
 
-    std::uint64_t seed_;
-    ReferenceOptions options_;
-    std::vector<test::MistakeTrial> trials_;
-};
+std::vector<test::MistakeTrial> trials_of(const TestedProfile& tested, std::uint64_t seed,
+                                          const ReferenceOptions& options) {
+    const PrecisionScope scope(60);
+    const Asked asked = asked_about(tested.keys, options);
+    Answers answers{asked.questions, {}, {}};
+    for (const Real& right : asked.right) {
+        answers.given.push_back(written(right.convert_to<double>()));
+    }
+    constexpr Target target{11, {}, false};
+    const Agreements right = compare(answers, target, options);
+    KnownReadings known;
+    std::vector<test::MistakeTrial> trials;
+    for (const WrongProgram& mistake : mistakes(tested.keys, options)) {
+        std::optional<std::vector<double>> values;
+        try {
+            values = mistake.program(asked);
+        } catch (const Error&) { // the changed keys are no contact
+        }
+        if (!values) {
+            continue;
+        }
+        std::vector<double> without_noise = *values;
+        if (mistake.write) {
+            std::ranges::transform(*values, without_noise.begin(), mistake.write);
+        }
+        if (!mistake.name.empty() && changed(asked, without_noise, no_change) == 0) {
+            continue;
+        }
+        for (std::size_t level = 0; level < test::noise_levels.size(); ++level) {
+            const double noise = test::noise_levels[level];
+            std::mt19937_64 random(seed++);
+            std::normal_distribution<double> normal;
+            for (std::size_t i = 0; i < values->size(); ++i) {
+                const double value = (*values)[i] * (1 + noise * normal(random));
+                answers.given[i] = written(mistake.write ? mistake.write(value) : value);
+            }
+            const auto found =
+                infer_conventions(answers, compare_again(answers, target, right), options, known);
+            trials.push_back(
+                trial_of(mistake, tested, level, found,
+                         changed(asked, without_noise, std::max(no_change, above_noise * noise))));
+        }
+    }
+    return trials;
+}
 
 constexpr std::size_t least_percent_named = 90;
 
@@ -435,7 +423,7 @@ test::MistakeCounts count_named(std::uint64_t seed, const std::vector<std::strin
     parallel::work_through(parallel::all_pieces(profiles.size()), 0, [&](std::size_t i) {
         if (contacts.empty() || std::ranges::find(contacts, profiles[i].name) != contacts.end()) {
             // The same answers whichever contacts are tested.
-            trials[i] = CauseTrials(seed * 1'000'003 + i * 10'007, options).profile(profiles[i]);
+            trials[i] = trials_of(profiles[i], seed * 1'000'003 + i * 10'007, options);
         }
     });
     test::MistakeCounts counts;

@@ -72,14 +72,6 @@ bool is_printed(const std::vector<std::string>& page, const std::vector<std::str
     return skip || at == printed.end();
 }
 
-std::string joined(const std::vector<std::string>& list) {
-    std::string text;
-    for (const std::string& line : list) {
-        text += line + "\n";
-    }
-    return text;
-}
-
 /// Runs the commands of the page's console blocks, and compares what they write with the page.
 /// Returns the number of commands.
 std::size_t run_commands(const std::string& page) {

@@ -85,6 +85,14 @@ inline std::vector<std::string> lines(const std::string& text) {
     return list;
 }
 
+inline std::string joined(const std::vector<std::string>& list) {
+    std::string text;
+    for (const std::string& line : list) {
+        text += line + "\n";
+    }
+    return text;
+}
+
 inline bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }

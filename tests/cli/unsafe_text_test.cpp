@@ -132,24 +132,3 @@ TEST_CASE("a claim's id with a way out, quotes and commands: all files stay in -
     }
     CHECK(pictures == 9);
 }
-
-TEST_CASE("TeX that runs commands is refused when the ledger is read, with its line") {
-    const Folder folder;
-    folder.write("own.toml", hertz_head +
-                                 "[[claim]]\nid = \"one\"\nkind = \"value\"\nlines = [1, 2]\n"
-                                 "printed = '''\\immediate\\write18{touch marker}'''\n"
-                                 "over = \"hertz\"\nof = \"P\"\nsays = \"P\"\n");
-    const Outcome o = run(folder, "verify own.toml --out out");
-    CHECK(o.code == 2);
-    REQUIRE(lines(o.err).size() == 1);
-    CHECK(o.err.find("own.toml:19: ") != std::string::npos);
-    CHECK(o.err.find("\\immediate") != std::string::npos);
-    CHECK_FALSE(std::filesystem::exists(folder.path() / "out"));
-}
-
-TEST_CASE("pack: a failure leaves no folder") {
-    const Folder folder;
-    CHECK(run(folder, "pack a/b --threads 0").code == 2);
-    CHECK(run(folder, "pack a/b --commit \"$(printf 'x\\ny')\"").code == 2);
-    CHECK(folder.files() == 0);
-}

@@ -49,33 +49,6 @@ std::string spoilt(std::string text, const std::string& id) {
 
 } // namespace
 
-TEST_CASE("table: Hertz by hand, every value correctly rounded with its bound and binary64") {
-    const Folder folder;
-    folder.write("h.toml", hertz_recipe);
-    const Outcome o = run(folder, "table h.toml");
-    CHECK(o.code == 0);
-    CHECK(o.err.empty());
-    auto values = by_id(o.out, "value");
-    REQUIRE(values.size() == 11);
-    CHECK(values["hertz:right:u=1/5:p"] == "0.30000000000000000000");
-    CHECK(values["hertz:left:u=2/5:p"] == "0.40000000000000000000");
-    CHECK(values["hertz:P"] == "0.78539816339744830962");         // pi/4
-    CHECK(values["hertz:right:c_0"] == "0.70710678118654752440"); // sqrt(2)/2
-    CHECK(values["hertz:left:c_1"] == "-0.17677669529663688110"); // -sqrt(2)/8
-    CHECK(values["hertz:b"] == "1.0000000000000000000");
-    CHECK(values["hertz:M"] == "0");
-    CHECK(by_id(o.out, "binary64")["hertz:P"] == "0.78539816339744828");
-    CHECK(by_id(o.out, "x")["hertz:left:u=2/5:p"] == "-0.60000000000000000000");
-    for (const auto& row : by_id(o.out, "bound")) {
-        CAPTURE(row.first);
-        CHECK(std::stod(row.second) <= 5e-20);
-    }
-    for (const char* note : {"# Hertz", "# recipe: h.toml", "# program: edgeproof ", "# digits: 20",
-                             "# rounding: nearest", "# rows: 11", "# checksum: fnv1a-64 "}) {
-        CHECK(o.out.find(note) != std::string::npos);
-    }
-}
-
 TEST_CASE("table: the same bytes on any number of threads, every format, written whole") {
     const Folder folder;
     folder.write("h.toml", hertz_recipe);
@@ -89,15 +62,6 @@ TEST_CASE("table: the same bytes on any number of threads, every format, written
     CHECK(run(folder, "table h.toml --format md").out.find("0.70710678118654752440") !=
           std::string::npos);
     CHECK(run(folder, "table h.toml --format tex").out.find("\\bottomrule") != std::string::npos);
-}
-
-TEST_CASE("table: rounded down and up") {
-    const Folder folder;
-    folder.write("h.toml", "rounding = \"down\"\n" + hertz_recipe);
-    CHECK(by_id(run(folder, "table h.toml").out, "value")["hertz:P"] == "0.78539816339744830961");
-    folder.write("h.toml", "rounding = \"up\"\n" + hertz_recipe);
-    CHECK(by_id(run(folder, "table h.toml").out, "value")["hertz:left:c_1"] ==
-          "-0.17677669529663688110");
 }
 
 TEST_CASE("table --check: a changed digit, a lost row, a row moved or added are named") {
@@ -122,13 +86,6 @@ TEST_CASE("table --check: a changed digit, a lost row, a row moved or added are 
     CHECK(digit.find("row hertz:left:u=2/5:p: value is 0.4000010000") != std::string::npos);
     CHECK(digit.find("the head has checksum: fnv1a-64 ") != std::string::npos);
     auto all = lines(good);
-    const auto joined = [](const std::vector<std::string>& list) {
-        std::string text;
-        for (const std::string& line : list) {
-            text += line + "\n";
-        }
-        return text;
-    };
     auto fewer = all;
     const std::string lost = fewer.back().substr(0, fewer.back().find(','));
     fewer.pop_back();
@@ -170,35 +127,6 @@ TEST_CASE("table --check --every passes a right table whose sample lacks a colum
     for (const char* every : {"2", "3", "5", "100"}) {
         CAPTURE(std::string(every));
         CHECK(run(folder, std::string("table h.toml --check --every ") + every).code == 0);
-    }
-}
-
-TEST_CASE("table and points: bad input is one line with file and line; exit 2; no file") {
-    const Folder folder;
-    folder.write("h.toml", hertz_recipe);
-    folder.write("far.toml",
-                 std::string(hertz_recipe).replace(hertz_recipe.find("\"2/5\""), 5, "\"5/2\""));
-    struct Bad {
-        const char* command;
-        const char* said;
-    };
-    for (const Bad& bad : {
-             Bad{"table nowhere.toml --out t.csv", "nowhere.toml: there is no such file; "},
-             Bad{"table far.toml --out t.csv", "far.toml:5: u = 5/2 from the right edge: "},
-             Bad{"table h.toml --out t.csv --threads 0",
-                 "edgeproof: --threads 0 is out of range; "},
-             Bad{"table h.toml --out t.csv --format xls", "edgeproof: --format xls is no format; "},
-             Bad{"table h.toml --check --out t.csv", "t.csv: there is no such file; "},
-             Bad{"table h.toml --every 3", "edgeproof: --every 3 takes a sample of a check; "},
-             Bad{"points nowhere.toml --out t.csv", "nowhere.toml: there is no such file; "},
-         }) {
-        CAPTURE(bad.command);
-        const Outcome o = run(folder, bad.command);
-        CHECK(o.code == 2);
-        CHECK(o.out.empty());
-        REQUIRE(lines(o.err).size() == 1);
-        CHECK(o.err.rfind(bad.said, 0) == 0);
-        CHECK(folder.files() == 2);
     }
 }
 
@@ -265,11 +193,7 @@ TEST_CASE(
              {"--merge p2.csv", "p2.csv:1: part 1 of 3 is not given"},
              {"--merge p2.csv p2.csv", "p2.csv:1: part 2 is given twice"},
              {"--merge whole.csv", "whole.csv:1: this is no part of a table"},
-             {"--merge spoilt.csv", "spoilt.csv:1: rows are missing or have changed"},
-             {"r.toml --part 4/3 --out x.csv", "--part 4/3 names no part"},
-             {"r.toml --part 1/3", "--part writes a file in CSV"},
-             {"r.toml --merge p2.csv", "a table has one recipe, or parts to merge"},
-             {"", "a table has one recipe, or parts to merge"}}) {
+             {"--merge spoilt.csv", "spoilt.csv:1: rows are missing or have changed"}}) {
         CAPTURE(message);
         const Outcome o = run(folder, std::string("table ") + arguments);
         CHECK(o.code == 2);

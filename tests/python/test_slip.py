@@ -4,7 +4,6 @@ and with closed forms of the paper's power laws."""
 import copy
 import json
 import pickle
-from fractions import Fraction
 
 import pytest
 
@@ -44,19 +43,6 @@ def test_zones_of_hertz(slipping):
             assert [t.terms for t in slip.terms] == [1, 2]
 
 
-def test_the_energy_of_a_cycle(slipping):
-    """Integrates slip times traction: a step dQ adds 2 dQ/(pi E*) arcosh(x/c) to the slip, if c is
-    the half-length of the stick zone."""
-    energy = slipping.slip(digits=30).stick.cycle_energy
-    assert energy.proved
-    with mpmath.workdps(25):
-        def taken(force):
-            c = mpmath.sqrt(1 - force / (mpmath.mpf(F) * mpmath.pi / 4))
-            return mpmath.quad(lambda x: mpmath.sqrt(1 - x * x) / 2 * mpmath.acosh(x / c), [c, 1])
-        cycle = 16 * mpmath.mpf(F) / mpmath.pi * mpmath.quad(taken, [0, mpmath.mpf(Q)])
-        assert mpmath.almosteq(energy.mpmath(), cycle, 1e-17)
-
-
 def test_how_far_one_term_is_right(slipping):
     """d_1/d - 1 = -d/(2a), which is 1 % at d = a/50."""
     term, = slipping.slip(terms=1, tolerance="1%").terms
@@ -65,21 +51,6 @@ def test_how_far_one_term_is_right(slipping):
         assert mpmath.almosteq(term.load_limit.mpmath(), 1 - (1 - mpmath.mpf(2) / 100)**2, 1e-48)
     with pytest.raises(edgeproof.InputError, match="tolerance"):
         slipping.slip(tolerance=0)
-
-
-def test_tractions_and_states(slipping):
-    with mpmath.workdps(70):
-        c = mpmath.sqrt(1 - load_ratio())
-        places = ["0.01", "0.1", "0.4", "1"]
-        for u, q in zip(places, slipping.shear(places)):
-            x = 1 - mpmath.mpf(u)
-            f = mpmath.mpf(F) / 2
-            exact = f * mpmath.sqrt(1 - x * x) - (f * mpmath.sqrt(c * c - x * x) if x < c else 0)
-            assert mpmath.almosteq(q.mpmath(), exact, 1e-47)
-        assert slipping.slip_state(places) == ["slip" if 1 - mpmath.mpf(u) > c else "stick"
-                                               for u in places]
-    assert slipping.slip_state("0.01") == "slip" and slipping.slip_state(1, "left") == "stick"
-    assert slipping.slip_state([]) == []
 
 
 def test_a_bulk_tension_moves_the_stick_zone():
@@ -96,20 +67,6 @@ def test_a_bulk_tension_moves_the_stick_zone():
         assert mpmath.almosteq(stick.most_bulk_tension.mpmath(), most, 1e-38)
         assert mpmath.almosteq(stick.least_bulk_tension.mpmath(), -most, 1e-38)
     assert stick.in_proportion is True
-
-
-@pytest.mark.parametrize("m", ["5/8", "10"])
-def test_power_laws(m):
-    """d/a = 1 - (1 - t)^(1/(m + 1)), with P from the closed form."""
-    scene = edgeproof.Scene(edgeproof.power_law(m=m, C=1), P="1/3", contact_modulus=1, Q="1/10",
-                            friction="1/2")
-    slip = scene.slip(terms=1, digits=30)
-    with mpmath.workdps(50):
-        power = 1 / (mpmath.mpf(Fraction(m).numerator) / Fraction(m).denominator + 1)
-        tau = mpmath.mpf("0.6")
-        assert mpmath.almosteq(slip.stick.load_ratio.mpmath(), tau, 1e-28)
-        assert mpmath.almosteq(slip.size.mpmath() / scene.contact(30).a.mpmath(),
-                               1 - (1 - tau)**power, 1e-27)
 
 
 def test_plain_objects(slipping, source):

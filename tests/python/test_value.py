@@ -235,15 +235,6 @@ def test_zero(hertz):
     assert repr(float(hertz.M)) == "0.0"
 
 
-def test_an_estimate_is_called_so():
-    # the rigorous integration does not support erf in g'
-    scene = edgeproof.Scene(edgeproof.piecewise([], ["x + x^3"], symmetric=True), a="1/2",
-                            contact_modulus=1)
-    p = scene.pressure("1/4", digits=12)
-    assert p.proved is True  # polynomials are integrated rigorously
-    assert repr(p).startswith("<edgeproof.Value 0.")
-
-
 def test_to_dict(root):
     assert root.to_dict() == {"text": root.text, "bound": root.bound, "proved": True,
                               "route": "closed-form"}

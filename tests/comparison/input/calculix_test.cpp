@@ -164,23 +164,22 @@ TEST_CASE("CalculiX: the last of several steps is compared") {
 TEST_CASE("CalculiX: a file that is cut, binary, or without places is refused in one line") {
     const std::string frd = calculix_text(".frd");
     const std::string dat = calculix_text(".dat");
-    CHECK(refusal_of_calculix(frd.substr(0, frd.find('\n', frd.find("-4  CONTACT") + 1500)))
-              .find("ends inside a block") != std::string::npos);
     const std::string head(frd.substr(0, frd.find("\n    2C")));
-    CHECK(refusal_of_calculix(head + "\n    2C      828          2\n").find("in text") !=
-          std::string::npos);
-    CHECK(refusal_of_calculix(changed_text(frd, " -4  CONTACT", " -4  OTHERS "))
-              .find("no contact output") != std::string::npos);
-    CHECK(refusal_of_calculix(changed_text(frd, " -5  CPRESS", " -5  CPRISS"))
-              .find("CONTACT has no CPRESS") != std::string::npos);
-    CHECK(refusal_of_calculix(changed_text(frd, " -1       378-1.5", " -1       999-1.5"))
-              .find("node 378 has no place") != std::string::npos);
-    CHECK(refusal_of_calculix(changed_text(frd, " -1       378-1.5", " -1       378-x.5"))
-              .find("is no number") != std::string::npos);
     const std::size_t row = frd.find(" -1       378", frd.find("-4  CONTACT"));
     const std::string line = frd.substr(row, frd.find('\n', row) + 1 - row);
-    CHECK(refusal_of_calculix(std::string(frd).insert(row, line)).find("node 378 has two rows") !=
-          std::string::npos);
+    for (const auto& [text, reason] : {
+             std::pair{frd.substr(0, frd.find('\n', frd.find("-4  CONTACT") + 1500)),
+                       "ends inside a block"},
+             {head + "\n    2C      828          2\n", "in text"},
+             {changed_text(frd, " -4  CONTACT", " -4  OTHERS "), "no contact output"},
+             {changed_text(frd, " -5  CPRESS", " -5  CPRISS"), "CONTACT has no CPRESS"},
+             {changed_text(frd, " -1       378-1.5", " -1       999-1.5"), "node 378 has no place"},
+             {changed_text(frd, " -1       378-1.5", " -1       378-x.5"), "is no number"},
+             {std::string(frd).insert(row, line), "node 378 has two rows"},
+         }) {
+        CAPTURE(std::string(reason));
+        CHECK(refusal_of_calculix(text).find(reason) != std::string::npos);
+    }
     CHECK(refusal_of_calculix(dat, "/nowhere/r.dat").find("no places of the nodes") !=
           std::string::npos);
     CHECK(refusal_of_calculix(changed_text(dat, "  0.000000E+00\n", "\n"),

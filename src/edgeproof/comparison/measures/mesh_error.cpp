@@ -62,60 +62,75 @@ std::optional<double> difference(const Inner& mesh, const Inner& finest) {
     return n > 0 ? std::optional(std::sqrt(square / static_cast<double>(n))) : std::nullopt;
 }
 
-} // namespace
+struct Sample {
+    double x = 0;
+    double p = 0;
+    double x_rounding = 0;
+    double p_rounding = 0;
+};
 
-std::optional<SampledElements> sampled_elements(const ResultTable& table) {
-    struct Sample {
-        double x, p, x_rounding, p_rounding;
-    };
+std::vector<Sample> samples_of(const ResultTable& table) {
     std::vector<Sample> all;
-    double largest = 0;
     for (const ResultRow& row : table.rows) {
         all.push_back({row.x.convert_to<double>(), row.p.convert_to<double>(), row.x_rounding,
                        row.p_rounding});
-        largest = std::max(largest, std::abs(all.back().p));
     }
-    constexpr double loaded_share = 0.02;
+    return all;
+}
+
+/// The distance of a sample from the line through its neighbours, relative to what rounding of the
+/// written digits, or to binary32, explains.
+double change_of_slope(const Sample& before, const Sample& here, const Sample& after,
+                       double largest) {
     constexpr double of_binary32 = 1e-6;
+    const double slope = (after.p - before.p) / (after.x - before.x);
+    const double off = std::abs(here.p - before.p - slope * (here.x - before.x));
+    return off /
+           (of_binary32 * largest + here.p_rounding +
+            std::max(before.p_rounding, after.p_rounding) + 2 * std::abs(slope) * here.x_rounding);
+}
+
+} // namespace
+
+std::optional<SampledElements> sampled_elements(const ResultTable& table) {
+    const std::vector<Sample> all = samples_of(table);
+    const double largest =
+        std::abs(std::ranges::max(all, {}, [](const Sample& s) { return std::abs(s.p); }).p);
+    constexpr double loaded_share = 0.02;
     constexpr double clearly = 3;
     constexpr std::size_t most_of_a_node = 2; // a node between two samples is seen at both
     constexpr std::size_t fewest_nodes = 4;
     std::vector<double> nodes;
     std::size_t linear = 0;
-    std::size_t run = 0;       // of samples between which the slope changes
-    double largest_of_run = 0; // in units of the tolerance
-    double place = 0;
+    std::size_t run = 0; // of samples at which the slope changes
+    double greatest = 0; // change of the slope in the run
     for (std::size_t i = 1; i + 1 < all.size(); ++i) {
-        const Sample& before = all[i - 1];
-        const Sample& here = all[i];
-        const Sample& after = all[i + 1];
-        if (std::min({std::abs(before.p), std::abs(here.p), std::abs(after.p)}) <=
+        if (std::min({std::abs(all[i - 1].p), std::abs(all[i].p), std::abs(all[i + 1].p)}) <=
             loaded_share * largest) {
             continue;
         }
-        if (!(before.x < here.x && here.x < after.x)) {
+        if (!(all[i - 1].x < all[i].x && all[i].x < all[i + 1].x)) {
             return {};
         }
-        const double slope = (after.p - before.p) / (after.x - before.x);
-        const double off = std::abs(here.p - before.p - slope * (here.x - before.x));
-        const double tolerance = of_binary32 * largest + here.p_rounding +
-                                 std::max(before.p_rounding, after.p_rounding) +
-                                 2 * std::abs(slope) * here.x_rounding;
-        if (off > tolerance) {
-            place = off / tolerance > largest_of_run ? here.x : place;
-            largest_of_run = std::max(largest_of_run, off / tolerance);
+        const double change = change_of_slope(all[i - 1], all[i], all[i + 1], largest);
+        if (change > 1) {
+            if (run == 0) {
+                nodes.emplace_back();
+            }
+            nodes.back() = change > greatest ? all[i].x : nodes.back();
+            greatest = std::max(greatest, change);
             ++run;
             continue;
         }
-        ++linear;
-        if (run > most_of_a_node || (run > 0 && largest_of_run < clearly)) {
+        if (run > most_of_a_node || (run > 0 && greatest < clearly)) {
             return {}; // a curve
         }
-        if (run > 0) {
-            nodes.push_back(place);
-        }
+        ++linear;
         run = 0;
-        largest_of_run = 0;
+        greatest = 0;
+    }
+    if (run > 0) {
+        nodes.pop_back(); // where the rows end
     }
     const std::size_t n = nodes.size();
     if (n < fewest_nodes || linear < n) {

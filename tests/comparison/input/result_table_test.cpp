@@ -158,6 +158,7 @@ TEST_CASE("results: units that a file states are converted, exactly") {
              {"x_inches,p_MPa\n0,1\n1,2\n", "r.csv:1: 'inches'"},
              {"x / mm,p / atm\n0,1\n1,2\n", "r.csv:1: 'atm'"},
              {"x,p\ninches,MPa\n0,1\n1,2\n", "r.csv:1: 'inches'"},
+             {"x,gap [inches],p\n0,1,1\n1,1,2\n", "r.csv:1: 'inches'"},
              {"# units: mm, KPa\nx,p\n0,1\n1,2\n", "r.csv:1: 'KPa'"},
          }) {
         CAPTURE(text);

@@ -239,7 +239,7 @@ private:
             }
             UsedColumn& c = found_.surface[k].emplace(at_column(*found->second.index));
             const bool length = surface_roles[k] != ColumnRole::sxx;
-            if (!c.name.unit) {
+            if (!c.name.unit && c.name.unread.empty()) {
                 c.factor = (length ? found_.x : found_.p).factor;
                 continue;
             }
@@ -386,7 +386,8 @@ private:
             return;
         }
         if (!c.name.unread.empty() && wanted) {
-            reject_unit(header_line_, c.name.unread, key, std::string(key) + "=25.4");
+            reject_unit(header_line_, c.name.unread, key,
+                        dimension == scene::Unit::Dimension::length ? "x=25.4" : "p=1000");
         }
         if (!c.name.unread.empty()) {
             found_.findings.push_back(fmt::format(

@@ -114,10 +114,10 @@ bool resembles_unit(std::string_view name) {
                                [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
         return lower == other;
     };
-    static constexpr std::array<std::string_view, 18> other_names{
-        "inches", "feet", "meter",      "metre",      "meters", "metres",
-        "micron", "atm",  "millimeter", "millimetre", "torr",   "millimeters",
-        "psf",    "mmhg", "pascal",     "megapascal", "msi",    "millimetres"};
+    static constexpr auto other_names = std::to_array<std::string_view>(
+        {"inches", "feet", "meter", "meters", "metre", "metres", "millimeter", "millimeters",
+         "millimetre", "millimetres", "micron", "microns", "atm", "torr", "mmhg", "psf", "msi",
+         "pascal", "megapascal"});
     return !unit_named(name) &&
            (std::ranges::any_of(si_units,
                                 [&](const auto& si) {

@@ -11,7 +11,7 @@ namespace {
 bool have(const char* command) {
     const bool there = std::system((std::string(command) + " >/dev/null 2>&1").c_str()) == 0;
     if (!there) {
-        MESSAGE("skipped: not here: ", command);
+        MESSAGE("skipped: not here: ", std::string(command));
     }
     return there;
 }

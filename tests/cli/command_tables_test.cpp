@@ -121,12 +121,6 @@ std::string repeated(const std::string& text, int times) {
     return all;
 }
 
-void copy_files(const Folder& folder) {
-    std::filesystem::copy(cli_tests / "files", folder.path(),
-                          std::filesystem::copy_options::overwrite_existing |
-                              std::filesystem::copy_options::recursive);
-}
-
 } // namespace
 
 TEST_CASE("refusals: one line with the place, the error and the remedy; exit 2; no file") {

@@ -62,12 +62,21 @@ private:
     std::filesystem::path path_;
 };
 
+/// Copies the files of tests/cli/files into the folder.
+inline void copy_files(const Folder& folder) {
+    std::filesystem::copy(source_dir() / "tests" / "cli" / "files", folder.path(),
+                          std::filesystem::copy_options::overwrite_existing |
+                              std::filesystem::copy_options::recursive);
+}
+
 /// Runs `edgeproof ARGUMENTS` in `folder` (the shell splits the arguments).
 inline Outcome run(const Folder& folder, const std::string& arguments) {
     const Folder aside;
+    // A file that the arguments redirect to standard input comes after /dev/null, and counts.
     const std::string command = "cd '" + folder.path().string() + "' && '" + program().string() +
-                                "' " + arguments + " >'" + (aside.path() / "out").string() +
-                                "' 2>'" + (aside.path() / "err").string() + "' </dev/null";
+                                "' </dev/null " + arguments + " >'" +
+                                (aside.path() / "out").string() + "' 2>'" +
+                                (aside.path() / "err").string() + "'";
     const int status = std::system(command.c_str());
     Outcome outcome;
     outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;

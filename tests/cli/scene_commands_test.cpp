@@ -158,3 +158,39 @@ TEST_CASE("CSV: the header is the first line, facts and notes are behind the row
     CHECK_FALSE(has(run(folder, "pressure s.toml --format md --no-notes").out, "program"));
     CHECK_FALSE(has(run(folder, "pressure s.toml --format tex --no-notes").out, "program"));
 }
+
+TEST_CASE("a scene by its quantities: the equivalent scene file is printed, and gives the same") {
+    const std::string all[] = {
+        "pressure --hertz --R 100 --P 120 --E1 115e3 --nu1 0.32 --E2 115e3 --nu2 0.32 --u 1e-3,a/2 "
+        "--terms 1,2 --digits 20",
+        "pressure --cylinder-on-flat --R 1 --a 1 --contact-modulus 1 --x 0",
+        "pressure --sphere --R1 2 --R2 3 --P 1 --contact-modulus 1 --u 0.1",
+        "pressure --wedge --phi 0.1 --a 1 --contact-modulus 1 --u 0.1",
+        "pressure --cone --phi 0.1 --delta 1/100 --contact-modulus 1 --u 0.01",
+        "pressure --power-law --m 3/2 --C 1 --width 2 --contact-modulus 1 --u 0.1 --edge both",
+        "extent --flat-and-rounded --flat-width 1 --R 1 --a 1 --contact-modulus 1 --tolerance 1% "
+        "--terms 1 --digits 10",
+        "expand --tilted-wedge --phi 0.1 --alpha=-0.02 --P 1 --contact-modulus 1 --digits 10",
+        "slip --hertz --R1 1 --R2=-2 --P 1 --contact-modulus 1 --Q 0.1 --friction 0.6 --digits 8",
+        "pressure --tilted-flat-and-rounded --t 1 --R 10 --P 1 --M=-0.5 --contact-modulus 1 --u "
+        "0.1 --quantity pressure,contact --digits 10",
+    };
+    for (const std::string& arguments : all) {
+        CAPTURE(arguments);
+        const Folder folder;
+        const Outcome o = run(folder, arguments + " --show-scene");
+        CAPTURE(o.err);
+        REQUIRE(o.code == 0);
+        const Outcome quiet = run(folder, arguments);
+        CHECK(quiet.err.empty());
+        CHECK(quiet.out == o.out);
+        folder.write("printed.toml", o.err);
+        const Outcome again =
+            run(folder, arguments.substr(0, arguments.find(' ')) + " printed.toml");
+        CAPTURE(again.err);
+        CHECK(again.code == 0);
+        CHECK(again.err.empty());
+        CHECK(rows(again.out) == rows(o.out));
+        CHECK(rows(o.out).size() > 1);
+    }
+}

@@ -120,9 +120,7 @@ TEST_CASE("check --json: the outcome, and the cause by its name") {
 TEST_CASE("check --exec: the standard error of a program is handed on, and is the cause if nothing "
           "is answered") {
     const Folder folder;
-    std::filesystem::copy(source_dir() / "tests" / "cli" / "files", folder.path(),
-                          std::filesystem::copy_options::overwrite_existing |
-                              std::filesystem::copy_options::recursive);
+    copy_files(folder);
     const auto check = [&](const std::string& command) {
         return run(folder, "check three.toml --digits 15 --exec '" + command + "'");
     };

@@ -4,7 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include <utility>
+#include <memory>
+#include <regex>
 #include <vector>
 
 using namespace edgeproof::test;
@@ -14,7 +15,7 @@ namespace {
 bool shell_has(const char* command) {
     const bool there = std::system((std::string(command) + " >/dev/null 2>&1").c_str()) == 0;
     if (!there) {
-        MESSAGE("skipped: not here: ", command);
+        MESSAGE("skipped: not here: ", std::string(command));
     }
     return there;
 }
@@ -45,65 +46,44 @@ struct PackCopy {
 struct PackLanguage {
     const char* needs;
     const char* build;
-    const char* hold_a;
-    const char* hold_b;
-    const char* hold_c;
-    const char* example;
-    /// The edit that makes the example compute in binary64, if it does not already.
-    std::pair<const char*, const char*> in_double;
-    std::pair<const char*, const char*> slightly_wrong; ///< 1e-14: too much for level B
-    std::pair<const char*, const char*> grossly_wrong;  ///< 5 %: too much for level A
+    std::string run;                  ///< with the arguments LEVEL and FILES
+    const char* example;              ///< a file
+    std::string pressure;             ///< its text in the example
+    std::string close;                ///< the same with an error of 1e-14: too much for level B
+    std::string wrong;                ///< the same with an error of 5 %: too much for level A
+    std::string in_double = pressure; ///< the same in binary64
+
+    /// The command that compares the example with a level of the pack.
+    [[nodiscard]] std::string level(const std::string& name) const {
+        const bool octave = has(run, "octave");
+        const auto file = [&](const std::string& f) { return octave ? "'" + f + "'" : f; };
+        const std::string files =
+            name == "A" ? file("level-a.csv")
+                        : file("cases.csv") + (octave ? ", " : " ") + file("hard-cases.csv");
+        return std::regex_replace(std::regex_replace(run, std::regex("LEVEL"), name),
+                                  std::regex("FILES"), files);
+    }
 };
 
 const std::vector<PackLanguage> pack_languages{
     {"cc --version",
      "cc -std=c99 -Wall -Wextra -pedantic -Werror -O2 -o driver driver.c example.c -lm",
-     "./driver A level-a.csv",
-     "./driver B cases.csv hard-cases.csv",
-     "./driver C cases.csv hard-cases.csv",
-     "example.c",
-     {"", ""},
-     {"*value = k * sqrt(c->u", "*value = (1 + 1e-14) * k * sqrt(c->u"},
-     {"*value = k * sqrt(c->u", "*value = 1.05 * k * sqrt(c->u"}},
-    {"c++ --version",
-     "c++ -std=c++17 -Wall -Wextra -Werror -O2 -o driver driver.cpp example.cpp",
-     "./driver A level-a.csv",
-     "./driver B cases.csv hard-cases.csv",
-     "./driver C cases.csv hard-cases.csv",
-     "example.cpp",
-     {"", ""},
-     {"return k * std::sqrt(c.u", "return (1 + 1e-14) * k * std::sqrt(c.u"},
-     {"return k * std::sqrt(c.u", "return 1.05 * k * std::sqrt(c.u"}},
+     "./driver LEVEL FILES", "example.c", "k * sqrt(c->u", "(1 + 1e-14) * k * sqrt(c->u",
+     "1.05 * k * sqrt(c->u"},
+    {"c++ --version", "c++ -std=c++17 -Wall -Wextra -Werror -O2 -o driver driver.cpp example.cpp",
+     "./driver LEVEL FILES", "example.cpp", "k * std::sqrt(c.u", "(1 + 1e-14) * k * std::sqrt(c.u",
+     "1.05 * k * std::sqrt(c.u"},
     {"gfortran --version",
      "gfortran -std=f2008 -O2 -o driver edgeproof_case.f90 example.f90 driver.f90",
-     "./driver A level-a.csv",
-     "./driver B cases.csv hard-cases.csv",
-     "./driver C cases.csv hard-cases.csv",
-     "example.f90",
-     {"", ""},
-     {"value = k*sqrt(c%u", "value = (1 + 1d-14)*k*sqrt(c%u"},
-     {"value = k*sqrt(c%u", "value = 1.05d0*k*sqrt(c%u"}},
-    {"python3 --version",
-     "true",
-     "python3 driver.py A level-a.csv",
-     "python3 driver.py B cases.csv hard-cases.csv",
-     "python3 driver.py C cases.csv hard-cases.csv",
-     "example.py",
-     {"return k * (u * (2 * a - u)).sqrt()",
-      "return float(k) * (float(u) * (2 * float(a) - float(u))) ** 0.5"},
-     {"return k * (u * (2 * a - u)).sqrt()",
-      "return k * (u * (2 * a - u)).sqrt() * Decimal('1.00000000000001')"},
-     {"return k * (u * (2 * a - u)).sqrt()",
-      "return k * (u * (2 * a - u)).sqrt() * Decimal('1.05')"}},
-    {"octave-cli --version",
-     "true",
-     "octave-cli --eval \"exit(run_pack('A', {'level-a.csv'}))\"",
-     "octave-cli --eval \"exit(run_pack('B', {'cases.csv', 'hard-cases.csv'}))\"",
-     "octave-cli --eval \"exit(run_pack('C', {'cases.csv', 'hard-cases.csv'}))\"",
-     "edgeproof_answer.m",
-     {"", ""},
-     {"value = k * sqrt(c.u", "value = (1 + 1e-14) * k * sqrt(c.u"},
-     {"value = k * sqrt(c.u", "value = 1.05 * k * sqrt(c.u"}},
+     "./driver LEVEL FILES", "example.f90", "k*sqrt(c%u", "(1 + 1d-14)*k*sqrt(c%u",
+     "1.05d0*k*sqrt(c%u"},
+    {"python3 --version", "true", "python3 driver.py LEVEL FILES", "example.py",
+     "return k * (u * (2 * a - u)).sqrt()",
+     "return k * (u * (2 * a - u)).sqrt() * Decimal('1.00000000000001')",
+     "return k * (u * (2 * a - u)).sqrt() * Decimal('1.05')",
+     "return float(k) * (float(u) * (2 * float(a) - float(u))) ** 0.5"},
+    {"octave-cli --version", "true", "octave-cli --eval \"exit(run_pack('LEVEL', {FILES}))\"",
+     "edgeproof_answer.m", "k * sqrt(c.u", "(1 + 1e-14) * k * sqrt(c.u", "1.05 * k * sqrt(c.u"},
 };
 
 } // namespace
@@ -138,39 +118,37 @@ TEST_SUITE("slow") {
             if (!shell_has(language.needs)) {
                 continue;
             }
-            const PackCopy right;
-            if (*language.in_double.first != '\0') {
-                right.edit(language.example, language.in_double.first, language.in_double.second);
-            }
-            REQUIRE(right.shell(language.build) == 0);
-            CHECK(right.shell(language.hold_a) == 0);
-            CHECK(has(file_text(right.folder.path() / "out"), ": 104 answered, 0 wrong,"));
-            CHECK(right.shell(language.hold_b) == 0);
-            CHECK(has(file_text(right.folder.path() / "out"), ": 77 answered, 0 wrong,"));
+            const auto copy_with = [&](const std::string& pressure) {
+                auto copy = std::make_unique<PackCopy>();
+                copy->edit(language.example, language.pressure, pressure);
+                REQUIRE(copy->shell(language.build) == 0);
+                return copy;
+            };
+            const auto output = [](const PackCopy& copy) {
+                return file_text(copy.folder.path() / "out");
+            };
+            const auto right = copy_with(language.in_double);
+            CHECK(right->shell(language.level("A")) == 0);
+            CHECK(has(output(*right), ": 104 answered, 0 wrong,"));
+            CHECK(right->shell(language.level("B")) == 0);
+            CHECK(has(output(*right), ": 77 answered, 0 wrong,"));
             // An error of a few units in the last place passes level B, but is not correctly
             // rounded.
-            CHECK(right.shell(language.hold_c) == 1);
-            CHECK(has(file_text(right.folder.path() / "out"), "power:m=1:"));
-            CHECK(has(file_text(right.folder.path() / "out"), "level C: 77 answered, "));
-            const PackCopy slightly;
-            slightly.edit(language.example, language.slightly_wrong.first,
-                          language.slightly_wrong.second);
-            REQUIRE(slightly.shell(language.build) == 0);
-            CHECK(slightly.shell(language.hold_a) == 0); // level A tolerates it
-            CHECK(slightly.shell(language.hold_b) == 1);
-            CHECK(has(file_text(slightly.folder.path() / "out"),
-                      "power:m=1:C=1:a=1:right:u=1e-15:p: "));
-            const PackCopy grossly;
-            grossly.edit(language.example, language.grossly_wrong.first,
-                         language.grossly_wrong.second);
-            REQUIRE(grossly.shell(language.build) == 0);
-            CHECK(grossly.shell(language.hold_a) == 1);
-            CHECK(has(file_text(grossly.folder.path() / "out"), ":p: "));
+            CHECK(right->shell(language.level("C")) == 1);
+            CHECK(has(output(*right), "power:m=1:"));
+            CHECK(has(output(*right), "level C: 77 answered, "));
+            const auto close = copy_with(language.close);
+            CHECK(close->shell(language.level("A")) == 0);
+            CHECK(close->shell(language.level("B")) == 1);
+            CHECK(has(output(*close), "power:m=1:C=1:a=1:right:u=1e-15:p: "));
+            const auto wrong = copy_with(language.wrong);
+            CHECK(wrong->shell(language.level("A")) == 1);
+            CHECK(has(output(*wrong), ":p: "));
             // A file with another header is refused.
             const PackCopy cut;
             cut.edit("level-a.csv", "id,kind", "id,sort");
             REQUIRE(cut.shell(language.build) == 0);
-            CHECK(cut.shell(language.hold_a) == 2);
+            CHECK(cut.shell(language.level("A")) == 2);
         }
     }
 

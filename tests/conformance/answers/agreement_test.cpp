@@ -2,18 +2,15 @@
 #include "edgeproof/conformance/answers/agreement.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/conformance/causes/convention.hpp"
-#include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <set>
 #include <utility>
 
 namespace {
@@ -140,101 +137,6 @@ TEST_CASE("regimes") {
     }
 }
 
-TEST_CASE(
-    "rows that answer nothing, twice, or are garbage are named; they may stand in any order") {
-    const Recipe recipe = parse_recipe("[scenes.h]\nu = [\"0.25\", \"0.5\", \"1\"]\n"
-                                       "quantities = [\"p\"]\n[scenes.h.profile]\n"
-                                       "kind = \"power-law\"\nm = \"1\"\nC = \"1\"\n"
-                                       "[scenes.h.load]\na = \"1\"\ncontact_modulus = \"1\"\n",
-                                       "r.toml");
-    const auto faults = [&](const std::string& rows) {
-        return answers_to(recipe.questions, parse_csv("id,value\n" + rows, "a.csv")).faults;
-    };
-    using Faults = std::vector<std::string>;
-    CHECK(faults("h:right:u=0.25:p,1\nh:right:u=0.5:p,1\nh:right:u=1:p,1\n").empty());
-    const Answers turned = answers_to(
-        recipe.questions,
-        parse_csv("id,value\nh:right:u=1:p,3\nh:right:u=0.5:p,2\nh:right:u=0.25:p,1\n", "a.csv"));
-    CHECK(turned.faults.empty());
-    CHECK(turned.out_of_order == 2);
-    for (int i = 0; i < 3; ++i) {
-        CHECK(turned.given[static_cast<std::size_t>(i)].value == i + 1);
-    }
-    CHECK(faults("h:right:u=0.25:p,0,4\n") ==
-          Faults{"a.csv:2: garbage: 3 cells, not 2: \"h:right:u=0.25:p\" (commas in numbers? "
-                 "write decimal points and no marks between thousands, or separate by "
-                 "semicolons)"});
-    CHECK(faults("h:right:u=0.25:p,1\nh:right:u=0.25:p,1\n") ==
-          Faults{"a.csv:3: h:right:u=0.25:p is answered twice, first in line 2"});
-    CHECK(faults("h:right:u=7:p,1\n") == Faults{"a.csv:2: 'h:right:u=7:p' was not asked"});
-    CHECK(faults("Segmentation fault\n") ==
-          Faults{"a.csv:2: garbage: 1 cells, not 2: \"Segmentation fault\""});
-    const Answers missing =
-        answers_to(recipe.questions, parse_csv("id,value\nh:right:u=0.5:p,1\n", "a.csv"));
-    CHECK(missing.given[0].state == Answer::State::missing);
-    CHECK(missing.given[0].line == 0);
-    CHECK(missing.given[1].state == Answer::State::number);
-    CHECK(echoed_answers(parse_csv("# questions: 3\n" + agreement_header + "1" + hertz_cells +
-                                       "p,right,0.2,0.3\n",
-                                   "a.csv"))
-              .faults ==
-          Faults{"a.csv:2: 3 questions were asked and 1 are answered (--recipe lists "
-                 "those that are missing)"});
-    CHECK(echoed_answers(parse_csv(agreement_header + "1" + hertz_cells + "p,right,0.2,0.3\n1" +
-                                       hertz_cells + "p,right,0.2,0.3\n",
-                                   "a.csv"))
-              .faults == Faults{"a.csv:3: 1 is answered twice, first in line 2"});
-}
-
-TEST_CASE("a malformed question is bad input, with its line") {
-    const std::string good = "1" + hertz_cells + "p,right,0.2,0.3\n";
-    const std::pair<std::string, std::string> all[] = {
-        {"2" + hertz_cells + "p,right,zero,0.3\n", "u = 'zero' is no"},
-        {"2" + hertz_cells + "p,top,0.1,0.3\n", "there is no edge"},
-        {"2" + hertz_cells + "z,right,0.1,0.3\n", "unknown quantity"},
-        {"2,power-law,-3,1,,,1,1,p,right,0.1,0.3\n", ""},
-        {"2" + hertz_cells + "q,right,0.1,0.3\n", "q is requested"},
-    };
-    for (const auto& [row, problem] : all) {
-        std::string said = "accepted";
-        try {
-            (void)held(answered(good + row));
-        } catch (const InputError& error) {
-            said = error.what();
-        }
-        CHECK_MESSAGE(said.starts_with("a.csv:3: " + problem), said);
-    }
-    CHECK_THROWS_AS((void)echoed_answers(parse_csv("id,value\n1,2\n", "a.csv")), InputError);
-    CHECK_THROWS_AS((void)echoed_answers(parse_csv("id,kind,quantity\n1,2,3\n", "a.csv")),
-                    InputError);
-}
-
-TEST_CASE("a point outside the contact is a row without a reference, and the others are compared") {
-    const Answers answers = answered(
-        "1" + hertz_cells + "p,right,0.2,0.3\n2" + hertz_cells + "p,right,2.5,0\n3" + hertz_cells +
-        "p,left,0,0\n4" + hertz_cells + "p,left,-1,0\n5" + hertz_cells + "p,left,2,0\n6" +
-        hertz_cells + "p,left,1e-300,1\n7" + hertz_cells + "p,left,0.4,0.4\n");
-    const Agreements a = held(answers);
-    REQUIRE(a.cases.size() == 7);
-    for (const std::size_t i : {1U, 2U, 3U, 4U}) {
-        CHECK(a.cases[i].regime == Regime::outside);
-        CHECK_FALSE(a.cases[i].no_reference.empty());
-        CHECK_FALSE(a.cases[i].pass);
-        CHECK_FALSE(a.cases[i].explained);
-    }
-    CHECK(a.cases[0].pass);
-    CHECK(a.cases[5].regime == Regime::near_edge);
-    CHECK(a.cases[5].no_reference.empty());
-    CHECK(a.cases[6].pass);
-    CHECK(infer_conventions(answers, a, {}).empty());
-    // If no point is inside, there is nothing to check.
-    CHECK_THROWS_WITH_AS(
-        (void)held(answered("1" + hertz_cells + "p,right,2.5,0.3\n")),
-        "a.csv:2: u = 2.5 from the right edge: the point lies outside the contact; "
-        "give distances from the edge, 0 < u < a + b, off every corner",
-        InputError);
-}
-
 TEST_CASE("a decimal comma is none if commas separate the cells; a column occurs once") {
     const Answers comma = answered("1" + hertz_cells + "p,right,0.2,\"0,3\"\n");
     CHECK(comma.given.at(0).state == Answer::State::garbage);
@@ -338,25 +240,6 @@ TEST_CASE("inputs are repeated by value: 0.0 for 0, 0.001 for 1e-3; another numb
     CHECK(faults(row("1e-9", "0.001", "0")) == 1); // the question has no tilt
     CHECK(faults(row("0", "0.001", "1e-300")) == 1);
     CHECK(faults(row("0", "0.0011", "0")) == 1);
-}
-
-TEST_CASE("the note of how many questions were asked is read strictly") {
-    const auto faults = [](const std::string& note) {
-        return echoed_answers(parse_csv("# a title\n" + note + "\n" + agreement_header + "1" +
-                                            hertz_cells + "p,right,0.2,0.3\n",
-                                        "a.csv"))
-            .faults.size();
-    };
-    CHECK(faults("# questions: 1") == 0);
-    CHECK(faults("#questions:1") == 0);
-    CHECK(faults("# questions: 2") == 1);
-    CHECK(faults("# questions:  2 ") == 1);
-    CHECK(faults("# questions and answers") == 0); // another note
-    for (const std::string wrong :
-         {"99999999999999999999999", "2x", "-1", "two", "", "2.0", "0x2"}) {
-        CAPTURE(wrong);
-        CHECK_THROWS_AS((void)faults("# questions: " + wrong), InputError);
-    }
 }
 
 TEST_CASE("a bounded number of failing rows is kept, with their own contacts") {

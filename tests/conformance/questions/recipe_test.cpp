@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/questions/recipe.hpp"
-#include "edgeproof/conformance/questions/reference.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
-
-#include <cmath>
 
 namespace {
 
@@ -77,56 +74,6 @@ TEST_CASE("a grid becomes questions in a fixed order, with ids that describe the
     CHECK(recipe.questions.list.back().id == "hertz:m=2:a=3/2:right:u=1e-3:p");
     CHECK(recipe.questions.columns() ==
           std::vector<std::string>{"kind", "m", "C", "a", "contact_modulus"});
-}
-
-TEST_CASE("contacts given by radii, by widths and by the kinds of scenes") {
-    const Recipe recipe = parse_recipe(R"(digits = 20
-[scenes.cylinders]
-quantities = ["P"]
-[scenes.cylinders.profile]
-kind = "hertz"
-R1 = ["10", "-30"]
-R2 = "15"
-[scenes.cylinders.load]
-width = ["2", "3"]
-contact_modulus = "1"
-[scenes.roller]
-quantities = ["a"]
-[scenes.roller.profile]
-kind = "cylinder-on-flat"
-R = "7"
-[scenes.roller.load]
-P = "pi"
-contact_modulus = "1"
-[scenes.pad]
-quantities = ["b"]
-[scenes.pad.profile]
-kind = "flat-and-rounded"
-flat_width = "3"
-R = "4"
-[scenes.pad.load]
-width = "4"
-contact_modulus = "1"
-)",
-                                       "r.toml");
-    REQUIRE(recipe.questions.list.size() == 6);
-    CHECK(recipe.questions.list[1].id == "cylinders:R1=10:width=3:P");
-    CHECK(recipe.questions.columns() == std::vector<std::string>{"kind", "flat_width", "R", "R1",
-                                                                 "R2", "width", "P",
-                                                                 "contact_modulus"});
-    ReferenceOptions options;
-    options.digits = {20, Rounding::nearest, false};
-    const auto values = references(recipe.questions, options);
-    const auto value = [&](std::size_t i) {
-        return values[i].value.value.midpoint().convert_to<double>();
-    };
-    // P = pi E* a^2/(4R) (Johnson, eq. 4.43): 1/R is 1/10 + 1/15 = 1/6, and 1/15 - 1/30 = 1/30.
-    const double quarter_pi = std::acos(-1) / 4;
-    CHECK(value(0) == doctest::Approx(quarter_pi / 6).epsilon(1e-15));
-    CHECK(value(1) == doctest::Approx(quarter_pi * 2.25 / 6).epsilon(1e-15));
-    CHECK(value(3) == doctest::Approx(quarter_pi * 2.25 / 30).epsilon(1e-15));
-    CHECK(value(4) == doctest::Approx(std::sqrt(28.0)).epsilon(1e-15));
-    CHECK(value(5) == 2);
 }
 
 TEST_CASE("questions in binary64 are decimals that a double holds exactly") {

@@ -4,7 +4,6 @@
 #include "edgeproof/audit/checks/parts/enclosed_reach.hpp"
 #include "edgeproof/audit/checks/parts/quoted_figure.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
-#include "edgeproof/contact/routes/extent.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -137,58 +136,54 @@ ReachQuestion question_in(const SceneSpec& scene, const Claim& claim) {
     return question;
 }
 
-/// The figure in one scene, and evidence on other possible meanings of it.
+/// The proved figure in one scene, and evidence on other possible meanings of it.
 struct ReachInScene {
-    Real value;
+    std::optional<Ball> value;
+    std::string problem; ///< the reason why there is no value
     Evidence evidence;
     bool none = false; ///< no first exit: the value is the end of the searched part
 };
 
 ReachInScene reach_in(const SceneSpec& scene, const ReachQuestion& question, const Claim& claim,
                       unsigned digits, const QuotedFigure& figure) {
-    const EvaluatedScene scene_values(scene, digits);
-    const contact::Extents extents = within_tolerance(
-        scene_values.contact(), question.edge, question.terms, question.tolerance, question.range);
-    const PrecisionScope scope(digits + 20);
-    const Real base = scene_values.evaluate(claim.formula("base")).value;
+    const EnclosedReach found = enclosed_reach(scene, question, digits);
+    ReachInScene reach{std::nullopt, found.problem, Evidence().add("at", full_text(scene)), false};
+    if (!found.extents) {
+        reach.evidence.add("none", found.problem);
+        return reach;
+    }
+    const contact::EnclosedExtents& extents = *found.extents;
+    EnclosedSample at({scene, std::nullopt, question.edge, {}}, found.bits);
+    const Ball base = at.evaluate(claim.formula("base"));
     const bool first = claim.text("reach") == "first-exit";
-    ReachInScene reach;
     reach.value = (first ? extents.first_exit : extents.measure) / base;
     reach.none = first && !extents.leaves;
+    const auto of = [&](const Ball& length, const Ball& part) {
+        return figure.text(Real((length / part).midpoint()));
+    };
+    const Real value = reach.value->midpoint();
     Evidence& e = reach.evidence;
-    e.add("at", full_text(scene))
-        .add("value", value_text(reach.value, digits))
-        .add("rounds_to", figure.rounded(reach.value))
-        .add("units_off", figure.units_off(reach.value))
+    e.add("value", value_text(value, digits))
+        .add("rounds_to", figure.rounded(value))
+        .add("units_off", figure.units_off(value))
         .add("crossings", extents.crossings.size())
-        .add("first_exit_of_base", figure.text(Real(extents.first_exit / base)))
-        .add("measure_of_base", figure.text(Real(extents.measure / base)))
-        .add("first_exit_of_whole_contact", figure.text(Real(extents.first_exit / extents.length)))
-        .add("measure_of_whole_contact", figure.text(Real(extents.measure / extents.length)));
+        .add("first_exit_of_base", of(extents.first_exit, base))
+        .add("measure_of_base", of(extents.measure, base))
+        .add("first_exit_of_whole_contact", of(extents.first_exit, extents.length))
+        .add("measure_of_whole_contact", of(extents.measure, extents.length));
     if (!extents.leaves) {
         e.add("first_exit", "none: within the tolerance all over the part looked at");
     }
     // Find the tolerance for which the quoted figure would be the distance.
-    const Real u = Real(figure.value()) * base;
-    if (u > 0 && u < extents.length) {
-        const Real error = scene_values.local(question.edge, question.terms, u) /
-                               scene_values.pressure(question.edge, u) -
-                           1;
-        e.add("error_at_the_quoted_distance", to_decimal(Real(error * 100), 4) + " %");
-    }
-    return reach;
-}
-
-/// Computes the figure in balls; it is proved that all crossings are found.
-Enclosed enclosed_figure(const SceneSpec& scene, const ReachQuestion& question, const Claim& claim,
-                         unsigned digits) {
-    const EnclosedReach found = enclosed_reach(scene, question, digits);
-    Enclosed reach{std::nullopt, found.problem};
-    if (found.extents) {
-        const EnclosedSample at({scene, std::nullopt, claim.edge(), {}}, found.bits);
-        reach.ball = (claim.text("reach") == "first-exit" ? found.extents->first_exit
-                                                          : found.extents->measure) /
-                     at.evaluate(claim.formula("base"));
+    const Ball u = Ball(figure.value(), at.bits()) * base;
+    if (certainly_positive(u) && certainly_less(u, extents.length)) {
+        at.set_place(question.edge, u);
+        const Expr x = Expr::symbol("x");
+        const Expr local =
+            Expr::call(question.edge == Edge::right ? "right_local" : "left_local",
+                       {Expr::number(Rational(static_cast<long>(question.terms))), x});
+        const Ball error = at.evaluate(local) / at.evaluate(Expr::call("p", {x})) - 1;
+        e.add("error_at_the_quoted_distance", to_decimal((error * 100).midpoint(), 4) + " %");
     }
     return reach;
 }
@@ -228,37 +223,34 @@ Outcome check_extent(const Claim& claim, const AuditContext& context) {
         try {
             const ReachQuestion question = question_in(scene, claim);
             ReachInScene reach = reach_in(scene, question, claim, context.digits(), figure);
-            const std::string at = full_text(scene);
-            const Enclosed enclosed = enclosed_figure(scene, question, claim, context.digits());
-            Judgement verdict = enclosed.ball ? figure.verdict(*enclosed.ball) : Judgement();
-            if (reach.none &&
-                (Real(figure.value()) >= reach.value || verdict != Verdict::refuted)) {
+            Judgement verdict = reach.value ? figure.verdict(*reach.value) : Judgement();
+            const Real value = reach.value ? reach.value->midpoint() : Real(0);
+            if (reach.none && (Real(figure.value()) >= value || verdict != Verdict::refuted)) {
                 // There is no exit in the searched part: a figure beyond its end may be right.
                 verdict = {};
             }
             if (verdict == Verdict::undecided && !undecided) {
                 undecided = true;
-                problem = enclosed.ball ? "the enclosure does not decide how it is rounded"
-                                        : "no enclosure: " + enclosed.problem;
+                problem = reach.value ? "the enclosure does not decide how it is rounded"
+                                      : "no enclosure: " + reach.problem;
             }
-            const long off = std::labs(figure.units_off(reach.value));
+            const long off = reach.value ? std::labs(figure.units_off(value)) : -1;
             if (off > worst) {
                 worst = off;
-                at_worst = reach.value;
+                at_worst = value;
                 none = reach.none;
                 outcome.verdict = verdict;
-                outcome.computed = figure.text(reach.value);
-                outcome.evidence.add(
-                    "enclosures", enclosed.ball ? enclosed_evidence(*enclosed.ball, figure, verdict,
-                                                                    at, context.digits())
-                                                : Evidence().add("none", enclosed.problem));
+                outcome.computed = figure.text(value);
+                outcome.evidence.add("enclosures",
+                                     enclosed_evidence(*reach.value, figure, verdict,
+                                                       full_text(scene), context.digits()));
             }
             scenes.emplace_back(std::move(reach.evidence));
         } catch (const InputError& error) {
             claim.reject("tolerance", error.problem(), error.instead());
         }
     }
-    outcome.note = figure.note(*at_worst);
+    outcome.note = at_worst ? figure.note(*at_worst) : problem;
     if (undecided && outcome.verdict != Verdict::refuted) {
         outcome.verdict = {};
         outcome.note = problem;

@@ -127,7 +127,8 @@ TEST_CASE("linear loads: a second load that has no effect is refused") {
                      "shear.toml");
     const AuditContext context(ledger, 34);
     const Claim& claim = ledger.claims.front();
-    const LinearLoads loads(context.scenes(claim).front(), 34, "Q", "sig0");
-    CHECK_THROWS_AS((void)loads.second_for_zero(parse_formula("Q", claim.vocabulary)), DomainError);
-    CHECK_THROWS_AS(LinearLoads(context.scenes(claim).front(), 34, "Q", "sigma"), InputError);
+    EnclosedLoads loads(context.scenes(claim).front(), {"Q", "sig0"}, 200);
+    CHECK_FALSE(loads.second_for_zero(parse_formula("Q", claim.vocabulary)).is_finite());
+    CHECK_THROWS_AS((void)loads.parts(parse_formula("Q*sig0", claim.vocabulary)), DomainError);
+    CHECK_THROWS_AS(EnclosedLoads(context.scenes(claim).front(), {"Q", "sigma"}, 200), InputError);
 }

@@ -5,6 +5,7 @@
 #include "edgeproof/audit/checks/parts/decimal_fit.hpp"
 #include "edgeproof/audit/checks/parts/enclosed_reach.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/escalate.hpp"
 
 #include <algorithm>
 
@@ -17,16 +18,15 @@ Outcome check_superposition(const Claim& claim, const AuditContext& context) {
     std::size_t adding = 0;
     std::size_t subtracting = 0;
     std::size_t same_signs = 0;
+    std::string problem;
     std::vector<Decision> decisions;
     Evidence shares;
     const std::vector<SceneSpec> scenes = context.scenes(claim);
     for (const SceneSpec& scene : scenes) {
-        // This checks in Real that the quantity is the sum of its parts.
-        static_cast<void>(LinearLoads(scene, context.digits(), names[0], names[1]).parts(of));
         Decision found;
-        const long first_bits = 2 * formula::bits_for(context.digits());
-        for (long bits = first_bits; bits <= 8 * first_bits && is_open(found); bits *= 2) {
-            EnclosedLoads loads(scene, names, bits);
+        const long bits = 2 * formula::bits_for(context.digits());
+        const auto compare = [&](long with_bits) {
+            EnclosedLoads loads(scene, names, with_bits);
             auto [first, second] = loads.parts(of);
             Ball second_load = loads.loads().second;
             if (claim.has("when_zero")) {
@@ -34,17 +34,20 @@ Outcome check_superposition(const Claim& claim, const AuditContext& context) {
                 second *= second_load / loads.loads().second;
             }
             const Ball product = says_add ? first * second : -(first * second);
-            const Ball zero(0, bits);
+            const Ball zero(0, with_bits);
             found = decision(Refutation::less(product, zero), Confirmation::less(zero, product));
             if (is_open(found)) {
-                continue;
+                return false;
             }
             (certainly_positive(first * second) ? adding : subtracting) += 1;
             same_signs += certainly_positive(second_load * loads.loads().first) ? 1 : 0;
             if (shares.entries().size() < 3) {
                 shares.add(scene.text(), ball_text(second / first, 20));
             }
-        }
+            return true;
+        };
+        const std::string why = look_closer(compare, {bits, 8 * bits});
+        problem = problem.empty() ? why : problem;
         decisions.push_back(found);
     }
     Outcome outcome;
@@ -57,39 +60,47 @@ Outcome check_superposition(const Claim& claim, const AuditContext& context) {
         .add("second_part_over_first", shares);
     outcome.note = "the parts of " + claim.text("of") + " by " + names[0] + " and " + names[1] +
                    " add in " + std::to_string(adding) + " of " + std::to_string(scenes.size()) +
-                   " scenes, subtract in " + std::to_string(subtracting);
+                   " scenes, subtract in " + std::to_string(subtracting) +
+                   (problem.empty() ? "" : "; " + problem);
     return outcome;
 }
 
 namespace {
 
-/// The zero of a coefficient: the comparison of the printed ratio of the loads with the exact one,
-/// over all scenes.
+using Loads = std::vector<std::shared_ptr<EnclosedLoads>>;
+
+/// The zero of a coefficient: the printed ratio of the loads and the exact one, over all scenes.
 struct Zero {
-    double digits = 1e6; ///< the fewest digits of agreement
+    double digits = 1e6; ///< the fewest digits of agreement that the balls prove
     std::vector<RatioSample> quotients;
     std::string value; ///< of the ratio in the first scene
 };
 
-Zero find_zero(const std::vector<LinearLoads>& scenes, const std::vector<Variables>& parameters,
-               const Claim& claim, const Expr& coefficient) {
+Zero find_zero(const Loads& scenes, const Claim& claim, const Expr& coefficient) {
+    const PrecisionScope scope(30);
     Zero zero;
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
-        const LinearLoads& loads = scenes[i];
-        const Real second = loads.second_for_zero(coefficient);
-        const Real at_zero = loads.evaluate(claim.formula("ratio"), second);
-        const Real as_printed = loads.evaluate(claim.formula("says"), second);
-        const PrecisionScope scope(loads.digits() + 20);
-        const Real off = abs(Real(as_printed / at_zero - 1));
-        const double digits = off == 0 ? 1e6 : (-log10(off)).convert_to<double>();
-        zero.digits = std::min(zero.digits, digits);
-        zero.quotients.push_back({parameters[i], Real(as_printed / at_zero)});
-        if (i == 0) {
-            zero.value = value_text(at_zero, 20);
+    for (const auto& loads : scenes) {
+        const Ball second = loads->second_for_zero(coefficient);
+        const Ball at_zero = loads->with_second(claim.formula("ratio"), second);
+        const Ball quotient = loads->with_second(claim.formula("says"), second) / at_zero;
+        if (!quotient.is_finite()) {
+            throw DomainError(claim.list("loads")[1] + " is not proved to have an effect on " +
+                              to_text(coefficient));
+        }
+        const Real off = abs(quotient - 1).upper();
+        zero.digits =
+            off == 0 ? zero.digits : std::min(zero.digits, Real(-log10(off)).convert_to<double>());
+        Variables parameters;
+        for (const auto& [name, value] : loads->scene().parameters) {
+            parameters.emplace(name, value.to<Real>());
+        }
+        zero.quotients.push_back(
+            {std::move(parameters), at_working_precision(quotient.midpoint())});
+        if (zero.value.empty()) {
+            zero.value = value_text(at_zero.midpoint(), 20);
         }
     }
     // A quotient that is the same in all scenes does not depend on their parameters.
-    const PrecisionScope scope(30);
     const Real& first = zero.quotients.front().ratio;
     if (std::ranges::all_of(zero.quotients, [&](const RatioSample& q) {
             return abs(Real(q.ratio / first - 1)) < pow(Real(10), -20);
@@ -102,21 +113,20 @@ Zero find_zero(const std::vector<LinearLoads>& scenes, const std::vector<Variabl
 }
 
 /// Judges the printed ratio in every scene by enclosures.
-Judgement judge_ratio(const std::vector<SceneSpec>& scenes, const Claim& claim, unsigned digits,
+Judgement judge_ratio(const Loads& scenes, const Claim& claim, unsigned digits, long bits,
                       Outcome& outcome) {
     const PrintedFormula printed = printed_formula(claim);
     const auto* with_decimals = std::get_if<DecimalFormula>(&printed);
     std::vector<Decision> decisions;
     std::vector<DecimalEquation> equations;
-    const long bits = 4 * formula::bits_for(digits);
-    for (const SceneSpec& scene : scenes) {
-        const auto loads = std::make_shared<EnclosedLoads>(scene, claim.list("loads"), bits);
+    for (const auto& loads : scenes) {
         const Ball second = loads->second_for_zero(claim.formula("of"));
         const Ball ratio = loads->with_second(claim.formula("ratio"), second);
         const Ball value = loads->with_second(claim.formula("says"), second);
         if (decisions.empty()) {
-            outcome.evidence.add("enclosures", pair_evidence(full_text(scene), "vanishes_at", ratio,
-                                                             "printed", value, digits));
+            outcome.evidence.add("enclosures",
+                                 pair_evidence(full_text(loads->scene()), "vanishes_at", ratio,
+                                               "printed", value, digits));
         }
         decisions.push_back(
             decision(with_decimals != nullptr ? std::nullopt : Refutation::disjoint(value, ratio),
@@ -169,13 +179,12 @@ void add_best_ratio(const Claim& claim, Outcome& outcome) {
 Outcome check_vanishing(const Claim& claim, const AuditContext& context) {
     const std::vector<std::string>& names = two_loads(claim);
     const unsigned digits = context.digits();
-    std::vector<LinearLoads> scenes;
-    std::vector<Variables> parameters;
+    const long bits = 4 * formula::bits_for(digits);
+    Loads scenes;
     for (const SceneSpec& scene : context.scenes(claim)) {
-        scenes.emplace_back(scene, digits, names[0], names[1]);
-        parameters.push_back(EvaluatedScene(scene, digits).values_of(scene.parameters));
+        scenes.push_back(std::make_shared<EnclosedLoads>(scene, names, bits));
     }
-    const Zero zero = find_zero(scenes, parameters, claim, claim.formula("of"));
+    const Zero zero = find_zero(scenes, claim, claim.formula("of"));
     Outcome outcome;
     outcome.evidence.add("of", claim.text("of"))
         .add("scenes", scenes.size())
@@ -183,7 +192,7 @@ Outcome check_vanishing(const Claim& claim, const AuditContext& context) {
         .add("vanishes_at", zero.value)
         .add("digits", digits_text(std::min(zero.digits, 1.0 * digits)));
     outcome.computed = claim.text("ratio") + " = " + zero.value;
-    outcome.verdict = judge_ratio(context.scenes(claim), claim, digits, outcome);
+    outcome.verdict = judge_ratio(scenes, claim, digits, bits, outcome);
     if (outcome.evidence.find("rounded") != nullptr) {
         return outcome;
     }
@@ -206,7 +215,7 @@ Outcome check_vanishing(const Claim& claim, const AuditContext& context) {
     }
     Evidence elsewhere;
     for (const auto& [text, coefficient] : named_formulas(claim, "elsewhere")) {
-        const Zero other = find_zero(scenes, parameters, claim, coefficient);
+        const Zero other = find_zero(scenes, claim, coefficient);
         const bool agrees = other.digits >= context.digits_needed();
         elsewhere.add(text,
                       agrees ? "vanishes at the printed value" : "vanishes at " + other.value);
@@ -219,54 +228,6 @@ Outcome check_vanishing(const Claim& claim, const AuditContext& context) {
         add_best_ratio(claim, outcome);
     }
     return outcome;
-}
-
-namespace {
-
-SceneSpec without(SceneSpec scene, const std::string& load) {
-    scene.parameters.insert_or_assign(load, Exact());
-    return scene;
-}
-
-/// Returns the scene with a second load that is not zero.
-SceneSpec loaded(SceneSpec scene, const std::string& first, const std::string& second) {
-    static_cast<void>(scene.parameter(first));
-    if (scene.parameter(second).sign() == 0) {
-        scene.parameters.insert_or_assign(second, Exact::of(Rational(1)));
-    }
-    return scene;
-}
-
-} // namespace
-
-LinearLoads::LinearLoads(const SceneSpec& scene, unsigned digits, const std::string& first,
-                         const std::string& second)
-    : digits_(digits), second_(second), both_(loaded(scene, first, second), digits),
-      only_first_(without(both_.spec(), second), digits),
-      only_second_(without(both_.spec(), first), digits), second_value_(both_.parameter(second)) {}
-
-LinearLoads::Parts LinearLoads::parts(const Expr& e) const {
-    const Parts p{only_first_.evaluate(e).value, only_second_.evaluate(e).value};
-    const Real whole = both_.evaluate(e).value;
-    const PrecisionScope scope(digits_ + 20);
-    const Real off = abs(Real(whole - p.first - p.second));
-    if (off > (abs(p.first) + abs(p.second)) * pow(Real(10), -static_cast<int>(digits_))) {
-        throw DomainError(to_text(e) + " is not the sum of its values under each load alone");
-    }
-    return p;
-}
-
-Real LinearLoads::second_for_zero(const Expr& e) const {
-    const Parts p = parts(e);
-    if (p.second == 0) {
-        throw DomainError(second_ + " has no effect on " + to_text(e));
-    }
-    const PrecisionScope scope(digits_ + 20);
-    return Real(-second_value_ * p.first / p.second);
-}
-
-Real LinearLoads::evaluate(const Expr& e, const Real& second) const {
-    return both_.evaluate(e, nullptr, {{second_, second}}).value;
 }
 
 } // namespace edgeproof::audit

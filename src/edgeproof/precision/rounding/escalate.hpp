@@ -37,7 +37,30 @@ template <class F, class Enough>
     }
 }
 
-/// The same; throws BudgetError with the accuracy reached if the budget does not suffice.
+/// Calls look(bits) with doubled precision until it returns true. Returns an empty text then, or
+/// the reason why it did not: an Error that more bits do not remove ends the search.
+template <class Look>
+[[nodiscard]] std::string look_closer(const Look& look, const BitBudget& budget) {
+    std::string problem = "the enclosures are too wide to decide";
+    for (long bits = budget.first; bits <= budget.last; bits *= 2) {
+        check_interruption();
+        try {
+            if (look(bits)) {
+                return {};
+            }
+        } catch (const BudgetError& error) {
+            problem = error.what();
+        } catch (const InputError&) {
+            throw;
+        } catch (const Error& error) {
+            return error.what();
+        }
+    }
+    return problem;
+}
+
+/// The same as try_escalate; throws BudgetError with the accuracy reached if the budget does not
+/// suffice.
 template <class F, class Enough>
 [[nodiscard]] Ball escalate(const F& f, const Enough& enough, const BitBudget& budget = {}) {
     Escalated e = try_escalate(f, enough, budget);

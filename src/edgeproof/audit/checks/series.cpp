@@ -4,7 +4,9 @@
 #include "edgeproof/audit/checks/parts/decimal_fit.hpp"
 #include "edgeproof/audit/checks/parts/residual_fit.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
+#include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
@@ -37,15 +39,20 @@ Ball scale_of(const Ball& exact, std::size_t n, const EnclosedSample& at, Edge e
                : abs(exact);
 }
 
-/// The result in one scene: the coefficients and orders by enclosures, and fitted residuals as an
-/// illustration.
+/// The result in one scene, by enclosures.
 struct SeriesInScene {
     std::vector<Decision> decisions;
     std::size_t vanishing = 0; ///< the number of coefficients that vanish
     std::string problem;
-    std::vector<std::string> slopes;
-    int digits = 1000000;
+    double digits = 1e6; ///< the fewest digits to which the balls prove a coefficient
 };
+
+double proved_digits(const Ball& printed, const Ball& exact, const Ball& scale) {
+    const Real most = abs(printed - exact).upper();
+    return most == 0 || !certainly_positive(scale)
+               ? (most == 0 ? 1e6 : 0)
+               : Real(-log10(Real(most / scale.lower()))).convert_to<double>();
+}
 
 /// The exact expansion is the sum of c_k u^(k + 1/2) (docs/expansions.md). After n correct terms
 /// the remainder therefore has the order n + 1/2, or a higher one if c_n vanishes.
@@ -57,9 +64,10 @@ void decide_orders(const EnclosedSample& at, Edge edge, const std::vector<Expr>&
         leading = n == 0 ? exact : leading;
         if (n < terms.size()) {
             const Ball printed = at.evaluate(terms[n]);
-            const Decision same = decision(
-                Refutation::disjoint(printed, exact),
-                Confirmation::agreement(printed, exact, scale_of(exact, n, at, edge), needed));
+            const Ball scale = scale_of(exact, n, at, edge);
+            const Decision same = decision(Refutation::disjoint(printed, exact),
+                                           Confirmation::agreement(printed, exact, scale, needed));
+            found.digits = std::min(found.digits, proved_digits(printed, exact, scale));
             found.decisions.push_back(same);
             if (!confirms(same) && found.problem.empty()) {
                 found.problem =
@@ -87,34 +95,30 @@ void decide_orders(const EnclosedSample& at, Edge edge, const std::vector<Expr>&
     }
 }
 
-void fit_slopes(const SceneSpec& scene, Edge edge, const std::vector<Expr>& terms,
-                std::size_t orders, unsigned digits, SeriesInScene& found) {
-    ResidualFitOptions options;
-    options.orders = orders;
-    options.digits = digits;
-    options.points = std::max<std::size_t>(12, digits / 4);
-    options.route = contact::Route::automatic;
-    // The printed coefficients need as many digits as the fit uses for the pressure.
-    const auto enough = digits + static_cast<unsigned>(orders * (options.points / 3 + 6));
-    const EvaluatedScene scene_values(scene, enough);
-    // The remainder has no claimed coefficient. This is computed first, as the terms need fewer
-    // orders.
-    const std::vector<Real> exact = scene_values.expansion(edge, orders);
-    std::vector<Real> c;
-    c.reserve(terms.size());
-    for (const Expr& term : terms) {
-        c.push_back(scene_values.evaluate(term).value);
-    }
-    c.insert(c.end(), exact.begin() + static_cast<std::ptrdiff_t>(c.size()), exact.end());
-    const std::vector<OrderFit> fits =
-        fit_residuals(scene.make_profile(), scene.parameter("Es"),
-                      contact::Load::right_edge(scene.parameter("a")), edge, options, c);
-    for (const OrderFit& fit : fits) {
-        found.slopes.push_back(to_decimal(fit.slope, 12));
-        if (fit.n < terms.size()) {
-            found.digits = std::min(found.digits, fit.agreeing_digits);
+/// Returns the slopes of the residuals after the printed terms, as an illustration; none if they
+/// are not enclosed.
+std::vector<std::string> slopes_in(const SceneSpec& scene, Edge edge,
+                                   const std::vector<Expr>& terms, std::size_t orders) {
+    const ResidualFitOptions options{.orders = orders, .digits = 20};
+    std::vector<std::string> slopes;
+    try {
+        const auto contact = contact::proved_contact(
+            scene.make_profile(), scene.parameter("Es"),
+            contact::Load::right_edge(scene.parameter("a")), options.bits());
+        const EnclosedSample at({scene, std::nullopt, edge, {}}, options.bits());
+        std::vector<Ball> c = contact->expansion(edge, orders);
+        for (std::size_t n = 0; n < terms.size(); ++n) {
+            c[n] = at.evaluate(terms[n]);
         }
+        for (const Real& slope : fit_residuals(*contact, edge, options, std::move(c)).slopes) {
+            slopes.push_back(to_decimal(slope, 8));
+        }
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const Error&) {
+        return {};
     }
+    return slopes;
 }
 
 /// A printed coefficient with decimals, and one equation for each scene.
@@ -145,13 +149,10 @@ void add_equation(const SceneSpec& scene, Edge edge, long bits, DecimalTerm& ter
 SeriesInScene series_in(const SceneSpec& scene, Edge edge, const std::vector<Expr>& terms,
                         const std::vector<Rational>& orders, unsigned digits) {
     SeriesInScene found;
-    fit_slopes(scene, edge, terms, orders.size(), digits, found);
     SampleInBalls in_balls({scene, std::nullopt, edge, {}}, digits);
-    const SeriesInScene fitted = found;
     static_cast<void>(in_balls.until([&](const EnclosedSample& at) {
-        SeriesInScene here = fitted;
-        decide_orders(at, edge, terms, orders, AuditContext::digits_needed(digits), here);
-        found = std::move(here);
+        found = {};
+        decide_orders(at, edge, terms, orders, AuditContext::digits_needed(digits), found);
         return std::ranges::none_of(found.decisions, is_open);
     }));
     if (found.decisions.empty()) {
@@ -194,23 +195,23 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
                      "give one for each term, and one more for the remainder, 8 at most");
     }
     const Edge edge = claim.edge();
+    const unsigned everywhere = std::min(context.digits(), ManyDigits::everywhere);
     Outcome outcome;
     std::size_t scenes = 0;
     std::size_t vanishing = 0;
     std::size_t failing = 0;
     std::vector<Decision> decisions;
-    int digits = 1000000;
-    std::vector<std::string> slopes;
+    double digits = everywhere;
+    const SceneSpec* shown = nullptr; // the first that fails, or else the first
     const std::vector<SceneSpec> all = context.scenes(claim);
     std::vector<DecimalTerm> with_decimals = terms_with_decimals(claim);
-    const unsigned everywhere = std::min(context.digits(), ManyDigits::everywhere);
     // An order needs no more digits than its slope; only the coefficients have many digits.
     std::vector<std::size_t> to_all_digits;
     if (everywhere < context.digits() && !terms.empty()) {
         to_all_digits = spread_first(all.size(), ManyDigits::samples);
         to_all_digits.resize(std::min(all.size(), ManyDigits::samples));
     }
-    int all_digits = 1000000;
+    double all_digits = context.digits();
     for (const SceneSpec& scene : all) {
         const bool more = std::ranges::find(to_all_digits, scenes) != to_all_digits.end();
         const SeriesInScene found =
@@ -230,22 +231,21 @@ Outcome check_series(const Claim& claim, const AuditContext& context) {
         if (here != Verdict::confirmed && ++failing == 1) {
             outcome.note = found.problem + ", in " + full_text(scene);
             outcome.evidence.add("fails_in", full_text(scene));
-            slopes = found.slopes;
+            shown = &scene;
         }
-        if (slopes.empty()) {
-            slopes = found.slopes;
-        }
+        shown = shown == nullptr ? &scene : shown;
     }
     outcome.evidence.add("scenes", scenes)
         .add("scenes_failing", failing)
-        .add("slopes", slopes)
+        .add("slopes", shown == nullptr ? std::vector<std::string>()
+                                        : slopes_in(*shown, edge, terms, orders.size()))
         .add("orders", claim.list("orders"))
         .add("scenes_where_a_coefficient_vanishes", vanishing);
     if (!terms.empty()) {
-        outcome.evidence.add("digits_of_the_coefficients", digits);
+        outcome.evidence.add("digits_of_the_coefficients", digits_text(digits));
         if (!to_all_digits.empty()) {
             outcome.evidence.add("scenes_to_all_digits", to_all_digits.size())
-                .add("all_digits_of_the_coefficients", all_digits);
+                .add("all_digits_of_the_coefficients", digits_text(all_digits));
         }
     }
     outcome.verdict = Judgement::of_all(decisions);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/parts/residual_fit.hpp"
 #include "edgeproof/audit/sample/evaluated_scene.hpp"
+#include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/report/figures/figures_paper.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
 
@@ -123,27 +124,28 @@ std::optional<Plot> plot_in(const audit::Sample& sample, const audit::Claim& cla
 } // namespace
 
 Plot residual_fit_plot(const NamedScene& scene, contact::Edge edge) {
-    const auto fits = audit::fit_residuals(
+    const audit::ResidualFitOptions options{
+        .orders = orders, .digits = figure_digits + 5, .start = 2};
+    const auto contact = contact::proved_contact(
         scene.profile, formula::Exact::parse("1"),
-        contact::Load::right_edge(formula::Exact::parse(scene.half_width)), edge,
-        {.orders = orders, .points = 12, .digits = figure_digits + 5, .start = 2});
+        contact::Load::right_edge(formula::Exact::parse(scene.half_width)), options.bits());
+    const audit::ResidualFit fit = audit::fit_residuals(*contact, edge, options);
     Plot plot;
     plot.id = "residual-" + scene.id + "-" + scene::edge_name(edge);
     plot.title = scene.name;
     plot.x = {"u from the " + edge_words(edge) + ", in the unit of a", true};
     plot.y = {"|p − first n terms|/E*", true};
     plot.columns = {"u"};
-    for (const Real& u : fits.front().u) {
+    for (const Real& u : fit.u) {
         plot.rows.push_back({u});
     }
     const PrecisionScope scope(figure_digits + 10);
-    for (const audit::OrderFit& fit : fits) {
-        plot.add_curve(fmt::format("r{}", fit.n),
-                       fmt::format("n = {}: slope {}", fit.n, fixed(fit.slope, 6)),
-                       {order_colours[fit.n], fit.n == orders - 1 ? 2U : 1U,
-                        static_cast<unsigned>(fit.n + 4), 1.5});
+    for (std::size_t n = 0; n < orders; ++n) {
+        plot.add_curve(
+            fmt::format("r{}", n), fmt::format("n = {}: slope {}", n, fixed(fit.slopes[n], 6)),
+            {order_colours[n], n == orders - 1 ? 2U : 1U, static_cast<unsigned>(n + 4), 1.5});
         for (std::size_t j = 0; j < plot.rows.size(); ++j) {
-            plot.rows[j].back() = size_of(fit.residual[j]);
+            plot.rows[j].back() = size_of(fit.residuals[n][j]);
         }
     }
     plot.description = fmt::format(

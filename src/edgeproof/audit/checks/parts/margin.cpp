@@ -12,6 +12,7 @@ namespace edgeproof::audit {
 namespace {
 
 constexpr unsigned first_digits = 10; // of the enclosures: most margins are wide
+constexpr long clear_bits = 40;       // of a difference, for the comparison with its neighbours
 
 } // namespace
 
@@ -20,6 +21,12 @@ ConditionInScene::ConditionInScene(const Sample& sample, PrintedCondition condit
     : sample_(sample), printed_(std::move(condition)), condition_(printed_.as_printed),
       where_(std::move(where)), digits_(digits), in_balls_(sample, first_digits, digits + 2) {
     sample_.fraction.reset();
+}
+
+void ConditionInScene::place(EnclosedSample& at, const Real* fraction) const {
+    if (fraction != nullptr) {
+        at.set_place(sample_.edge, Ball(*fraction, at.bits()) * at.length());
+    }
 }
 
 std::optional<Decision> ConditionInScene::decide_at(const Real* fraction) const {
@@ -36,9 +43,7 @@ std::optional<Decision> ConditionInScene::decide_at(const Real* fraction,
     Decision found;
     bool admitted = !where_;
     static_cast<void>(in_balls_.until([&](EnclosedSample& at) {
-        if (fraction != nullptr) {
-            at.set_place(sample_.edge, Ball(*fraction, at.bits()) * at.length());
-        }
+        place(at, fraction);
         if (!admitted) {
             const Decision there = decide(*where_, at, needed, agreeing);
             admitted = confirms(there);
@@ -64,61 +69,51 @@ std::optional<Decision> ConditionInScene::decide_at(const Real* fraction,
     return admitted ? std::optional(found) : std::nullopt;
 }
 
-unsigned ConditionInScene::digits_of(std::size_t level) const {
-    return level == 0 ? digits_ : level == 1 ? 2 * digits_ + 40 : 4 * digits_ + 160;
-}
-
-const EvaluatedScene& ConditionInScene::at_level(std::size_t level) const {
-    auto& scene_values = scene_values_[level];
-    if (!scene_values) {
-        scene_values = std::make_unique<EvaluatedScene>(sample_.scene, digits_of(level));
-    }
-    return *scene_values;
-}
-
 std::vector<Real> ConditionInScene::knots() const {
     const PrecisionScope scope(digits_ + 20);
-    const EvaluatedScene& s = at_level(0);
+    const long bits = formula::bits_for(digits_ + 20);
+    const EnclosedSample at(sample_, bits);
+    const auto value = [&](const char* name) { return at.evaluate(Expr::symbol(name)); };
+    const contact::Profile profile = sample_.scene.make_profile();
     std::vector<Real> fractions;
-    for (const Exact& knot : s.contact().profile().knots()) {
-        const Real x = knot.to<Real>();
-        const Real u = sample_.edge == Edge::right ? Real(s.a() - x) : Real(s.b() + x);
-        if (u > 0 && u < s.length()) {
-            fractions.push_back(u / s.length());
+    for (const Exact& knot : profile.knots()) {
+        const Ball x = ball_of(knot, bits);
+        const Ball u = sample_.edge == Edge::right ? value("a") - x : value("b") + x;
+        const Real fraction = at_working_precision((u / at.length()).midpoint());
+        if (fraction > 0 && fraction < 1) {
+            fractions.push_back(fraction);
         }
     }
     std::ranges::sort(fractions);
     return fractions;
 }
 
-Margin ConditionInScene::margin_at(std::size_t level, const Place* place) const {
-    const EvaluatedScene& s = at_level(level);
-    const unsigned digits = digits_of(level);
-    const PrecisionScope scope(digits + 20);
-    const Real noise = pow(Real(10), -static_cast<int>(digits));
-    const Variables variables = s.values_of(sample_.variables);
+Margin ConditionInScene::margin_at(const EnclosedSample& at) const {
+    const PrecisionScope scope(digits_ + 20);
+    const Real noise = pow(Real(10), -static_cast<int>(digits_));
     std::optional<Margin> least;
     for (const Relation& r : condition_) {
         using Op = Relation::Op;
-        const Real lhs = s.evaluate(r.lhs, place, variables).value;
-        const Real rhs = s.evaluate(r.rhs, place, variables).value;
-        const Real scale = std::max(Real(abs(lhs)), Real(abs(rhs)));
-        const Real difference =
-            r.op == Op::greater || r.op == Op::greater_equal ? Real(lhs - rhs) : Real(rhs - lhs);
-        Margin m{Real(0), scale == 0 ? Real(0) : Real(difference / scale), difference, true};
-        if (!isfinite(lhs) || !isfinite(rhs)) {
-            throw BudgetError("a number beyond the range of the arithmetic");
+        const Ball lhs = at.evaluate(r.lhs);
+        const Ball rhs = at.evaluate(r.rhs);
+        if (!lhs.is_finite() || !rhs.is_finite()) {
+            throw BudgetError("a side of the relation that is not enclosed");
         }
-        const bool alike = abs(m.value) <= noise;
+        const Ball difference =
+            r.op == Op::greater || r.op == Op::greater_equal ? lhs - rhs : rhs - lhs;
+        const Real scale = max(abs(lhs), abs(rhs)).midpoint();
+        const Real d = difference.midpoint();
+        Margin m{Real(0), scale == 0 ? Real(0) : Real(d / scale), d,
+                 difference.relative_accuracy_bits() >= clear_bits};
         if (r.op == Op::equal) {
+            const bool alike = abs(difference).upper() <= noise * scale;
+            m.clear = m.clear || alike;
             m.value = alike ? Real(1) : Real(-abs(m.value));
             m.difference = m.value;
-        } else if (alike) {
+        } else if (contains_zero(difference)) {
             const bool strict = r.op == Op::less || r.op == Op::greater;
-            // Zero on both sides is equality; more digits may separate other values.
-            m.clear = scale == 0 || (!strict && level + 1 == levels);
             m.value = strict ? Real(0) : noise;
-            m.difference = strict ? Real(0) : Real(abs(difference));
+            m.difference = Real(0);
         }
         if (m.clear && m.value < 0) {
             return m; // one relation that fails decides
@@ -135,28 +130,31 @@ Margin ConditionInScene::margin_at(std::size_t level, const Place* place) const 
 }
 
 std::optional<Margin> ConditionInScene::margin(const Real* fraction) const {
-    try {
-        std::optional<Margin> m;
-        for (std::size_t level = 0; level < levels && !(m && m->clear); ++level) {
-            const EvaluatedScene& s = at_level(level);
-            std::optional<Place> place;
-            if (fraction != nullptr) {
-                const PrecisionScope scope(digits_of(level) + 20);
-                place = s.place_at_u(sample_.edge, Real(*fraction * s.length()));
+    std::optional<Margin> m;
+    bool admitted = true;
+    static_cast<void>(in_balls_.until([&](EnclosedSample& at) {
+        place(at, fraction);
+        if (where_) {
+            const Decision there = decide(*where_, at, AuditContext::digits_needed(digits_),
+                                          SidesThatAgree::undecided);
+            admitted = confirms(there);
+            if (!admitted) {
+                return refutes(there);
             }
-            const Place* at = place ? &*place : nullptr;
-            if (level == 0 && where_ && !s.holds(*where_, at, s.values_of(sample_.variables))) {
-                return std::nullopt;
-            }
-            m = margin_at(level, at);
         }
-        if (m && fraction != nullptr) {
-            m->fraction = *fraction;
-        }
-        return m;
-    } catch (const DomainError&) {
-        return std::nullopt; // at a corner, or beyond the far edge because of roundoff
+        m = margin_at(at);
+        return m->clear;
+    }));
+    if (!admitted) {
+        return std::nullopt;
     }
+    if (!m) {
+        throw BudgetError(in_balls_.problem());
+    }
+    if (fraction != nullptr) {
+        m->fraction = *fraction;
+    }
+    return m;
 }
 
 Real ConditionInScene::counts_as_equal() const {
@@ -200,14 +198,20 @@ MarginScan::MarginScan(const ConditionInScene& condition, const Real& nearest)
     std::ranges::sort(fractions);
     fractions.erase(std::unique(fractions.begin(), fractions.end()), fractions.end());
     for (const Real& fraction : fractions) {
-        look(fraction);
+        look(fraction, std::ranges::find(marks, fraction) != marks.end());
     }
     seek_extrema();
 }
 
-void MarginScan::look(const Real& fraction) {
-    if (const auto margin = condition_.margin(&fraction)) {
-        places_.push_back(*margin);
+void MarginScan::look(const Real& fraction, bool at_knot) {
+    try {
+        if (const auto margin = condition_.margin(&fraction)) {
+            places_.push_back(*margin);
+        }
+    } catch (const BudgetError&) {
+        if (!at_knot) { // at a corner the pressure is infinite
+            throw;
+        }
     }
 }
 
@@ -235,7 +239,7 @@ void MarginScan::seek_extrema() {
             height, places_[i - 1].fraction, places_[i + 1].fraction, search_steps, reaches_zero));
     }
     for (const Real& fraction : found) {
-        look(fraction);
+        look(fraction, false);
     }
     std::ranges::sort(places_, {}, &Margin::fraction);
 }

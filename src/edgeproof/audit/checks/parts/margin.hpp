@@ -3,10 +3,7 @@
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/audit/ledger/printed_formula.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
-#include "edgeproof/audit/sample/evaluated_scene.hpp"
 
-#include <array>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,13 +17,12 @@ struct Margin {
     /// The least of rhs - lhs itself. It has the same sign, but does not become constant where one
     /// side dominates, and therefore shows where the sides come close.
     Real difference;
-    /// True if the sign is certain: the margin is larger than the possible error of the last
-    /// digits. A relation that allows equality is also clear when the sides agree to all digits.
+    /// True if the difference is enclosed well enough to be compared with its neighbours, or if the
+    /// sides of an equality agree to all digits.
     bool clear = true;
 };
 
-/// A condition in one scene, at any place. If the sides agree to too many digits to show which is
-/// larger, more digits are computed: D, then 2 D + 40, then 4 D + 160.
+/// A condition in one scene, at any place, by enclosures with as many bits as necessary.
 class ConditionInScene {
 public:
     ConditionInScene(const ConditionInScene&) = delete;
@@ -39,8 +35,9 @@ public:
 
     /// Distances from the edge to the knots inside the contact, as fractions of its length.
     [[nodiscard]] std::vector<Real> knots() const;
-    /// Returns the margin at a place or (nullptr, for conditions without one) without a place;
-    /// nullopt if `where` excludes the place, or if something has no value there.
+    /// Returns the margin, from the middles of enclosures, at a place or (nullptr, for conditions
+    /// without one) without a place; nullopt if `where` does not certainly hold there. Throws
+    /// BudgetError if a side is not enclosed.
     [[nodiscard]] std::optional<Margin> margin(const Real* fraction) const;
     /// Decides by enclosures, at a place or without a place; returns nullopt if `where` does not
     /// certainly hold. Decimals represent their intervals: the condition fails if it fails for all
@@ -54,17 +51,14 @@ public:
 private:
     [[nodiscard]] std::optional<Decision> decide_at(const Real* fraction,
                                                     SidesThatAgree agreeing) const;
-    static constexpr std::size_t levels = 3;
-    [[nodiscard]] const EvaluatedScene& at_level(std::size_t level) const;
-    [[nodiscard]] unsigned digits_of(std::size_t level) const;
-    [[nodiscard]] Margin margin_at(std::size_t level, const Place* place) const;
+    void place(EnclosedSample& at, const Real* fraction) const;
+    [[nodiscard]] Margin margin_at(const EnclosedSample& at) const;
 
     Sample sample_;
     PrintedCondition printed_;
     const Condition& condition_; ///< as printed
     std::optional<Condition> where_;
     unsigned digits_;
-    mutable std::array<std::unique_ptr<EvaluatedScene>, levels> scene_values_;
     mutable SampleInBalls in_balls_;
 };
 
@@ -90,7 +84,7 @@ public:
     [[nodiscard]] std::vector<std::pair<Real, Real>> intervals(bool holding) const;
 
 private:
-    void look(const Real& fraction);
+    void look(const Real& fraction, bool at_knot);
     void seek_extrema();
     [[nodiscard]] Real change_between(Real lo, Real hi, bool holds_at_lo) const;
 

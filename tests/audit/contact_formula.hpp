@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/ledger/ledger_parts.hpp"
-#include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -9,7 +9,7 @@
 
 namespace edgeproof {
 
-/// A formula with the names and functions of an evaluated scene, as in a ledger.
+/// A formula with the names and functions of a sample in balls, as in a ledger.
 inline Expr contact_formula(const std::string& text) {
     Symbols symbols;
     for (const std::string& name : scene_symbols()) {

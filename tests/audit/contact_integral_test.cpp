@@ -218,12 +218,12 @@ TEST_CASE("the integrals of the paper's ledger have balls that overlap, printed 
             }
             ++found;
             CAPTURE(claim.id);
-            const EvaluatedSamples samples_at(claim, context, aimed_digits, 3);
-            CHECK(samples_at.all().size() >= 1);
+            const ClaimSamples samples(claim, context, 3);
+            CHECK(samples.all().size() >= 1);
             const Expr exact = claim.formula("of");
-            for (const EvaluatedSample& sample_at : samples_at.all()) {
-                CAPTURE(sample_at.text);
-                CHECK(fault_between(EnclosedSample(sample_at.sample, 2 * bits_for(50), 42),
+            for (const Sample& sample : samples.all()) {
+                CAPTURE(full_text(sample));
+                CHECK(fault_between(EnclosedSample(sample, 2 * bits_for(50), 42),
                                     claim.formula("says"), exact,
                                     claim.has("scale") ? claim.formula("scale") : exact) == "");
             }

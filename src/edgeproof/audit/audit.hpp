@@ -5,14 +5,14 @@
 ///                          CheckKind: the interface of a kind of claim (checks/)
 ///     family.hpp           Family: the scenes at which a claim is sampled, drawn deterministically
 ///     ledger.hpp           Ledger: a file of claims and families, read strictly
-///     evaluated_scene.hpp  EvaluatedScene: a scene in numbers, in which formulas are evaluated
+///     enclosed_sample.hpp  EnclosedSample: a scene in balls, in which formulas are enclosed
 ///     judgement.hpp        Verdict; Evidence: the reasons for a verdict
 ///     enclosures.hpp       verdicts by ball arithmetic: disjoint enclosures, proved digits
 #include "edgeproof/audit/agreement/enclosures.hpp"
+#include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/ledger/family.hpp"
 #include "edgeproof/audit/ledger/judgement.hpp"
 #include "edgeproof/audit/ledger/ledger.hpp"
 #include "edgeproof/audit/run.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
-#include "edgeproof/audit/sample/evaluated_scene.hpp"

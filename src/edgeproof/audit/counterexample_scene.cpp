@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/run.hpp"
-#include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -13,7 +12,6 @@ namespace edgeproof::audit {
 namespace {
 
 constexpr unsigned shown_digits = 8;
-constexpr unsigned screening_digits = 30;
 constexpr unsigned proving_digits = 20;
 
 /// A number of a list and the effort to calculate with it.
@@ -79,14 +77,13 @@ std::string enclosed_decimal(const Expr& e, const Sample& sample) {
     return text.empty() && value.ball->is_finite() && formula::proved_zero(e) ? "0" : text;
 }
 
-Real real_of(const Expr& e, const Sample& sample) {
-    const EvaluatedScene values(sample.scene, screening_digits);
-    const PrecisionScope scope(screening_digits + 10);
-    std::optional<Place> place;
-    if (sample.fraction) {
-        place = values.place(sample.edge, *sample.fraction);
+/// Returns the middle of a formula's enclosure; throws Error if there is none.
+Real middle_of(const Expr& e, const Sample& sample) {
+    const Enclosed value = enclosed(e, sample, proving_digits);
+    if (!value.ball) {
+        throw Error(value.problem);
     }
-    return values.evaluate(e, place ? &*place : nullptr, values.values_of(sample.variables)).value;
+    return value.ball->midpoint();
 }
 
 Sample simplest_sample(const Claim& claim, const AuditContext& context) {
@@ -217,7 +214,7 @@ std::optional<Evidence> course_counterexample(const RefutedReading& refuted,
             } else {
                 at.variables.insert_or_assign(along, step.value);
             }
-            values.emplace_back(real_of(of, at), at);
+            values.emplace_back(middle_of(of, at), at);
         }
         for (std::size_t i = 0; i < steps.size(); ++i) {
             for (std::size_t j = i + 1; j < steps.size(); ++j) {

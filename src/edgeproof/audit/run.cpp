@@ -174,7 +174,7 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
 
 namespace {
 
-constexpr unsigned later_digits = 100; // several orders cancel before the required one
+constexpr long later_bits = 400; // several orders cancel before the required one
 constexpr unsigned result_digits = 6;
 
 struct LaterFinding {
@@ -191,13 +191,12 @@ const Claim& plain(const Claim& claim) {
 /// printed" if the error rounds to the tolerance.
 LaterFinding at_quoted_distance(const LaterResult& later, const Claim& claim,
                                 const AuditContext& context) {
-    const EvaluatedScene values(context.scenes(claim).front(), later_digits);
-    const PrecisionScope scope(later_digits + 20);
+    EnclosedSample at({context.scenes(claim).front(), std::nullopt, claim.edge(), {}}, later_bits);
     const std::string& quoted = claim.text("quoted");
     const Rational share = parse_decimal(quoted.substr(0, quoted.find(" %")));
-    const Real u = values.evaluate(claim.formula("base")).value * from_rational<Real>(share) / 100;
-    const Place place = values.place_at_u(claim.edge(), u);
-    const Real error = values.evaluate(later.says, &place).value;
+    at.set_place(claim.edge(), at.evaluate(claim.formula("base")) * Ball(share / 100, later_bits));
+    const PrecisionScope scope(2 * result_digits);
+    const Real error = at.finite(later.says).midpoint();
     const Real tolerance = Exact::parse(claim.text("tolerance")).to<Real>();
     return {to_decimal(Real(error * 100), result_digits) + " %",
             error < tolerance * 3 / 2 && error * 2 > tolerance};
@@ -206,16 +205,20 @@ LaterFinding at_quoted_distance(const LaterResult& later, const Claim& claim,
 /// For a formula: compares its value at every sample with the printed later line.
 LaterFinding at_samples(const LaterResult& later, const Claim& claim, const AuditContext& context) {
     const bool formula = claim.find_written("says") != nullptr;
-    EvaluatedSamples samples(claim, context, later_digits, formula ? 0 : 3);
-    const PrecisionScope scope(later_digits + 20);
+    ClaimSamples samples(claim, context, formula ? 0 : 3);
+    const PrecisionScope scope(40);
     LaterFinding finding;
     finding.as_printed = true;
     bool any = false;
-    for (const EvaluatedSample& sample : samples.all()) {
+    for (const Sample& sample : samples.all()) {
         Real value;
+        Real printed;
         try {
-            value = sample.evaluate(later.says).value;
-        } catch (const DomainError&) {
+            const EnclosedSample at(sample, later_bits);
+            value = at_working_precision(at.finite(later.says).midpoint());
+            printed = formula ? at_working_precision(at.finite(claim.formula("says")).midpoint())
+                              : Real(1);
+        } catch (const BudgetError&) {
             continue;
         }
         if (!formula) { // a term that is stated to grow without bound
@@ -224,7 +227,6 @@ LaterFinding at_samples(const LaterResult& later, const Claim& claim, const Audi
             }
             finding.as_printed = finding.as_printed && abs(value) > 1000000;
         } else {
-            const Real printed = sample.evaluate(claim.formula("says")).value;
             const Real size = std::max(Real(abs(value)), Real(abs(printed)));
             finding.as_printed =
                 finding.as_printed && abs(value - printed) <= size * pow(Real(10), -12);
@@ -234,7 +236,7 @@ LaterFinding at_samples(const LaterResult& later, const Claim& claim, const Audi
         }
         if (finding.comes_to.empty() || !finding.as_printed) {
             finding.comes_to = to_decimal(value, result_digits) +
-                               (formula ? " times what is printed" : "") + ", " + sample.text;
+                               (formula ? " times what is printed" : "") + ", " + full_text(sample);
         }
         any = true;
         if (!finding.as_printed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/agreement/samples.hpp"
+#include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "tests/audit/small_ledger.hpp"
@@ -77,11 +77,10 @@ TEST_CASE("an interrupted run stops comparing") {
         "small.toml");
     const Claim& claim = ledger.claims.front();
     const AuditContext context(ledger, 34);
-    const auto samples_at = EvaluatedSamples::of(claim, context, 34);
-    const Agreement agreement = samples_at->compare(claim.formula("says"), claim.formula("of"));
-    CHECK(agreement.digits() > 29);
+    ClaimSamples samples(claim, context);
+    const SampledComparison with{samples, claim.formula("of"), std::nullopt, 34};
+    CHECK(Agreement(claim.formula("says"), with).worst().digits() > 29);
     request_interruption(2);
-    CHECK_THROWS_AS((void)samples_at->compare(claim.formula("says"), claim.formula("of")),
-                    Interrupted);
+    CHECK_THROWS_AS(Agreement(claim.formula("says"), with), Interrupted);
     withdraw_interruption();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/ledger/ledger_parts.hpp"
-#include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/audit/symbolic/symbolic.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"

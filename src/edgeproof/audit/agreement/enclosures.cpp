@@ -7,50 +7,18 @@
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace edgeproof::audit {
 namespace {
 
-constexpr std::size_t tries = 24; // samples at which a refutation by balls is tried
-/// The same for formulas with integrals, and the numbers of samples with enclosures for them.
-constexpr std::size_t tries_of_integrals = 4;
-constexpr std::size_t worst_of_integrals = 4;
-constexpr std::size_t others_of_integrals = 4;
-constexpr unsigned spare_digits = 2; // added to the aim of integrals
-constexpr double every_digit = 1e6;  // for numbers that are exactly equal
-
-/// Both formulas in balls at one sample, and the scale of their difference.
-struct Pair {
-    std::optional<Ball> printed;
-    std::optional<Ball> exact;
-    std::optional<Ball> scale;
-    std::string problem;
-
-    [[nodiscard]] bool apart() const { return printed && disjoint(*printed, *exact); }
-    [[nodiscard]] std::optional<Confirmation> agreement(double digits) const {
-        return Confirmation::agreement(*printed, *exact, *scale, digits);
-    }
-    /// Returns the greatest relative difference that the balls prove; 0 if they overlap.
-    [[nodiscard]] Real proved_difference() const {
-        return apart() ? Real(abs(*printed - *exact).lower() / scale->upper()) : Real(0);
-    }
-    /// Returns the digits to which any two numbers in the balls agree, relative to the scale.
-    [[nodiscard]] double proved_digits() const {
-        const Real most = abs(*printed - *exact).upper();
-        if (most == 0) {
-            return every_digit;
-        }
-        return certainly_positive(*scale)
-                   ? Real(-log10(Real(most / scale->lower()))).convert_to<double>()
-                   : -every_digit;
-    }
-    [[nodiscard]] Evidence evidence(const std::string& at, unsigned digits) const {
-        return pair_evidence(at, "printed", *printed, "exact", *exact, digits);
-    }
-};
+constexpr std::size_t enclosed_integrals = 8; // samples with all digits for formulas with integrals
+constexpr unsigned screening_digits = 12;     // at the other samples
+constexpr unsigned spare_digits = 2;          // added to the aim of integrals
+constexpr double every_digit = 1e6;           // for numbers that are exactly equal
 
 /// A printed formula and the exact one, at any sample.
 class PairAtSamples {
@@ -61,65 +29,60 @@ public:
 
     [[nodiscard]] bool have_integrals() const { return integrals_; }
     [[nodiscard]] Pair at(std::size_t sample) const {
-        return integrals_ ? integrals_at(sample) : values_at(sample);
+        Pair pair;
+        pair.sample = sample;
+        integrals_ ? integrals_at(pair) : values_at(pair);
+        if (!pair.printed && pair.exact) {
+            pair.no_value = no_value_of(printed_, with_.samples.all()[sample], 2 * needed_);
+        }
+        return pair;
     }
 
 private:
     /// Increases the bits until the balls prove all digits; or that the formulas differ, and
     /// whether by more than a confirmation allows.
-    [[nodiscard]] Pair values_at(std::size_t sample) const {
-        Pair pair;
+    void values_at(Pair& pair) const {
         const double needed = AuditContext::digits_needed(digits_);
         const Real allowed = pow(Real(10), -needed);
-        for (long bits = 2 * needed_; bits <= 8 * needed_; bits *= 2) {
-            if (!enclose(sample, bits, digits_, pair) ||
-                (pair.apart() && (pair.agreement(needed) || pair.proved_difference() > allowed)) ||
-                (pair.printed && pair.proved_digits() >= digits_)) {
-                break;
-            }
-        }
-        return pair;
+        const auto decided = [&](long bits) {
+            enclose(bits, digits_, pair);
+            return pair.digits() >= digits_ ||
+                   (pair.apart() && (pair.agreement(needed) || pair.proved_difference() > allowed));
+        };
+        pair.problem = look_closer(decided, {2 * needed_, 8 * needed_});
     }
     /// The width of an integral's ball depends on the digits it aims at. The bits are doubled if
     /// there is no enclosure, and the digits are increased once if too many cancel.
-    [[nodiscard]] Pair integrals_at(std::size_t sample) const {
-        Pair pair;
+    void integrals_at(Pair& pair) const {
         const unsigned aim = digits_ + spare_digits;
-        for (long bits = 2 * needed_; bits <= 4 * needed_ && !pair.printed; bits *= 2) {
-            if (!enclose(sample, bits, aim, pair)) {
-                return pair;
-            }
-        }
-        if (!pair.printed || pair.apart()) {
-            return pair;
-        }
-        const double proved = pair.proved_digits();
-        if (proved < AuditContext::digits_needed(digits_)) {
+        const auto enclosed = [&](long bits) {
+            enclose(bits, aim, pair);
+            return true;
+        };
+        pair.problem = look_closer(enclosed, {2 * needed_, 4 * needed_});
+        const double proved = pair.digits();
+        if (pair.printed && !pair.apart() && proved < AuditContext::digits_needed(digits_)) {
             const auto missing = static_cast<unsigned>(std::clamp(aim - proved, 0., 1. * digits_));
-            enclose(sample, 4 * needed_, aim + missing, pair);
-        }
-        return pair;
-    }
-    /// Returns false if more bits are not useful.
-    bool enclose(std::size_t index, long bits, unsigned aim, Pair& pair) const {
-        try {
-            const EnclosedSample& sample = with_.samples_at.enclosed(index, bits, aim);
-            Ball x = sample.evaluate(printed_);
-            Ball y = sample.evaluate(with_.exact);
-            Ball size = scale_at(sample, y);
-            if (!x.is_finite() || !y.is_finite() || !size.is_finite()) {
-                pair.problem = "the balls do not exclude a point where it is undefined";
-                return true;
+            try {
+                enclose(4 * needed_, aim + missing, pair);
+            } catch (const BudgetError& error) {
+                pair.problem = error.what();
             }
-            pair = {std::move(x), std::move(y), std::move(size), std::move(pair.problem)};
-            return true;
-        } catch (const BudgetError& error) {
-            pair.problem = error.what();
-            return true;
-        } catch (const Error& error) {
-            pair.problem = error.what();
-            return false;
         }
+    }
+    /// Throws Error if there is no enclosure.
+    void enclose(long bits, unsigned aim, Pair& pair) const {
+        const EnclosedSample& sample = with_.samples.enclosed(pair.sample, bits, aim);
+        Ball y = sample.finite(with_.exact);
+        pair.exact = pair.printed ? pair.exact : std::optional(y);
+        Ball x = sample.finite(printed_);
+        Ball size = scale_at(sample, y);
+        if (!size.is_finite()) {
+            throw BudgetError("the scale is not enclosed");
+        }
+        pair.printed = std::move(x);
+        pair.exact = std::move(y);
+        pair.scale = std::move(size);
     }
     [[nodiscard]] Ball scale_at(const EnclosedSample& sample, const Ball& exact) const {
         if (with_.scale) {
@@ -142,61 +105,86 @@ private:
     long needed_; ///< bits
 };
 
-/// Returns the indices, beginning with the sample of least agreement.
-std::vector<std::size_t> by_digits(const Agreement& agreement) {
-    std::vector<std::size_t> order(agreement.samples_at.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, [&](std::size_t i, std::size_t j) {
-        return agreement.samples_at[i].digits() < agreement.samples_at[j].digits();
-    });
-    return order;
-}
-
-/// Searches for a refutation at the samples where the values in Real differ most.
-std::optional<Refutation> find_refutation(const PairAtSamples& pairs, const SampledComparison& with,
-                                          Evidence& evidence) {
-    std::size_t tried = 0;
-    for (const std::size_t i : by_digits(with.agreement)) {
-        const SampleAgreement& there = with.agreement.samples_at[i];
-        if (there.no_value() != nullptr) {
-            continue;
-        }
-        if (there.digits() >= AuditContext::digits_needed(with.digits) ||
-            tried++ == (pairs.have_integrals() ? tries_of_integrals : tries)) {
-            break;
-        }
-        const Pair pair = pairs.at(i);
-        if (!pair.printed || pair.agreement(AuditContext::digits_needed(with.digits))) {
-            continue;
-        }
-        if (const auto found = Refutation::disjoint(*pair.printed, *pair.exact)) {
-            evidence.add("enclosures", pair.evidence(with.samples_at.all()[i].text, with.digits));
-            return found;
-        }
-    }
-    return std::nullopt;
-}
-
-/// Returns the samples at which a confirmation is enclosed: all; for integrals, those that agree
-/// least (including all that do not agree in Real) and some of the others.
-std::vector<std::size_t> chosen(const SampledComparison& with, bool have_integrals) {
-    std::vector<std::size_t> order = by_digits(with.agreement);
-    const auto doubtful = static_cast<std::size_t>(std::ranges::count_if(order, [&](std::size_t i) {
-        return with.agreement.samples_at[i].digits() < AuditContext::digits_needed(with.digits);
-    }));
-    const std::size_t first = std::max(worst_of_integrals, doubtful);
-    if (have_integrals && order.size() > first + others_of_integrals) {
-        const std::size_t rest = order.size() - first;
-        for (std::size_t k = 1; k <= others_of_integrals; ++k) {
-            order[first + k - 1] = order[first + k * rest / others_of_integrals - 1];
-        }
-        order.resize(first + others_of_integrals);
-    }
-    std::ranges::sort(order);
-    return order;
+/// Returns the order in which samples are enclosed, and the number of them that are enclosed with
+/// all digits in any case.
+std::pair<std::vector<std::size_t>, std::size_t> order_of(std::size_t samples, bool integrals) {
+    const std::size_t first = integrals ? std::min(samples, enclosed_integrals) : samples;
+    return {spread_first(samples, first), first};
 }
 
 } // namespace
+
+std::optional<Confirmation> Pair::agreement(double digits) const {
+    return printed ? Confirmation::agreement(*printed, *exact, *scale, digits) : std::nullopt;
+}
+
+std::optional<Refutation> Pair::refutation(double digits) const {
+    return apart() && !agreement(digits) ? Refutation::disjoint(*printed, *exact) : std::nullopt;
+}
+
+Real Pair::proved_difference() const {
+    return apart() ? Real(abs(*printed - *exact).lower() / scale->upper()) : Real(0);
+}
+
+double Pair::digits() const {
+    if (!printed) {
+        return -every_digit;
+    }
+    const Real most = abs(*printed - *exact).upper();
+    if (most == 0) {
+        return every_digit;
+    }
+    return certainly_positive(*scale)
+               ? Real(-log10(Real(most / scale->lower()))).convert_to<double>()
+               : -every_digit;
+}
+
+Agreement::Agreement(const Expr& printed, const SampledComparison& with)
+    : samples_(with.samples), digits_(with.digits) {
+    const PrecisionScope scope(digits_ + 20);
+    const PairAtSamples at(printed, with);
+    const auto [order, first] = order_of(samples_.all().size(), at.have_integrals());
+    const double needed = AuditContext::digits_needed(digits_);
+    SampledComparison few = with;
+    few.digits = screening_digits;
+    const PairAtSamples screening(printed, few);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        check_interruption();
+        if (k >= first &&
+            screening.at(order[k]).agreement(AuditContext::digits_needed(few.digits))) {
+            ++screened_;
+            continue;
+        }
+        pairs_.push_back(at.at(order[k]));
+        if (k >= first && pairs_.back().refutation(needed)) {
+            break; // one is enough
+        }
+    }
+    std::ranges::sort(pairs_, {}, &Pair::sample);
+}
+
+const Pair& Agreement::worst() const {
+    return *std::ranges::min_element(pairs_, {}, &Pair::digits);
+}
+
+SampleUse Agreement::use() const {
+    SampleUse use;
+    use.samples = samples_.all().size();
+    for (const Pair& pair : pairs_) {
+        if (pair.refutation(AuditContext::digits_needed(digits_))) {
+            use.first_refuting = use.refuting++ == 0 ? pair.sample + 1 : use.first_refuting;
+        }
+        const double digits = pair.digits();
+        if (use.worst == 0 || digits < use.digits) {
+            use.worst = pair.sample + 1;
+            use.digits = digits;
+        }
+        if (pair.sample < (use.samples + 1) / 2) {
+            use.first_half_digits = use.digits;
+        }
+    }
+    return use;
+}
 
 std::string_view name_of(Basis basis) {
     static constexpr std::array<std::string_view, all_bases.size()> names{
@@ -227,61 +215,84 @@ std::string verdict_text(const ClaimResult& result) {
     return std::string(name_of(result.outcome.verdict)) + (at_samples ? " at the samples" : "");
 }
 
-Decision compare_by_enclosures(const Expr& printed, const SampledComparison& with,
-                               Outcome& outcome) {
-    const PairAtSamples pairs(printed, with);
-    const double needed = AuditContext::digits_needed(with.digits);
+Evidence Agreement::evidence(const Pair& pair) const {
+    return pair_evidence(full_text(samples_.all()[pair.sample]), "printed", *pair.printed, "exact",
+                         *pair.exact, digits_);
+}
+
+Decision Agreement::decide(Outcome& outcome) const {
+    const double needed = AuditContext::digits_needed(digits_);
+    const auto refuted = std::ranges::find_if(
+        pairs_, [&](const Pair& pair) { return pair.refutation(needed).has_value(); });
+    if (refuted != pairs_.end()) {
+        const auto most = std::ranges::min_element(pairs_, {}, [&](const Pair& pair) {
+            return pair.refutation(needed) ? pair.digits() : 2 * every_digit;
+        });
+        outcome.evidence.add("enclosures", evidence(*most));
+        return *most->refutation(needed);
+    }
     std::optional<Confirmation> all;
-    std::size_t count = 0;
-    double least = every_digit;
-    std::optional<Evidence> worst;
-    Real difference = 0; // the greatest that is proved
-    std::string where;
-    for (const std::size_t i : chosen(with, pairs.have_integrals())) {
-        check_interruption();
-        const Pair pair = pairs.at(i);
-        const std::string& at = with.samples_at.all()[i].text;
+    const Pair* differing = nullptr;
+    for (const Pair& pair : pairs_) {
         if (!pair.printed) {
             outcome.note = "no enclosure: " + pair.problem;
             outcome.evidence.add("enclosures", Evidence().add("none", pair.problem));
             return {};
         }
-        const auto holds = pair.agreement(needed);
-        const auto apart = Refutation::disjoint(*pair.printed, *pair.exact);
-        if (apart && !holds) {
-            outcome.evidence.add("enclosures", pair.evidence(at, with.digits));
-            return *apart;
-        }
-        const double proved = pair.proved_digits();
-        if (!holds) {
-            outcome.note = "the enclosures prove " + digits_text(proved) + " of " +
-                           digits_text(needed) + " digits at " + at;
-            outcome.evidence.add("enclosures", pair.evidence(at, with.digits));
+        all = pair.agreement(needed);
+        if (!all) {
+            outcome.note = "the enclosures prove " + digits_text(pair.digits()) + " of " +
+                           digits_text(needed) + " digits at " +
+                           full_text(samples_.all()[pair.sample]);
+            outcome.evidence.add("enclosures", evidence(pair));
             return {};
         }
-        all = holds;
-        ++count;
-        if (pair.proved_difference() > difference) {
-            difference = pair.proved_difference();
-            where = at;
-        }
-        if (!worst || proved < least) {
-            least = proved;
-            worst = pair.evidence(at, with.digits);
+        if (pair.apart() &&
+            (differing == nullptr || differing->proved_difference() < pair.proved_difference())) {
+            differing = &pair;
         }
     }
-    if (worst) {
+    if (!pairs_.empty()) {
         // The digits are rounded down to a tenth.
-        const double tenths = std::floor(std::min(least, 1.0 * with.digits) * 10) / 10;
-        worst->add("digits_proved", digits_text(tenths)).add("samples", count);
-        outcome.evidence.add("enclosures", std::move(*worst));
-        outcome.note = "agrees at " + std::to_string(count) + (count == 1 ? " sample" : " samples");
+        const double tenths = std::floor(std::min(worst().digits(), 1.0 * digits_) * 10) / 10;
+        outcome.evidence.add("enclosures", evidence(worst())
+                                               .add("digits_proved", digits_text(tenths))
+                                               .add("samples", pairs_.size()));
+        outcome.note = "agrees at " + std::to_string(pairs_.size()) +
+                       (pairs_.size() == 1 ? " sample" : " samples");
     }
-    if (difference > 0) {
-        outcome.note +=
-            "; not identical: differs by " + to_decimal(difference, 2) + " of the value, " + where;
+    if (differing != nullptr) {
+        outcome.note += "; not identical: differs by " +
+                        to_decimal(differing->proved_difference(), 2) + " of the value, " +
+                        full_text(samples_.all()[differing->sample]);
     }
     return decision(std::nullopt, all);
+}
+
+std::string Agreement::without_value() const {
+    const auto has_none = [](const Pair& pair) { return pair.no_value.has_value(); };
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(pairs_, has_none));
+    if (count == 0) {
+        return {};
+    }
+    const std::string& why = *std::ranges::find_if(pairs_, has_none)->no_value;
+    if (count == pairs_.size()) {
+        return "has no value as printed: " + why;
+    }
+    const bool others_agree = std::ranges::all_of(pairs_, [&](const Pair& pair) {
+        return pair.no_value || pair.agreement(AuditContext::digits_needed(digits_));
+    });
+    return fmt::format("has no value as printed at {} of {} samples: {}; {} at the others", count,
+                       pairs_.size(), why, others_agree ? "agrees" : "not decided");
+}
+
+Judgement Agreement::judge(const ExactFormula& /*printed*/, Outcome& outcome) const {
+    const Decision found = decide(outcome);
+    if (const std::string none = without_value(); !none.empty() && !refutes(found)) {
+        outcome.note = none;
+        return Undecided::underspecified;
+    }
+    return Judgement(found);
 }
 
 bool provably_different(const Expr& made, SampledComparison with) {
@@ -289,21 +300,9 @@ bool provably_different(const Expr& made, SampledComparison with) {
         with.digits *= 2;
     }
     const PairAtSamples pairs(made, with);
-    return std::ranges::any_of(chosen(with, pairs.have_integrals()),
-                               [&](std::size_t i) { return pairs.at(i).apart(); });
-}
-
-Judgement judge_by_enclosures(const ExactFormula& printed, const SampledComparison& with,
-                              Outcome& outcome) {
-    const PairAtSamples pairs(printed.expr(), with);
-    if (const auto fails = find_refutation(pairs, with, outcome.evidence)) {
-        return Judgement(*fails);
-    }
-    if (with.agreement.without_value() > 0) {
-        outcome.note = with.agreement.obstacle(AuditContext::digits_needed(with.digits));
-        return Undecided::underspecified;
-    }
-    return Judgement(compare_by_enclosures(printed.expr(), with, outcome));
+    const auto [order, first] = order_of(with.samples.all().size(), pairs.have_integrals());
+    return std::any_of(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(first),
+                       [&](std::size_t i) { return pairs.at(i).apart(); });
 }
 
 Evidence pair_evidence(const std::string& at, std::string_view first_name, const Ball& first,

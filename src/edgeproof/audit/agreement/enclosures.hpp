@@ -14,26 +14,63 @@ namespace edgeproof::audit {
 /// compared with `scale`; if there is none, with the exact value; if that is zero, with the sum of
 /// the sizes of the terms.
 struct SampledComparison {
-    const EvaluatedSamples& samples_at;
-    const Agreement& agreement; ///< in Real; only determines the order of the samples
+    ClaimSamples& samples;
     Expr exact;
     std::optional<Expr> scale;
     unsigned digits = 0;
 };
 
-/// Judges a printed formula by enclosures at the samples. Adds the evidence `enclosures`.
-/// Refuted: the two balls are disjoint at one sample, and do not prove D - 5 digits there.
-/// Confirmed: see compare_by_enclosures.
-/// Underspecified: the printed formula has no value at some sample, and differs at none.
-[[nodiscard]] Judgement judge_by_enclosures(const ExactFormula& printed,
-                                            const SampledComparison& with, Outcome& outcome);
+/// A printed formula and the exact one in balls at one sample.
+struct Pair {
+    std::size_t sample = 0; ///< its index
+    /// Together, or none; `exact` also without a printed value.
+    std::optional<Ball> printed;
+    std::optional<Ball> exact;
+    std::optional<Ball> scale;
+    std::string problem;                 ///< the reason why there is no enclosure
+    std::optional<std::string> no_value; ///< the reason why the printed formula has no value
 
-/// Compares two formulas at the samples by enclosures. They agree if the balls prove D - 5 digits
-/// at every sample; for formulas with integrals, at the samples that agree least and at some others
-/// (the evidence states their number). The note has the number of samples enclosed, and the
-/// greatest difference that is proved; or why the balls do not decide.
-[[nodiscard]] Decision compare_by_enclosures(const Expr& printed, const SampledComparison& with,
-                                             Outcome& outcome);
+    [[nodiscard]] bool apart() const { return printed && disjoint(*printed, *exact); }
+    [[nodiscard]] std::optional<Confirmation> agreement(double digits) const;
+    /// Made if the balls are disjoint and do not prove agreement to these digits.
+    [[nodiscard]] std::optional<Refutation> refutation(double digits) const;
+    /// Returns the greatest relative difference that the balls prove; 0 if they overlap.
+    [[nodiscard]] Real proved_difference() const;
+    /// Returns the digits to which any two numbers in the balls agree, relative to the scale; a
+    /// large negative number if there are none.
+    [[nodiscard]] double digits() const;
+};
+
+/// A printed formula compared by enclosures at all samples; for formulas with integrals at some
+/// that are spread from the first to the last, and at any other sample where enclosures to a few
+/// digits do not show that the formulas agree.
+class Agreement {
+public:
+    Agreement(const Expr& printed, const SampledComparison& with);
+
+    [[nodiscard]] const std::vector<Pair>& pairs() const noexcept { return pairs_; }
+    /// The pair with the fewest digits of agreement.
+    [[nodiscard]] const Pair& worst() const;
+    /// Returns how the verdict depends on the samples.
+    [[nodiscard]] SampleUse use() const;
+    /// The number of other samples, at which the formulas agree to a few digits.
+    [[nodiscard]] std::size_t screened() const noexcept { return screened_; }
+    /// Confirmed if the balls prove D - 5 digits at every pair; refuted if they prove that the
+    /// formulas differ at one. The note has the number of samples enclosed, and the greatest
+    /// difference that is proved; or why the balls do not decide. Adds the evidence `enclosures`.
+    [[nodiscard]] Decision decide(Outcome& outcome) const;
+    /// The same. Underspecified: the printed formula has no value at some sample, and differs at
+    /// none. The type shows that the decimals of the printed formula are exact.
+    [[nodiscard]] Judgement judge(const ExactFormula& printed, Outcome& outcome) const;
+
+private:
+    [[nodiscard]] std::string without_value() const;
+    [[nodiscard]] Evidence evidence(const Pair& pair) const;
+    const ClaimSamples& samples_;
+    unsigned digits_;
+    std::vector<Pair> pairs_;
+    std::size_t screened_ = 0;
+};
 
 /// True if a formula that the program made is proved to differ at one of these samples, by balls of
 /// twice the digits: it is then no correction, however well it agrees.

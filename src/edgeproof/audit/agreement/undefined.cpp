@@ -4,25 +4,28 @@
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
-#include "edgeproof/formula/magnitude.hpp"
 #include "edgeproof/precision/error.hpp"
 
-#include <algorithm>
+#include <map>
 
 namespace edgeproof::audit {
 namespace {
 
 using Kind = Expr::Kind;
-using Found = std::optional<NoValue>;
+using Found = std::optional<std::string>;
 
 constexpr int halvings = 16; // places in an integral: at least 2^-16 of its length from an end
 
 /// A formula at a sample, with values for the variables of the integrals around it.
-class At {
+class Subexpression {
 public:
-    At(const EvaluatedSample& sample_at, Variables variables)
-        : sample_at_(sample_at), variables_(std::move(variables)) {}
+    Subexpression(const Sample& sample, long bits, std::map<std::string, Ball> variables)
+        : sample_(sample), at_(sample, bits), bits_(bits), profile_(sample.scene.make_profile()),
+          variables_(std::move(variables)) {
+        for (const auto& [name, value] : variables_) {
+            at_.set(name, value);
+        }
+    }
 
     /// Returns the innermost, first part without a value.
     [[nodiscard]] Found undefined(const Expr& e) const {
@@ -97,9 +100,7 @@ private:
         }
     }
 
-    static Found by_symbols(const std::string& what, const Expr& e) {
-        return NoValue{inside(what, e), true};
-    }
+    static Found by_symbols(const std::string& what, const Expr& e) { return inside(what, e); }
     /// True if e is zero for all values of its names.
     [[nodiscard]] bool zero(const Expr& e) const {
         if (const Rational* q = e.rational()) {
@@ -128,7 +129,7 @@ private:
         default:
             break;
         }
-        return surely_zero(e, sample_at_.scene_values->contact().profile().symmetric());
+        return surely_zero(e, profile_.symmetric());
     }
 
     /// True for b'', b''', ...
@@ -137,47 +138,22 @@ private:
     }
     /// True if b(a) is a multiple of a: for symmetric contacts and for wedges.
     [[nodiscard]] bool b_is_linear() const {
-        const contact::Profile& profile = sample_at_.scene_values->contact().profile();
-        return profile.symmetric() || profile.kind() == contact::Profile::Kind::tilted_wedge;
+        return profile_.symmetric() || profile_.kind() == contact::Profile::Kind::tilted_wedge;
     }
 
-    [[nodiscard]] Real value(const Expr& e) const {
-        return sample_at_.scene_values
-            ->evaluate(e, sample_at_.place ? &*sample_at_.place : nullptr, variables_)
-            .value;
-    }
-    /// Returns `what` if one of the margins is negative by more than roundoff.
+    /// Returns `what` if one of the margins is certainly negative.
     [[nodiscard]] Found beyond(const std::vector<Expr>& margins, const std::string& what,
                                const Expr& e) const {
         for (const Expr& margin : margins) {
             try {
-                const Real x = value(margin);
-                const Real terms =
-                    magnitude(margin, [this](const Expr& part) { return value(part); });
-                if (isfinite(terms) && -x > terms * pow(Real(10), -20)) {
-                    return NoValue{inside(what, e), certainly_beyond(margin)};
+                if (certainly_negative(at_.evaluate(margin))) {
+                    return inside(what, e);
                 }
-            } catch (const DomainError&) {
-                continue; // it has an undefined part, which is checked separately
-            } catch (const BudgetError&) {
-                continue;
+            } catch (const Error&) {
+                continue; // it has an undefined part, which is checked separately, or no enclosure
             }
         }
         return std::nullopt;
-    }
-    [[nodiscard]] bool certainly_beyond(const Expr& margin) const {
-        const long bits = formula::bits_for(working_digits());
-        try {
-            EnclosedSample sample(sample_at_.sample, bits);
-            for (const auto& [name, value] : variables_) {
-                if (!sample_at_.variables.contains(name)) {
-                    sample.set(name, Ball(value, bits));
-                }
-            }
-            return certainly_negative(sample.evaluate(margin));
-        } catch (const Error&) {
-            return false; // no enclosure: the result remains an estimate and is marked as one
-        }
     }
     [[nodiscard]] Found undefined_within(const Expr& integral) const {
         const Expr& from = integral.arg(2);
@@ -188,34 +164,43 @@ private:
             }
         }
         try {
-            const Real lo = value(from);
-            const Real length = value(to) - lo;
+            if (at_.diverges(integral)) {
+                return inside("an integral that diverges", integral);
+            }
+            const Ball lo = at_.evaluate(from);
+            const Ball length = at_.evaluate(to) - lo;
             for (int k = 1; k <= halvings; ++k) {
-                const Real part = ldexp(length, -k);
-                for (const Real& s : {Real(lo + part), Real(lo + length - part)}) {
-                    Variables inside = variables_;
-                    inside.insert_or_assign(integral.arg(1).name(), s);
-                    if (auto found = At(sample_at_, std::move(inside)).undefined(integral.arg(0))) {
+                const Ball part = length / (1L << k);
+                for (const Ball& s : {lo + part, lo + length - part}) {
+                    auto inside = variables_;
+                    inside.insert_or_assign(integral.arg(1).name(), Ball(s.midpoint(), bits_));
+                    if (auto found = Subexpression(sample_, bits_, std::move(inside))
+                                         .undefined(integral.arg(0))) {
                         return found;
                     }
                 }
             }
-        } catch (const DomainError&) {
+        } catch (const Error&) {
             return std::nullopt; // the limits have no value for reasons that are not relevant here
-        } catch (const BudgetError&) {
-            return std::nullopt;
         }
         return std::nullopt;
     }
 
-    const EvaluatedSample& sample_at_;
-    Variables variables_;
+    const Sample& sample_;
+    EnclosedSample at_;
+    long bits_;
+    contact::Profile profile_;
+    std::map<std::string, Ball> variables_;
 };
 
 } // namespace
 
-std::optional<NoValue> no_value_of(const Expr& e, const EvaluatedSample& sample_at) {
-    return At(sample_at, sample_at.variables).undefined(e);
+std::optional<std::string> no_value_of(const Expr& e, const Sample& sample, long bits) {
+    try {
+        return Subexpression(sample, bits, {}).undefined(e);
+    } catch (const BudgetError&) { // too few bits for the contact
+        return std::nullopt;
+    }
 }
 
 } // namespace edgeproof::audit

@@ -24,7 +24,6 @@ Outcome check_superposition(const Claim& claim, const AuditContext& context) {
     const std::vector<SceneSpec> scenes = context.scenes(claim);
     for (const SceneSpec& scene : scenes) {
         Decision found;
-        const long bits = 2 * formula::bits_for(context.digits());
         const auto compare = [&](long with_bits) {
             EnclosedLoads loads(scene, names, with_bits);
             auto [first, second] = loads.parts(of);
@@ -46,7 +45,7 @@ Outcome check_superposition(const Claim& claim, const AuditContext& context) {
             }
             return true;
         };
-        const std::string why = look_closer(compare, {bits, 8 * bits});
+        const std::string why = look_closer(compare, bits_to_decide(context.digits()));
         problem = problem.empty() ? why : problem;
         decisions.push_back(found);
     }

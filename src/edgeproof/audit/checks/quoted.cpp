@@ -66,20 +66,19 @@ Outcome check_figure(const Claim& claim, const AuditContext& context) {
     const QuotedFigure figure = QuotedFigure::of(claim);
     const Expr of = claim.formula("of");
     const unsigned digits = std::max(context.digits(), figure.digits() + 10);
-    const std::shared_ptr<EvaluatedSamples> sampled =
-        EvaluatedSamples::of(claim, context, context.digits());
+    const ClaimSamples samples(claim, context);
     const PrecisionScope scope(digits + 20);
     Outcome outcome;
-    outcome.evidence.add("of", claim.text("of")).add("samples", sampled->all().size());
+    outcome.evidence.add("of", claim.text("of")).add("samples", samples.all().size());
     std::optional<Real> least;
     std::optional<Real> most;
     std::optional<Real> at_worst;
     int worst = -1;
-    for (const EvaluatedSample& sample_at : sampled->all()) {
-        const FigureAt found = figure_at(sample_at.sample, of, figure, digits);
+    for (const Sample& sample : samples.all()) {
+        const FigureAt found = figure_at(sample, of, figure, digits);
         if (!found.value) {
             outcome.verdict = {};
-            outcome.note = found.problem + ", at " + sample_at.text;
+            outcome.note = found.problem + ", at " + full_text(sample);
             return outcome;
         }
         const Real value = found.value->midpoint();
@@ -88,7 +87,7 @@ Outcome check_figure(const Claim& claim, const AuditContext& context) {
             at_worst = value;
             outcome.verdict = found.verdict;
             outcome.computed = figure.text(value);
-            outcome.evidence.add("at", sample_at.text)
+            outcome.evidence.add("at", full_text(sample))
                 .add("value", value_text(value, context.digits()))
                 .add("rounds_to", figure.rounded(value))
                 .add("units_off", figure.units_off(value))

@@ -6,7 +6,6 @@
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
@@ -113,8 +112,6 @@ std::vector<std::string> slopes_in(const SceneSpec& scene, Edge edge,
         for (const Real& slope : fit_residuals(*contact, edge, options, std::move(c)).slopes) {
             slopes.push_back(to_decimal(slope, 8));
         }
-    } catch (const Interrupted&) {
-        throw;
     } catch (const Error&) {
         return {};
     }

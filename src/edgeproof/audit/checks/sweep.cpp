@@ -2,9 +2,10 @@
 #include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/tail/followed.hpp"
-#include "edgeproof/audit/enclosure/enclosed_sample.hpp"
+#include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/rounding/escalate.hpp"
 
 #include <algorithm>
 
@@ -20,20 +21,18 @@ struct Step {
 
 Step take_step(const Sample& from, const Sample& to, const Expr& of, bool rising, unsigned digits) {
     Step step;
-    for (const unsigned more : {digits, 2 * digits + 40, 4 * digits + 160}) {
-        step.from = enclosed(of, from, more);
-        step.to = enclosed(of, to, more);
-        if (!step.from.ball || !step.to.ball) {
-            break;
-        }
-        const Ball& lesser = rising ? *step.from.ball : *step.to.ball;
-        const Ball& greater = rising ? *step.to.ball : *step.from.ball;
-        step.as_claimed =
-            decision(Refutation::less(greater, lesser), Confirmation::less(lesser, greater));
-        if (!is_open(step.as_claimed)) {
-            break;
-        }
-    }
+    const std::string problem = look_closer(
+        [&](long bits) {
+            step.from.ball = EnclosedSample(from, bits).finite(of);
+            step.to.ball = EnclosedSample(to, bits).finite(of);
+            const Ball& lesser = rising ? *step.from.ball : *step.to.ball;
+            const Ball& greater = rising ? *step.to.ball : *step.from.ball;
+            step.as_claimed =
+                decision(Refutation::less(greater, lesser), Confirmation::less(lesser, greater));
+            return !is_open(step.as_claimed);
+        },
+        bits_to_decide(digits));
+    step.from.problem = step.to.problem = problem;
     return step;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/sample/audit_context.hpp"
-#include "edgeproof/audit/sample/evaluated_scene.hpp"
+#include "edgeproof/audit/sample/formal_values.hpp"
 #include "edgeproof/formula/expr.hpp"
 
 #include <cstddef>

@@ -46,7 +46,34 @@ public:
         return real_part(between(lo, hi));
     }
 
+    [[nodiscard]] bool diverges() {
+        PieceEnd lo{lo_, number(lo_)};
+        PieceEnd hi{hi_, number(hi_)};
+        if (certainly_less(hi.at, lo.at)) {
+            std::swap(lo, hi);
+        }
+        if (pole_ || !certainly_less(lo.at, hi.at)) {
+            return false;
+        }
+        lowest_ = lo;
+        highest_ = hi;
+        std::vector<PieceEnd> ends{lo};
+        for (PieceEnd& cut : cuts()) {
+            ends.push_back(std::move(cut));
+        }
+        ends.push_back(hi);
+        return diverges_at(lo, ends[1], 1) || diverges_at(hi, ends[ends.size() - 2], -1);
+    }
+
 private:
+    [[nodiscard]] bool diverges_at(const PieceEnd& end, const PieceEnd& next, int direction) {
+        Integrand f(f_, variable_, meaning((end.at + next.at) / 2, false), around_.bits);
+        f.centre(end.written, end.at, direction, {}, Centre::rooted);
+        // f = v^k w with v^n = the distance and w continuous: it is integrable if k/n > -1.
+        const Integrand::Leading at_end = f.leading(Box(around_.bits));
+        return at_end.power <= -f.power() && at_end.factor.is_finite() &&
+               !at_end.factor.contains_zero();
+    }
     static Ball real_part(const Box& sum) {
         Ball value = sum.real();
         if (!sum.may_be_real()) {
@@ -395,6 +422,10 @@ private:
 
 Ball enclosed_integral(const Expr& node, const IntegralSurroundings& around, unsigned digits) {
     return EnclosedIntegral(node, around, digits).value();
+}
+
+bool certainly_divergent(const Expr& node, const IntegralSurroundings& around) {
+    return EnclosedIntegral(node, around, 1).diverges();
 }
 
 } // namespace edgeproof::audit

@@ -40,6 +40,10 @@ struct IntegralSurroundings {
 [[nodiscard]] Ball enclosed_integral(const Expr& node, const IntegralSurroundings& around,
                                      unsigned digits);
 
+/// True if an integral(f, s, lo, hi) is proved to diverge: next to an end f is asymptotically equal
+/// to a constant, which is not zero, times a power of the distance that is not integrable.
+[[nodiscard]] bool certainly_divergent(const Expr& node, const IntegralSurroundings& around);
+
 /// True if a function of the contact, such as p, occurs: a call that is not built in.
 [[nodiscard]] bool holds_function(const Expr& e);
 

@@ -11,13 +11,18 @@
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/escalate.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
+#include <concepts>
+#include <exception>
 #include <functional>
 #include <iterator>
 #include <memory>
 #include <set>
+#include <unordered_map>
+#include <variant>
 #include <vector>
 
 namespace edgeproof::audit {
@@ -114,6 +119,10 @@ struct EnclosedSample::State {
         return *fields_;
     }
     mutable std::optional<BodyFields> fields_; ///< computed on first use
+    /// The integrals that were enclosed, or the reasons why they were not, for the many variants of
+    /// a formula in a diagnosis.
+    mutable std::unordered_map<Expr, std::variant<Ball, std::exception_ptr>, formula::ExprHash>
+        integrals_;
     /// For a scene with friction.
     [[nodiscard]] const contact::ProvedSlip& partial_slip() const {
         return fields().partial_slip();
@@ -139,10 +148,36 @@ struct EnclosedSample::State {
         if (node.kind() == Expr::Kind::sum) {
             return evaluate_sum<Ball>(node, scope);
         }
-        return integral(node, [&](std::string_view name) { return Ball(scope.symbol(name)); });
+        const auto value = [&] {
+            Ball found;
+            integral(
+                node, [&](std::string_view name) { return Ball(scope.symbol(name)); },
+                [&](const Expr& e, const IntegralSurroundings& around) {
+                    found = enclosed_integral(e, around, integral_digits);
+                });
+            return found;
+        };
+        if constexpr (!std::same_as<Scope, State>) {
+            return value(); // an integral inside another depends on more than its own text
+        } else {
+            const auto [known, added] = integrals_.try_emplace(node);
+            if (added) {
+                try {
+                    known->second = value();
+                } catch (const Error&) {
+                    known->second = std::current_exception();
+                }
+            }
+            if (const auto* problem = std::get_if<std::exception_ptr>(&known->second)) {
+                std::rethrow_exception(*problem);
+            }
+            return std::get<Ball>(known->second);
+        }
     }
-    [[nodiscard]] Ball integral(const Expr& node,
-                                const std::function<Ball(std::string_view)>& symbol_of) const;
+    /// Calls use(integral, surroundings) with the variables of the sample put in.
+    using UseOfIntegral = std::function<void(const Expr&, const IntegralSurroundings&)>;
+    void integral(const Expr& node, const std::function<Ball(std::string_view)>& symbol_of,
+                  const UseOfIntegral& use) const;
 
     /// Returns the exact value of e if it is a constant of the scene.
     [[nodiscard]] std::optional<Exact> constant(const Expr& e) const {
@@ -290,8 +325,9 @@ template <class State> struct Renamed {
 
 } // namespace
 
-Ball EnclosedSample::State::integral(const Expr& node,
-                                     const std::function<Ball(std::string_view)>& symbol_of) const {
+void EnclosedSample::State::integral(const Expr& node,
+                                     const std::function<Ball(std::string_view)>& symbol_of,
+                                     const UseOfIntegral& use) const {
     if (slips() && holds_call(node, "q")) {
         throw Error("q of partial slip has no enclosure inside an integral");
     }
@@ -332,7 +368,7 @@ Ball EnclosedSample::State::integral(const Expr& node,
     around.contact = formulas ? &*formulas : nullptr;
     around.symmetric = profile.symmetric() && !renamed;
     around.bits = bits;
-    return enclosed_integral(with_values, around, integral_digits);
+    use(with_values, around);
 }
 
 EnclosedSample::EnclosedSample(const Sample& sample, long bits, unsigned integral_digits)
@@ -342,15 +378,39 @@ EnclosedSample::EnclosedSample(EnclosedSample&&) noexcept = default;
 
 Ball EnclosedSample::evaluate(const Expr& e) const { return formula::evaluate<Ball>(e, *state_); }
 
+Ball EnclosedSample::finite(const Expr& e) const {
+    Ball value = evaluate(e);
+    if (!value.is_finite()) {
+        throw BudgetError("the balls do not exclude a point where it is undefined");
+    }
+    return value;
+}
+
+bool EnclosedSample::diverges(const Expr& integral) const {
+    bool found = false;
+    try {
+        state_->integral(
+            integral, [&](std::string_view name) { return state_->symbol(name); },
+            [&](const Expr& e, const IntegralSurroundings& around) {
+                found = certainly_divergent(e, around);
+            });
+    } catch (const Error&) {
+        return false; // no enclosure of the integrand
+    }
+    return found;
+}
+
 void EnclosedSample::set(const std::string& name, const Ball& value) {
     state_->names.insert_or_assign(name, value);
     state_->overridden.insert(name);
     state_->fields_.reset();
+    state_->integrals_.clear();
 }
 
 void EnclosedSample::set_place(Edge edge, const Ball& u) {
     state_->sample.edge = edge;
     state_->u = u;
+    state_->integrals_.clear();
 }
 
 Ball EnclosedSample::length() const { return state_->length(); }
@@ -372,24 +432,12 @@ std::optional<Exact> exact_value(Expr e, const Sample& sample) {
 Enclosed enclosed(const Expr& e, const Sample& sample, unsigned digits) {
     Enclosed best;
     const long needed = formula::bits_for(digits);
-    for (long bits = 2 * needed; bits <= 16 * needed; bits *= 2) {
-        try {
-            const Ball ball = EnclosedSample(sample, bits).evaluate(e);
-            if (!ball.is_finite()) {
-                best.problem = "the balls do not exclude a point where it is undefined";
-                continue;
-            }
-            best.ball = ball;
-            if (ball.relative_accuracy_bits() >= needed) {
-                break;
-            }
-        } catch (const BudgetError& error) {
-            best.problem = error.what();
-        } catch (const Error& error) {
-            best.problem = error.what();
-            break;
-        }
-    }
+    best.problem = look_closer(
+        [&](long bits) {
+            best.ball = EnclosedSample(sample, bits).finite(e);
+            return best.ball->relative_accuracy_bits() >= needed;
+        },
+        {2 * needed, 16 * needed});
     return best;
 }
 

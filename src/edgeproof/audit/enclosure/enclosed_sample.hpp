@@ -10,9 +10,19 @@
 
 namespace edgeproof::audit {
 
-/// A sample of a claim in ball arithmetic: the quantities of an EvaluatedScene with proved
-/// enclosures (BallContact, enclosed_integral.hpp). Symbols and functions are those of
-/// EvaluatedScene.
+/// A sample of a claim in ball arithmetic, in which the formulas of a ledger are enclosed.
+///
+/// Symbols: every parameter of the scene (m, C, t, R, phi, alpha, Es, ...), a, b, P, M, L = a + b,
+/// P1, P2, ... (P'(a), P''(a), ...), b1, b2, ..., right_c0, ..., left_c0, ... (the coefficients of
+/// the expansions: "right.c0" in a ledger), u and x of the place.
+/// Functions: p(x), g1(x) the slope, gap(x), Pof(s), P1of(s), bof(s), binv(y) along the family of
+/// contacts, right_local(n, x), left_local(n, x), the n-term approximations, and q(x), the shear
+/// traction under full stick if the scene has Q and sig0; right_s0, left_s0, ... are its
+/// coefficients. With `friction` as well, q(x) is that of partial slip, right_d and left_d are the
+/// sizes of the slip zones, stick_a and stick_b the edges of the stick zone, and slip(x) is
+/// u_A - u_B. sxx(x, z), szz(x, z), sxz(x, z) are the stresses in body A, without a bulk stress of
+/// A. integral(f, s, lo, hi) and pv(f, s, lo, hi, x) are enclosed as in enclosed_integral.hpp.
+/// Not thread-safe: one thread may use an object at a time.
 class EnclosedSample {
 public:
     /// Throws BudgetError or DomainError if this number of bits does not enclose the contact.
@@ -25,6 +35,10 @@ public:
     /// The ball is not finite if a point at which the formula is undefined is not excluded. Throws
     /// Error for parts without an enclosure.
     [[nodiscard]] Ball evaluate(const Expr& e) const;
+    /// The same; throws BudgetError if the ball is not finite.
+    [[nodiscard]] Ball finite(const Expr& e) const;
+    /// True if an integral is proved to diverge at one of its ends.
+    [[nodiscard]] bool diverges(const Expr& integral) const;
     /// Replaces the value of a name.
     void set(const std::string& name, const Ball& value);
     /// Moves the place to the distance u from an edge.

@@ -259,7 +259,8 @@ void Integrand::take_function(const Step& step, std::size_t i) {
 
 namespace {
 
-constexpr long most_evaluations = 20000;
+/// A few digits, as for the many variants of a formula in a diagnosis, need few evaluations.
+long most_evaluations(unsigned digits) { return std::min(20'000L, 20L * digits * digits); }
 
 struct IntegrandCall {
     Integrand& f;
@@ -291,17 +292,20 @@ Box line_integral(Integrand& f, const Box& v, const Box& w, unsigned digits) {
     const Box to = w.middle();
     acb_calc_integrate_opt_t options;
     acb_calc_integrate_opt_init(options);
-    options->eval_limit = most_evaluations;
+    options->eval_limit = most_evaluations(digits);
     options->depth_limit = 4 * bits;
     // The tolerance is relative to the length times the value in the middle.
     MagValue tolerance;
     Box sample(bits);
-    f.at(sample.get(), (from + to) * Box(Ball(Rational(1, 2), bits)), false);
-    const Box size = sample * (to - from);
-    if (size.is_finite()) {
-        acb_get_mag(tolerance, size.get());
-        mag_mul_2exp_si(tolerance, tolerance, -goal);
+    for (const Rational& part : {Rational(1, 64), Rational(63, 64), Rational(1, 2)}) {
+        f.at(sample.get(), from + (to - from) * Box(Ball(part, bits)), false);
+        if (!sample.is_finite()) {
+            return sample; // no subdivision makes the sum finite
+        }
     }
+    const Box size = sample * (to - from);
+    acb_get_mag(tolerance, size.get());
+    mag_mul_2exp_si(tolerance, tolerance, -goal);
     IntegrandCall work{f, nullptr};
     Box sum(bits);
     acb_calc_integrate(sum.get(), integrand_on, &work, from.get(), to.get(), goal, tolerance,

@@ -5,13 +5,20 @@
 #include "edgeproof/audit/ledger/judgement.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/rounding/escalate.hpp"
 
 #include <algorithm>
 #include <map>
 #include <string>
 
 namespace edgeproof::audit {
+
+/// The bits with which a question to a number of digits is looked at: from twice the bits of these
+/// digits to four times as many, but not less than 4000.
+[[nodiscard]] inline BitBudget bits_to_decide(unsigned digits) {
+    const long first = 2 * formula::bits_for(digits);
+    return {first, std::max(4 * first, 4000L)};
+}
 
 /// A sample in balls with increasing numbers of bits, until a question about it is decided.
 class SampleInBalls {
@@ -25,33 +32,14 @@ public:
     /// false if it does not do so at the maximum of bits, or if there is no enclosure; `problem`
     /// gives the reason.
     template <class Look> [[nodiscard]] bool until(const Look& look) {
-        const long first = 2 * formula::bits_for(digits_);
-        const long last = std::max(4 * first, least_last_bits);
-        problem_ = "the enclosures are too wide to decide";
-        for (long bits = first; bits <= last; bits *= 2) {
-            check_interruption();
-            try {
-                if (look(at(bits))) {
-                    problem_.clear();
-                    return true;
-                }
-            } catch (const BudgetError& error) {
-                problem_ = error.what();
-            } catch (const InputError&) {
-                throw;
-            } catch (const Error& error) {
-                problem_ = error.what();
-                return false;
-            }
-        }
-        return false;
+        problem_ = look_closer([&](long bits) { return look(at(bits)); }, bits_to_decide(digits_));
+        return problem_.empty();
     }
     /// The reason why the last question was not decided.
     [[nodiscard]] const std::string& problem() const { return problem_; }
     [[nodiscard]] const Sample& sample() const { return sample_; }
 
 private:
-    static constexpr long least_last_bits = 4000;
     [[nodiscard]] EnclosedSample& at(long bits) {
         const auto it = levels_.find(bits);
         return it != levels_.end()

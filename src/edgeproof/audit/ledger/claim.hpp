@@ -107,7 +107,7 @@ struct Claim {
     [[nodiscard]] long integer_or(std::string_view key, long otherwise) const;
     [[nodiscard]] const Field::List& list(std::string_view key) const;
     [[nodiscard]] const Field::Table& table(std::string_view key) const;
-    /// Fields with all definitions put in, so that only names of an EvaluatedScene are left.
+    /// Fields with all definitions put in, so that only names of an EnclosedSample are left.
     [[nodiscard]] const Expr& formula(std::string_view key) const;
     [[nodiscard]] const Condition& condition(std::string_view key) const;
     [[nodiscard]] const std::vector<Expr>& formulas(std::string_view key) const;

@@ -7,6 +7,7 @@
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/escalate.hpp"
 #include "edgeproof/precision/split_mix.hpp"
 
 #include <algorithm>
@@ -129,19 +130,20 @@ void require_partial_slip(const SceneSpec& scene) {
     }
     const bool closed = contact::BallContact::has_closed_form(scene.make_profile());
     const long last = closed ? last_slip_bits : last_curved_slip_bits;
-    for (long bits = first_slip_bits; bits <= last; bits *= 2) {
-        try {
-            const contact::ProvedSlip found = scene.partial_slip(bits);
-            refuse_slip(scene, found);
-            if (certainly_positive(found.slip().size(Edge::right)) &&
-                certainly_positive(found.slip().size(Edge::left))) {
-                return;
+    const std::string problem = look_closer(
+        [&](long bits) {
+            try {
+                const contact::ProvedSlip found = scene.partial_slip(bits);
+                refuse_slip(scene, found);
+                return certainly_positive(found.slip().size(Edge::right)) &&
+                       certainly_positive(found.slip().size(Edge::left));
+            } catch (const DomainError&) {
+                return false; // try again with more bits
             }
-        } catch (const BudgetError&) {
-            continue; // try again with more bits
-        } catch (const DomainError&) {
-            continue;
-        }
+        },
+        {first_slip_bits, last});
+    if (problem.empty()) {
+        return;
     }
     throw InputError(
         "no stick zone inside the contact is enclosed by " + std::to_string(last) +

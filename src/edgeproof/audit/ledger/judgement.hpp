@@ -121,17 +121,6 @@ private:
     Verdict verdict_ = Verdict::undecided;
 };
 
-/// The reason why a printed formula has no value at a sample: a fact about the formula.
-struct NoValue {
-    std::string why;
-    bool proved = false; ///< true if proved by symbols or balls, false if estimated
-};
-
-/// The reason why Edgeproof found no value at a sample: a limit of the program, not of the formula.
-struct OurLimit {
-    std::string what;
-};
-
 class EvidenceItem;
 
 /// The reasons for a verdict: keys with values, in the order in which they were added. JSON and the
@@ -181,7 +170,7 @@ inline bool Evidence::empty() const noexcept { return entries_.empty(); }
 /// Shows how a verdict by samples depends on their number, in the order in which they are drawn.
 struct SampleUse {
     std::size_t samples = 0;
-    std::size_t refuting = 0;       ///< samples with a difference beyond both error bounds
+    std::size_t refuting = 0;       ///< samples at which it is proved to fail
     std::size_t first_refuting = 0; ///< the first of them, counted from 1; 0: none
     std::size_t worst = 0;          ///< the sample of least agreement, counted from 1
     double digits = 0;              ///< the digits of agreement there; negative: no value there

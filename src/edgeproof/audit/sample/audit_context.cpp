@@ -2,7 +2,6 @@
 #include "edgeproof/audit/sample/audit_context.hpp"
 
 #include "edgeproof/audit/ledger/claim.hpp"
-#include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -26,7 +25,8 @@ std::vector<std::size_t> spread_first(std::size_t n, std::size_t first) {
 std::string Sample::text() const {
     std::string text = scene.text();
     if (fraction) {
-        text += ", " + place_text(edge, *fraction);
+        text += ", u = " + fraction->text() + " of the length from the " +
+                (edge == Edge::right ? "right" : "left") + " edge";
     }
     for (const auto& [name, value] : variables) {
         text += ", " + name + " = " + value.text();

@@ -26,8 +26,8 @@ namespace edgeproof::audit {
     return static_cast<std::size_t>(name.back() - '0');
 }
 
-/// The names of the quantities of a contact in formulas (evaluated_scene.hpp), for numbers and for
-/// balls. Returns the value of a name, or nothing for other names. `of` has the values:
+/// The names of the quantities of a contact in formulas (enclosed_sample.hpp). Returns the value of
+/// a name, or nothing for other names. `of` has the values:
 ///   left_edge(), length(), force(), moment(), force_derivative(k), left_edge_derivative(k),
 ///   coefficient(edge, k) of the pressure, shear_coefficient(edge, k) under full stick,
 ///   axisymmetric(), and for bodies of revolution approach(),

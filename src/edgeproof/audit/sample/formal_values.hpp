@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/audit/sample/evaluated_scene.hpp"
 #include "edgeproof/audit/symbolic/symbolic.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
@@ -11,6 +10,9 @@
 #include <string>
 
 namespace edgeproof::audit {
+
+/// Values of names.
+using Variables = std::map<std::string, Real, std::less<>>;
 
 /// Pseudo-random numbers for the symbols of an identity (always the same ones). An identity holds
 /// for them; a formula that holds for many digits at several draws is very probably an identity.

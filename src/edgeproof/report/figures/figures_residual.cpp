@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/parts/residual_fit.hpp"
-#include "edgeproof/audit/sample/evaluated_scene.hpp"
+#include "edgeproof/audit/sample/body_fields.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/report/figures/figures_paper.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
@@ -70,39 +71,39 @@ std::optional<Plot> plot_in(const audit::Sample& sample, const audit::Claim& cla
                             const formula::Expr& says, const std::optional<formula::Expr>& correct,
                             const Coefficient& which) {
     constexpr unsigned digits = 60;
-    constexpr int places = 33; // u = 0.2 of the radius, then each 10^(-1/4) times the one before
-    const audit::EvaluatedScene scene_values(sample.scene, digits);
-    const PrecisionScope scope(digits + 10);
-    audit::Variables variables;
-    for (const auto& [name, value] : sample.variables) {
-        variables.emplace(name, value.to<Real>());
-    }
-    if (claim.has("where") && !scene_values.holds(claim.condition("where"), nullptr, variables)) {
+    constexpr int places = 33; // u = 0.2 of the reach, then each 10^(-1/4) times the one before
+    if (!audit::is_admitted(claim, sample)) {
         return std::nullopt;
     }
-    const std::vector<Real> c = scene_values.expansion(which.edge, which.k + 2);
-    const Real printed = scene_values.evaluate(says, nullptr, variables).value;
-    const Real corrected =
-        correct ? scene_values.evaluate(*correct, nullptr, variables).value : c[which.k];
-    const Real size = std::max(Real(abs(printed)), Real(abs(c[which.k])));
-    if (abs(printed - c[which.k]) <= size * pow(Real(10), -20) ||
-        abs(corrected - c[which.k]) > size * pow(Real(10), -40)) {
+    const long bits = formula::bits_for(2 * digits);
+    const audit::EnclosedSample at(sample, bits);
+    const auto contact =
+        contact::proved_contact(sample.scene.make_profile(), sample.scene.parameter("Es"),
+                                contact::Load::right_edge(sample.scene.parameter("a")), bits);
+    const PrecisionScope scope(digits + 10);
+    const std::vector<Ball> c = contact->expansion(which.edge, which.k + 1);
+    const Ball printed = at.finite(says);
+    const Ball corrected = correct ? at.finite(*correct) : c[which.k];
+    const auto differ = [&](const Ball& x, int by) {
+        const Real size = std::max(Real(abs(printed.midpoint())), Real(abs(c[which.k].midpoint())));
+        return abs(Real((x - c[which.k]).midpoint())) > size * pow(Real(10), -by);
+    };
+    if (!differ(printed, 20) || differ(corrected, 40)) {
         return std::nullopt;
     }
     Plot plot;
     plot.id = "erratum-" + claim.id;
     plot.columns = {"u_over_length", "printed", "corrected"};
-    const Real start = scene_values.contact().convergence_radius(which.edge) / 5;
+    const Real start = contact->reach(which.edge).midpoint() / 5;
+    const auto size = [](const Ball& x) { return size_of(at_working_precision(x.midpoint())); };
     for (int j = 0; j < places; ++j) {
-        const Real u = start * pow(Real(10), Real(-j) / 4);
-        Real sum = 0;
-        for (std::size_t k = which.k; k-- > 0;) {
-            sum = sum * u + c[k];
-        }
-        const Real rest = scene_values.pressure(which.edge, u) - sqrt(u) * sum;
-        const Real step = sqrt(u) * pow(u, static_cast<int>(which.k));
-        plot.rows.push_back({Real(u / scene_values.length()), size_of(rest - printed * step),
-                             size_of(rest - corrected * step)});
+        const Ball u(Real(start * pow(Real(10), Real(-j) / 4)), bits);
+        const std::span<const Ball> known(c.data(), which.k);
+        const Ball rest =
+            contact->pressure(which.edge, u) - audit::sum_of_terms(known, u, Ball(0, bits));
+        const Ball step = sqrt(u) * pow_int(u, static_cast<long>(which.k));
+        plot.rows.push_back({at_working_precision((u / contact->length()).midpoint()),
+                             size(rest - printed * step), size(rest - corrected * step)});
     }
     const std::string terms = terms_words(which.k + 1);
     const std::string edge = edge_words(which.edge);
@@ -197,7 +198,7 @@ std::optional<Plot> erratum_plot(const audit::ClaimResult& result, const audit::
             if (auto plot = plot_in(sample, claim, claim.formula("says"), correct, *which)) {
                 return plot;
             }
-        } catch (const DomainError&) { // not in this scene
+        } catch (const Error&) { // not in this scene
         }
     }
     return std::nullopt;

@@ -209,6 +209,7 @@ std::string key_words(std::string_view key) {
         {"growth_by_decade", "growth per decade"},
         {"growth_of_the_printed_term", "growth of the printed term"},
         {"samples_left_out", "samples left out"},
+        {"samples_to_few_digits", "samples compared to a few digits"},
         {"scenes_left_out", "scenes left out"},
     };
     if (const auto it = words.find(key); it != words.end()) {

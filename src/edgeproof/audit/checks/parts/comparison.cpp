@@ -7,6 +7,7 @@
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace edgeproof::audit {
@@ -85,6 +86,11 @@ std::vector<Sample> other_contacts(const Sample& sample) {
 constexpr unsigned most_fitted_digits = 100; ///< for numbers in place of decimals
 constexpr std::size_t most_with_integrals = 8;
 constexpr unsigned screening_digits = 10;
+
+/// Returns the distance of a sample from a fifth of the contact's length, in decades.
+double away_from(const Sample& sample) {
+    return sample.fraction ? std::abs(std::log10(5 * sample.fraction->to<double>())) : 0;
+}
 constexpr std::size_t most_screening_samples = 4;
 
 bool symmetric_family(const Ledger& ledger, const Family& family) {
@@ -140,33 +146,30 @@ Screening::Screening(const Claim& claim, const AuditContext& context, const Expr
     : claim_(claim), digits_(screening_digits + 10) {
     const PrecisionScope scope(digits_);
     tolerance_ = pow(Real(10), -static_cast<int>(screening_digits - 2));
-    const auto samples_at = EvaluatedSamples::of(claim, context, screening_digits,
-                                                 most_screening_samples, Effort::screening);
-    for (std::size_t i = 0; i < samples_at->all().size(); ++i) {
-        try {
-            add_point([samples_at, i](const Expr& e) { return samples_at->value(e, i).value; },
-                      samples_at->known(exact, i).value);
-        } catch (const DomainError&) {
-            continue;
-        } catch (const BudgetError&) {
-            continue;
+    std::vector<Sample> samples = context.samples(claim);
+    // Samples far from the edge come first, as integrals converge fastest there.
+    std::ranges::stable_sort(samples, {}, away_from);
+    const Sample first = samples.empty() ? Sample() : samples.front();
+    for (std::size_t i = 0; i < samples.size() && points() < most_screening_samples; ++i) {
+        if (is_admitted(claim, samples[i])) {
+            add_contact(samples[i], exact);
         }
     }
-    if (!samples_at->all().empty()) {
-        add_other_contacts(samples_at->all().front().sample, exact);
+    if (points() > 0) {
+        for (const Sample& other : other_contacts(first)) {
+            add_contact(other, exact);
+        }
     }
 }
 
-void Screening::add_other_contacts(const Sample& sample, const Expr& exact) {
-    for (const Sample& other : other_contacts(sample)) {
-        try {
-            const auto contact =
-                std::make_shared<EnclosedSample>(other, formula::bits_for(digits_));
-            const auto value = [contact](const Expr& e) { return contact->evaluate(e).midpoint(); };
-            add_point(value, value(exact));
-        } catch (const Error&) {
-            continue;
-        }
+void Screening::add_contact(const Sample& sample, const Expr& exact) {
+    try {
+        const auto contact = std::make_shared<EnclosedSample>(
+            sample, 2 * formula::bits_for(screening_digits), screening_digits);
+        const auto value = [contact](const Expr& e) { return contact->finite(e).midpoint(); };
+        add_point(value, value(exact));
+    } catch (const Error&) {
+        return; // no enclosure here
     }
 }
 
@@ -181,39 +184,35 @@ bool Screening::operator()(const Expr& written) const {
 
 FormulaComparison::FormulaComparison(const Claim& claim, const AuditContext& context,
                                      unsigned digits, std::size_t most)
-    : claim_(claim), printed_(printed_formula(claim)), exact_(claim.formula("of")), digits_(digits),
-      samples_at_(EvaluatedSamples::of(claim, context, digits, most)) {
-    if (claim.has("scale")) {
-        scale_ = claim.formula("scale");
-    }
-    agreement_ = samples_at_->compare(claim.formula("says"), exact_, scale_);
-}
+    : claim_(claim), printed_(printed_formula(claim)), exact_(claim.formula("of")),
+      scale_(claim.has("scale") ? std::optional(claim.formula("scale")) : std::nullopt),
+      digits_(digits), samples_(ClaimSamples::of(claim, context, most)),
+      agreement_(claim.formula("says"), with()) {}
 
 void FormulaComparison::report(Evidence& evidence) const {
-    const std::vector<EvaluatedSample>& all = samples_at_->all();
-    evidence.add("samples", all.size()).add("scenes", samples_at_->scenes());
-    if (samples_at_->left_out() > 0) {
-        evidence.add("samples_left_out", samples_at_->left_out());
+    evidence.add("samples", samples()).add("scenes", samples_->scenes());
+    if (samples_->left_out() > 0) {
+        evidence.add("samples_left_out", samples_->left_out());
     }
-    if (all.empty()) {
+    if (samples() == 0) {
         return;
     }
-    const SampleAgreement& worst = agreement_.samples_at[agreement_.worst];
+    if (agreement_.screened() > 0) {
+        evidence.add("samples_to_few_digits", agreement_.screened());
+    }
+    const Pair& worst = agreement_.worst();
     evidence.add("digits", digits_text(std::min(worst.digits(), static_cast<double>(digits_))))
-        .add("worst_at", all[agreement_.worst].text);
-    const ValuePair* values = worst.values();
-    if (values == nullptr) {
-        evidence.add(worst.no_value() != nullptr ? "no_value" : "limit", worst.problem());
+        .add("worst_at", full_text(samples_->all()[worst.sample]));
+    if (!worst.printed) {
+        evidence.add(worst.no_value ? "no_value" : "limit", worst.no_value.value_or(worst.problem));
         return;
     }
     const unsigned shown = worst.digits() > 12 ? digits_ : 20;
-    // If only roundoff is left of a zero, no digit is right.
-    const auto text = [&](const Real& value) {
-        return value != 0 && abs(value) <= values->error
-                   ? "0 +- " + bound_text(values->error) + " (estimate)"
-                   : value_text(value, shown);
+    const auto text = [&](const Ball& value) {
+        return contains_zero(value) && !value.is_exact() ? "0 +- " + bound_text(abs(value).upper())
+                                                         : value_text(value.midpoint(), shown);
     };
-    evidence.add("printed_there", text(values->printed)).add("exact_there", text(values->exact));
+    evidence.add("printed_there", text(*worst.printed)).add("exact_there", text(*worst.exact));
 }
 
 /// One equation for each sample. Undecided if a sample has no enclosure.
@@ -228,7 +227,7 @@ Judgement FormulaComparison::by_decimals(const DecimalFormula& printed, Outcome&
         std::vector<DecimalEquation> equations;
         for (const std::size_t i : order) {
             const auto sample =
-                std::make_shared<EnclosedSample>(samples_at_->all()[i].sample, bits, digits + 15);
+                std::make_shared<EnclosedSample>(samples_->all()[i], bits, digits + 15);
             const Ball exact = sample->evaluate(exact_);
             equations.push_back(equation_at(sample, printed.expr(), exact,
                                             scale_ ? abs(sample->evaluate(*scale_))
@@ -245,30 +244,22 @@ Judgement FormulaComparison::by_decimals(const DecimalFormula& printed, Outcome&
 
 Judgement FormulaComparison::by_enclosures(Outcome& outcome) const {
     if (const auto* exactly = std::get_if<ExactFormula>(&printed_)) {
-        return judge_by_enclosures(*exactly, with(agreement_), outcome);
+        return agreement_.judge(*exactly, outcome);
     }
-    const auto& with_decimals = std::get<DecimalFormula>(printed_);
     Outcome as_printed;
-    const Decision found =
-        compare_by_enclosures(with_decimals.as_printed(), with(agreement_), as_printed);
+    const Decision found = agreement_.decide(as_printed);
     if (const auto* holds = std::get_if<Confirmation>(&found)) {
         outcome.evidence.add("enclosures", *as_printed.evidence.find("enclosures"));
         outcome.note = as_printed.note;
         return Judgement(*holds);
     }
-    return by_decimals(with_decimals, outcome);
+    return by_decimals(std::get<DecimalFormula>(printed_), outcome);
 }
 
 void FormulaComparison::judge(Outcome& outcome) const {
-    outcome.sample_use = agreement_.use(AuditContext::digits_needed(digits_));
+    outcome.sample_use = agreement_.use();
     report(outcome.evidence);
     outcome.verdict = samples() == 0 ? Judgement() : by_enclosures(outcome);
-    if (outcome.evidence.find("rounded") != nullptr || outcome.verdict == Verdict::confirmed) {
-        return;
-    }
-    if (outcome.note.empty() || (outcome.verdict == Verdict::undecided && agreement_.limited())) {
-        outcome.note = agreement_.obstacle(AuditContext::digits_needed(digits_));
-    }
 }
 
 bool FormulaComparison::needs_correction(const Outcome& outcome) const {
@@ -278,32 +269,34 @@ bool FormulaComparison::needs_correction(const Outcome& outcome) const {
 
 bool FormulaComparison::confirms(const Expr& made) const {
     Outcome ignored;
-    const Agreement agreement = samples_at_->compare(made, exact_, scale_);
-    return agreement.to(AuditContext::digits_needed(digits_)) &&
-           audit::confirms(compare_by_enclosures(made, with(agreement), ignored)) &&
-           !provably_different(made, with(agreement));
+    return audit::confirms(Agreement(made, with()).decide(ignored)) &&
+           !provably_different(made, with());
 }
 
 /// Recognises printed/exact from all samples, and adds its range to the evidence.
 std::optional<Expr> FormulaComparison::ratio(Evidence& evidence) const {
     std::vector<RatioSample> samples;
     const PrecisionScope scope(30);
-    for (std::size_t i = 0; i < agreement_.samples_at.size(); ++i) {
-        const ValuePair* s = agreement_.samples_at[i].values();
-        if (s == nullptr || s->exact == 0) {
+    const auto add = [&](const Sample& sample, const EnclosedSample& at, const Ball& ratio) {
+        Variables parameters;
+        for (const auto* values : {&sample.variables, &sample.scene.parameters}) {
+            for (const auto& [name, value] : *values) {
+                parameters.emplace(name, value.to<Real>());
+            }
+        }
+        const Ball b = at.evaluate(Expr::symbol("b"));
+        if (disjoint(b, at.evaluate(Expr::symbol("a")))) {
+            parameters.emplace("b", at_working_precision(b.midpoint()));
+            parameters.emplace("L", at_working_precision(at.length().midpoint()));
+        }
+        samples.push_back({std::move(parameters), at_working_precision(ratio.midpoint())});
+    };
+    for (const Pair& pair : agreement_.pairs()) {
+        if (!pair.printed || contains_zero(*pair.exact)) {
             continue;
         }
-        const EvaluatedSample& sample_at = samples_at_->all()[i];
-        const EvaluatedScene& scene = *sample_at.scene_values;
-        Variables parameters = sample_at.variables;
-        for (const auto& [name, value] : scene.spec().parameters) {
-            parameters.emplace(name, scene.parameter(name));
-        }
-        if (scene.b() != scene.a()) {
-            parameters.emplace("b", scene.b());
-            parameters.emplace("L", scene.length());
-        }
-        samples.push_back({std::move(parameters), at_working_precision(s->printed / s->exact)});
+        const Sample& sample = samples_->all()[pair.sample];
+        add(sample, EnclosedSample(sample, formula::bits_for(40)), *pair.printed / *pair.exact);
     }
     if (samples.empty()) {
         return std::nullopt;
@@ -311,16 +304,12 @@ std::optional<Expr> FormulaComparison::ratio(Evidence& evidence) const {
     const auto [least, most] = std::ranges::minmax_element(samples, {}, &RatioSample::ratio);
     evidence.add("ratio_range", std::vector<std::string>{value_text(least->ratio, 12),
                                                          value_text(most->ratio, 12)});
-    for (const Sample& other : other_contacts(samples_at_->all().front().sample)) {
+    for (const Sample& other : other_contacts(samples_->all().front())) {
         try {
             const EnclosedSample contact(other, formula::bits_for(30));
             const Ball off = contact.evaluate(claim_.formula("says")) / contact.evaluate(exact_);
-            Variables parameters;
-            for (const auto& [name, value] : other.scene.parameters) {
-                parameters.emplace(name, value.to<Real>());
-            }
-            if (isfinite(off.midpoint())) {
-                samples.push_back({std::move(parameters), off.midpoint()});
+            if (off.is_finite()) {
+                add(other, contact, off);
             }
         } catch (const Error&) {
             continue;
@@ -337,13 +326,12 @@ std::optional<Expr> FormulaComparison::ratio(Evidence& evidence) const {
 /// The textbook's formula for a cylinder (johnson1985, section 4.2), if the formula should equal
 /// a, P or the pressure, and all contacts are cylinders: what is printed may be that of a sphere.
 std::optional<Expr> FormulaComparison::of_cylinder() const {
-    const bool cylinders =
-        std::ranges::all_of(samples_at_->all(), [](const EvaluatedSample& sample_at) {
-            const SceneSpec& scene = sample_at.sample.scene;
-            const auto m = scene.parameters.find("m");
-            return scene.profile == "power-law" && !scene.axisymmetric &&
-                   m != scene.parameters.end() && m->second == Exact::parse("1");
-        });
+    const bool cylinders = std::ranges::all_of(samples_->all(), [](const Sample& sample) {
+        const SceneSpec& scene = sample.scene;
+        const auto m = scene.parameters.find("m");
+        return scene.profile == "power-law" && !scene.axisymmetric && m != scene.parameters.end() &&
+               m->second == Exact::parse("1");
+    });
     const Expr of = claim_.written("of");
     const bool by_load = !holds_symbol(claim_.written("says"), "a");
     const std::string name = to_text(of);
@@ -364,8 +352,8 @@ RefutedFormula FormulaComparison::refuted(Evidence& evidence) const {
     RefutedFormula refuted;
     refuted.printed = claim_.written("says");
     refuted.exact = claim_.written("of");
-    refuted.alphabet = alphabet_for(claim_, refuted.printed, refuted.exact,
-                                    &samples_at_->all().front().sample.scene);
+    refuted.alphabet =
+        alphabet_for(claim_, refuted.printed, refuted.exact, &samples_->all().front().scene);
     refuted.ratio = ratio(evidence);
     refuted.derived = of_cylinder();
     return refuted;

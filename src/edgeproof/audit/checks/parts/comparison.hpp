@@ -45,7 +45,7 @@ public:
     [[nodiscard]] bool operator()(const Expr& written) const;
 
 private:
-    void add_other_contacts(const Sample& sample, const Expr& exact);
+    void add_contact(const Sample& sample, const Expr& exact);
 
     const Claim& claim_;
     unsigned digits_;
@@ -61,7 +61,7 @@ public:
     FormulaComparison(const Claim& claim, const AuditContext& context, unsigned digits,
                       std::size_t most = 0);
 
-    [[nodiscard]] std::size_t samples() const { return samples_at_->all().size(); }
+    [[nodiscard]] std::size_t samples() const { return samples_->all().size(); }
     /// Judges the printed formula by enclosures, and adds the note and the evidence: the digits,
     /// the samples, the worst sample and its enclosures. A printed formula with decimals is
     /// confirmed as it stands or with other numbers that round to them (then the evidence has
@@ -79,9 +79,7 @@ public:
     [[nodiscard]] RefutedFormula refuted(Evidence& evidence) const;
 
 private:
-    [[nodiscard]] SampledComparison with(const Agreement& agreement) const {
-        return {*samples_at_, agreement, exact_, scale_, digits_};
-    }
+    [[nodiscard]] SampledComparison with() const { return {*samples_, exact_, scale_, digits_}; }
     void report(Evidence& evidence) const;
     [[nodiscard]] Judgement by_enclosures(Outcome& outcome) const;
     [[nodiscard]] Judgement by_decimals(const DecimalFormula& printed, Outcome& outcome) const;
@@ -93,8 +91,8 @@ private:
     Expr exact_;
     std::optional<Expr> scale_;
     unsigned digits_;
-    std::shared_ptr<EvaluatedSamples> samples_at_;
-    Agreement agreement_;
+    std::shared_ptr<ClaimSamples> samples_;
+    Agreement agreement_; ///< of the formula as it is printed
 };
 
 } // namespace edgeproof::audit

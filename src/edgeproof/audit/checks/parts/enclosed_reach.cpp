@@ -4,6 +4,7 @@
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/escalate.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <map>
@@ -27,19 +28,13 @@ EnclosedReach enclosed_reach(const SceneSpec& scene, const ReachQuestion& questi
     contact::BallExtentSearch search(contact_at, question.edge, question.terms, question.tolerance,
                                      question.range);
     const long needed = formula::bits_for(digits);
-    for (long bits = 2 * needed; bits <= 8 * needed && !reach.extents; bits *= 2) {
-        try {
+    reach.problem = look_closer(
+        [&](long bits) {
             reach.extents = search.at(bits);
             reach.bits = bits;
-        } catch (const InputError&) {
-            throw;
-        } catch (const BudgetError& error) {
-            reach.problem = error.what();
-        } catch (const Error& error) {
-            reach.problem = error.what();
-            break;
-        }
-    }
+            return true;
+        },
+        {2 * needed, 8 * needed});
     return reach;
 }
 

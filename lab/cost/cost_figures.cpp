@@ -33,12 +33,8 @@ bool in_machine(const cost::CostCell& c) {
 /// A colour for each route; machine arithmetics are dashed, MPFR and balls solid.
 Pen pen_of(const cost::CostCell& c) {
     static const std::map<std::string, std::pair<Colour, unsigned>> known{
-        {"Barber-Mossakovskii", {Colour::blue, 4}},
-        {"singular integral", {Colour::orange, 6}},
-        {"closed form", {Colour::green, 8}},
-        {"fast tanh-sinh", {Colour::purple, 10}},
-        {"fast Gauss-Legendre", {Colour::vermilion, 7}},
-        {"enclosure", {Colour::black, 5}},
+        {"Barber-Mossakovskii", {Colour::blue, 4}}, {"singular integral", {Colour::orange, 6}},
+        {"closed form", {Colour::green, 8}},        {"enclosure", {Colour::black, 5}},
         {"rounded", {Colour::sky_blue, 12}},
     };
     const auto found = known.find(c.route);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/cost/cost_route.hpp"
 
-#include "edgeproof/contact/batch/batch_pressure.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"
@@ -18,7 +17,6 @@
 namespace edgeproof::cost {
 namespace {
 
-constexpr unsigned guard_digits = 20;
 constexpr unsigned most_machine_digits = 40;
 
 long bits_of(unsigned digits) {
@@ -63,28 +61,6 @@ ReadyContact in_real(const CostCase& c, unsigned digits, contact::Route route) {
         *c.scene.profile, c.scene.contact_modulus, c.scene.load, digits);
     return [&c, contact, route](std::size_t i) -> CostValue {
         const contact::Estimated p = contact->pressure(c.edge, c.u[i], route);
-        return {p.value, p.evaluations};
-    };
-}
-
-/// BatchPressure with one of its rules.
-ReadyContact in_batch(const CostCase& c, unsigned digits, contact::BatchPressure::Rule rule) {
-    const auto pressure = std::make_shared<contact::BatchPressure>(
-        contact::NormalContact(*c.scene.profile, c.scene.contact_modulus, c.scene.load, digits),
-        digits, rule);
-    const bool by_knot = c.near.sign() != 0;
-    std::vector<Real> u;
-    for (std::size_t i = 0; i < c.u.size(); ++i) {
-        // The distance from a knot is a difference and must have the full digits, too.
-        const double lost = by_knot ? std::max(0.0, -std::log10(c.distance(i))) : 0;
-        const PrecisionScope scope(digits + guard_digits + static_cast<unsigned>(lost));
-        u.push_back(c.u[i].to<Real>());
-    }
-    return [pressure, edge = c.edge, u = std::move(u)](std::size_t i) -> CostValue {
-        const contact::RoutedPressure<Real> p = (*pressure)(edge, u[i]);
-        if (!p.converged) {
-            throw BudgetError("the rule did not converge");
-        }
         return {p.value, p.evaluations};
     };
 }
@@ -167,12 +143,6 @@ void add_all_arithmetics(std::vector<CostRoute>& routes, const std::string& name
          [route](const CostCase& c, unsigned digits) { return in_real(c, digits, route); }});
 }
 
-CostRoute fast(const char* name, contact::BatchPressure::Rule rule) {
-    return {name, "MPFR", 0, false, false, any, [rule](const CostCase& c, unsigned digits) {
-                return in_batch(c, digits, rule);
-            }};
-}
-
 } // namespace
 
 const std::vector<CostRoute>& cost_routes() {
@@ -181,8 +151,6 @@ const std::vector<CostRoute>& cost_routes() {
         add_all_arithmetics(list, "Barber-Mossakovskii", contact::Route::barber_mossakovskii);
         add_all_arithmetics(list, "singular integral", contact::Route::singular_integral);
         add_all_arithmetics(list, "closed form", contact::Route::closed_form);
-        list.push_back(fast("fast tanh-sinh", contact::BatchPressure::Rule::tanh_sinh));
-        list.push_back(fast("fast Gauss-Legendre", contact::BatchPressure::Rule::gauss_legendre));
         list.push_back(
             {"enclosure", "balls", 0, true, false, closed, in_balls<contact::BallContact>});
         list.push_back(

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/quadrature/gauss_legendre.hpp"
-#include "edgeproof/quadrature/holomorphic_reach.hpp"
 #include "edgeproof/quadrature/tanh_sinh_nodes.hpp"
 
 #include "edgeproof/precision/ball/ball.hpp"
@@ -105,121 +104,7 @@ TEST_CASE("a limited number of tables is kept, and one in use remains valid") {
     CHECK(gauss_legendre_balls(5, 100) != held);
 }
 
-TEST_CASE("the bound by Bernstein's ellipse holds, and is not far off") {
-    // The integral of 1/(t - x), t > 1, is ln((t + 1)/(t - 1)); the integrand is holomorphic up to
-    // t, and at most 1/(t - vertex) inside.
-    const PrecisionScope scope(120);
-    for (const double t : {1.02, 1.3, 2.0, 5.0}) {
-        for (const std::size_t n : {6U, 14U, 30U}) {
-            CAPTURE(t);
-            CAPTURE(n);
-            const Real pole(t);
-            const auto rule = gauss_legendre_rule(n, 400);
-            const Real value = integral(rule, [&](const Real& x) { return Real(1 / (pole - x)); });
-            const double error = ln_size(Real(value - log((pole + 1) / (pole - 1))));
-            const double excess = (t - 1) * (1 - 0.5 / static_cast<double>(n));
-            const BernsteinEllipse ellipse = BernsteinEllipse::beyond(1, excess);
-            CHECK(std::abs(ellipse.excess() - excess) < 1e-9);
-            const double bound = gauss_legendre_log_error(ellipse, -std::log(t - 1 - excess), n);
-            CHECK(error <= bound);
-            CHECK(error >= bound - 11);
-            // The same error needs the same number of nodes.
-            CHECK(std::abs(gauss_legendre_nodes_needed(ellipse, -std::log(t - 1 - excess), bound) -
-                           static_cast<double>(n)) < 1e-6);
-        }
-    }
-}
-
-TEST_CASE("numbers of nodes go up in steps of at most a tenth, or two") {
-    for (double n = 1; n < 3000; n *= 1.07) {
-        const auto taken = static_cast<double>(rounded_up_nodes(n));
-        CHECK(taken >= n);
-        CHECK(taken <= 1.1 * n + 2.2);
-    }
-}
-
-TEST_CASE("rules with the singular weight in them: exact below degree n, and no further") {
-    const PrecisionScope scope(60);
-    for (const auto& [p, r] :
-         {std::pair{Real(-1) / 4, Real(0)}, std::pair{Real(3) / 8, Real(1) / 8},
-          std::pair{Real(-2) / 5, Real(9) / 10}, std::pair{Real(0), Real(0)}}) {
-        for (const std::size_t n : {4U, 30U}) {
-            const ProductRule rule(n, p, r);
-            // The mean of t^j is (p + 1)_j/(p + r + 2)_j (the beta function's ratio).
-            Real exact(1);
-            for (std::size_t j = 0; j <= 2 * n; ++j) {
-                Real mean(0);
-                for (std::size_t k = 0; k < n; ++k) {
-                    mean += rule.weight[k] * pow(rule.t[k], static_cast<unsigned>(j));
-                }
-                if (j < n) {
-                    CHECK(abs(mean - exact) < ten_to(-57));
-                }
-                if (j == 2 * n) {
-                    CHECK(abs(mean - exact) > ten_to(-57));
-                }
-                const auto i = static_cast<long>(j);
-                exact *= (p + 1 + i) / (p + r + 2 + i);
-            }
-            for (std::size_t k = 0; k < n; ++k) {
-                CHECK(abs(rule.t[k] + rule.from_end[k] - 1) < ten_to(-57));
-            }
-        }
-    }
-}
-
-TEST_CASE("a product rule's bound holds for a pole beyond the end, and is not far off") {
-    // For the weight t^(-1/2) with mean 1 (t = s^2), the mean of 1/(1 + g - t) is artanh(h)/h h^2,
-    // h = (1 + g)^(-1/2). For the weight 1 it is ln(1 + 1/g); Gauss's nodes are twice as good as
-    // the bound.
-    const PrecisionScope scope(120);
-    for (const char* text : {"0.02", "0.3", "4"}) {
-        for (const std::size_t n : {6U, 20U}) {
-            CAPTURE(text);
-            CAPTURE(n);
-            const Real g(text);
-            const double gap = static_cast<double>(g);
-            const double part = 0.5 / static_cast<double>(n); // of the gap, next to the pole
-            const double rho = BernsteinEllipse::beyond(1, 2 * (1 - part) * gap).rho;
-            const auto error = [&](const ProductRule& rule, const Real& exact) {
-                Real mean(0);
-                for (std::size_t k = 0; k < n; ++k) {
-                    mean += rule.weight[k] / (g + rule.from_end[k]);
-                }
-                return ln_size(Real(mean - exact));
-            };
-            const auto bound = [&](const ProductRule& rule) {
-                return product_rule_log_error(n, rho, -std::log(part * gap), rule.size);
-            };
-            const ProductRule plain(n, Real(0), Real(0));
-            CHECK(error(plain, log(1 + 1 / g)) <= bound(plain));
-            const ProductRule root(n, Real(-1) / 2, Real(0));
-            const Real h = 1 / sqrt(Real(1 + g));
-            const double missed = error(root, h * log((1 + h) / (1 - h)) / 2);
-            CHECK(missed <= bound(root));
-            CHECK(missed >= bound(root) - 13);
-        }
-    }
-    // 2 M (1 + size)/((rho - 1) rho^(n - 1)) with M = e, size = 1, rho = 2, n = 3.
-    CHECK(std::abs(product_rule_log_error(3, 2, 1, 1) - 1) < 1e-12);
-}
-
-TEST_CASE("the estimate by levels: quadratic convergence is detected, and only that") {
+TEST_CASE("logarithms of sizes beyond the range of binary64") {
     const PrecisionScope scope(100);
-    LevelEstimate quick;
-    double error = 0;
-    for (const int digits : {3, 6, 12, 24}) {
-        error = quick.next(Real(1 + ten_to(-digits)));
-    }
-    // The difference is 1e-12; the estimate claims 1.4 times as many digits.
-    CHECK(error < -16 * std::log(10.0));
-    CHECK(error > -18 * std::log(10.0));
-    LevelEstimate slow;
-    for (const int digits : {3, 4, 5, 6}) {
-        error = slow.next(Real(1 + ten_to(-digits)));
-    }
-    CHECK(error > -7.5 * std::log(10.0));
-    LevelEstimate first;
-    CHECK(first.next(Real(1)) > 0);
     CHECK(std::abs(ln_size(from_ln_size(-5000.25)) + 5000.25) < 1e-9);
 }

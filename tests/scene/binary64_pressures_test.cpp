@@ -122,9 +122,7 @@ TEST_CASE("an array of places is the places one by one") {
     CHECK(p[3] == *std::ranges::max_element(p));
 }
 
-TEST_CASE("closed forms are proved, a knot is no corner") {
-    CHECK(Binary64Pressures(parsed(contacts[1])).proved());
-    CHECK_FALSE(Binary64Pressures(parsed(contacts[5])).proved());
+TEST_CASE("a knot is no corner") {
     // At x = t, the end of the flat, g' has a bend and p is finite.
     CHECK(std::isfinite(Binary64Pressures(parsed(contacts[2]))(Edge::right, 0.5)));
 }
@@ -133,7 +131,6 @@ TEST_CASE("a tilt that is solved for") {
     const Scene scene = parsed(contact_of(
         "kind = \"tilted-flat-and-rounded\"\nt = \"1\"\nR = \"1\"", "P = \"1/5\"\nM = \"-1/50\""));
     const Binary64Pressures pressures(scene);
-    CHECK(pressures.proved());
     Scene one = scene;
     one.ask.quantities = {QuantityGroup::pressure};
     one.ask.route = contact::Route::singular_integral; // not the closed form

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 /// The mechanics of an incomplete contact between half-planes. The formulas in law/ are templates
-/// over the number type. routes/, tilt/ and batch/ use Real (estimates); enclosure/, curved/ and
+/// over the number type. routes/ and tilt/ use Real (estimates); enclosure/, curved/ and
 /// design/ use balls (proved).
 ///   profile/profile.hpp               Profile: g'(x), exact
 ///   law/kernels.hpp                   P, M, b(a) and their rates as integrals over dg'
@@ -18,7 +18,6 @@
 ///   routes/partial_slip.hpp           PartialSlip: from the pressures in the slip zones
 ///   routes/extent.hpp                 how far from an edge n terms stay within a tolerance
 ///   tilt/tilt_solver.hpp              the tilt for a given force and moment
-///   batch/batch_pressure.hpp          many pressures of one contact, at the least cost
 ///   double_word/double_word_pressure.hpp  pressures to binary64, in double words with bounds
 ///   enclosure/ball_contact.hpp        BallContact: the contact in balls, proved
 ///   enclosure/exact_contact.hpp       exact values; edges on a knot, decided by exact algebra
@@ -31,7 +30,6 @@
 ///   curved/curved_slope.hpp           proves that g' does not decrease
 ///   curved/pressure_disk.hpp          Taylor series of p; Cauchy's estimate bounds the remainder
 ///   design/best_reach.hpp             the parameter for which an approximation reaches farthest
-#include "edgeproof/contact/batch/batch_pressure.hpp"
 #include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"

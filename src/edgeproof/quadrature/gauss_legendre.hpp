@@ -35,23 +35,4 @@ struct GaussLegendreRule {
 /// The rule in numbers of `bits` of precision, n >= 1.
 [[nodiscard]] GaussLegendreRule gauss_legendre_rule(std::size_t n, long bits);
 
-/// A rule for the mean of f over 0 < t < 1 with the weight t^p (1 - t)^r, p, r > -1. The weights
-/// contain the end-point singularities, so that f need only be smooth. The rule is exact for
-/// polynomials of degree below the number of nodes, which are those of Gauss-Legendre; the weights
-/// add up to 1. It is built in n^2 steps from products and small quotients, for all p and r.
-struct ProductRule {
-    std::vector<Real> t;
-    std::vector<Real> from_end; ///< 1 - t
-    std::vector<Real> weight;
-    double size = 0; ///< the sum of |weight|
-
-    /// Built at the thread's working precision.
-    ProductRule(std::size_t n, const Real& p, const Real& r);
-};
-
-/// ln of the rule's error for a function that is at most exp(ln_M) inside the ellipse `rho`: twice
-/// the error of the best polynomial of degree n - 1 (`trefethen2013`, theorem 8.2), over the weight
-/// and over the rule. `size` is that of the rule.
-[[nodiscard]] double product_rule_log_error(std::size_t n, double rho, double ln_M, double size);
-
 } // namespace edgeproof::quadrature

@@ -14,7 +14,7 @@ namespace edgeproof::quadrature {
 
 namespace {
 
-/// The predicted error of a level by LevelEstimate: `difference` is that from the level before,
+/// The predicted error of a level (growth_of_level): `difference` is that from the level before,
 /// `last` the difference before.
 template <Arithmetic T> T foreseen(const T& difference, const T& last) {
     using std::log;
@@ -24,7 +24,7 @@ template <Arithmetic T> T foreseen(const T& difference, const T& last) {
     }
     const auto d1 = static_cast<double>(log(difference));
     const auto d2 = static_cast<double>(log(last));
-    return pow(difference, T(LevelEstimate::growth(d1, d2)));
+    return pow(difference, T(growth_of_level(d1, d2)));
 }
 
 } // namespace

@@ -124,7 +124,7 @@ struct QuadratureOptions {
     /// hardly grow has a kink inside or no finite integral, and no higher level converges.
     bool gives_up = false;
     /// If true, the quadrature stops one level earlier, where the growth of the digits over the
-    /// last three levels (LevelEstimate) predicts that this level has the required digits;
+    /// last three levels (growth_of_level) predicts that this level has the required digits;
     /// `estimate` is then the prediction. For integrands whose digits are checked by another route.
     bool foresees = false;
 };

@@ -55,7 +55,7 @@ struct ThetaGoal {
 
 /// The enclosed integrals over the spans, by the Gauss-Legendre rule on cells
 /// (docs/curved-slopes.md, "Intervals and disks"). Cells are halved until the rule's error, bounded
-/// on an ellipse about the cell (holomorphic_reach.hpp), is small; a cell that is too small to
+/// on an ellipse about the cell, is small; a cell that is too small to
 /// matter contributes its length times the bound. Not finite if the depth is not enough. `centre`
 /// is c, `half_length` is d (lengths); theta is dimensionless.
 [[nodiscard]] std::vector<Ball> integrate_cells(const ThetaIntegrand& f,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/binary64_values.hpp"
 
-#include "edgeproof/contact/batch/batch_pressure.hpp"
 #include "edgeproof/contact/double_word/double_word_pressure.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
@@ -24,21 +23,12 @@ namespace {
 /// The numbers of such balls fit into two words, which need no heap memory.
 constexpr long first_bits = 128;
 constexpr long most_bits = 4096; ///< for places near the far edge and near corners
-constexpr unsigned batch_digits = 25;
-/// Digits of the edges: the distance from the far edge or from a knot is a difference with them.
-constexpr unsigned edge_digits = 70;
-/// An allowance for roundoff, added to the error of the quadrature rule, as a power of ten.
-constexpr int roundoff_power = -(static_cast<int>(batch_digits) - 3);
+constexpr Digits digits_of_value{25, Rounding::nearest, true};
 
-Real real_of(double u) {
-    const PrecisionScope scope(edge_digits);
-    return Real(u);
-}
-
-/// Returns the binary64 to which all numbers within the relative error of x round, if it is unique.
-std::optional<double> nearest_within(const Real& x, const Real& relative) {
-    const Real change = abs(x) * relative;
-    return nearest_binary64(Ball::around(x, change, 2 * first_bits));
+Ball ball_at(double u, long bits) {
+    Ball x(0, bits);
+    arb_set_d(x.data(), u);
+    return x;
 }
 
 } // namespace
@@ -64,16 +54,7 @@ struct Binary64Pressures::Contact {
             }
         } else {
             profile = scene.profile;
-            if (!profile->axisymmetric()) { // the batch is that of the plane
-                make_batch();
-            }
         }
-    }
-
-    void make_batch() {
-        const contact::NormalContact edges(*scene.profile, scene.contact_modulus, scene.load,
-                                           edge_digits);
-        batch.emplace(edges, batch_digits);
     }
 
     [[nodiscard]] bool outside(double u) const {
@@ -83,7 +64,7 @@ struct Binary64Pressures::Contact {
         if (exact_length) {
             return !std::isfinite(u) || exact_rational(u) >= *exact_length;
         }
-        return !std::isfinite(u) || certainly_less(length, Ball(real_of(u), length.bits()));
+        return !std::isfinite(u) || certainly_less(length, ball_at(u, length.bits()));
     }
 
     /// Decides only where the edge is known exactly; elsewhere run_scene has to separate a place
@@ -111,12 +92,8 @@ struct Binary64Pressures::Contact {
             return 0;
         }
         if (balls) {
-            const Ball p = balls->pressure(edge, Ball(real_of(u), first_bits));
+            const Ball p = balls->pressure(edge, ball_at(u, first_bits));
             if (const auto nearest = p.is_finite() ? nearest_binary64(p) : std::nullopt) {
-                return *nearest;
-            }
-        } else if (batch) {
-            if (const auto nearest = by_batch(edge, u)) {
                 return *nearest;
             }
         }
@@ -125,7 +102,7 @@ struct Binary64Pressures::Contact {
         }
         try {
             return in_full(edge, u);
-        } catch (const InputError&) {
+        } catch (const Error&) {
             if (const auto limit = near_edge_or_corner(edge, u)) {
                 return *limit;
             }
@@ -133,13 +110,13 @@ struct Binary64Pressures::Contact {
         }
     }
 
-    /// Returns p at a place that run_scene refuses: closer to the far edge or to a corner than its
-    /// bits separate, or exactly on one of them (as far as most_bits decide).
+    /// Returns p at a place that the route of the scene refuses: closer to the far edge or to a
+    /// corner than its bits separate, or exactly on one of them (as far as most_bits decide).
     [[nodiscard]] std::optional<double> near_edge_or_corner(Edge edge, double u) const {
         bool on_corner = false;
         for (long bits = 2 * first_bits; solved && bits <= most_bits; bits *= 2) {
             const BallContact closer = solved(bits);
-            const Ball from(real_of(u), bits);
+            const Ball from = ball_at(u, bits);
             if (!certainly_less(from, Ball(closer.a() + closer.b()))) {
                 continue;
             }
@@ -154,32 +131,18 @@ struct Binary64Pressures::Contact {
         if (on_corner) {
             return std::numeric_limits<double>::infinity();
         }
-        return certainly_less(Ball(real_of(u), length.bits()), length) ? std::nullopt
-                                                                       : std::optional(0.0);
+        return certainly_less(ball_at(u, length.bits()), length) ? std::nullopt
+                                                                 : std::optional(0.0);
     }
 
-    [[nodiscard]] std::optional<double> by_batch(Edge edge, double u) const {
-        try {
-            const contact::RoutedPressure<Real> p = (*batch)(edge, real_of(u));
-            if (!p.converged) {
-                return {};
-            }
-            const PrecisionScope scope(edge_digits);
-            return nearest_within(p.value, p.estimate + pow(Real(10), roundoff_power));
-        } catch (const DomainError&) {
-            return {}; // on a corner, or too near to the far edge for the digits
-        }
-    }
-
-    /// Computes one value by the routes of the scene.
+    /// Computes one value by the route of the scene.
     [[nodiscard]] double in_full(Edge edge, double u) const {
-        Scene one = scene;
-        one.ask.edges = {edge};
-        one.ask.u = {{Exact::of(exact_rational(u)), 0}};
-        one.ask.quantities = {QuantityGroup::pressure};
-        one.ask.digits = {batch_digits, Rounding::nearest, true};
-        const SceneResult result = run_scene(one);
-        const PrintedValue text = printed(result.points().front().at(Quantity::p), one.ask.digits);
+        const AskedValue p{
+            .quantity = Quantity::p, .edge = edge, .u = Exact::of(exact_rational(u))};
+        if (!values) {
+            values.emplace(scene, std::vector{p}, digits_of_value);
+        }
+        const PrintedValue text = printed(values->value(p), digits_of_value);
         if (!text.binary64) {
             throw BudgetError("the binary64 nearest to p is undecided at u = " +
                               exact_text(exact_rational(u)));
@@ -196,7 +159,7 @@ struct Binary64Pressures::Contact {
     std::optional<BallContact> balls;
     std::function<BallContact(long)> solved;          ///< the same contact at these bits
     std::optional<contact::DoubleWordPressure> words; ///< decides nearly all places
-    std::optional<contact::BatchPressure> batch;
+    mutable std::optional<SceneValues> values;        ///< decides the others
 };
 
 Binary64Pressures::Binary64Pressures(const Scene& scene)
@@ -219,7 +182,5 @@ void Binary64Pressures::operator()(Edge edge, std::span<const double> u,
         p[i] = (*this)(edge, u[i]);
     }
 }
-
-bool Binary64Pressures::proved() const noexcept { return contact_->balls.has_value(); }
 
 } // namespace edgeproof::scene

@@ -12,18 +12,15 @@
 
 namespace edgeproof::comparison {
 
-/// The exact shear traction of a scene at many places, to 20 digits minus those that cancel if Q
-/// and sigma_0 act against each other. Under full stick in closed form; on the path `together`
-/// (Q/P) p; after the steps of a load history by the scene's own route (docs/histories.md); in
-/// partial slip f (p - p*) with the batch rule for the pressure p* of the stick zone
-/// (docs/partial-slip.md), or, if a bulk tension moves the stick zone of a symmetric profile out of
-/// the middle, by PartialSlip. An estimate. One object belongs to one thread.
+/// The exact shear traction of a scene at many places: with friction by the scene's own route
+/// (docs/partial-slip.md, docs/histories.md), otherwise in closed form: under full stick, and on
+/// the path `together` (Q/P) p. To 20 digits minus those that cancel if Q and sigma_0 act against
+/// each other. One object belongs to one thread.
 class ExactShear {
 public:
     /// Keeps a reference to the scene, which has shear. `whole`: the contact; `force`: P. Throws
     /// InputError, with the line, if the contact slides or the stick zone reaches an edge.
-    ExactShear(const scene::Scene& scene, const contact::Profile& profile,
-               const contact::Extent<Real>& whole, const Real& force);
+    ExactShear(const scene::Scene& scene, const contact::Extent<Real>& whole, const Real& force);
 
     /// q at a place inside the contact where the pressure is p.
     [[nodiscard]] Real at(const contact::Point<Real>& place, const Real& p) const;
@@ -36,7 +33,7 @@ public:
     [[nodiscard]] double force() const; ///< Q
     /// Where the stick zone ends in partial slip: the slope of q is infinite on its inner side.
     /// Empty without friction, and after steps.
-    [[nodiscard]] std::vector<double> stick_edges() const;
+    [[nodiscard]] const std::vector<double>& stick_edges() const;
     /// True if q grows without bound towards the edges: no partial slip.
     [[nodiscard]] bool singular() const;
 
@@ -57,14 +54,13 @@ struct ExactValue {
     std::string route; ///< "closed-form", or "... (estimate)" if no bound is proved
 };
 
-/// The exact solution of a scene for comparison: sizes, loads and coefficients to 20 digits by the
-/// scene's own routes, and pressures at any place to 20 digits, in closed form (double words) if
-/// there is one, else by the batch rule, whose error, apart from roundoff, is bounded by
-/// Bernstein's ellipse. One object belongs to one thread.
+/// The exact solution of a scene for comparison, by the scene's own routes: sizes, loads,
+/// coefficients and pressures to 20 digits; most pressures of plane contacts in double words. One
+/// object belongs to one thread.
 class ExactContact {
 public:
-    /// Keeps no reference to the scene. Throws as run_scene and NormalContact do for a load that no
-    /// contact carries, or an outer slope that ends inside it, and as ExactShear does.
+    /// Keeps no reference to the scene. Throws as run_scene does for a load that no
+    /// contact carries and as ExactShear does.
     explicit ExactContact(const scene::Scene& scene);
 
     [[nodiscard]] const ExactValue& a() const { return a_; }
@@ -94,7 +90,8 @@ public:
         return radius_.at(index_of(edge));
     }
     [[nodiscard]] const std::vector<ContactKnot>& knots() const { return knots_; }
-    /// Returns the method for pressures: "in closed form" (nearly all), or "by the batch rule".
+    /// Returns the method for pressures: "in closed form" (nearly all), "by the Abel
+    /// integral" or "by rigorous integration".
     [[nodiscard]] std::string pressure_route() const;
 
     /// The reference of relative errors: the largest pressure, or, if that is infinite (a corner of
@@ -104,7 +101,7 @@ public:
         double x = 0; ///< the place of the largest pressure
         bool mean = false;
     };
-    [[nodiscard]] const Scale& scale() const { return scale_; }
+    [[nodiscard]] const Scale& scale() const;
 
     /// The pressure at x: 0 outside the contact, empty on a corner. `from_right` and `from_left`
     /// are a - x and x + b, without cancellation.
@@ -135,7 +132,7 @@ public:
 private:
     static constexpr std::size_t coefficients = 3;
     void solve(const scene::Scene& scene);
-    void find_scale();
+    void find_scale() const;
 
     struct Solved;
     std::shared_ptr<Solved> solved_;
@@ -147,7 +144,7 @@ private:
     std::vector<ContactKnot> knots_;
     bool symmetric_ = false;
     bool axisymmetric_ = false;
-    Scale scale_;
+    mutable std::optional<Scale> scale_; ///< found when it is first needed
 };
 
 } // namespace edgeproof::comparison

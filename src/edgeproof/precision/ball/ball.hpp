@@ -144,7 +144,7 @@ private:
 /// Gauss's 2F1(a, b; c; z) for z < 1 (DLMF 15.2.1).
 [[nodiscard]] Ball hypergeometric_2f1(const Ball& a, const Ball& b, const Ball& c, const Ball& z);
 
-/// The pointers that MPFR's functions take: the inner loops of contact/batch call these functions
+/// The pointers that the functions of MPFR take: loops call these functions
 /// without temporaries.
 [[nodiscard]] inline mpfr_ptr raw(Real& x) { return x.backend().data(); }
 [[nodiscard]] inline mpfr_srcptr raw(const Real& x) { return x.backend().data(); }

@@ -26,11 +26,7 @@ Line& line_named(std::vector<Line>& lines, const std::string& title, const Pen& 
     return found != lines.end() ? *found : lines.emplace_back(Line{title, pen, {}});
 }
 
-bool in_machine(const cost::CostCell& c) {
-    return c.arithmetic != "MPFR" && c.arithmetic != "balls";
-}
-
-/// A colour for each route; machine arithmetics are dashed, MPFR and balls solid.
+/// A colour for each route.
 Pen pen_of(const cost::CostCell& c) {
     static const std::map<std::string, std::pair<Colour, unsigned>> known{
         {"Barber-Mossakovskii", {Colour::blue, 4}}, {"singular integral", {Colour::orange, 6}},
@@ -40,11 +36,7 @@ Pen pen_of(const cost::CostCell& c) {
     const auto found = known.find(c.route);
     const auto [colour, point] =
         found == known.end() ? std::pair{Colour::yellow, 1U} : found->second;
-    return {colour, in_machine(c) ? 3U : 1U, point, in_machine(c) ? 1.2 : 2};
-}
-
-std::string name_of(const cost::CostCell& c) {
-    return in_machine(c) ? c.route + ", machine" : c.route;
+    return {colour, 1, point, 2};
 }
 
 /// Makes one table for lines that share only the axes: each has its own column and its own rows.
@@ -69,17 +61,15 @@ Plot plot_of(std::string id, std::string title, std::string description, Axis x,
     return plot;
 }
 
-/// The cells of a case: one line per route (all machine arithmetics together), one point per cell.
-/// A coordinate that is 0 is missing.
+/// The cells of a case: one line per route, one point per cell. A coordinate that is 0 is missing.
 using Coordinate = std::function<double(const cost::CostCell&)>;
 std::vector<Line> by_cell(const CostReport& report, const std::string& scene, const Coordinate& x,
-                          const Coordinate& y, bool machines = true) {
+                          const Coordinate& y) {
     std::vector<Line> lines;
     for (const cost::CostCell& c : report.cells) {
-        const bool shown =
-            c.scene == scene && c.failed() < c.points.size() && (machines || !in_machine(c));
+        const bool shown = c.scene == scene && c.failed() < c.points.size();
         if (shown && x(c) > 0 && y(c) > 0) {
-            line_named(lines, name_of(c), pen_of(c)).points.emplace_back(x(c), y(c));
+            line_named(lines, c.route, pen_of(c)).points.emplace_back(x(c), y(c));
         }
     }
     return lines;
@@ -106,10 +96,10 @@ std::vector<Line> by_point(const CostReport& report, const cost::CostCase& which
                            const std::function<double(const cost::PointCost&)>& y) {
     std::vector<Line> lines;
     for (const cost::CostCell& c : report.cells) {
-        if (c.scene != which.name || in_machine(c) || c.digits != digits) {
+        if (c.scene != which.name || c.digits != digits) {
             continue;
         }
-        Line line{name_of(c), pen_of(c), {}};
+        Line line{c.route, pen_of(c), {}};
         for (const cost::PointCost& p : c.points) {
             if (p.failure.empty() && y(p) > 0) {
                 line.points.emplace_back(which.distance(p.point), y(p));
@@ -137,8 +127,7 @@ Figure work_precision(const CostReport& report, const std::string& scene) {
         "work-precision",
         "What digits cost: " + scene,
         "True digits (by an enclosure, at the worst of the points) against what they take. "
-        "Further left and further up is better. Dotted: double, long double and __float128, "
-        "from left to right.",
+        "Further left and further up is better.",
         {plot_of("work-precision-evaluations", "digits against evaluations",
                  "For each route that has an integrand, the digits right at the worst point "
                  "against the median number of evaluations, both on logarithmic axes.",
@@ -150,8 +139,8 @@ Figure work_precision(const CostReport& report, const std::string& scene) {
 }
 
 Figure growth(const CostReport& report, const std::string& scene) {
-    auto times = by_cell(report, scene, digits_asked, time_taken, false);
-    auto counts = by_cell(report, scene, digits_asked, evaluations, false);
+    auto times = by_cell(report, scene, digits_asked, time_taken);
+    auto counts = by_cell(report, scene, digits_asked, evaluations);
     add_exponents(times);
     add_exponents(counts);
     return {"growth",

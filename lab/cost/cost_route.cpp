@@ -17,42 +17,8 @@
 namespace edgeproof::cost {
 namespace {
 
-constexpr unsigned most_machine_digits = 40;
-
 long bits_of(unsigned digits) {
     return static_cast<long>(static_cast<double>(digits) * 3.3219281) + 64;
-}
-
-/// A route that is a template, in a hardware arithmetic.
-template <Arithmetic T> ReadyContact in_machine(const CostCase& c, contact::Route route) {
-    using contact::Point;
-    const contact::ContactLaw<T> law(*c.scene.profile, c.scene.contact_modulus.to<T>());
-    const contact::ContactLaw<T> mirrored(c.scene.profile->reflected(),
-                                          c.scene.contact_modulus.to<T>());
-    const T load = c.scene.load.value.to<T>();
-    const contact::Extent<T> extent = law.extent(
-        c.scene.load.kind == contact::Load::Kind::right_edge ? load
-                                                             : law.right_edge_for_force(load));
-    std::vector<Point<T>> points;
-    for (const formula::Exact& u : c.u) {
-        points.push_back(point_at(extent, c.edge, u.to<T>()));
-    }
-    const auto by = [=](const Point<T>& at) {
-        if (route == contact::Route::closed_form) {
-            return logarithmic_closed_form(law, extent, at);
-        }
-        if (route == contact::Route::singular_integral) {
-            return singular_integral(law, extent, at);
-        }
-        return at.x < T(0) ? barber_mossakovskii(mirrored, contact::Extent<T>{extent.b, extent.a},
-                                                 Point<T>{at.left, at.right, T(-at.x)})
-                           : barber_mossakovskii(law, extent, at);
-    };
-    return [by, points = std::move(points)](std::size_t i) -> CostValue {
-        const contact::RoutedPressure<T> p = by(points[i]);
-        const PrecisionScope scope(most_machine_digits);
-        return {Real(p.value), p.evaluations, {}};
-    };
 }
 
 /// A route of NormalContact, at the digits asked for.
@@ -80,7 +46,7 @@ ReadyContact as_printed(const CostCase& c, unsigned digits) {
     struct Prepared {
         scene::Scene scene;
         scene::Plan plan = {};
-        contact::Work work = {};
+        scene::Work work = {};
         std::unique_ptr<scene::ValueRoute> route = nullptr;
     };
     const auto ready = std::make_shared<Prepared>(Prepared{c.scene});
@@ -104,43 +70,20 @@ ReadyContact as_printed(const CostCase& c, unsigned digits) {
 }
 
 bool any(const scene::Scene&) { return true; }
-bool piecewise_linear(const scene::Scene& scene) { return scene.profile->piecewise_linear(); }
 bool closed(const scene::Scene& scene) {
     return contact::BallContact::has_closed_form(*scene.profile);
 }
-bool curved(const scene::Scene& scene) {
-    return !closed(scene) && contact::IntegratedContact::handles(*scene.profile);
-}
+bool curved(const scene::Scene& scene) { return !closed(scene); }
 
 /// For a curved g', the integrand of Barber-Mossakovskii is itself an integral: minutes for each
 /// point.
-std::function<bool(const scene::Scene&)> taken_by(contact::Route route, bool machine) {
-    return route == contact::Route::barber_mossakovskii ? closed
-           : route != contact::Route::closed_form       ? any
-           : machine                                    ? piecewise_linear
-                                                        : closed;
-}
-
-template <Arithmetic T>
-CostRoute machine_route(const std::string& name, const char* arithmetic, unsigned digits,
-                        contact::Route route) {
-    return {name,
-            arithmetic,
-            digits,
-            false,
-            false,
-            taken_by(route, true),
-            [route](const CostCase& c, unsigned) { return in_machine<T>(c, route); }};
-}
-
-void add_all_arithmetics(std::vector<CostRoute>& routes, const std::string& name,
-                         contact::Route route) {
-    routes.push_back(machine_route<double>(name, "double", 16, route));
-    routes.push_back(machine_route<long double>(name, "long double", 19, route));
-    routes.push_back(machine_route<Float128>(name, "__float128", 34, route));
-    routes.push_back(
-        {name, "MPFR", 0, false, route != contact::Route::closed_form, taken_by(route, false),
-         [route](const CostCase& c, unsigned digits) { return in_real(c, digits, route); }});
+CostRoute in_mpfr(const char* name, contact::Route route, bool expensive,
+                  const std::function<bool(const scene::Scene&)>& takes) {
+    return {
+        name,  "MPFR",
+        false, expensive,
+        takes, [route](const CostCase& c, unsigned digits) {
+                return in_real(c, digits, route); }};
 }
 
 } // namespace
@@ -148,16 +91,14 @@ void add_all_arithmetics(std::vector<CostRoute>& routes, const std::string& name
 const std::vector<CostRoute>& cost_routes() {
     static const std::vector<CostRoute> routes = [] {
         std::vector<CostRoute> list;
-        add_all_arithmetics(list, "Barber-Mossakovskii", contact::Route::barber_mossakovskii);
-        add_all_arithmetics(list, "singular integral", contact::Route::singular_integral);
-        add_all_arithmetics(list, "closed form", contact::Route::closed_form);
         list.push_back(
-            {"enclosure", "balls", 0, true, false, closed, in_balls<contact::BallContact>});
+            in_mpfr("Barber-Mossakovskii", contact::Route::barber_mossakovskii, true, closed));
+        list.push_back(in_mpfr("singular integral", contact::Route::singular_integral, true, any));
+        list.push_back(in_mpfr("closed form", contact::Route::closed_form, false, closed));
+        list.push_back({"enclosure", "balls", true, false, closed, in_balls<contact::BallContact>});
         list.push_back(
-            {"enclosure", "balls", 0, true, false, curved, in_balls<contact::IntegratedContact>});
-        list.push_back({"rounded", "balls", 0, true, false,
-                        [](const scene::Scene& scene) { return closed(scene) || curved(scene); },
-                        as_printed});
+            {"enclosure", "balls", true, false, curved, in_balls<contact::IntegratedContact>});
+        list.push_back({"rounded", "balls", true, false, any, as_printed});
         return list;
     }();
     return routes;

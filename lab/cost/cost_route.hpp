@@ -27,7 +27,6 @@ using ReadyContact = std::function<CostValue(std::size_t i)>;
 struct CostRoute {
     std::string name;
     std::string arithmetic;
-    unsigned digits = 0; ///< of the arithmetic; 0: as many as are asked for
     bool proves = false;
     bool expensive = false; ///< so slow that it is timed at few points and digits, unless asked to
     /// True if the route takes this profile.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/roots/power_law_fit.hpp"
+#include "edgeproof/scene/route/plan.hpp"
 #include "lab/cost/measure.hpp"
 
 #include <cstddef>
@@ -44,7 +44,7 @@ struct BoundCost {
 struct EffectCost {
     std::string effect; ///< "shear under full stick"
     std::string base;   ///< the effect with which it is compared; empty: it is itself a base
-    contact::Work work; ///< the counted work
+    scene::Work work;   ///< the counted work
     double seconds = 0; ///< of the processor, for the whole scene, median over repeats
     double ratio = 1;   ///< of `seconds` to the base's
 };

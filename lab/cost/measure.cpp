@@ -164,18 +164,11 @@ struct Planned {
 };
 
 std::vector<Planned> planned_cells(const std::vector<CostCase>& cases, const CostOptions& options) {
-    const auto asked = [&](const CostRoute& route) {
-        const bool possible = std::ranges::any_of(
-            options.digits, [&](unsigned digits) { return route.digits <= digits; });
-        return route.digits == 0 ? options.digits
-               : possible        ? std::vector{route.digits}
-                                 : std::vector<unsigned>{};
-    };
     std::vector<Planned> planned;
     for (const CostCase& c : cases) {
         for (const CostRoute& route : cost_routes()) {
             for (const unsigned digits :
-                 route.takes(c.scene) ? asked(route) : std::vector<unsigned>{}) {
+                 route.takes(c.scene) ? options.digits : std::vector<unsigned>{}) {
                 const std::size_t points = options.points > 0 ? options.points
                                            : options.full
                                                ? c.u.size()

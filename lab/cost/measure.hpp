@@ -37,7 +37,7 @@ struct CostCell {
     std::string scene;
     std::string route;
     std::string arithmetic;
-    unsigned digits = 0; ///< asked for, or those of the arithmetic
+    unsigned digits = 0; ///< asked for
     bool proves = false;
     double contact_seconds = 0; ///< done once for each contact: edges, tables
     std::vector<PointCost> points;
@@ -65,9 +65,8 @@ struct CostOptions {
 /// the routes are compared. 0: the route is left out.
 [[nodiscard]] std::size_t usual_points(const CostRoute& route, unsigned digits, bool first_case);
 
-/// Measures every route that takes a case, at each number of digits, case by case (a hardware
-/// arithmetic once, if its digits are no more than the most asked for). True errors are computed
-/// from an enclosure with more digits than any route is asked for. Throws Interrupted, and
+/// Measures every route that takes a case, at each number of digits, case by case. True errors are
+/// computed from an enclosure with more digits than any route is asked for. Throws Interrupted, and
 /// InputError for a point that is not inside the contact.
 [[nodiscard]] std::vector<CostCell> measure(const std::vector<CostCase>& cases,
                                             const CostOptions& options);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/counts/count.hpp"
+#include "edgeproof/contact/law/shear.hpp"
+#include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/scene/run_scene.hpp"
@@ -95,7 +97,8 @@ class Reals {
 public:
     Reals(const scene::Scene& scene, unsigned digits)
         : digits_(digits), contact_(*scene.profile, scene.contact_modulus, scene.load, digits),
-          shear_(contact_, *scene.shear), logarithms_(contact_.profile().piecewise_linear()) {}
+          shear_{scene.shear->Q, scene.shear->bulk_tension},
+          logarithms_(contact_.profile().piecewise_linear()) {}
 
     [[nodiscard]] SecondValue value(const AskedValue& asked, std::size_t i) {
         const PrecisionScope scope(digits_ + 20);
@@ -105,14 +108,18 @@ public:
             return {p, Real(abs(p) * unit())};
         }
         case Quantity::q: {
-            const contact::EstimatedTraction t = shear_.traction(asked.edge, asked.u.value());
-            return {t.value, t.error};
+            const contact::Extent<Real> extent{contact_.a(), contact_.b()};
+            const auto at = point_at(extent, asked.edge, asked.u.value().to<Real>());
+            return of_parts([&](const contact::ShearLoad<Real>& load) {
+                return contact::full_stick_traction(at, load);
+            });
         }
-        case Quantity::s: {
-            const contact::EstimatedTraction t =
-                shear_.expansion(asked.edge, most_counted_terms).at(asked.k);
-            return {t.value, t.error};
-        }
+        case Quantity::s:
+            return of_parts([&](const contact::ShearLoad<Real>& load) {
+                return contact::full_stick_expansion(Real(contact_.a() + contact_.b()), load,
+                                                     asked.edge, most_counted_terms)
+                    .at(asked.k);
+            });
         case Quantity::c: {
             auto& c = c_[asked.edge];
             if (c.empty()) {
@@ -138,11 +145,17 @@ private:
         return logarithms_ && i % integral_every != 0 ? contact::Route::closed_form
                                                       : contact::Route::singular_integral;
     }
+    /// A value that is linear in the shear load. Q and the bulk tension may cancel.
+    template <class Of> [[nodiscard]] SecondValue of_parts(const Of& of) const {
+        const Real by_force = of({shear_.Q.to<Real>(), Real(0)});
+        const Real by_tension = of({Real(0), shear_.bulk_tension.to<Real>()});
+        return {Real(by_force + by_tension), Real((abs(by_force) + abs(by_tension)) * unit())};
+    }
     [[nodiscard]] Real unit() const { return pow(Real(10), -static_cast<int>(digits_)); }
 
     unsigned digits_;
     contact::NormalContact contact_;
-    contact::ShearTraction shear_;
+    contact::ShearSpec shear_;
     bool logarithms_;
     std::map<contact::Edge, std::vector<Real>> c_;
 };

@@ -266,8 +266,7 @@ class Slip(_Plain):
 class Result(_Plain):
     """The answers to the questions of a scene file, in their order, edge by edge.
 
-    proved  True if values are enclosures, unless their route states otherwise
-    why     the reason
+    proved  True if all values are enclosures
     """
 
     contact: Mapping[str, Value | None]
@@ -276,7 +275,6 @@ class Result(_Plain):
     extents: Rows[Extent]
     slips: Rows[Slip]
     proved: bool
-    why: str
     stresses: Rows[Stress] = Rows()
     displacements: Rows[Displacement] = Rows()
 
@@ -416,7 +414,6 @@ def result_of(found: dict[str, Any]) -> Result:
         slips=Rows(_slip(at, stick) for at in edges(
             "slip", "slip-zone-by-terms", "relative-error-of-slip-zone", "slip-load")),
         proved=found["proved"],
-        why=found["why"],
         stresses=Rows(
             Stress(*in_bodies[i], *(at.value(name) for name in (
                 "sxx", "szz", "sxz", "mises", "tau_max", "syy", "s1", "s2", "s3", "tresca")))

@@ -95,8 +95,8 @@ TEST_CASE("help: five usual options and an example that runs; all options on req
                                               folder.path() / "examples");
     std::size_t examples = 0;
     for (const std::string command :
-         {"pressure", "expand", "extent", "slip", "stress", "displacement", "plot", "explain",
-          "relations", "design", "points", "check", "compare", "verify"}) {
+         {"pressure", "expand", "extent", "slip", "stress", "displacement", "plot", "relations",
+          "design", "points", "check", "compare", "verify"}) {
         CAPTURE(command);
         const Outcome help = run(folder, command + " --help");
         CHECK(help.code == 0);

@@ -64,46 +64,34 @@ TEST_CASE("every format holds the same digits") {
     }
 }
 
-TEST_CASE(
-    "explain: each effect that is off has a reason; after a run the effects used are listed, too") {
+TEST_CASE("--verbose shows what was computed on stderr, and changes nothing else") {
     const Folder folder;
-    folder.write("s.toml", profile + load + "[ask]\nu = \"0.1\"\n");
-    const Outcome plan = run(folder, "explain s.toml");
-    CHECK(plan.code == 0);
-    CHECK(plan.out.find("b = a: symmetric") != std::string::npos);
-    CHECK(plan.out.find("there is no [shear]") != std::string::npos);
-    CHECK(plan.out.find("quadratures: 0") != std::string::npos);
-    const Outcome done = run(folder, "explain s.toml --run");
-    CHECK(done.code == 0);
-    CHECK(done.out.find("done as planned: yes") != std::string::npos);
+    folder.write("s.toml", profile + load + "[ask]\nu = [\"0.1\", \"0.2\"]\n");
+    const Outcome quiet = run(folder, "pressure s.toml");
+    const Outcome verbose = run(folder, "pressure s.toml --verbose");
+    CHECK(verbose.out == quiet.out);
+    CHECK(quiet.err.empty());
+    for (const char* line : {"\np: 4 values, 4 proved, at most ", ", closed-form\n",
+                             "\npressures in closed form: 2\n"}) {
+        CHECK(("\n" + verbose.err).find(line) != std::string::npos);
+    }
+    CHECK(verbose.err.find("expansions") == std::string::npos);
 }
 
-// An edge on a knot, which cannot be proved (scene/on_knot_test.cpp): p is proved, its series is
-// not.
-TEST_CASE("a value that is not proved is marked in every format, and explain --run counts it") {
+TEST_CASE("a pressure by a second route is marked as an estimate in every format") {
     const Folder folder;
-    folder.write("s.toml",
-                 "[profile]\nkind = \"piecewise\"\nsymmetric = true\nknots = [\"1/3\", \"1\"]\n"
-                 "slopes = [\"0\", \"x - 1/3\", \"3*x - 7/3\"]\n[load]\n"
-                 "P = \"(atan(sqrt(8)) - sqrt(8)/9)/2\"\ncontact_modulus = \"1\"\n[ask]\n"
-                 "u = \"0.1\"\nterms = [1]\nedges = [\"right\"]\ndigits = 6\n");
+    folder.write("s.toml", profile + load +
+                               "[ask]\nu = \"0.1\"\nterms = [1]\nedges = [\"right\"]\n"
+                               "digits = 6\nroute = \"singular-integral\"\n");
     for (const char* format : {"csv", "json", "md", "tex"}) {
         CAPTURE(format);
         const Outcome o = run(folder, std::string("pressure s.toml --format ") + format);
         CHECK(o.code == 0);
-        std::string text = o.out;
-        text.erase(std::remove(text.begin(), text.end(), '\\'), text.end()); // TeX's local\_1
-        CHECK(text.find("closed-form (estimate: local_1, rel_1)") != std::string::npos);
+        CHECK(o.out.find("singular-integral (estimate)") != std::string::npos);
     }
-    const Outcome done = run(folder, "explain s.toml --run");
-    CHECK(done.code == 1);
-    CHECK(done.out.find("done as planned: no") != std::string::npos);
-    CHECK(done.out.find("estimated: 2 values") != std::string::npos);
-    folder.write("s.toml", profile + load + "[ask]\nu = \"0.1\"\nterms = [1]\n");
-    const Outcome proved = run(folder, "explain s.toml --run");
-    CHECK(proved.code == 0);
-    CHECK(proved.out.find("- bounds: proved: ") != std::string::npos);
-    CHECK(proved.out.find("estimated") == std::string::npos);
+    const Outcome verbose = run(folder, "pressure s.toml --verbose");
+    CHECK(verbose.err.find("p: 1 value, 0 proved") != std::string::npos);
+    CHECK(verbose.err.find("pressures by quadrature: 1") != std::string::npos);
 }
 
 TEST_CASE("every command that examples/README.md names runs") {

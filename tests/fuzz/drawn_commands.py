@@ -147,10 +147,6 @@ def slip(rng, library, command):
     return tabled_scene(rng, library, command, DIGITS[:7], slips=True) + maybe(rng, 0.1, "--tolerance", value(rng, TOLERANCES))
 
 
-def explain(rng, library, command):
-    return tabled_scene(rng, library, command, default="md") + maybe(rng, 0.2, "--run")
-
-
 def figure(rng, command, option, chance):
     if rng.random() > chance:
         return []
@@ -302,7 +298,7 @@ def verify(rng, library, command):
 
 # The commands, each with the weight of its probability.
 COMMANDS = {"pressure": (pressure, 20), "expand": (expand, 12), "extent": (extent, 10), "slip": (slip, 10),
-            "explain": (explain, 6), "plot": (plot, 3), "relations": (relations, 8),
+            "plot": (plot, 3), "relations": (relations, 8),
             "design": (design, 2), "table": (table, 6), "points": (points, 6), "check": (check, 10), "compare": (compare, 10),
             "pack": (pack, 0.6), "bounds": (bounds, 2), "cost": (cost, 3),
             "verify": (verify, 10)}

@@ -43,8 +43,8 @@ def in_formats(*words):
 def shipped_scenes():
     for path in [*sorted((ROOT / "examples/scenes").glob("*.toml")), ROOT / "examples/compare/cylinder.toml"]:
         scene = path.name
-        steps = [s for c in ("pressure", "expand", "extent", "slip", "explain") for s in in_formats(c, scene)]
-        steps += in_formats("explain", scene, "--run") + [["plot", scene, *o] for o in (
+        steps = [s for c in ("pressure", "expand", "extent", "slip") for s in in_formats(c, scene)]
+        steps += [["plot", scene, *o] for o in (
             [], ["--out", "plot.svg"], ["--out", "plot.html"], ["--out", "plot.png"], ["--out", "plot.pdf"])]
         steps += [["pressure", scene, "--round", r, "--digits", "17", "--binary64", "--out", f"{r}.csv"]
                   for r in ("nearest", "down", "up")]
@@ -111,12 +111,11 @@ def scene_cases(seed, count, library):
         text = drawn_scenes.drawn_scene(rng)
         if rng.random() < 0.25:
             text = rng.choice(drawn_inputs.TOML_CHANGES)(text, rng, library, "scene")
-        likely = ["pressure", "expand", "extent", "explain"] + ["slip"] * 3 * ("friction" in text)
+        likely = ["pressure", "expand", "extent"] + ["slip"] * 3 * ("friction" in text)
         words = [rng.choice(likely if rng.random() < 0.95 else ["slip"]) for _ in range(3)]
         steps = [[w, "s.toml", "--format", rng.choice(FORMATS)] for w in words]
         steps[0] += rng.choice([[], [], ["--round", rng.choice(["down", "up"])], ["--binary64"]])
         steps[1] += rng.choice([[], ["--edge", "both"], ["--out", "written"], ["--terms", "1,2"]])
-        steps[2] += ["--run"] if words[2] == "explain" else []
         if number % 4 == 0:
             steps.append(["plot", "s.toml", *rng.choice([[], ["--out", "plot.svg"], ["--out", "plot.csv"]])])
         yield Case(f"drawn scene {number}", steps, {"s.toml": text.encode("utf-8", "surrogatepass")})

@@ -414,13 +414,6 @@ TEST_CASE("load histories that are not computed are refused") {
     CHECK(history_refusal("[profile]\n" + hertz +
                           "\n[load]\nM = \"1\"\ncontact_modulus = \"1\"\n[[step]]\nP = \"1\"\n")
               .find("in addition to the steps") != std::string::npos);
-    // The routes in Real have the force of the plane, and one step of Q.
-    const std::string sphere = "geometry = \"axisymmetric\"\n" + hertz;
-    for (const std::string& profile : {hertz, sphere}) {
-        CHECK(history_refusal(history_text(profile, {{1, 0}, {1, 0.1}},
-                                           "[ask]\nu = [\"1/9\"]\nroute = \"singular-integral\"\n"))
-                  .find("computed in balls only") != std::string::npos);
-    }
     CHECK(history_refusal("[profile]\n" + hertz +
                           "\n[load]\nP = \"1\"\ncontact_modulus = \"1\"\n[[step]]\nP = \"1\"\n")
               .find("in addition to the steps") != std::string::npos);

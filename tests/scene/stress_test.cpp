@@ -85,7 +85,6 @@ TEST_CASE("stresses of a cylinder") {
     CHECK(text(2, Quantity::sxx) == "0");
     CHECK(places[0].find(Quantity::mises) != nullptr);
     CHECK(result.work.counts.stresses == 3);
-    CHECK(result.plan.counts == result.work.counts);
 }
 
 // Without shear szz = sxx on the surface; an incompressible body then has no mises stress, and on
@@ -177,10 +176,4 @@ TEST_CASE("stresses that do not exist or are not computed are refused") {
     CHECK(refusal(with(hertz_text, "[\"2\", \"0\"]", "[\"2\"]")).find("no list of pairs") !=
           std::string::npos);
     CHECK(refusal(with(hertz_text, "0.3", "0.6")).find("no Poisson's ratio") != std::string::npos);
-    CHECK(refusal(with(hertz_text, "kind = \"hertz\"\nR = \"1\"",
-                       "kind = \"piecewise\"\nsymmetric = true\nslopes = [\"hypot(1, x) - 1\"]"))
-              .find("stress is not computed for slopes with functions beyond") !=
-          std::string::npos);
-    CHECK(refusal(with(hertz_text, "digits = 15", "route = \"singular-integral\"\ndigits = 15"))
-              .find("has no route") != std::string::npos);
 }

@@ -31,7 +31,7 @@ const tests = {
         for (const kind of Object.keys(FORM.profiles)) {
             for (const geometry of ['plane', 'axisymmetric']) {
                 for (const [ask, shear] of [['pressure', 'none'], ['expand extent', 'none'], ['slip', 'friction'], ['slip', 'steps'],
-                                            ['stress', 'none'], ['displacement', 'none'], ['mises', 'none'], ['tau_max', 'none'], ['explain', 'steps']]) {
+                                            ['stress', 'none'], ['displacement', 'none'], ['mises', 'none'], ['tau_max', 'none']]) {
                     const state = {...defaultState(), kind, geometry, ask, shear, alpha: '1/1000', digits: '8'};
                     await page.value(`new Promise((done) => {
                         addEventListener('hashchange', () => setTimeout(done), {once: true});
@@ -44,11 +44,9 @@ const tests = {
                         const shown = await page.value("document.getElementById('form').textContent");
                         const message = String(failed.err).trim().replace(/^scene\.toml:(\d+:)? ?|^edgeproof: /, '');
                         assert.ok(shown.includes(message), `${kind} ${geometry} ${ask}: '${message}' is not shown`);
-                    } else if (ask !== 'explain') {
+                    } else {
                         const cells = await page.value("[...document.querySelectorAll('#tables td')].map((td) => td.textContent)");
                         assert.deepStrictEqual(cells, runs.flatMap(({out}) => readTable(String(out)).rows.flat()), `${kind} ${geometry} ${ask}`);
-                    } else {
-                        assert.strictEqual(withoutProgram(await page.value("document.querySelector('#tables pre').textContent")), withoutProgram(runs[0].out));
                     }
                 }
             }

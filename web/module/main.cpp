@@ -7,6 +7,5 @@ int main(int argc, char** argv) {
     cli::take_aborts();
     return cli::run_program(argc, argv,
                             {cli::add_pressure, cli::add_expand, cli::add_extent, cli::add_slip,
-                             cli::add_stress, cli::add_displacement, cli::add_plot,
-                             cli::add_explain});
+                             cli::add_stress, cli::add_displacement, cli::add_plot});
 }

@@ -136,8 +136,6 @@ const show = (quantity, ran) => {
     if (quantity === 'plot') {
         results.svg = ran.files['figure.svg'];
         byId('tables').append(pictureElement(results.svg));
-    } else if (quantity === 'explain') {
-        byId('tables').append(element('h3', {}, title), element('pre', {tabindex: '0'}, ran.out));
     } else {
         results.csv += `${results.csv === '' ? '' : '\n'}# ${title}\n${ran.out}`;
         byId('tables').append(tableElement(title, readTable(ran.out)));

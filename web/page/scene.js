@@ -23,7 +23,7 @@ const FORM = {
         pressure: 'Pressure at places', expand: 'First terms of the expansion',
         extent: 'How far the first terms are good', slip: 'Slip zones', stress: 'Stresses at points',
         mises: 'Greatest von Mises stress', tau_max: 'Greatest shear stress',
-        displacement: 'Gap and slip on the surface', explain: 'How it is computed', plot: 'Picture',
+        displacement: 'Gap and slip on the surface', plot: 'Picture',
     },
     defaults: {
         kind: 'flat-and-rounded', geometry: 'plane', symmetric: '1', load: 'P', a: '1', P: '100', M: '0', delta: '1/100',
@@ -165,8 +165,6 @@ const argumentsOf = (quantity, scene = 'scene.toml') => {
     case 'mises':
     case 'tau_max':
         return ['stress', scene, '--greatest', quantity, '--format', 'csv'];
-    case 'explain':
-        return ['explain', scene];
     case 'plot':
         return ['plot', scene, '--out', 'figure.svg'];
     default:

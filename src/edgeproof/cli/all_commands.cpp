@@ -49,9 +49,9 @@ int run_edgeproof(int argc, char** argv, const LabCommands* lab) {
     const LabCommands& of_lab = lab == nullptr ? names : *lab;
     return run_program(argc, argv,
                        {add_pressure, add_expand, add_extent, add_slip, add_stress,
-                        add_displacement, add_plot, add_explain, add_relations, add_design,
-                        add_table, add_points, add_check, add_compare, add_pack, of_lab.bounds,
-                        of_lab.cost, add_verify});
+                        add_displacement, add_plot, add_relations, add_design, add_table,
+                        add_points, add_check, add_compare, add_pack, of_lab.bounds, of_lab.cost,
+                        add_verify});
 }
 
 } // namespace edgeproof::cli

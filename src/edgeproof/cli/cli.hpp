@@ -23,8 +23,7 @@ namespace edgeproof::cli {
 
 using AddCommand = void(CLI::App& app, int& code);
 AddCommand add_pressure, add_expand, add_extent, add_slip, add_stress, add_displacement, add_plot,
-    add_explain, add_relations, add_design, add_table, add_points, add_check, add_compare, add_pack,
-    add_verify;
+    add_relations, add_design, add_table, add_points, add_check, add_compare, add_pack, add_verify;
 
 /// The program with these subcommands: reads the command line, runs the command that it names, and
 /// prints the error, if there is one. Returns the exit status.

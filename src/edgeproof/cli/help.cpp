@@ -42,9 +42,6 @@ constexpr CommandHelp helps[] = {
     {"plot",
      "edgeproof plot fretting-pad --tolerance 1% --out pad.svg",
      {"--out", "--tolerance", "--terms", "--edge", "--u"}},
-    {"explain",
-     "edgeproof explain fretting-pad --run",
-     {"--run", "--edge", "--terms", "--digits", "--format"}},
     {"relations", "edgeproof relations left.c1 left.c0 b1 --degree 2", {}},
     {"design",
      "edgeproof design --flat-and-rounded --t 0..0.9 --R 10 --a 1 --contact-modulus 1 --tolerance "

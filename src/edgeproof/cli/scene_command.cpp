@@ -4,9 +4,13 @@
 #include "edgeproof/io/error_place.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <set>
 
 namespace edgeproof::cli {
 namespace {
@@ -27,13 +31,59 @@ std::string power_of(const std::string& unit, int halves) {
                              : fmt::format("{}^({}/2)", unit, halves);
 }
 
+/// The values of each quantity with their routes and bits, and the work done: a line each.
+std::string facts_of_work(const scene::SceneResult& result) {
+    struct Values {
+        std::size_t count = 0;
+        std::size_t proved = 0;
+        long bits = 0;
+        std::set<std::string> routes;
+    };
+    std::map<scene::Quantity, Values> by_quantity;
+    for (const scene::Row& row : result.rows) {
+        if (row.value) {
+            Values& values = by_quantity[row.asked.quantity];
+            ++values.count;
+            values.proved += row.value->proved ? 1 : 0;
+            values.bits = std::max(values.bits, row.value->value.bits());
+            values.routes.insert(row.value->route);
+        }
+    }
+    std::string text;
+    for (const auto& [quantity, values] : by_quantity) {
+        const scene::QuantityRow& row = row_of(quantity);
+        text += fmt::format("{}: {} value{}, {} proved, at most {} bits, {}\n",
+                            row.symbol.empty() ? row.name : row.symbol, values.count,
+                            values.count == 1 ? "" : "s", values.proved, values.bits,
+                            fmt::join(values.routes, "; "));
+    }
+    const scene::Counts& counts = result.work.counts;
+    for (const auto& [count, what] :
+         {std::pair{counts.tilts, "tilts solved for"},
+          {counts.load_inversions, "contacts whose size was solved for"},
+          {counts.consistency, "contacts whose other edge was solved for"},
+          {counts.closed_forms, "pressures in closed form"},
+          {counts.quadratures, "pressures by quadrature"},
+          {counts.expansions + counts.shear_expansions, "expansions"},
+          {counts.stick_zones, "stick zones solved"},
+          {counts.extents, "searches for extents"},
+          {result.work.raised, "contacts solved again with more bits"}}) {
+        text += count > 0 ? fmt::format("{}: {}\n", what, count) : "";
+    }
+    return text;
+}
+
 } // namespace
 
-scene::SceneResult done(const scene::Scene& scene) {
+scene::SceneResult done(const scene::Scene& scene, const SceneOptions& o) {
     scene::RunOptions options;
-    return with_progress("values", options.progress, [&] {
+    scene::SceneResult result = with_progress("values", options.progress, [&] {
         return io::at_place(scene.file, scene.load_line, [&] { return run_scene(scene, options); });
     });
+    if (o.verbose) {
+        std::fputs(facts_of_work(result).c_str(), stderr);
+    }
+    return result;
 }
 
 report::ScenePicture picture_of(scene::Scene scene) {
@@ -124,11 +174,8 @@ void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
     }
 }
 
-std::string bound_note(const scene::Plan& plan) {
-    return plan.proved ? "bounds are proved, and every digit printed is right, unless the route "
-                         "says estimate"
-                       : "bounds are estimated (" + plan.proved_why +
-                             "), and so is that every digit printed is right";
+std::string bound_note() {
+    return "bounds are proved, and every digit printed is right, unless the route says estimate";
 }
 
 std::string unit_of(const scene::Scene& scene, scene::Quantity quantity, std::size_t k) {

@@ -15,8 +15,9 @@
 /// Common parts of the subcommands that compute a scene.
 namespace edgeproof::cli {
 
-/// Runs the scene, with progress on a terminal; SIGINT stops it.
-[[nodiscard]] scene::SceneResult done(const scene::Scene& scene);
+/// Runs the scene, with progress on a terminal; SIGINT stops it. --verbose: shows on stderr what
+/// was computed.
+[[nodiscard]] scene::SceneResult done(const scene::Scene& scene, const SceneOptions& options);
 
 /// Draws the scene, with tolerance 1% and 1, 2, 3 terms unless the scene has its own.
 [[nodiscard]] report::ScenePicture picture_of(scene::Scene scene);
@@ -39,7 +40,7 @@ void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
                     const scene::SceneResult& result);
 
 /// Returns a sentence about the reliability of bounds and digits.
-[[nodiscard]] std::string bound_note(const scene::Plan& plan);
+[[nodiscard]] std::string bound_note();
 
 /// Reads the option --body.
 [[nodiscard]] scene::Body body_of(const std::string& name);

@@ -330,6 +330,8 @@ void add_scene_options(CLI::App& sub, SceneOptions& o) {
     sub.add_option("--round", o.rounding, "how values are rounded")
         ->capture_default_str()
         ->type_name("nearest|down|up");
+    sub.add_flag("--verbose", o.verbose,
+                 "show on stderr what was computed: routes, bits, and whether it is proved");
     sub.add_flag("--binary64", o.binary64, "add the binary64 nearest to each value");
     sub.add_flag("--exact", o.exact,
                  "print the points of a range as exact fractions, not as decimals");

@@ -33,6 +33,7 @@ struct SceneOptions : OutputOptions {
     std::string rounding = "nearest";
     bool binary64 = false;
     bool exact = false;
+    bool verbose = false;
     std::string figure; ///< for the commands that draw
     // If empty: the scene's value, else the command's own default.
     std::string edges;      ///< right, left or both

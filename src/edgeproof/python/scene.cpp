@@ -111,8 +111,8 @@ py::dict run(const NativeScene& self, const AskedByName& asked) {
     d["places"] = texts_of(scene->ask.u, place_text);
     d["s_half_powers"] = scene::shear_half_powers(*scene);
     d["in_proportion"] = result.in_proportion;
-    d["proved"] = result.plan.proved;
-    d["why"] = result.plan.proved_why;
+    d["proved"] = std::ranges::all_of(
+        result.rows, [](const scene::Row& row) { return !row.value || row.value->proved; });
     return d;
 }
 

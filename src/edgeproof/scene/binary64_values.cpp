@@ -63,7 +63,7 @@ InWords in_words(const Scene& scene, const Binary64Question& question,
     const bool has_form = DoubleWordPressure::has_form(closed.profile);
     if (question.quantity == Quantity::q) {
         // The form for partial slip is that of one step of Q in the plane.
-        const bool other_slip = scene.slips() && scene.only_in_balls();
+        const bool other_slip = scene.slips() && (scene.history || scene.round);
         if (!scene.shear || other_slip || (!has_form && (scene.slips() || scene.together()))) {
             return {};
         }

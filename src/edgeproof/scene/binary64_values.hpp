@@ -37,7 +37,7 @@ struct Binary64Question {
 /// Computes a quantity of a scene at each place: the binary64 nearest to the exact value at exactly
 /// that place, in units of the contact modulus (rel: a number). The scene's [ask] is ignored.
 /// Double words decide most values of contacts with a formula in double words, run_scene computes
-/// the others. The values are proved where those of run_scene are (Plan::proved).
+/// the others. The values are proved.
 ///
 /// p and q are 0 outside the contact, p is infinite at a corner of the profile. Throws InputError
 /// for a load that no contact carries, for places outside the contact (local, rel), at an edge (q
@@ -50,7 +50,7 @@ void compute_binary64(const Scene& scene, const Binary64Question& question,
 /// Many pressures of one scene as binary64: each is the binary64 nearest to the exact p (ties to
 /// even). The contact is solved once; the scene's [ask] is ignored.
 ///
-/// The values are proved where those of run_scene are: an enclosure of p rounds to each. Double
+/// The values are proved: an enclosure of p rounds to each. Double
 /// words decide most values of contacts with a formula in double words; for curved slopes each
 /// value is an integral (about 1 ms).
 class Binary64Pressures {

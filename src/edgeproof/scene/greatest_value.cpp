@@ -276,10 +276,6 @@ GreatestValue greatest_value(const Scene& scene, Quantity quantity, Body body) {
     }
     check(scene, quantity);
     const Fields fields(scene, quantity, body);
-    if (!fields.plan().proved) {
-        refuse(scene, "the greatest value is proved by closed forms only",
-               "leave out the route in [ask]");
-    }
     return quantity == Quantity::sxx && (!scene.history || rises_outwards(*scene.history))
                ? greatest_tension(scene, fields)
                : greatest_inside(scene, fields, quantity, body);

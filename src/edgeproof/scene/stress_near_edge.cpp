@@ -38,10 +38,10 @@ public:
         const bool tilted_power_law = scene.slips() && scene.shear->bulk_tension.sign() != 0 &&
                                       scene.profile && !scene.profile->piecewise_linear();
         if (scene.round || (scene.profile && !scene.profile->has_closed_form()) ||
-            tilted_power_law || !plan_.proved) {
+            tilted_power_law) {
             throw InputError("the stresses near an edge are expanded for plane power laws without "
                              "a bulk tension and for piecewise linear g', by closed forms",
-                             "give such a profile and no route, or ask for stresses at points")
+                             "give such a profile, or ask for stresses at points")
                 .at(scene.file, scene.load_line);
         }
     }

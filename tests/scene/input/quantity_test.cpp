@@ -58,13 +58,6 @@ Scene sphere_scene(const std::string& length = "1", const std::string& modulus =
 
 bool is_made_of_others(const QuantityRow& row) { return !row.searched && row.ball == nullptr; }
 
-/// True if only balls give the quantity: there is no estimate to compare with.
-bool only_in_balls(const QuantityRow& row) {
-    return row.quantity == Quantity::least_tension || row.quantity == Quantity::most_tension ||
-           row.quantity == Quantity::slip_load || row.needs == QuantityRow::Needs::history ||
-           row.of_bodies();
-}
-
 /// Returns a row's quantity at the right edge, u = 1/5, with a tolerance of 1% and k = 1 if it has
 /// these; a stress at x = 0, z = 3/4, the gap at x = 5/4, the dissipation at x = 4/5, other values
 /// of the surface at x = 1/5, relative to x = 0.
@@ -96,13 +89,6 @@ AskedValue asked_of(const QuantityRow& row, const std::string& length = "1") {
 
 BoundedValue in_balls(const Scene& scene, const AskedValue& asked) {
     return SceneValues(scene, {asked}, thirty).value(asked);
-}
-
-BoundedValue in_real(const Scene& scene, const AskedValue& asked) {
-    const Scene alone = asking(scene, {asked}, thirty);
-    const Plan plan = make_plan(alone);
-    Work work;
-    return make_real_route(alone, plan, work)->value(asked);
 }
 
 } // namespace
@@ -141,7 +127,7 @@ TEST_CASE("each quantity that has a symbol is read by it and written with it") {
     CHECK_FALSE(quantity_named("p_1"));
 }
 
-TEST_CASE("each quantity is evaluated in balls and in Real: Hertz and a wedge by hand") {
+TEST_CASE("each quantity is enclosed: Hertz and a wedge by hand") {
     // p = sqrt(u (2 - u))/2, q = Q/(pi sqrt(u (2 - u))): at u = 1/5 these are 3/10 and 1/(2 pi).
     // The ratio of one term to p is sqrt(2/(2 - u)): it is 1.01 at u = 2 - 2/1.0201 = 402/10201,
     // and more beyond.
@@ -237,13 +223,6 @@ TEST_CASE("each quantity is evaluated in balls and in Real: Hertz and a wedge by
         CHECK(enclosed.proved);
         CHECK(overlaps(enclosed.value, exact));
         CHECK(enclosed.value.radius() < Real(row.short_error ? "1e-20" : "1e-30"));
-        if (only_in_balls(row)) {
-            CHECK_THROWS_AS((void)in_real(scene, asked), Error);
-            continue;
-        }
-        const BoundedValue estimate = in_real(scene, asked);
-        CHECK(abs(Ball(estimate.value - exact)).upper() <
-              Real(row.short_error ? "1e-20" : "1e-29"));
     }
 }
 

@@ -22,7 +22,7 @@ int expand(const RayOptions& o) {
     ask_terms(scene);
     scene.ask.terms = {scene.ask.most_terms()};
     ask_for(scene, o, scene::QuantityGroup::coefficients, {scene::QuantityGroup::contact});
-    const scene::SceneResult result = done(scene);
+    const scene::SceneResult result = done(scene, o);
     report::Table table = values_table(scene, result);
     table.notes = {"p = sum of c_k u^(k + 1/2) at the distance u from the edge; |value - exact| <= "
                    "bound",
@@ -34,7 +34,7 @@ int expand(const RayOptions& o) {
     }
     table.asked = "coefficients of " +
                   std::string(table.notes.front().substr(0, table.notes.front().find(';')));
-    table.remarks.push_back(bound_note(result.plan));
+    table.remarks.push_back(bound_note());
     struct Coefficient {
         const scene::Row& row;
         int half_powers;

@@ -18,7 +18,7 @@ int extent(const SceneOptions& o) {
     }
     ask_terms(scene);
     ask_for(scene, o, scene::QuantityGroup::extent, {scene::QuantityGroup::contact});
-    const scene::SceneResult result = done(scene);
+    const scene::SceneResult result = done(scene, o);
     report::Table table = values_table(scene, result);
     table.facts.push_back(
         {"tolerance", o.tolerance.empty() ? scene.ask.tolerance->text() : o.tolerance});

@@ -187,7 +187,7 @@ int pressure(const SceneOptions& o) {
         scene.ask.quantities.erase(scene::QuantityGroup::pressure);
         scene.ask.u.clear();
     }
-    const scene::SceneResult result = done(scene);
+    const scene::SceneResult result = done(scene, o);
     report::Table table = values_table(scene, result);
     const report::Table values = rows_of_facts(table.facts);
     table.notes = {"u: distance inwards from the edge; x: place; p: pressure, in the unit of the "
@@ -230,7 +230,7 @@ int pressure(const SceneOptions& o) {
                       ? "pressure p at the distance u from an edge (at the place x)"
                   : result.plan.peak ? "the greatest pressure"
                                      : "the edges and the load";
-    table.remarks.push_back(bound_note(result.plan));
+    table.remarks.push_back(bound_note());
     if (result.plan.print_pressure) {
         columns_of(scene, result.plan, no_shear).write(table, result.points());
     } else {

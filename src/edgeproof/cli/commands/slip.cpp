@@ -53,7 +53,7 @@ int slip(const SceneOptions& o) {
     } else {
         ask_terms(scene);
     }
-    const scene::SceneResult result = done(scene);
+    const scene::SceneResult result = done(scene, o);
     report::Table table = values_table(scene, result);
     add_slip_facts(table.facts, scene, result);
     table.notes = {"d: size of the slip zone at the edge, |d - exact| <= d_bound; the rest of the "
@@ -85,7 +85,7 @@ int slip(const SceneOptions& o) {
     }
     table.asked =
         "size d of the slip zone at each edge, and d_n by the first n terms of its series";
-    table.remarks.push_back(bound_note(result.plan));
+    table.remarks.push_back(bound_note());
     using scene::Quantity;
     using scene::RowsAt;
     using Kind = report::Column::Kind;

@@ -54,7 +54,7 @@ int greatest(const StressOptions& o, scene::Scene scene) {
     }
     scene.ask.in_bodies.clear();
     ask_for(scene, o, scene::QuantityGroup::stress, {scene::QuantityGroup::contact});
-    const scene::SceneResult result = done(scene);
+    const scene::SceneResult result = done(scene, o);
     const scene::GreatestValue found = io::at_place(
         scene.file, scene.load_line, [&] { return scene::greatest_value(scene, quantity, body); },
         "give --point X,Z for the stress at points");
@@ -66,7 +66,7 @@ int greatest(const StressOptions& o, scene::Scene scene) {
     if (result.plan.partial_slip) {
         add_slip_facts(table.facts, scene, result);
     }
-    table.notes.push_back(bound_note(result.plan));
+    table.notes.push_back(bound_note());
     using Kind = report::Column::Kind;
     Columns<scene::GreatestValue> columns(scene);
     table.asked = table.notes.front() + ", and its place";
@@ -105,7 +105,7 @@ int stress(const StressOptions& o) {
         point.body = body;
     }
     ask_for(scene, o, scene::QuantityGroup::stress, {scene::QuantityGroup::contact});
-    const scene::SceneResult result = done(scene);
+    const scene::SceneResult result = done(scene, o);
     report::Table table = values_table(scene, result);
     table.notes = {"sxx, szz, sxz: stresses at the depth z in body " + o.body +
                        ", tension positive; tau_max: the greatest shear stress" +
@@ -120,7 +120,7 @@ int stress(const StressOptions& o) {
         add_slip_facts(table.facts, scene, result);
     }
     table.asked = "stresses at the place x and the depth z of a body";
-    table.remarks.push_back(bound_note(result.plan));
+    table.remarks.push_back(bound_note());
     using Kind = report::Column::Kind;
     Columns<RowsAt> columns(scene);
     const auto point = [&scene](const RowsAt& at) -> const scene::BodyPoint& {
@@ -200,7 +200,7 @@ int displacement(const DisplacementOptions& o) {
     if (scene.ask.reference) {
         scene.ask.quantities.insert(scene::QuantityGroup::surface);
     }
-    const scene::SceneResult result = done(scene);
+    const scene::SceneResult result = done(scene, o);
     report::Table table = values_table(scene, result);
     table.notes = {
         std::string("gap: the distance between the surfaces outside the contact; slip: "
@@ -211,7 +211,7 @@ int displacement(const DisplacementOptions& o) {
         add_slip_facts(table.facts, scene, result);
     }
     table.asked = "gap between the surfaces outside the contact, slip inside";
-    table.remarks.push_back(bound_note(result.plan));
+    table.remarks.push_back(bound_note());
     using Kind = report::Column::Kind;
     Columns<RowsAt> columns(scene);
     columns

@@ -35,9 +35,9 @@ struct Asked {
         ask_at_edges(scene, o);
         ask_terms(scene);
     }
-    report::Table table() {
+    report::Table table(const RayOptions& o) {
         ask_for(scene, {}, scene::QuantityGroup::contact, {});
-        report::Table made = values_table(scene, done(scene));
+        report::Table made = values_table(scene, done(scene, o));
         made.facts.push_back({"body", body});
         made.facts.push_back({"angle", angle.text()});
         made.notes = {"stresses in body " + body +
@@ -78,7 +78,7 @@ int expand_stresses(const RayOptions& o) {
     Asked asked(o);
     const auto terms = asked.compute(
         [&](const auto&... all) { return scene::ray_terms(all..., asked.scene.ask.most_terms()); });
-    report::Table table = asked.table();
+    report::Table table = asked.table(o);
     table.notes.emplace_back("each stress is the sum of its coefficients times r^power; |value - "
                              "exact| <= bound");
     table.asked = "coefficients of the stresses near the edges";

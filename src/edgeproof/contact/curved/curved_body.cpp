@@ -42,10 +42,6 @@ Box integral_or_range(const std::function<Box(const Box& t)>& f, bool narrow, lo
 
 } // namespace
 
-bool CurvedBody::handles(const Profile& profile) {
-    return std::ranges::all_of(profile.pieces(), formula::has_complex_taylor, &SlopePiece::slope);
-}
-
 std::optional<Exact> CurvedBody::not_analytic_at(const Profile& profile) {
     constexpr long bits = 128;
     const auto finite = [&](std::size_t piece, const Ball& v) {

@@ -19,8 +19,6 @@ namespace edgeproof::contact {
 /// only: over a wide ball, and its series, are not finite.
 class CurvedBody : public RoundContact {
 public:
-    /// True if every piece of g' consists of functions that complex_taylor.hpp supports.
-    [[nodiscard]] static bool handles(const Profile& profile);
     /// The radius r >= 0 (length) of a knot at which g' is not analytic on a piece, so that no
     /// value is enclosed; nothing if there is none.
     [[nodiscard]] static std::optional<Exact> not_analytic_at(const Profile& profile);

@@ -47,10 +47,6 @@ long goal_between(const Ball& a, const Ball& b, long bits) {
 
 } // namespace
 
-bool IntegratedContact::handles(const Profile& profile) {
-    return std::ranges::all_of(profile.pieces(), formula::has_complex_taylor, &SlopePiece::slope);
-}
-
 IntegratedContact::IntegratedContact(const Profile& profile, const Exact& contact_modulus,
                                      const Load& load, long bits)
     : ProvedContact(profile, enclosed_constant(contact_modulus, bits), bits), load_(load) {

@@ -27,9 +27,6 @@ namespace edgeproof::contact {
 /// routes in Real, which prove nothing.
 class IntegratedContact : public ProvedContact {
 public:
-    /// True if every piece of g' consists of functions that complex_taylor.hpp supports.
-    [[nodiscard]] static bool handles(const Profile& profile);
-
     /// Throws BudgetError where `bits` do not suffice to enclose the edges.
     /// @param profile g'(x)
     /// @param contact_modulus E* (stress)

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/law/kernels.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 /// The shear traction under full stick (moore-hills EQ34; derived in docs/partial-slip.md):
@@ -19,6 +21,24 @@
 /// (sigma_0/8) (2x + b - a)/w satisfies this and carries no force; the part Q/(pi w) carries the
 /// force Q. Both depend on the profile only through a and b.
 namespace edgeproof::contact {
+
+/// The order in which the normal load and the shear load are applied.
+enum class LoadingPath {
+    normal_first, ///< P is held, then Q and sigma_0 are applied (shear.hpp)
+    together      ///< P and Q grow in proportion, without bulk tension: q = (Q/P) p
+};
+
+/// The shear load of a contact as exact numbers; signs as in shear.hpp.
+struct ShearSpec {
+    Exact Q;            ///< force per unit length
+    Exact bulk_tension; ///< sigma_0, a stress
+    LoadingPath path = LoadingPath::normal_first;
+    /// The coefficient of friction; without one nothing slips.
+    std::optional<Exact> friction = {};
+    /// The bulk stress of body A; that of body B is bulk_A + bulk_tension. Only stresses depend on
+    /// it.
+    Exact bulk_A = {};
+};
 
 template <class T> struct ShearLoad {
     T Q;            ///< force per unit length

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
+#include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace edgeproof::contact {
@@ -182,12 +184,55 @@ Profile Profile::tilted_flat_and_rounded(const Exact& alpha, const Exact& t, con
     return p;
 }
 
+namespace {
+
+/// Writes hypot and atan2 with functions that are analytic where they are.
+Expr with_analytic_functions(const Expr& e) {
+    if (e.args().empty()) {
+        return e;
+    }
+    std::vector<Expr> args;
+    std::ranges::transform(e.args(), std::back_inserter(args), with_analytic_functions);
+    if (e.builtin() != formula::Builtin::hypot && e.builtin() != formula::Builtin::atan2) {
+        return Expr::with_args(e, std::move(args));
+    }
+    const Expr root = Expr::call("sqrt", {args[0] * args[0] + args[1] * args[1]});
+    // DLMF 4.24(iii): half of the angle
+    return e.builtin() == formula::Builtin::hypot
+               ? root
+               : Expr::number(2) * Expr::call("atan", {args[0] / (root + args[1])});
+}
+
+/// Returns the slopes of analytic pieces, which all enclosures need.
+std::vector<Expr> analytic_pieces(const std::vector<Expr>& slopes) {
+    std::vector<Expr> analytic;
+    for (const Expr& given : slopes) {
+        Expr slope = with_analytic_functions(given);
+        const bool has_corners = formula::any_part(slope, [](const Expr& part) {
+            using enum formula::Builtin;
+            return part.builtin() == abs || part.builtin() == sgn || part.builtin() == step ||
+                   part.builtin() == max || part.builtin() == min;
+        });
+        require(as_linear(slope, "x") || formula::has_complex_taylor(slope),
+                "the slope " + to_text(given) +
+                    (has_corners
+                         ? " is made of several analytic functions (abs, sgn, step, max, min)"
+                         : " has a function without a complex Taylor series"),
+                has_corners ? "write it as pieces, with a knot where the formula changes"
+                            : "write it with elementary functions of x");
+        analytic.push_back(std::move(slope));
+    }
+    return analytic;
+}
+
+} // namespace
+
 Profile Profile::piecewise(const std::vector<Exact>& knots, const std::vector<Expr>& slopes) {
     require(slopes.size() == knots.size() + 1,
             "a piecewise profile with " + std::to_string(knots.size()) + " knots has " +
                 std::to_string(slopes.size()) + " pieces",
             "give one piece more than knots");
-    Profile p = assemble(Kind::piecewise, knots, slopes);
+    Profile p = assemble(Kind::piecewise, knots, analytic_pieces(slopes));
     p.corner_ = checked_corners(p);
     p.continue_outer_pieces();
     return p;
@@ -209,10 +254,11 @@ Profile Profile::piecewise_symmetric(const std::vector<Exact>& knots,
     }
     all.emplace_back(number_zero);
     all.insert(all.end(), knots.begin(), knots.end());
-    for (std::size_t i = slopes.size(); i-- > 0;) {
-        both.push_back(mirrored(slopes[i]));
+    const std::vector<Expr> pieces = analytic_pieces(slopes);
+    for (std::size_t i = pieces.size(); i-- > 0;) {
+        both.push_back(mirrored(pieces[i]));
     }
-    both.insert(both.end(), slopes.begin(), slopes.end());
+    both.insert(both.end(), pieces.begin(), pieces.end());
     Profile p = assemble(Kind::piecewise, all, both);
     p.symmetric_ = true;
     p.corner_ = checked_corners(p);

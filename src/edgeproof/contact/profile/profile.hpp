@@ -58,6 +58,7 @@ public:
     /// A profile given by the user: `slopes[i]` (in x) holds between knots[i-1] and knots[i]
     /// (lengths). Throws an InputError that names the place where the knots do not ascend, g'
     /// decreases, or the minimum is not at 0.
+    /// A piece has analytic functions only; hypot and atan2 are written with sqrt and atan.
     /// The two outer pieces need to rise, and to have a value, only as far as the contact reaches.
     [[nodiscard]] static Profile piecewise(const std::vector<Exact>& knots,
                                            const std::vector<Expr>& slopes);

@@ -115,13 +115,11 @@ NormalContact& NormalContact::operator=(NormalContact&&) noexcept = default;
 Real NormalContact::a() const { return at(base_working_).extent.a; }
 Real NormalContact::b() const { return at(base_working_).extent.b; }
 Real NormalContact::force() const {
-    count(work_, &Counts::resultants);
     const PrecisionScope scope(base_working_);
     const Solved& s = at(base_working_);
     return s.law.force(s.extent);
 }
 Real NormalContact::moment() const {
-    count(work_, &Counts::resultants);
     const PrecisionScope scope(base_working_);
     const Solved& s = at(base_working_);
     return s.law.moment(s.extent);
@@ -222,17 +220,12 @@ Estimated NormalContact::pressure_at(Edge edge, const Real& u, Route route,
         throw BudgetError("the quadrature of " + route_name(route) +
                           " did not converge within its levels");
     }
-    if (work_ != nullptr) {
-        ++(route == Route::closed_form ? work_->counts.closed_forms : work_->counts.quadratures);
-        work_->evaluations += p.evaluations;
-    }
     // The roundoff of the whole computation; the working precision has made up for the digits lost
     // in gaps.
     return {p.value, std::max(p.estimate, s.roundoff), route, p.evaluations, working};
 }
 
 std::vector<Real> NormalContact::expansion(Edge edge, std::size_t terms) const {
-    count(work_, &Counts::expansions);
     // High coefficients are sums in which terms of the size of binomial coefficients cancel.
     const unsigned working = base_working_ + static_cast<unsigned>(terms);
     const Solved& s = at(working);
@@ -255,10 +248,9 @@ Real NormalContact::convergence_radius(Edge edge) const {
 
 // The working precision is that of the digits requested, and of those that the formulas of
 // docs/pressure.md lose if edges, knots and points lie close.
-NormalContact::NormalContact(Profile profile, Exact contact_modulus, Load load, unsigned digits,
-                             Work* work)
+NormalContact::NormalContact(Profile profile, Exact contact_modulus, Load load, unsigned digits)
     : profile_(std::move(profile)), modulus_(std::move(contact_modulus)), load_(std::move(load)),
-      digits_(digits), work_(work) {
+      digits_(digits) {
     if (modulus_.sign() <= 0) {
         throw InputError("the contact modulus " + modulus_.text() + " is not positive",
                          "give E* > 0");
@@ -333,14 +325,6 @@ bool NormalContact::take_edges_on_knots(unsigned working) {
 NormalContact::Solved& NormalContact::at(unsigned working) const {
     auto& slot = solved_[working];
     if (!slot) {
-        if (work_ != nullptr) {
-            if (std::exchange(counted_, true)) {
-                ++work_->raised;
-            } else {
-                work_->counts.consistency += profile_.symmetric() ? 0 : 1;
-                work_->counts.load_inversions += load_.kind == Load::Kind::force ? 1 : 0;
-            }
-        }
         const PrecisionScope scope(working);
         slot = std::make_unique<Solved>(profile_, modulus_, load_, digits_ + guard_digits / 2);
         Solved& s = *slot;

@@ -14,42 +14,6 @@
 
 namespace edgeproof::contact {
 
-/// The number of steps of each kind in a computation. A plan predicts the counts, and the mechanics
-/// counts each step where it is done. The object is passed as an argument, is never global, and
-/// belongs to one thread.
-struct Counts {
-    std::size_t tilts = 0;            ///< tilts solved for from P and M
-    std::size_t load_inversions = 0;  ///< contacts whose size was solved for from P
-    std::size_t consistency = 0;      ///< contacts whose other edge was solved for
-    std::size_t expansions = 0;       ///< edges at which p was expanded
-    std::size_t closed_forms = 0;     ///< pressures in closed form
-    std::size_t quadratures = 0;      ///< pressures by quadrature
-    std::size_t shear_points = 0;     ///< shear tractions
-    std::size_t shear_expansions = 0; ///< edges at which q was expanded
-    std::size_t resultants = 0;       ///< forces and moments
-    std::size_t extents = 0;          ///< edges and numbers of terms whose extent was searched for
-    std::size_t stick_zones = 0;      ///< stick zones solved
-    std::size_t slip_sizes = 0;       ///< edges at which the size of the slip zone was computed
-    std::size_t stresses = 0;         ///< points at which the stresses were computed
-    std::size_t displacements = 0;    ///< places at which the gap and the slip were computed
-
-    friend bool operator==(const Counts&, const Counts&) = default;
-};
-
-/// The counts, and numbers that depend on the cancelled digits and cannot be predicted.
-struct Work {
-    Counts counts;
-    std::size_t raised = 0;      ///< contacts solved again at a higher precision
-    std::size_t evaluations = 0; ///< evaluations of the integrands of pressures
-};
-
-/// Counts a step, if the work is counted.
-inline void count(Work* work, std::size_t Counts::*step) {
-    if (work != nullptr) {
-        ++(work->counts.*step);
-    }
-}
-
 /// The method by which a pressure was computed.
 enum class Route {
     barber_mossakovskii, ///< a sequence of flat punches, tanh-sinh
@@ -76,10 +40,8 @@ struct Estimated {
 /// to one thread.
 class NormalContact {
 public:
-    /// Throws InputError if the load is not positive, DomainError if no contact carries it. The
-    /// steps of the computation are counted in `work`, if given; it must outlive the contact.
-    NormalContact(Profile profile, Exact contact_modulus, Load load, unsigned digits,
-                  Work* work = nullptr);
+    /// Throws InputError if the load is not positive, DomainError if no contact carries it.
+    NormalContact(Profile profile, Exact contact_modulus, Load load, unsigned digits);
     ~NormalContact();
     NormalContact(NormalContact&&) noexcept;
     NormalContact& operator=(NormalContact&&) noexcept;
@@ -142,8 +104,6 @@ private:
     unsigned base_working_ = 0;
     std::optional<std::size_t> a_on_knot_; ///< the knots that the edges are taken to be on
     std::optional<std::size_t> b_on_knot_;
-    Work* work_;
-    mutable bool counted_ = false; ///< true once the first solution is counted in work_
     mutable std::map<unsigned, std::unique_ptr<Solved>> solved_;
 };
 

@@ -236,16 +236,9 @@ std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
                    : std::optional(Lack{problem + "Poisson's ratio", "add nu = \"0.3\" to [load]"});
     }
     const bool integrated = group.group == QuantityGroup::stress; // by rigorous integration
-    if (scene.profile && !scene.profile->has_closed_form() &&
-        !(integrated && contact::IntegratedContact::handles(*scene.profile))) {
-        return Lack{std::string(group.name) + " is not computed for " +
-                        (integrated ? "slopes with functions beyond the rigorous integration"
-                                    : "curved slopes"),
+    if (!integrated && scene.profile && !scene.profile->has_closed_form()) {
+        return Lack{std::string(group.name) + " is not computed for curved slopes",
                     "give a power law or a piecewise linear g'"};
-    }
-    if (scene.ask.route != Route::automatic && scene.ask.route != Route::closed_form) {
-        return Lack{std::string(group.name) + " has no route " + route_name(scene.ask.route),
-                    "write route = \"automatic\""};
     }
     if (!integrated && scene.slips() && scene.shear->bulk_tension.sign() != 0 && scene.profile &&
         !scene.profile->piecewise_linear()) {

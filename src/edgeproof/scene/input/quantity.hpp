@@ -22,7 +22,6 @@ struct Plan;
 struct Scene;
 class BallLevel;
 class ExactValues;
-class RealLevel;
 
 /// A number that a scene can be asked for. quantity_rows.cpp has a row for each; scenes, recipes,
 /// questions to other programs, hard cases, tables and reports use these rows.
@@ -167,7 +166,6 @@ struct QuantityRow {
     // a value on a limit; such a value is printed as its enclosure.
     Ball (*ball)(BallLevel&, const AskedValue&) = nullptr;
     ExactNumber (*exact)(ExactValues&, const AskedValue&) = nullptr;
-    BoundedValue (*real)(RealLevel&, const AskedValue&) = nullptr;
     /// The name of the route of a value in balls; `route_by` if it depends on the scene.
     const char* route = "";
     const char* (*route_by)(const Scene&, const Plan&) = nullptr;

@@ -314,12 +314,6 @@ void require_axisymmetric(const io::TomlSection& profile, const Scene& scene) {
     if (scene.profile->kind() == Profile::Kind::power_law || scene.profile->piecewise_linear()) {
         return;
     }
-    if (!contact::CurvedBody::handles(*scene.profile)) {
-        profile.reject("geometry",
-                       "g' of the axisymmetric contact has a function beyond the rigorous "
-                       "integration",
-                       "write g' without abs and hypot, in more pieces if necessary");
-    }
     if (const auto v = contact::CurvedBody::not_analytic_at(*scene.profile)) {
         profile.reject("geometry",
                        "g' is not analytic at r = " + v->text() +

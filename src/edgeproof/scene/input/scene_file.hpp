@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/axisymmetric/axisymmetric_power_law.hpp"
+#include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/routes/extent.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"
-#include "edgeproof/contact/routes/shear_traction.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/real.hpp"
@@ -24,12 +24,10 @@
 
 namespace edgeproof::scene {
 
-using contact::Counts;
 using contact::Load;
 using contact::Profile;
 using contact::Route;
 using contact::ShearSpec;
-using contact::Work;
 
 /// The kinds of TOML files that the program reads.
 enum class FileKind { scene, recipe, ledger, hard_cases };
@@ -155,11 +153,6 @@ struct Scene {
     /// Poisson's ratio of a body, if it is given.
     [[nodiscard]] std::optional<Exact> poisson(Body body) const {
         return !bodies ? nu : body == Body::A ? bodies->nu1 : bodies->nu2;
-    }
-    /// True if the routes in Real do not compute the scene: axisymmetric profiles that are no power
-    /// laws, axisymmetric slip, load histories.
-    [[nodiscard]] bool only_in_balls() const {
-        return history || (profile && profile->axisymmetric()) || (round && slips());
     }
     /// True for an axisymmetric contact with curved slopes, other than a power law.
     [[nodiscard]] bool curved_body() const {

@@ -21,8 +21,7 @@ constexpr long least_bits_of_a_place = 128;
 /// undecided.
 constexpr long zero_bits = 1330;
 constexpr long most_lost_bits = 1L << 17;
-/// A value that is still infinite at this number of bits is left to the routes in Real, which
-/// refuse it.
+/// A value that is still infinite at this number of bits is refused.
 constexpr long least_last_bits = 1L << 14;
 
 } // namespace
@@ -53,18 +52,26 @@ BallRoute::BallRoute(const Scene& scene, const Plan& plan, Work& work)
     work.counts.consistency += scene.symmetric() ? 0 : 1;
     work.counts.tilts += scene.punch ? 1 : 0;
     work.counts.load_inversions += by_force ? 1 : 0;
-    if (!length_ && scene.only_in_balls()) {
-        throw BudgetError("no number of bits encloses the edges of the contact");
-    }
-    // There is no contact at any precision: the routes in Real report the reason.
     if (!length_) {
-        (void)others();
+        refuse_contact();
     }
 }
 
-bool BallRoute::slope_rises() {
-    if (closed() || !length_) {
-        return true; // decided exactly; or nothing is proved in any case
+void BallRoute::refuse_contact() const {
+    if (scene_.profile && !scene_.profile->axisymmetric()) {
+        try {
+            (void)contact::NormalContact(*scene_.profile, scene_.contact_modulus, scene_.load,
+                                         plan_.digits.count);
+        } catch (const DomainError& error) {
+            throw InputError(error.what(), "give a load that a contact of this profile can carry");
+        }
+    }
+    throw BudgetError("no number of bits encloses the edges of the contact");
+}
+
+void BallRoute::check_slope() {
+    if (closed()) {
+        return; // decided exactly
     }
     const BallLevel* level = at_level(length_->bits());
     check_reach(*scene_.profile, level->a(), level->b());
@@ -75,7 +82,12 @@ bool BallRoute::slope_rises() {
                          "give a convex profile: g' must not decrease")
             .at(scene_.file, scene_.profile_line);
     }
-    return monotonicity.kind == contact::SlopeMonotonicity::Kind::rises;
+    if (monotonicity.kind != contact::SlopeMonotonicity::Kind::rises) {
+        throw InputError("g' could not be proved to rise in the contact",
+                         "write the slope in another form, such as (x - 3/10)^3 + 27/1000 for its "
+                         "expanded polynomial, or in more pieces")
+            .at(scene_.file, scene_.profile_line);
+    }
 }
 
 BoundedValue BallRoute::value(const AskedValue& asked) {
@@ -84,12 +96,16 @@ BoundedValue BallRoute::value(const AskedValue& asked) {
         return RowsAt({&searched(asked), 1}).at(asked.quantity, asked.k);
     }
     if (asked.quantity == Quantity::cycle_energy && !encloses_cycle_energy(scene_)) {
-        return others().value(asked);
+        throw DomainError(
+            "the energy of a cycle is not computed for a tilt that P and M determine");
     }
     if (row.of_friction() || (scene_.slips() && (row.quantity == Quantity::q || row.of_bodies()))) {
         check_slip();
     }
     count(asked);
+    if (asked.quantity == Quantity::p && plan_.witness) {
+        return by_witness(asked);
+    }
     // Inside a body of revolution also a power law is integrated.
     const bool integrated = scene_.round && asked.in_body && asked.in_body->x.sign() != 0 &&
                             asked.in_body->z.sign() != 0;
@@ -120,18 +136,8 @@ BoundedValue BallRoute::value(const AskedValue& asked) {
     auto found = refine([&](BallLevel& level) { return row.ball(level, asked); }, exactly,
                         row.short_error ? plan_.error_digits() : plan_.digits,
                         row.cancels_little ? plan_.narrow_bits : plan_.bits);
-    if (!found && row.of_bodies()) {
-        throw BudgetError(std::string("no number of bits encloses the value") +
-                          (row.place == QuantityRow::Place::body
-                               ? ", which may be infinite there: at an edge under full stick, or "
-                                 "at a corner"
-                               : ""));
-    }
-    if (!found && scene_.only_in_balls() && (asked.u || asked.place)) {
-        refuse_known_corner(asked.edge, asked.distance());
-    }
     if (!found) {
-        return others().value(asked);
+        refuse_unknown(row, asked);
     }
     if (row.distance_of && known(*row.distance_of)) {
         found->exactly = known(*row.distance_of);
@@ -139,24 +145,66 @@ BoundedValue BallRoute::value(const AskedValue& asked) {
     return proved(std::move(found->value), std::move(found->exactly));
 }
 
+void BallRoute::refuse_unknown(const QuantityRow& row, const AskedValue& asked) {
+    if (row.of_bodies()) {
+        throw BudgetError(std::string("no number of bits encloses the value") +
+                          (row.place == QuantityRow::Place::body
+                               ? ", which may be infinite there: at an edge under full stick, or "
+                                 "at a corner"
+                               : ""));
+    }
+    if (row.at_point()) {
+        const Distance u = asked.distance();
+        refuse_outside(asked.edge, u);
+        if (u.number() && u.number()->sign() == 0) {
+            throw DomainError("the point is on an edge");
+        }
+        refuse_corner_at(u);
+        refuse_known_corner(asked.edge, u);
+        const BallLevel& level = *at_level(length_->bits());
+        if (std::ranges::any_of(level.contact().corners(asked.edge), [&](const Ball& corner) {
+                return overlaps(corner, level.distance(u));
+            })) {
+            throw DomainError("the point is on a corner, or cannot be distinguished from it");
+        }
+    }
+    throw BudgetError("no number of bits encloses " + text_of(asked) +
+                      (at_level(length_->bits())->contact().edge_may_be_on_knot()
+                           ? ": an edge may lie on a knot of g', which balls do not decide"
+                           : ""));
+}
+
+BoundedValue BallRoute::by_witness(const AskedValue& asked) {
+    BallLevel& level = *at_level(std::max(length_->bits(), plan_.bits));
+    if (!witness_) {
+        witness_.emplace(scene_.punch ? level.tilt().near : *scene_.profile, scene_.contact_modulus,
+                         scene_.load, plan_.digits.count);
+    }
+    const Distance u = asked.distance();
+    refuse_outside(asked.edge, u);
+    const auto at = [&](const Exact& from) {
+        const contact::Estimated p = witness_->pressure(asked.edge, from, *plan_.witness);
+        const PrecisionScope scope(p.working_digits);
+        return estimated(p.value, Real(abs(p.value) * p.estimate), route_name(p.route));
+    };
+    if (u.number()) {
+        return at(*u.number());
+    }
+    // A place that depends on the edges: at both ends of its enclosure.
+    const Ball from = level.distance(u);
+    const BoundedValue one = at(Exact::of(contact::exact_value(from.lower())));
+    const BoundedValue other = at(Exact::of(contact::exact_value(from.upper())));
+    return {Ball::hull(one.value, other.value), false, one.route};
+}
+
 std::vector<Row> BallRoute::search(const AskedValue& asked) {
     const AskedValue of{asked.quantity, asked.k, asked.edge, {}, scene_.ask.tolerance};
     if (row_of(asked.quantity).group == QuantityGroup::slip) {
         check_slip();
-        std::vector<Row> rows = slip_terms(of);
-        return rows.empty() ? others().search(of) : rows;
+        return slip_terms(of);
     }
     ++work_.counts.extents;
-    std::vector<Row> rows = extent(of);
-    if (rows.empty()) {
-        rows = others().search(of);
-        for (Row& row : rows) {
-            if (row.asked.quantity != Quantity::crossing) {
-                row.value->route = "scan, undecided in balls";
-            }
-        }
-    }
-    return rows;
+    return extent(of);
 }
 
 std::optional<Rational> BallRoute::known(Edge edge) const {
@@ -346,39 +394,19 @@ void BallRoute::count(const AskedValue& asked) {
     }
 }
 
-ValueRoute& BallRoute::others() {
-    if (scene_.only_in_balls()) {
-        throw BudgetError("no number of bits decides the value, and there is no other route");
-    }
-    if (!others_) {
-        others_ = make_real_route(scene_, plan_, work_of_others_);
-    }
-    return *others_;
-}
-
 std::unique_ptr<ValueRoute> make_route(const Scene& scene, const Plan& plan, Work& work) {
-    if (plan.proved) {
-        try {
-            const Work before = work;
-            auto route = std::make_unique<BallRoute>(scene, plan, work);
-            if (route->slope_rises()) {
-                return route;
-            }
-            work = before;
-        } catch (const InputError& error) {
-            throw error.file().empty() ? error.at(scene.file, scene.load_line) : error;
-        }
+    if (plan.witness && scene.profile && scene.profile->axisymmetric()) {
+        throw InputError("an axisymmetric contact has no route " + route_name(*plan.witness),
+                         "write route = \"automatic\"")
+            .at(scene.file, scene.ask_line);
     }
-    if (scene.only_in_balls() || scene.ask.wants(QuantityGroup::stress)) {
-        if (scene.ask.route != Route::automatic) {
-            throw InputError("this contact is computed in balls only, not by the route " +
-                                 route_name(scene.ask.route),
-                             "write route = \"automatic\"")
-                .at(scene.file, scene.ask_line);
-        }
-        throw BudgetError("this contact is computed in balls only, and they do not enclose it");
+    try {
+        auto route = std::make_unique<BallRoute>(scene, plan, work);
+        route->check_slope();
+        return route;
+    } catch (const InputError& error) {
+        throw error.file().empty() ? error.at(scene.file, scene.load_line) : error;
     }
-    return make_real_route(scene, plan, work);
 }
 
 long BallRoute::last_bits() const {

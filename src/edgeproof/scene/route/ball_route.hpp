@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/enclosure/ball_extent.hpp"
+#include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/scene/route/ball_level.hpp"
 #include "edgeproof/scene/route/exact_values.hpp"
 #include "edgeproof/scene/route/value_route.hpp"
@@ -24,9 +25,11 @@ public:
     /// Keeps references to all three arguments.
     BallRoute(const Scene& scene, const Plan& plan, Work& work);
 
-    /// True if g' is proved not to decrease in the contact; all proofs for a curved profile depend
-    /// on this. Throws InputError if g' is proved to decrease.
-    [[nodiscard]] bool slope_rises();
+    /// Throws the reason why no contact is enclosed, as the second route finds it.
+    [[noreturn]] void refuse_contact() const;
+    /// Throws InputError unless g' is proved not to decrease in the contact; all proofs for a
+    /// curved profile depend on this.
+    void check_slope();
 
     BoundedValue value(const AskedValue& asked) override;
     contact::SlipState state(Edge edge, const Distance& u) override;
@@ -57,7 +60,7 @@ private:
     /// Null if these bits do not isolate the edges.
     [[nodiscard]] BallLevel* at_level(long bits);
     [[nodiscard]] long last_bits() const;
-    [[nodiscard]] bool closed() const { return plan_.route == Route::closed_form; }
+    [[nodiscard]] bool closed() const { return plan_.closed; }
 
     /// The distance of an edge from the origin, if it is known to be a rational number.
     [[nodiscard]] std::optional<Rational> known(Edge edge) const;
@@ -75,18 +78,22 @@ private:
     void refuse_corner_at(const Distance& u) const;
     /// The same for a distance from an edge that is known exactly.
     void refuse_known_corner(Edge edge, const Distance& u);
+    /// Throws an Error with the reason why no number of bits encloses a value.
+    [[noreturn]] void refuse_unknown(const QuantityRow& row, const AskedValue& asked);
+    /// p by the second route of the plan, with its estimated error.
+    [[nodiscard]] BoundedValue by_witness(const AskedValue& asked);
     /// The coordinate x of the point u, which is inside the contact, if it is known to be a
     /// rational number.
     [[nodiscard]] std::optional<Rational> known_x(Edge edge, const Distance& u) const;
 
     /// Counts the work of a value.
     void count(const AskedValue& asked);
-    void count_pressure() { ++(closed() ? work_.counts.closed_forms : work_.counts.quadratures); }
-    /// The routes in Real. Their work is not counted: the work of this route is counted instead.
-    [[nodiscard]] ValueRoute& others();
+    void count_pressure() {
+        ++(closed() && !plan_.witness ? work_.counts.closed_forms : work_.counts.quadratures);
+    }
 
-    /// The rows of an extent, proved by the signs of the error between the crossings; none if the
-    /// budget does not decide.
+    /// The rows of an extent, proved by the signs of the error between the crossings. Throws
+    /// BudgetError if the budget does not decide.
     [[nodiscard]] std::vector<Row> extent(const AskedValue& asked);
     /// The exact values of those results of an extent that are rational numbers.
     struct ExactExtents {
@@ -108,7 +115,8 @@ private:
     void check_slip();
     /// Refuses |Q| = f P, decided by the exact form of P.
     void refuse_exactly_sliding(const BallLevel& level);
-    /// The rows of a slip zone by the first terms; none if no number of bits encloses the slip.
+    /// The rows of a slip zone by the first terms. Throws BudgetError if no number of bits encloses
+    /// the slip.
     [[nodiscard]] std::vector<Row> slip_terms(const AskedValue& asked);
     /// The bits lost by cancellation when n + 1 powers of the load ratio are compared with 1.
     [[nodiscard]] long lost_by(std::size_t n) const;
@@ -134,8 +142,7 @@ private:
     bool ratio_counted_ = false;
     /// The place of the last pressure, for q.
     std::optional<std::pair<Edge, Distance>> pressed_;
-    Work work_of_others_;
-    std::unique_ptr<ValueRoute> others_;
+    std::optional<contact::NormalContact> witness_;
 };
 
 } // namespace edgeproof::scene

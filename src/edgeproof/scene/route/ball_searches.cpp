@@ -51,7 +51,9 @@ std::vector<Row> BallRoute::extent(const AskedValue& asked) {
         }
     }
     if (!best) {
-        return {};
+        throw BudgetError("the budget does not decide how far " + std::to_string(asked.k) +
+                          " terms stay within " + asked.tolerance->text() + " of p at the " +
+                          edge_name(asked.edge) + " edge");
     }
     const auto proved = [](const Ball& x, const std::optional<Rational>& q) {
         return BoundedValue{x, true, "sign changes", q};
@@ -218,7 +220,7 @@ contact::SlipState BallRoute::state(Edge edge, const Distance& u) {
             break;
         }
     }
-    return found ? *found : others().state(edge, u);
+    return found.value_or(contact::SlipState::undecided);
 }
 
 bool BallRoute::in_proportion() {
@@ -240,7 +242,8 @@ std::vector<Row> BallRoute::slip_terms(const AskedValue& asked) {
         },
         nullptr, plan_.error_digits(), plan_.bits, lost_by(asked.k));
     if (!size || !error) {
-        return {};
+        throw BudgetError("no number of bits encloses the slip zone by " + std::to_string(asked.k) +
+                          " terms");
     }
     std::vector<Row> rows = slip_rows(asked, {std::move(size->value), true, "series"},
                                       {std::move(error->value), true, "series"});

@@ -4,37 +4,54 @@
 #include "edgeproof/scene/input/scene_file.hpp"
 
 #include <cstddef>
-#include <string>
+#include <optional>
 #include <vector>
 
 namespace edgeproof::scene {
 
-struct Effect {
-    std::string name;
-    bool on = false;
-    std::string why;              ///< the reason why it is on or off
-    std::size_t Counts::*counter; ///< of the effect; null: it is part of another
+/// The number of steps of each kind in a computation. The route of a scene counts
+/// each step where it is done. The object is passed as an argument and belongs to one thread.
+struct Counts {
+    std::size_t tilts = 0;            ///< tilts solved for from P and M
+    std::size_t load_inversions = 0;  ///< contacts whose size was solved for from P
+    std::size_t consistency = 0;      ///< contacts whose other edge was solved for
+    std::size_t expansions = 0;       ///< edges at which p was expanded
+    std::size_t closed_forms = 0;     ///< pressures in closed form
+    std::size_t quadratures = 0;      ///< pressures by quadrature
+    std::size_t shear_points = 0;     ///< shear tractions
+    std::size_t shear_expansions = 0; ///< edges at which q was expanded
+    std::size_t resultants = 0;       ///< forces and moments
+    std::size_t extents = 0;          ///< edges and numbers of terms whose extent was searched for
+    std::size_t stick_zones = 0;      ///< stick zones solved
+    std::size_t slip_sizes = 0;       ///< edges at which the size of the slip zone was computed
+    std::size_t stresses = 0;         ///< points at which the stresses were computed
+    std::size_t displacements = 0;    ///< places at which the gap and the slip were computed
+
+    friend bool operator==(const Counts&, const Counts&) = default;
 };
 
-/// The effects that a scene needs, and no others. In a symmetric scene no consistency equation is
+/// The counts, and the number of repetitions, which depends on the digits that cancel.
+struct Work {
+    Counts counts;
+    std::size_t raised = 0; ///< contacts solved again with more bits
+};
+
+/// What a scene needs, and nothing else. In a symmetric scene no consistency equation is
 /// solved; without shear no shear is computed; only the requested edges are computed; an expansion
 /// has only the requested terms; no pressure is computed if only coefficients are requested. For
 /// two edges of a symmetric scene, the second is the mirror image of the first.
 struct Plan {
     Digits digits;
-    bool proved = false;          ///< values are enclosures; otherwise their errors are estimates
-    std::string proved_why;       ///< the reason for `proved`
-    long bits = 256;              ///< initial bits of the balls
-    long narrow_bits = 232;       ///< for values that cancel little: edges, places, pressures
-    unsigned working_digits = 70; ///< of the routes in Real, at first; raised as needed
-    Route route = Route::closed_form;
+    long bits = 256;        ///< initial bits of the balls
+    long narrow_bits = 232; ///< for values that cancel little: edges, places, pressures
+    bool closed = true;     ///< pressures have a closed form; otherwise they are integrals
+    /// The second route by which p is estimated, if the scene asks for one.
+    std::optional<Route> witness;
     std::vector<Edge> edges; ///< in the order of the request
     bool mirrored = false;   ///< p at the second edge is copied from the first
     std::size_t points = 0;  ///< at each edge
     std::size_t terms = 0;   ///< of the expansions; 0: none
-    bool pressure = false;   ///< requested, or needed since q is similar to it
     bool print_pressure = false;
-    bool expand_pressure = false;
     bool shear = false;
     bool expand_shear = false;
     bool extents = false;
@@ -44,8 +61,6 @@ struct Plan {
     bool peak = false;         ///< the greatest pressure
     bool stress = false;       ///< stresses at points of the bodies
     bool displacement = false; ///< the gap outside the contact, and the slip inside
-    Counts counts;             ///< predicted counts
-    std::vector<Effect> effects;
 
     /// True if p at this edge is computed, not copied.
     [[nodiscard]] bool computes(Edge edge) const { return !mirrored || edge == edges.front(); }
@@ -54,9 +69,6 @@ struct Plan {
         return {digits.count < 20 ? digits.count : 20, digits.rounding, false};
     }
 };
-
-/// Returns how the plan computes pressures, in words.
-[[nodiscard]] std::string way_of_pressure(const Scene& scene, const Plan& plan);
 
 /// Throws InputError if the scene lacks the data for its request: pressures without points,
 /// coefficients or extents without a number of terms, extents without a tolerance.

@@ -5,7 +5,6 @@
 #include "edgeproof/scene/route/ball_level.hpp"
 #include "edgeproof/scene/route/exact_values.hpp"
 #include "edgeproof/scene/route/plan.hpp"
-#include "edgeproof/scene/route/real_level.hpp"
 
 #include <array>
 #include <optional>
@@ -112,30 +111,27 @@ template <Def::Place place, auto member, bool listed> consteval auto evaluator()
         };
     }
 }
-template <Def::Place place, auto ball, auto exact, auto real, bool listed = false>
+template <Def::Place place, auto ball, auto exact, bool listed = false>
 constexpr Made value(Quantity quantity, std::string_view symbol, std::string_view name, Group group,
                      Unit unit) {
     Made made = row(quantity, symbol, name, group, place, unit);
     made.ball = evaluator<place, ball, listed>();
     made.exact = evaluator<place, exact, listed>();
-    made.real = evaluator<place, real, listed>();
     return made;
 }
-template <auto ball, auto exact, auto real, class... Fields>
-constexpr Made of_contact(Fields... fields) {
-    return value<Def::Place::contact, ball, exact, real>(fields...);
+template <auto ball, auto exact, class... Fields> constexpr Made of_contact(Fields... fields) {
+    return value<Def::Place::contact, ball, exact>(fields...);
 }
-template <auto ball, auto exact, auto real, class... Fields>
-constexpr Made at_point(Fields... fields) {
-    return value<Def::Place::point, ball, exact, real>(fields...);
+template <auto ball, auto exact, class... Fields> constexpr Made at_point(Fields... fields) {
+    return value<Def::Place::point, ball, exact>(fields...);
 }
 
 /// c_k or s_k.
-template <auto ball, auto real, bool shear>
+template <auto ball, bool shear>
 constexpr Made coefficient(Quantity quantity, std::string_view symbol, std::string_view name,
                            Unit unit) {
-    return value<Def::Place::edge, ball, nullptr, real, true>(quantity, symbol, name,
-                                                              Group::coefficients, unit)
+    return value<Def::Place::edge, ball, nullptr, true>(quantity, symbol, name, Group::coefficients,
+                                                        unit)
         .with_index(Def::Index::order)
         .with(
             &Def::exact, +[](ExactValues& level, const AskedValue& v) {
@@ -143,18 +139,13 @@ constexpr Made coefficient(Quantity quantity, std::string_view symbol, std::stri
             });
 }
 
-auto size_of(const auto& x) { return abs(x); }
-BoundedValue size_of(BoundedValue x) {
-    x.value = abs(x.value);
-    return x;
-}
 // The sum of the first k terms at a point, and |1 - sum/value|: of p, or of q (`shear`).
 template <bool shear>
 constexpr auto sum_at_point =
     [](auto& level, const AskedValue& v) { return level.sum(v.edge, level.place(v), v.k, shear); };
 template <bool shear>
 constexpr auto error_at_point = [](auto& level, const AskedValue& v) {
-    return size_of(level.relative_error(v.edge, level.place(v), v.k, shear));
+    return abs(level.relative_error(v.edge, level.place(v), v.k, shear));
 };
 template <bool shear>
 constexpr Made of_terms(Quantity quantity, std::string_view name, Unit unit,
@@ -166,7 +157,6 @@ constexpr Made of_terms(Quantity quantity, std::string_view name, Unit unit,
             .by("series");
     made.ball = evaluator;
     made.exact = evaluator;
-    made.real = evaluator;
     return made;
 }
 template <bool shear> constexpr Made sum_row(Quantity quantity, std::string_view name) {
@@ -190,10 +180,10 @@ constexpr Made searched(Quantity quantity, std::string_view symbol, std::string_
 }
 
 /// A quantity of the stick zone.
-template <auto ball, auto real>
+template <auto ball>
 constexpr Made of_stick(Quantity quantity, std::string_view symbol, std::string_view name,
                         Unit unit) {
-    return of_contact<ball, nullptr, real>(quantity, symbol, name, Group::slip, unit)
+    return of_contact<ball, nullptr>(quantity, symbol, name, Group::slip, unit)
         .needing(Needs::friction)
         .by("stick zone");
 }
@@ -203,7 +193,7 @@ const char* way_of_integral(const Scene& s, const Plan& /*plan*/) {
     return s.curved_body() ? "rigorous integration" : "closed-form";
 }
 const char* way_of_stress(const Scene& s, const Plan& plan) {
-    const bool integrated = plan.route != Route::closed_form || (s.round && !s.round->law);
+    const bool integrated = !plan.closed || (s.round && !s.round->law);
     return integrated  ? "rigorous integration"
            : !s.shear  ? "closed-form"
            : s.slips() ? "superposition"
@@ -213,14 +203,14 @@ const char* way_of_stress(const Scene& s, const Plan& plan) {
 /// symbol in recipes, where s_1, s_2 are coefficients.
 template <auto ball>
 constexpr Made stress(Quantity quantity, std::string_view name, std::string_view symbol = "") {
-    return value<Def::Place::body, ball, nullptr, nullptr>(quantity, symbol, name, Group::stress,
-                                                           units::stress)
+    return value<Def::Place::body, ball, nullptr>(quantity, symbol, name, Group::stress,
+                                                  units::stress)
         .labelled(name)
         .by(way_of_stress);
 }
 template <auto ball> constexpr Made on_surface(Quantity quantity, std::string_view name) {
-    return value<Def::Place::surface, ball, nullptr, nullptr>(quantity, "", name,
-                                                              Group::displacement, units::length)
+    return value<Def::Place::surface, ball, nullptr>(quantity, "", name, Group::displacement,
+                                                     units::length)
         .labelled(name)
         .by([](const Scene& s, const Plan& /*plan*/) {
             return s.round ? "rigorous integration" : "closed-form";
@@ -228,48 +218,44 @@ template <auto ball> constexpr Made on_surface(Quantity quantity, std::string_vi
 }
 template <auto ball>
 constexpr Made of_surface(Quantity quantity, std::string_view name, Unit unit) {
-    return value<Def::Place::surface, ball, nullptr, nullptr>(quantity, "", name, Group::surface,
-                                                              unit)
+    return value<Def::Place::surface, ball, nullptr>(quantity, "", name, Group::surface, unit)
         .labelled(name)
         .by("closed-form");
 }
 
 /// The rows are in the order of Quantity.
 constexpr auto quantity_table = std::to_array<Def>({
-    at_point<&BallLevel::p, &ExactValues::p, &RealLevel::p>(Quantity::p, "p", "pressure",
-                                                            Group::pressure, units::stress)
+    at_point<&BallLevel::p, &ExactValues::p>(Quantity::p, "p", "pressure", Group::pressure,
+                                             units::stress)
         .by([](const Scene& scene, const Plan& plan) {
-            return plan.route == Route::closed_form                 ? "closed-form"
+            return plan.closed                                      ? "closed-form"
                    : scene.profile && scene.profile->axisymmetric() ? "Abel integral"
                                                                     : "singular-integral";
         })
         .with(&Def::cancels_little, true),
-    at_point<&BallLevel::q, &ExactValues::q, &RealLevel::q>(Quantity::q, "q", "shear", Group::shear,
-                                                            units::stress)
+    at_point<&BallLevel::q, &ExactValues::q>(Quantity::q, "q", "shear", Group::shear, units::stress)
         .needing(Needs::shear)
         .by([](const Scene& s, const Plan& plan) {
             return s.slips() ? "superposition" : full_stick_or_similar(s, plan);
         }),
-    coefficient<&BallLevel::c, &RealLevel::c, false>(Quantity::c, "c", "coefficient", {1, -1.5})
-        .by("series"),
-    coefficient<&BallLevel::s, &RealLevel::s, true>(Quantity::s, "s", "shear-coefficient",
-                                                    {1, -0.5})
+    coefficient<&BallLevel::c, false>(Quantity::c, "c", "coefficient", {1, -1.5}).by("series"),
+    coefficient<&BallLevel::s, true>(Quantity::s, "s", "shear-coefficient", {1, -0.5})
         .needing(Needs::shear)
         .by(full_stick_or_similar),
-    of_contact<&BallLevel::a, &ExactValues::a, &RealLevel::a>(Quantity::a, "a", "right-edge",
-                                                              Group::contact, units::length)
+    of_contact<&BallLevel::a, &ExactValues::a>(Quantity::a, "a", "right-edge", Group::contact,
+                                               units::length)
         .by(by_load)
         .with(&Def::distance_of, std::optional(Edge::right))
         .with(&Def::cancels_little, true),
-    of_contact<&BallLevel::b, &ExactValues::b, &RealLevel::b>(Quantity::b, "b", "left-edge",
-                                                              Group::contact, units::length)
+    of_contact<&BallLevel::b, &ExactValues::b>(Quantity::b, "b", "left-edge", Group::contact,
+                                               units::length)
         .by([](const Scene& s, const Plan& plan) {
             return s.symmetric() ? by_load(s, plan) : "consistency";
         })
         .with(&Def::distance_of, std::optional(Edge::left))
         .with(&Def::cancels_little, true),
-    of_contact<&BallLevel::whole_force, &ExactValues::whole_force, &RealLevel::force>(
-        Quantity::P, "P", "load", Group::contact, units::force)
+    of_contact<&BallLevel::whole_force, &ExactValues::whole_force>(Quantity::P, "P", "load",
+                                                                   Group::contact, units::force)
         .by([](const Scene& s, const Plan& /*plan*/) {
             return is_force_given(s) || (s.round && by_load(s, {}) == std::string_view("from P"))
                        ? "given"
@@ -280,56 +266,56 @@ constexpr auto quantity_table = std::to_array<Def>({
             &Def::given,
             +[](const Scene& s)
                 -> const Exact* { return is_force_given(s) ? &s.load.value : nullptr; }),
-    of_contact<&BallLevel::moment, &ExactValues::moment, &RealLevel::moment>(
-        Quantity::M, "M", "moment", Group::contact, units::moment)
+    of_contact<&BallLevel::moment, &ExactValues::moment>(Quantity::M, "M", "moment", Group::contact,
+                                                         units::moment)
         .needing(Needs::plane)
         .by([](const Scene& s, const Plan& /*plan*/) { return s.moment ? "given" : "contact-law"; })
         .with(
             &Def::given,
             +[](const Scene& s) -> const Exact* { return s.moment ? &*s.moment : nullptr; }),
-    of_contact<&BallLevel::alpha, &ExactValues::alpha, &RealLevel::alpha>(
-        Quantity::alpha, "alpha", "tilt", Group::contact, units::number)
+    of_contact<&BallLevel::alpha, &ExactValues::alpha>(Quantity::alpha, "alpha", "tilt",
+                                                       Group::contact, units::number)
         .needing(Needs::unknown_tilt)
         .by("tilt"),
     searched(Quantity::extent, "extent", "extent", Group::extent, units::length),
     searched(Quantity::measure, "measure", "measure", Group::extent, units::length),
-    value<Def::Place::edge, &BallLevel::slip_size, nullptr, &RealLevel::slip_size>(
-        Quantity::slip, "slip", "slip-zone", Group::slip, units::length)
+    value<Def::Place::edge, &BallLevel::slip_size, nullptr>(Quantity::slip, "slip", "slip-zone",
+                                                            Group::slip, units::length)
         .needing(Needs::friction)
         .explained("size of the slip zone")
         .by("stick zone"),
-    of_stick<&BallLevel::stick_edge<Edge::right>, &RealLevel::stick_edge<Edge::right>>(
-        Quantity::stick_a, "stick_a", "stick-right-edge", units::length)
+    of_stick<&BallLevel::stick_edge<Edge::right>>(Quantity::stick_a, "stick_a", "stick-right-edge",
+                                                  units::length)
         .explained("right edge of the stick zone"),
-    of_stick<&BallLevel::stick_edge<Edge::left>, &RealLevel::stick_edge<Edge::left>>(
-        Quantity::stick_b, "stick_b", "stick-left-edge", units::length)
+    of_stick<&BallLevel::stick_edge<Edge::left>>(Quantity::stick_b, "stick_b", "stick-left-edge",
+                                                 units::length)
         .explained("left edge of the stick zone"),
     row(Quantity::residual, "", "residual", Group::pressure, Def::Place::point, units::number)
         .with_index(Def::Index::terms),
     row(Quantity::tilt_difference, "", "tilt-difference", Group::pressure, Def::Place::point,
         units::stress)
         .labelled("p minus p without tilt"),
-    of_contact<&BallLevel::peak, &ExactValues::peak, &RealLevel::peak>(
-        Quantity::p_max, "p_max", "peak-pressure", Group::peak, units::stress)
+    of_contact<&BallLevel::peak, &ExactValues::peak>(Quantity::p_max, "p_max", "peak-pressure",
+                                                     Group::peak, units::stress)
         .explained("the greatest pressure")
         .by([](const Scene& s, const Plan& /*plan*/) {
             return peaks_in_the_middle(s) ? "at the origin" : "branch and bound";
         }),
-    of_stick<&BallLevel::cycle_energy, &RealLevel::cycle_energy>(
-        Quantity::cycle_energy, "cycle_energy", "cycle-energy", units::moment)
+    of_stick<&BallLevel::cycle_energy>(Quantity::cycle_energy, "cycle_energy", "cycle-energy",
+                                       units::moment)
         .needing(Needs::friction_alone)
         .explained("the energy dissipated by friction in a cycle")
         .by([](const Scene& s, const Plan& /*plan*/) {
             return s.history ? "superposition" : "Mindlin's loop";
         })
         .with(&Def::may_be_missing, true),
-    at_point<&BallLevel::x, &ExactValues::x, nullptr>(Quantity::x, "", "coordinate",
-                                                      Group::pressure, units::length)
+    at_point<&BallLevel::x, &ExactValues::x>(Quantity::x, "", "coordinate", Group::pressure,
+                                             units::length)
         .labelled("x")
         .by("given")
         .with(&Def::cancels_little, true),
-    at_point<&BallLevel::u, &ExactValues::u, nullptr>(Quantity::u, "", "distance", Group::pressure,
-                                                      units::length)
+    at_point<&BallLevel::u, &ExactValues::u>(Quantity::u, "", "distance", Group::pressure,
+                                             units::length)
         .labelled("u")
         .by("given")
         .with(&Def::cancels_little, true),
@@ -340,13 +326,12 @@ constexpr auto quantity_table = std::to_array<Def>({
     searched(Quantity::extent_fraction, "", "extent-fraction", Group::extent, units::number),
     searched(Quantity::measure_fraction, "", "measure-fraction", Group::extent, units::number),
     searched(Quantity::crossing, "", "crossing", Group::extent, units::length),
-    of_stick<&BallLevel::load_ratio, &RealLevel::load_ratio>(Quantity::load_ratio, "", "load-ratio",
-                                                             units::number),
-    of_stick<&BallLevel::tension_limit<Edge::right>, nullptr>(Quantity::least_tension, "",
-                                                              "least-bulk-tension", units::stress)
+    of_stick<&BallLevel::load_ratio>(Quantity::load_ratio, "", "load-ratio", units::number),
+    of_stick<&BallLevel::tension_limit<Edge::right>>(Quantity::least_tension, "",
+                                                     "least-bulk-tension", units::stress)
         .with(&Def::may_be_missing, true),
-    of_stick<&BallLevel::tension_limit<Edge::left>, nullptr>(Quantity::most_tension, "",
-                                                             "most-bulk-tension", units::stress)
+    of_stick<&BallLevel::tension_limit<Edge::left>>(Quantity::most_tension, "", "most-bulk-tension",
+                                                    units::stress)
         .with(&Def::may_be_missing, true),
     searched(Quantity::slip_terms, "", "slip-zone-by-terms", Group::slip, units::length),
     searched(Quantity::slip_rel, "", "relative-error-of-slip-zone", Group::slip, units::number),
@@ -361,20 +346,20 @@ constexpr auto quantity_table = std::to_array<Def>({
     stress<&BallLevel::principal<1>>(Quantity::s2, "s2").needing(Needs::poisson),
     stress<&BallLevel::principal<2>>(Quantity::s3, "s3").needing(Needs::poisson),
     stress<&BallLevel::tresca>(Quantity::tresca, "tresca", "tresca").needing(Needs::poisson),
-    of_stick<&BallLevel::step_energy, nullptr>(Quantity::step_energy, "step_energy", "step-energy",
-                                               units::moment)
+    of_stick<&BallLevel::step_energy>(Quantity::step_energy, "step_energy", "step-energy",
+                                      units::moment)
         .needing(Needs::history)
         .explained("the energy dissipated by friction in the last step")
         .by("superposition")
         .with(&Def::may_be_missing, true),
     on_surface<&BallLevel::gap>(Quantity::gap, "gap"),
     on_surface<&BallLevel::slip_displacement>(Quantity::slip_displacement, "slip"),
-    of_contact<&BallLevel::approach, &ExactValues::approach, &RealLevel::approach>(
-        Quantity::delta, "delta", "approach", Group::contact, units::length)
+    of_contact<&BallLevel::approach, &ExactValues::approach>(Quantity::delta, "delta", "approach",
+                                                             Group::contact, units::length)
         .needing(Needs::round)
         .explained("approach of the bodies")
         .by(way_of_integral),
-    of_contact<&BallLevel::stiffness, &ExactValues::stiffness, &RealLevel::stiffness>(
+    of_contact<&BallLevel::stiffness, &ExactValues::stiffness>(
         Quantity::stiffness, "stiffness", "contact-stiffness", Group::contact, units::force)
         .needing(Needs::round)
         .explained("contact stiffness dP/d delta")

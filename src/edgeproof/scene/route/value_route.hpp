@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/magnitude.hpp"
@@ -29,14 +28,12 @@ public:
 };
 
 /// The sum of the first n terms of an expansion at the distance u from its edge, by Horner's rule.
-/// The first term is c_0 sqrt(u), or c_0/sqrt(u) if it is `singular`. `value` returns the number in
-/// an element of `c`.
-template <class T, class C, class Value = std::identity>
-[[nodiscard]] T sum_of_terms(const C& c, std::size_t n, const T& u, bool singular,
-                             const Value& value = {}) {
-    T total = std::invoke(value, c[n - 1]);
+/// The first term is c_0 sqrt(u), or c_0/sqrt(u) if it is `singular`.
+template <class T, class C>
+[[nodiscard]] T sum_of_terms(const C& c, std::size_t n, const T& u, bool singular) {
+    T total = c[n - 1];
     for (std::size_t k = n - 1; k-- > 0;) {
-        total = total * u + std::invoke(value, c[k]);
+        total = total * u + c[k];
     }
     return singular ? T(total / sqrt(u)) : T(total * sqrt(u));
 }
@@ -147,17 +144,11 @@ private:
     std::map<std::tuple<QuantityGroup, Edge, std::size_t>, std::vector<Row>> searched_;
 };
 
-/// Makes a route in Real with estimated errors (NormalContact, ShearTraction). Keeps references to
-/// all three arguments. Throws InputError, with the line of the load, if no contact carries it.
-[[nodiscard]] std::unique_ptr<ValueRoute> make_real_route(const Scene& scene, const Plan& plan,
-                                                          Work& work);
-
-/// Makes the route of a plan: that in Real, or for a plan with `proved` one in balls with proved
-/// values (BallContact, shear.hpp): more and more bits until each value rounds correctly. A value
-/// that the bits do not enclose (an edge that may lie on a knot, an error that touches the
-/// tolerance) is an estimate by the route in Real; so are all values if a curved g' is not proved
-/// to rise in the contact. Throws InputError, with the line of the profile, if g' is proved to
-/// fall.
+/// Makes the route of a plan, in balls with proved values (BallContact, IntegratedContact,
+/// shear.hpp): more and more bits until each value rounds correctly. p is an estimate by
+/// Plan::witness where the scene asks for that. Keeps references to all three arguments. Throws
+/// InputError, with its line, if no contact carries the load, and if g' is not proved to rise in
+/// the contact; BudgetError where no number of bits tried encloses a value.
 [[nodiscard]] std::unique_ptr<ValueRoute> make_route(const Scene& scene, const Plan& plan,
                                                      Work& work);
 

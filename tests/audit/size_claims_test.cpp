@@ -37,8 +37,8 @@ std::string extent_claim(const std::string& id, const std::string& edge, int ter
                          const std::string& figure, const std::string& more = "") {
     return "[[claim]]\nid = \"" + id + "\"\nkind = \"size-extent\"\nover = \"punch\"\nedge = \"" +
            edge + "\"\nterms = " + std::to_string(terms) +
-           "\ntolerance = \"1/100\"\nunit = \"1/100\"\nbase = \"side\"\nsizes = [\"1/100\", " +
-           "\"100\"]\nfigure = \"" + figure + "\"\n" + more;
+           "\ntolerance = \"1/100\"\nunit = \"1/100\"\nbase = \"side\"\nsizes = [\"1/4\", " +
+           "\"16\"]\nfigure = \"" + figure + "\"\n" + more;
 }
 
 AuditResult run_sizes(const std::string& claims) {

@@ -64,7 +64,8 @@ struct EnclosedSample::State {
         }
         throw Error("'" + std::string(what) + "' of a curved slope has no enclosure");
     }
-    // The quantities of body_fields.hpp.
+    /// Returns the value of a name of a quantity of the contact; nothing for other names.
+    [[nodiscard]] std::optional<Ball> quantity(std::string_view name) const;
     [[nodiscard]] Ball left_edge() const { return contact().b(); }
     [[nodiscard]] Ball length() const { return contact().a() + contact().b(); }
     [[nodiscard]] bool axisymmetric() const { return sample.scene.axisymmetric; }
@@ -239,7 +240,7 @@ struct EnclosedSample::State {
         }
         const Ball at = distance(edge, node.arg(1), args[1]);
         const std::vector<Ball> c = contact().expansion(edge, n->convert_to<std::size_t>());
-        return sum_of_terms(std::span<const Ball>(c), at, Ball(0, bits));
+        return sum_of_terms(c, at);
     }
 
     Sample sample;
@@ -262,10 +263,51 @@ Ball EnclosedSample::State::symbol(std::string_view name) const {
         }
         return name == "u" ? *u : x();
     }
-    if (const auto value = named_quantity(*this, name)) {
+    if (const auto value = quantity(name)) {
         return *value;
     }
     throw Error("'" + std::string(name) + "' has no enclosure");
+}
+
+std::optional<Ball> EnclosedSample::State::quantity(std::string_view name) const {
+    if (name == "b") {
+        return left_edge();
+    }
+    if (name == "L") {
+        return length();
+    }
+    if (name == "P") {
+        return force();
+    }
+    if (axisymmetric() && name == "delta") {
+        return approach();
+    }
+    if (name == "M") {
+        return moment();
+    }
+    if (const auto k = order_behind(name, "P")) {
+        return force_derivative(*k);
+    }
+    if (const auto k = order_behind(name, "b")) {
+        return left_edge_derivative(*k);
+    }
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        const bool right = edge == Edge::right;
+        const std::string side = right ? "right_" : "left_";
+        if (const auto k = order_behind(name, side + "c")) {
+            return coefficient(edge, *k);
+        }
+        if (const auto k = order_behind(name, side + "s")) {
+            return shear_coefficient(edge, *k);
+        }
+        if (slips() && name == side + "d") {
+            return slip_size(edge);
+        }
+        if (slips() && name == (right ? "stick_a" : "stick_b")) {
+            return stick_edge(edge);
+        }
+    }
+    return std::nullopt;
 }
 
 Ball EnclosedSample::State::call(const Expr& node, std::span<const Ball> args) const {

@@ -36,7 +36,7 @@ void refuse_unused_parameters(const Ledger& ledger);
 [[nodiscard]] std::vector<Vocabulary::Definition> read_definitions(const Ledger& ledger,
                                                                    const io::TomlSection& table);
 
-/// Returns all names that the formulas of a claim may use: those of an evaluated scene, the
+/// Returns all names that the formulas of a claim may use: those of an EnclosedSample, the
 /// parameters of its family, its free variables, the names not defined in print, its own
 /// definitions, and then the ledger's.
 [[nodiscard]] Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim);

@@ -26,58 +26,9 @@ namespace edgeproof::audit {
     return static_cast<std::size_t>(name.back() - '0');
 }
 
-/// The names of the quantities of a contact in formulas (enclosed_sample.hpp). Returns the value of
-/// a name, or nothing for other names. `of` has the values:
-///   left_edge(), length(), force(), moment(), force_derivative(k), left_edge_derivative(k),
-///   coefficient(edge, k) of the pressure, shear_coefficient(edge, k) under full stick,
-///   axisymmetric(), and for bodies of revolution approach(),
-///   slips(), and for scenes that slip, slip_size(edge) and stick_edge(edge).
-template <class Quantities>
-[[nodiscard]] auto named_quantity(Quantities& of, std::string_view name)
-    -> std::optional<decltype(of.force())> {
-    if (name == "b") {
-        return of.left_edge();
-    }
-    if (name == "L") {
-        return of.length();
-    }
-    if (name == "P") {
-        return of.force();
-    }
-    if (of.axisymmetric() && name == "delta") {
-        return of.approach();
-    }
-    if (name == "M") {
-        return of.moment();
-    }
-    if (const auto k = order_behind(name, "P")) {
-        return of.force_derivative(*k);
-    }
-    if (const auto k = order_behind(name, "b")) {
-        return of.left_edge_derivative(*k);
-    }
-    for (const Edge edge : {Edge::right, Edge::left}) {
-        const bool right = edge == Edge::right;
-        const std::string side = right ? "right_" : "left_";
-        if (const auto k = order_behind(name, side + "c")) {
-            return of.coefficient(edge, *k);
-        }
-        if (const auto k = order_behind(name, side + "s")) {
-            return of.shear_coefficient(edge, *k);
-        }
-        if (of.slips() && name == side + "d") {
-            return of.slip_size(edge);
-        }
-        if (of.slips() && name == (right ? "stick_a" : "stick_b")) {
-            return of.stick_edge(edge);
-        }
-    }
-    return std::nullopt;
-}
-
-/// Returns c_0 sqrt(u) + ... + c_{n-1} u^(n-1/2) by Horner's rule; `zero` is 0 of the type.
-template <class T> [[nodiscard]] T sum_of_terms(std::span<const T> c, const T& u, const T& zero) {
-    T sum = zero;
+/// Returns c_0 sqrt(u) + ... + c_{n-1} u^(n-1/2) by Horner's rule.
+[[nodiscard]] inline Ball sum_of_terms(std::span<const Ball> c, const Ball& u) {
+    Ball sum(0, u.bits());
     for (std::size_t k = c.size(); k-- > 0;) {
         sum = sum * u + c[k];
     }

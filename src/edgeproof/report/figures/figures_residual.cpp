@@ -99,8 +99,7 @@ std::optional<Plot> plot_in(const audit::Sample& sample, const audit::Claim& cla
     for (int j = 0; j < places; ++j) {
         const Ball u(Real(start * pow(Real(10), Real(-j) / 4)), bits);
         const std::span<const Ball> known(c.data(), which.k);
-        const Ball rest =
-            contact->pressure(which.edge, u) - audit::sum_of_terms(known, u, Ball(0, bits));
+        const Ball rest = contact->pressure(which.edge, u) - audit::sum_of_terms(known, u);
         const Ball step = sqrt(u) * pow_int(u, static_cast<long>(which.k));
         plot.rows.push_back({at_working_precision((u / contact->length()).midpoint()),
                              size(rest - printed * step), size(rest - corrected * step)});

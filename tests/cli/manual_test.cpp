@@ -124,7 +124,7 @@ TEST_CASE("help: five usual options and an example that runs; all options on req
             ++examples;
         }
     }
-    CHECK(examples == 13);
+    CHECK(examples == 12);
     CHECK(has(run(folder, "help").out, "Subcommands:"));
 }
 

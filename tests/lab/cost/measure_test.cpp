@@ -102,7 +102,7 @@ TEST_CASE(
         }
     }
     CHECK(short_of == "");
-    CHECK(cells > 100);
+    CHECK(cells > 60);
 }
 
 TEST_CASE("the points compared are forty, in equal ratios from 1e-8 a to a") {

@@ -49,7 +49,7 @@ std::vector<std::string> reading_notes(const CostReport& report) {
     const bool failed = std::any_of(report.cells.begin(), report.cells.end(),
                                     [](const cost::CostCell& c) { return c.failed() > 0; });
     std::vector<std::string> notes{
-        "digits: requested, or all that the arithmetic has; right: digits that are right at the "
+        "digits: requested; right: digits that are right at the "
         "worst point, by an enclosure; median: at the median point",
         "evaluations of the integrand: median and most; times are the processor's: median over "
         "the points, their middle half, the slowest point",

@@ -64,7 +64,7 @@ std::string edited(const Folder& folder, std::string command) {
 
 /// Returns the commands of a row: every command that reads the file, if there is only a file.
 std::vector<std::string> commands_of(const std::string& command) {
-    const std::vector<std::string> scene{"pressure ", "expand ", "extent ", "explain "};
+    const std::vector<std::string> scene{"pressure ", "expand ", "extent "};
     if (command.find(' ') != std::string::npos || !command.ends_with(".toml")) {
         return {command};
     }
@@ -195,8 +195,8 @@ TEST_CASE("refusals: deep, long and binary input") {
 TEST_CASE("refusals: a folder is not a missing file, and endless files are refused") {
     const Folder folder;
     std::filesystem::create_directory(folder.path() / "dir");
-    for (const std::string command : {"pressure", "expand", "extent", "explain", "table", "points",
-                                      "check", "verify", "check --ledger"}) {
+    for (const std::string command :
+         {"pressure", "expand", "extent", "table", "points", "check", "verify", "check --ledger"}) {
         check_refusal(folder, command + " dir", "dir", "this is a folder, not a file");
         check_refusal(folder, command + " none", "none", "there is no such file");
         if (command != "check") {

@@ -29,7 +29,7 @@ constexpr std::array file_kinds{
     KindOfFile{{"profile", "load", "ask"},
                "a scene",
                "a scene (TOML with [profile] and [load])",
-               "edgeproof pressure, expand, extent or explain"},
+               "edgeproof pressure, expand or extent"},
     KindOfFile{{"scenes"},
                "a recipe",
                "a recipe (TOML with [scenes.NAME])",

@@ -73,13 +73,7 @@ TEST_CASE("the manual and the completions name every subcommand and option of th
 
 TEST_CASE("a file that came with the program is found by its name") {
     const Folder folder;
-    const Outcome named = run(folder, "verify moore-hills --only EQ18 --digits 20");
-    CHECK(named.code == 0);
-    CHECK(has(named.out, "as recorded in moore-hills.expected.csv"));
-    CHECK(run(folder, "pressure fretting-pad --digits 5").code == 0);
     CHECK(run(folder, "table power-law --check --every 200").code == 0);
-    CHECK(run(folder, "cost fretting-pad --digits 16 --points 1").code == 0);
-    CHECK(run(folder, "design exponent --digits 4 --gap 1e-1").code == 0);
     (void)folder.write("mesh.csv", "x,p\n-0.5,279\n0,321\n0.5,279\n");
     CHECK(has(run(folder, "compare fretting-pad mesh.csv").out, "fretting-pad"));
     // A file of that name in the working folder has precedence.

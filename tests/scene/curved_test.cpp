@@ -109,3 +109,26 @@ TEST_CASE("a slope that is not proved to rise, and one that falls, are refused")
                        "a = \"3/4\"", ask)),
         doctest::Contains("scene.toml:1: g' decreases near x = "), InputError);
 }
+
+// By symmetry p at the origin and at x = 1/2 does not depend on the edge from which it is counted.
+TEST_CASE("places on a knot of a curved contact whose edges are computed are enclosed") {
+    const std::string profile = "symmetric = true\nknots = [\"1/2\"]\n"
+                                "slopes = [\"x + x^3\", \"5/8 + 2*(x - 1/2)\"]";
+    const auto at = [&](const std::string& x) {
+        return run_scene(parsed("[profile]\nkind = \"piecewise\"\n" + profile +
+                                "\n[load]\nP = \"1/2\"\ncontact_modulus = \"1\"\n[ask]\nedges = "
+                                "[\"right\"]\ndigits = 20\nx = [\"" +
+                                x + "\"]\n"))
+            .points()[0]
+            .at(Quantity::p);
+    };
+    for (const char* knot : {"0", "1/2", "-1/2"}) {
+        CAPTURE(knot);
+        const BoundedValue p = at(knot);
+        CHECK(p.proved);
+        CHECK(p.value.relative_accuracy_bits() > 60);
+        // p is continuous: its change over 1e-12 is at most of the order of 1e-11.
+        const BoundedValue near = at(std::string(knot) + " + 1e-12");
+        CHECK(abs(Ball(p.value - near.value)).upper() < Real("1e-10"));
+    }
+}

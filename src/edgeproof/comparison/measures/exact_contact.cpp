@@ -254,7 +254,7 @@ ExactContact::Place ExactContact::at(const Real& x) const {
     try {
         place.exact_p = solved_->pressure(x);
         place.p = place.exact_p.convert_to<double>();
-    } catch (const DomainError&) { // on a corner
+    } catch (const Error&) { // on a corner, or not enclosed
         place.p.reset();
     }
     return place;
@@ -282,7 +282,11 @@ std::optional<double> ExactContact::traction(const Real& x, const Place& place) 
     if (!place.p && !singular) {
         return {};
     }
-    return solved_->shear->at({right, left, x}, place.exact_p).convert_to<double>();
+    try {
+        return solved_->shear->at({right, left, x}, place.exact_p).convert_to<double>();
+    } catch (const Error&) { // on a knot of the stick zone, where balls do not enclose q
+        return {};
+    }
 }
 
 double ExactContact::pressure(double x) const { return at(Real(x)).p.value_or(scale().value); }

@@ -250,6 +250,17 @@ Ball IntegratedContact::pressure(Edge edge, const Exact& u) const {
             piece = i;
         }
     }
+    return pressure_at(from_edge, x, piece, on_knot);
+}
+
+Ball IntegratedContact::pressure_at_knot(Edge edge, std::size_t knot) const {
+    const Ball& x = slope_.knots[knot];
+    return pressure_at(edge == Edge::right ? a_ - x : x + b_, x, knot, knot);
+}
+
+Ball IntegratedContact::pressure_at(const Ball& from_edge, const Ball& x, std::size_t piece,
+                                    const std::optional<std::size_t>& on_knot) const {
+    const Ball other = a_ + b_ - from_edge;
     const std::vector<Ball> slope = series_of_slope(piece, x, 1);
     // Each of two pieces that meet at x is evaluated by its own expression; their values at x are
     // equal.

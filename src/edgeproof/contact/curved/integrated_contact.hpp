@@ -40,6 +40,8 @@ public:
     /// The result is not finite on a knot, unless exact numbers prove that the point is the knot
     /// and that g' does not jump there.
     [[nodiscard]] Ball pressure(Edge edge, const Exact& u) const override;
+    /// p at a knot inside the contact at which g' does not jump.
+    [[nodiscard]] Ball pressure_at_knot(Edge edge, std::size_t knot) const;
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
     /// Returns the radius of the disk about an edge (length).
@@ -92,6 +94,9 @@ private:
     /// that `set(f, span)` completes.
     template <class Set>
     [[nodiscard]] Ball over_spans(const Ball& a, const Ball& b, const Set& set) const;
+    /// p at x, which is on the piece, or on the knot at its right end.
+    [[nodiscard]] Ball pressure_at(const Ball& from_edge, const Ball& x, std::size_t piece,
+                                   const std::optional<std::size_t>& on_knot) const;
     /// Returns the integral of (g' - mean)/(zeta - s)^poles over theta.
     [[nodiscard]] Box integral_of_poles(const Box& zeta, const Ball& mean, long poles) const;
     /// Returns the integral of g' cos(harmonic theta) over theta.

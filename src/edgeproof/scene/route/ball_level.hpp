@@ -392,6 +392,14 @@ private:
         if (const auto& number = u.number()) {
             return contact_->pressure(edge, *number);
         }
+        const auto* curved = dynamic_cast<const contact::IntegratedContact*>(contact_.get());
+        for (std::size_t i = 0; curved != nullptr && u.x() && i < scene_.profile->knots().size();
+             ++i) {
+            if (!scene_.profile->has_corner(i) &&
+                contact::certainly_zero(scene_.profile->knots()[i].expr() - u.x()->expr())) {
+                return curved->pressure_at_knot(edge, i);
+            }
+        }
         return contact().pressure(edge, distance(u));
     }
     struct Last {

@@ -9,10 +9,8 @@
 ///   law/edge_expansion.hpp            c_0, c_1, ... at both edges
 ///   law/shear.hpp                     q under full stick
 ///   law/slip_series.hpp               the slip zones in powers of the load
-///   law/forward.hpp                   resultant and principal value of a traction
 ///   routes/normal_contact.hpp         NormalContact: p, c_k, P, M to a given number of digits
 ///   routes/pressure_routes.hpp        p(x) by routes that share no formula
-///   routes/extent.hpp                 how far from an edge n terms stay within a tolerance
 ///   tilt/tilt_solver.hpp              the tilt for a given force and moment
 ///   double_word/double_word_pressure.hpp  pressures to binary64, in double words with bounds
 ///   enclosure/ball_contact.hpp        BallContact: the contact in balls, proved
@@ -33,10 +31,8 @@
 #include "edgeproof/contact/enclosure/exact_contact.hpp"
 #include "edgeproof/contact/law/contact_law.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
-#include "edgeproof/contact/law/forward.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
-#include "edgeproof/contact/routes/extent.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/contact/routes/pressure_routes.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"

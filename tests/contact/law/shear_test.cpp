@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/contact/law/forward.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"
+#include "tests/contact/forward.hpp"
 #include "tests/contact/scenes.hpp"
 #include "tests/support/namespaces.hpp"
 

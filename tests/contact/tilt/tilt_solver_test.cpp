@@ -2,8 +2,8 @@
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
 
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/contact/law/forward.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "tests/contact/forward.hpp"
 #include "tests/contact/scenes.hpp"
 #include "tests/support/namespaces.hpp"
 

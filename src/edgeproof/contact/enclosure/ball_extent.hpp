@@ -38,7 +38,8 @@ public:
     /// Returns a contact at a number of bits; throws BudgetError if they are too few.
     using Contact = std::function<const ProvedContact&(long bits)>;
 
-    /// Throws InputError as within_tolerance does. `contact` must outlive the object.
+    /// Throws InputError for a tolerance <= 0, n = 0, or a range that is not 0 <= from < to <= 1.
+    /// `contact` must outlive the object.
     BallExtentSearch(Contact contact, Edge edge, std::size_t n, Exact tolerance, ExtentRange range)
         : contact_(std::move(contact)), edge_(edge), n_(n), tolerance_(std::move(tolerance)),
           range_(std::move(range)) {}

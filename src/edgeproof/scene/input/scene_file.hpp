@@ -3,7 +3,6 @@
 #include "edgeproof/contact/axisymmetric/axisymmetric_power_law.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
-#include "edgeproof/contact/routes/extent.hpp"
 #include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"

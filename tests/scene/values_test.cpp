@@ -145,8 +145,8 @@ TEST_CASE("balls and quadratures agree, each within its own bound") {
         const SceneResult balls = run_scene(parsed(text));
         const SceneResult reals = run_scene(parsed(text + "route = \"singular-integral\"\n"));
         for (std::size_t i = 0; i < balls.points().size(); ++i) {
-            const BoundedValue& x = balls.points()[i].at(Quantity::p);
-            const BoundedValue& y = reals.points()[i].at(Quantity::p);
+            const BoundedValue x = balls.points()[i].at(Quantity::p);
+            const BoundedValue y = reals.points()[i].at(Quantity::p);
             CHECK(overlaps(x.value, y.value));
             CHECK(x.proved);
             CHECK_FALSE(y.proved);

@@ -104,7 +104,7 @@ private:
     std::mt19937_64 draw_;
 };
 
-std::string text_of(const Real& x) { return x.str(40, std::ios_base::scientific); }
+std::string decimals_of(const Real& x) { return x.str(40, std::ios_base::scientific); }
 
 /// Distances from the edge (length) as exact decimals: 1e-30, near each bend inside, and drawn
 /// ones.
@@ -118,14 +118,14 @@ std::vector<std::string> places_in_body(BodyDraw& draw, const DrawnBody& body, c
         for (const char* apart : {"1e-10", "-1e-10"}) {
             const Real u = beyond + Real(apart);
             if (u > 0 && u < a) {
-                places.push_back(text_of(u));
+                places.push_back(decimals_of(u));
             }
         }
     }
     while (places.size() < count) {
         const Real x(draw.decimal(17));
         const long kind = draw.whole(0, 3);
-        places.push_back(text_of(kind == 0   ? Real(a * x * pow(Real(10), -draw.whole(1, 20)))
+        places.push_back(decimals_of(kind == 0   ? Real(a * x * pow(Real(10), -draw.whole(1, 20)))
                                  : kind == 1 ? Real(a * (1 - x * pow(Real(10), -draw.whole(1, 8))))
                                              : Real(a * x)));
     }
@@ -271,7 +271,7 @@ TEST_CASE("Boussinesq's integral of the pressures of 60 drawn axisymmetric conta
         const Real delta = known(scene::Quantity::delta);
         const Real modulus = scene.contact_modulus.to<Real>();
         const Real inside = a * Real(draw.decimal(6));
-        const Real outside(text_of(Real(a * (1 + Real(draw.decimal(6))))));
+        const Real outside(decimals_of(Real(a * (1 + Real(draw.decimal(6))))));
         scene::AskedValue first{scene::Quantity::p};
         first.u = Exact::parse("1e-30");
         scene::SceneValues values(scene, {first}, {20, Rounding::nearest, false});
@@ -287,7 +287,7 @@ TEST_CASE("Boussinesq's integral of the pressures of 60 drawn axisymmetric conta
                     return Real(0);
                 }
             }
-            const std::string text = text_of(u);
+            const std::string text = decimals_of(u);
             if (const auto found = pressures.find(text); found != pressures.end()) {
                 return found->second;
             }
@@ -334,7 +334,7 @@ TEST_CASE("Boussinesq's integral of the pressures of 60 drawn axisymmetric conta
             [&](const Real& s, const Real& apart) { return lifted(inside, s, apart); });
         CHECK(abs(Real(within - (delta - height_of(scene, inside)))) < delta * Real("1e-14"));
         scene::AskedValue asked{scene::Quantity::gap};
-        asked.place = scene::Place::parse(text_of(outside), scene::Place::From::origin, {})
+        asked.place = scene::Place::parse(decimals_of(outside), scene::Place::From::origin, {})
                           .distance(contact::Edge::right);
         scene::SceneValues surface(scene, {asked}, many);
         const Real gap = at_working_precision(value_in_body(surface, asked).midpoint());

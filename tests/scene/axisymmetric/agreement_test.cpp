@@ -125,9 +125,10 @@ std::vector<std::string> places_in_body(BodyDraw& draw, const DrawnBody& body, c
     while (places.size() < count) {
         const Real x(draw.decimal(17));
         const long kind = draw.whole(0, 3);
-        places.push_back(decimals_of(kind == 0   ? Real(a * x * pow(Real(10), -draw.whole(1, 20)))
-                                 : kind == 1 ? Real(a * (1 - x * pow(Real(10), -draw.whole(1, 8))))
-                                             : Real(a * x)));
+        places.push_back(decimals_of(kind == 0 ? Real(a * x * pow(Real(10), -draw.whole(1, 20)))
+                                     : kind == 1
+                                         ? Real(a * (1 - x * pow(Real(10), -draw.whole(1, 8))))
+                                         : Real(a * x)));
     }
     return places;
 }

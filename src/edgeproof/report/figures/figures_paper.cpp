@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/figures/figures_paper.hpp"
 
-#include "edgeproof/contact/routes/normal_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <fmt/format.h>
@@ -25,6 +25,7 @@ void add_term_curves(Plot& plot, const std::string& prefix) {
 
 constexpr const char* moore_hills = "moore-hills";
 constexpr unsigned working = figure_digits + 10;
+constexpr long contact_bits = 512; // a place at a bend has half of them
 constexpr std::size_t most_terms = 3;
 
 struct PanelScene {
@@ -71,28 +72,28 @@ Plot table_of(const PanelScene& scene, const std::vector<Rational>& fractions) {
     plot.id = scene.id;
     plot.title = scene.title;
     plot.columns = {"fraction", "x_over_a", "p", "p1", "p2", "p3", "e1", "e2", "e3"};
-    const contact::NormalContact contact(
-        scene.profile, formula::Exact::parse("1"),
-        contact::Load::right_edge(formula::Exact::parse(scene.half_width)), working);
     const PrecisionScope scope(working + 5);
-    const Real side = scene.edge == contact::Edge::right ? contact.a() : contact.b();
-    const std::vector<Real> c = contact.expansion(scene.edge, most_terms);
+    const contact::BallContact contact(
+        scene.profile, formula::Exact::parse("1"),
+        contact::Load::right_edge(formula::Exact::parse(scene.half_width)), contact_bits);
+    const Ball& side = scene.edge == contact::Edge::right ? contact.a() : contact.b();
+    const std::vector<Ball> c = contact.expansion(scene.edge, most_terms);
     for (const Rational& w : fractions) {
-        const Real fraction = from_rational<Real>(w);
-        const Real u = side * fraction;
-        Real p;
-        try {
-            p = contact.pressure(scene.edge, u).value;
-        } catch (const DomainError&) {
+        const Ball place = side * Ball(w, contact_bits);
+        const Ball pressure = contact.pressure(scene.edge, place);
+        if (!pressure.is_finite()) {
             continue; // a corner
         }
-        const Real x =
-            scene.edge == contact::Edge::right ? Real(contact.a() - u) : Real(u - contact.b());
-        std::vector<std::optional<Real>> row{fraction, Real(x / contact.a()), p};
+        const Real p = pressure.midpoint();
+        const Real u = place.midpoint();
+        const Real fraction = from_rational<Real>(w);
+        const Ball x =
+            scene.edge == contact::Edge::right ? contact.a() - place : place - contact.b();
+        std::vector<std::optional<Real>> row{fraction, Ball(x / contact.a()).midpoint(), p};
         Real sum = 0;
         Real power = sqrt(u);
         for (std::size_t n = 0; n < most_terms; ++n) {
-            sum += c[n] * power;
+            sum += c[n].midpoint() * power;
             power *= u;
             row.emplace_back(sum);
         }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/run.hpp"
-#include "edgeproof/contact/routes/normal_contact.hpp"
+#include "edgeproof/contact/profile/edge.hpp"
+#include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/report/figures/figures.hpp"
 
 #include <cstddef>

@@ -11,8 +11,11 @@ mark_as_advanced(CCACHE)
 if(CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
     if(EDGEPROOF_PCH)
+        # Without CCACHE_DEPEND, ccache takes an old precompiled header when only a comment of a
+        # header changed; #pragma once compares whole files with it and then includes them twice.
         set(CMAKE_CXX_COMPILER_LAUNCHER
-            ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
+            ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_DEPEND=1
+            ${CCACHE})
     endif()
 endif()
 
@@ -24,9 +27,6 @@ endif()
 
 if(EDGEPROOF_FUZZ)
     add_compile_options(-fsanitize=fuzzer-no-link)
-    execute_process(COMMAND g++ -print-file-name=include # quadmath.h is among GCC's own headers
-        OUTPUT_VARIABLE gcc_headers OUTPUT_STRIP_TRAILING_WHITESPACE)
-    add_compile_options(-idirafter ${gcc_headers})
 endif()
 
 if(EDGEPROOF_CLANG_TIDY)
@@ -34,9 +34,5 @@ if(EDGEPROOF_CLANG_TIDY)
     set(CMAKE_CXX_CLANG_TIDY ${CLANG_TIDY} --quiet)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # clang does not know GCC's warnings
         list(APPEND CMAKE_CXX_CLANG_TIDY --extra-arg=-Wno-unknown-warning-option)
-        # quadmath.h is among GCC's own headers.
-        execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=include
-            OUTPUT_VARIABLE gcc_headers OUTPUT_STRIP_TRAILING_WHITESPACE)
-        list(APPEND CMAKE_CXX_CLANG_TIDY --extra-arg=-idirafter --extra-arg=${gcc_headers})
     endif()
 endif()

@@ -165,7 +165,7 @@ struct EnclosedSample::State {
             if (added) {
                 try {
                     known->second = value();
-                } catch (const Error&) {
+                } catch (...) {
                     known->second = std::current_exception();
                 }
             }

@@ -217,7 +217,7 @@ std::vector<Expr> analytic_pieces(const std::vector<Expr>& slopes) {
                 "the slope " + to_text(given) +
                     (has_corners
                          ? " is made of several analytic functions (abs, sgn, step, max, min)"
-                         : " has a function without a complex Taylor series"),
+                         : " has an integral or a sum"),
                 has_corners ? "write it as pieces, with a knot where the formula changes"
                             : "write it with elementary functions of x");
         analytic.push_back(std::move(slope));

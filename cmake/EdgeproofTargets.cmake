@@ -8,8 +8,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/UnitsByFolder.cmake)
 function(edgeproof_own_flags target)
     cmake_parse_arguments(PARSE_ARGV 1 arg "QUICK" "" "")
     target_compile_features(${target} PRIVATE cxx_std_20)
-    # GNU extensions: Boost offers __float128 only with them.
-    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS ON)
+    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
     target_compile_options(${target} PRIVATE
         -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${EDGEPROOF_WERROR}>:-Werror>)
     # Double words need each product and sum to be rounded separately. The flag is set for every

@@ -6,7 +6,6 @@
 #include "edgeproof/precision/ball/ball.hpp"
 
 #include <boost/math/constants/constants.hpp>
-#include <boost/multiprecision/float128.hpp>
 #include <boost/multiprecision/gmp.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 

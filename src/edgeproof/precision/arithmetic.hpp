@@ -5,46 +5,29 @@
 
 #include <boost/math/constants/constants.hpp>
 
-#include <cfloat>
 #include <cmath>
 #include <concepts>
 #include <limits>
 #include <type_traits>
 
-#if LDBL_MANT_DIG != 113
-#include <boost/multiprecision/float128.hpp>
-#endif
-
 namespace edgeproof {
 
-/// binary128: a type of libquadmath, except where long double has this format (WebAssembly, ARM).
-#if LDBL_MANT_DIG == 113
-using Float128 = long double;
-#define EDGEPROOF_FOR_EACH_ARITHMETIC(M) M(double) M(long double) M(Real)
-#else
-using Float128 = boost::multiprecision::float128;
-#define EDGEPROOF_FOR_EACH_ARITHMETIC(M) M(double) M(long double) M(Float128) M(Real)
-#endif
-// The number types for which every numerical route is compiled, once, in its own source file: a
-// file that includes the header does not compile the quadrature again.
-
-/// The number types for which all numerical routes are compiled from the same templates: binary64,
-/// the extended format of the machine, binary128, and arbitrary precision.
+/// The number types of templates that are compiled once, in a source file: binary64, for starting
+/// values, and arbitrary precision.
 template <class T>
-concept Arithmetic = std::same_as<T, double> || std::same_as<T, long double> ||
-    std::same_as<T, Float128> || std::same_as<T, Real>;
+concept Arithmetic = std::same_as<T, double> || std::same_as<T, Real>;
+#define EDGEPROOF_FOR_EACH_ARITHMETIC(M) M(double) M(Real)
 
 /// Returns the number nearest to q in T (`Real`: at the working precision). There is one rounding
-/// for `Real`, and two for the other types.
+/// for `Real`, and two for double.
 template <Arithmetic T> [[nodiscard]] T from_rational(const Rational& q) {
     if constexpr (std::same_as<T, Real>) {
         Real x;
         mpfr_set_q(x.backend().data(), q.backend().data(), MPFR_RNDN);
         return x;
     } else {
-        // 40 digits are more than any format below Real has, so that the second rounding is correct
-        // except in a vanishing fraction of cases, where the result is within one unit in the last
-        // place.
+        // The second rounding is correct except in a vanishing fraction of cases, where the result
+        // is within one unit in the last place.
         Real x(0, 40U);
         mpfr_set_q(x.backend().data(), q.backend().data(), MPFR_RNDN);
         return x.convert_to<T>();

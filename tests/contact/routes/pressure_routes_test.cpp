@@ -128,29 +128,6 @@ TEST_CASE("on a knot, on a corner, and outside") {
                     DomainError);
 }
 
-TEST_CASE("the same routes in double, long double and binary128") {
-    const Contact c = tilted()[4];
-    const NormalContact contact(c.profile, c.modulus, c.load, 40);
-    const auto in = [&]<class T>(T, int least) {
-        const ContactLaw<T> law(c.profile, c.modulus.to<T>());
-        const Extent<T> e = law.extent(c.load.value.to<T>());
-        for (const char* text : {"1e-9", "0.1", "0.45"}) {
-            const Exact u = exact(text);
-            const Real reference = contact.pressure(Edge::right, u).value;
-            const Point<T> at = point_at(e, Edge::right, u.to<T>());
-            for (const T& p :
-                 {barber_mossakovskii(law, e, at).value, singular_integral(law, e, at).value,
-                  logarithmic_closed_form(law, e, at).value}) {
-                CHECK(common_digits(Real(p), reference) >= least);
-            }
-        }
-    };
-    const PrecisionScope scope(60);
-    in(0.0, 12);
-    in(0.0L, 15);
-    in(Float128(0), 29);
-}
-
 TEST_SUITE_BEGIN("slow");
 
 TEST_CASE("symmetric contacts: three routes agree to 50 digits at 1000 points") {

@@ -143,8 +143,7 @@ TEST_CASE("integer powers, far out") {
     CHECK(pow_int(2.0, 1023) == 0x1p1023);
     CHECK(pow_int(2.0, -1074) == 0x1p-1074);
     CHECK(pow_int(-1.0, 9'007'199'254'740'993L) == -1.0); // 2^53 + 1 is not a double
-    CHECK(pow_int(1.5L, 3) == 3.375L);
-    CHECK(pow_int(Float128(3), 40) == Float128("12157665459056928801"));
+    CHECK(pow_int(1.5, 3) == 3.375);
     const PrecisionScope scope(50);
     CHECK(pow_int(Real(3), 100) == Real("515377520732011331036461129765621272702107522001"));
     CHECK_THROWS_AS((void)pow_int(0.0, -1), DomainError);

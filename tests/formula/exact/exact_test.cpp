@@ -42,9 +42,6 @@ TEST_CASE("values are rounded correctly") {
     CHECK(Exact::parse("1/3").to<double>() == 1.0 / 3.0);
     CHECK(Exact::parse("pi").to<double>() == 3.141592653589793);
     CHECK(Exact::parse("sqrt(2)").to<double>() == std::sqrt(2.0)); // IEEE 754: correctly rounded
-    CHECK(Exact::parse("sqrt(2)").to<long double>() == std::sqrt(2.0L));
-    CHECK(Exact::parse("sqrt(2)").to<Float128>() ==
-          Float128("1.414213562373095048801688724209698078569671875376948073176679737990"));
     CHECK(Exact::parse("-pi*0").to<double>() == 0.0);
     for (const unsigned digits : {10U, 50U, 500U}) {
         const PrecisionScope scope(digits);
@@ -111,7 +108,6 @@ TEST_CASE("a value beyond the range of the arithmetic is an error") {
     CHECK_THROWS_AS((void)Exact::parse("pi*1e400").to<double>(), DomainError);
     CHECK_THROWS_AS((void)Exact::parse("pi*1e-400").to<double>(), DomainError);
     CHECK(Exact::parse("1e-320").to<double>() == 1e-320);
-    CHECK(Exact::parse("1e400").to<long double>() == 1e400L);
 }
 
 TEST_CASE("signs are decided however close to zero") {

@@ -191,7 +191,7 @@ Estimated NormalContact::pressure_at(Edge edge, const Real& u, Route route,
         const Real& knot = s.law.slope().knots()[*found.on_knot];
         point = {Real(s.extent.a - knot), Real(s.extent.b + knot), knot};
     }
-    RoutedPressure<Real> p{};
+    RoutedPressure p{};
     const unsigned target = digits_ + guard_digits / 2;
     switch (route) {
     case Route::barber_mossakovskii:

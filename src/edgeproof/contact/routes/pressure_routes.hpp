@@ -14,9 +14,9 @@
 /// unit.
 namespace edgeproof::contact {
 
-template <class T> struct RoutedPressure {
-    T value;    ///< pressure, in the unit of the contact modulus
-    T estimate; ///< estimated relative error; 0 for a closed form (roundoff only)
+struct RoutedPressure {
+    Real value;    ///< pressure, in the unit of the contact modulus
+    Real estimate; ///< estimated relative error; 0 for a closed form (roundoff only)
     std::size_t evaluations = 0;
     bool converged = true;
 };
@@ -24,26 +24,23 @@ template <class T> struct RoutedPressure {
 /// Barber-Mossakovskii (moore-hills EQ21, first branch; for b = a it is EQ03): superposed flat
 /// punches of extent (-b(s), s). For x >= 0; for x < 0 mirror the problem: the second branch is the
 /// same integral with b as the parameter. Throws DomainError for x < 0.
-template <Arithmetic T>
-[[nodiscard]] RoutedPressure<T> barber_mossakovskii(const ContactLaw<T>& law, const Extent<T>& e,
-                                                    const Point<T>& at, unsigned target_digits = 0);
+[[nodiscard]] RoutedPressure barber_mossakovskii(const ContactLaw<Real>& law, const Extent<Real>& e,
+                                                 const Point<Real>& at, unsigned target_digits = 0);
 
 /// The singular integral equation (moore-hills EQ01 on -b < x < a). Its principal value is made
 /// regular with the fact that the PV of 1/(w(s)(s - x)) is zero.
-template <Arithmetic T>
-[[nodiscard]] RoutedPressure<T> singular_integral(const ContactLaw<T>& law, const Extent<T>& e,
-                                                  const Point<T>& at, unsigned target_digits = 0);
+[[nodiscard]] RoutedPressure singular_integral(const ContactLaw<Real>& law, const Extent<Real>& e,
+                                               const Point<Real>& at, unsigned target_digits = 0);
 
 /// For g' piecewise linear: corners and bends contribute G(x, v) = ln |(z_x + z_v)/(z_x - z_v)| and
 /// its integral, z_s = sqrt((a - s)/(s + b)) (linear_measure.hpp). Throws DomainError for
 /// other profiles.
-template <Arithmetic T>
-[[nodiscard]] RoutedPressure<T> logarithmic_closed_form(const ContactLaw<T>& law,
-                                                        const Extent<T>& e, const Point<T>& at);
+[[nodiscard]] RoutedPressure logarithmic_closed_form(const ContactLaw<Real>& law,
+                                                     const Extent<Real>& e, const Point<Real>& at);
 /// The same; `marks` are those of the extent, and shared by all points of a contact.
-template <Arithmetic T>
-[[nodiscard]] RoutedPressure<T> logarithmic_closed_form(const ContactLaw<T>& law,
-                                                        Marks<T, T>& marks, const Point<T>& at);
+[[nodiscard]] RoutedPressure logarithmic_closed_form(const ContactLaw<Real>& law,
+                                                     Marks<Real, Real>& marks,
+                                                     const Point<Real>& at);
 
 /// I_m(q), the integral of s^m/sqrt(s^2 - q^2) over q < s < 1 (dimensionless), in Real
 /// (docs/pressure.md, "Closed form: power laws"). It shares neither a series nor a recurrence with
@@ -101,7 +98,7 @@ public:
     /// For a power law of m > 0 that is not piecewise linear.
     PowerLawPressure(const Exact& m, const ContactLaw<Real>& law, const Extent<Real>& e,
                      unsigned target_digits);
-    [[nodiscard]] RoutedPressure<Real> operator()(const Point<Real>& at);
+    [[nodiscard]] RoutedPressure operator()(const Point<Real>& at);
 
 private:
     Real a_;

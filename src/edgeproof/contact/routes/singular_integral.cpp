@@ -7,22 +7,20 @@
 
 namespace edgeproof::contact {
 
-template <Arithmetic T>
-RoutedPressure<T> singular_integral(const ContactLaw<T>& law, const Extent<T>& e,
-                                    const Point<T>& at, unsigned target_digits) {
-    using std::sqrt;
-    const SlopeIn<T>& slope = law.slope();
+RoutedPressure singular_integral(const ContactLaw<Real>& law, const Extent<Real>& e,
+                                 const Point<Real>& at, unsigned target_digits) {
+    const SlopeIn<Real>& slope = law.slope();
     // The integral is cut at both edges, at every knot inside and at x. Each cut has its distances
     // from both edges; piece_of holds the piece of g' that begins there.
     struct Cut {
-        T right;
-        T left;
-        T x;
+        Real right;
+        Real left;
+        Real x;
         bool is_point;
         std::optional<std::size_t> knot = {};
     };
     std::vector<Cut> cuts;
-    cuts.push_back({e.length(), T(0), T(-e.b), false});
+    cuts.push_back({e.length(), Real(0), Real(-e.b), false});
     std::vector<std::size_t> piece_of;
     std::size_t piece = 0;
     bool placed = false;
@@ -33,14 +31,14 @@ RoutedPressure<T> singular_integral(const ContactLaw<T>& law, const Extent<T>& e
     };
     std::size_t piece_of_x = 0;
     for (std::size_t i = 0; i < slope.knots().size(); ++i) {
-        const T& knot = slope.knots()[i];
-        const T left = e.b + knot;
-        const T right = e.a - knot;
-        if (!(left > T(0))) {
+        const Real& knot = slope.knots()[i];
+        const Real left = e.b + knot;
+        const Real right = e.a - knot;
+        if (!(left > Real(0))) {
             piece = i + 1;
             continue;
         }
-        if (!(right > T(0))) {
+        if (!(right > Real(0))) {
             break;
         }
         if (!placed && !(at.x > knot)) {
@@ -58,60 +56,57 @@ RoutedPressure<T> singular_integral(const ContactLaw<T>& law, const Extent<T>& e
         piece_of_x = piece;
         place_point();
     }
-    cuts.push_back({T(0), e.length(), e.a, false});
+    cuts.push_back({Real(0), e.length(), e.a, false});
     piece_of.push_back(piece);
 
-    std::vector<T> lengths;
+    std::vector<Real> lengths;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         // The difference of the distances from the nearer edge, which cancels less.
-        lengths.push_back(cuts[i].left < cuts[i + 1].right ? T(cuts[i + 1].left - cuts[i].left)
-                                                           : T(cuts[i].right - cuts[i + 1].right));
+        lengths.push_back(cuts[i].left < cuts[i + 1].right
+                              ? Real(cuts[i + 1].left - cuts[i].left)
+                              : Real(cuts[i].right - cuts[i + 1].right));
     }
     std::size_t point_cut = 0;
     while (!cuts[point_cut].is_point) {
         ++point_cut;
     }
-    std::vector<T> gap(lengths.size(), T(0)); // distance from x to the nearer end of each interval
+    std::vector<Real> gap(lengths.size(),
+                          Real(0)); // distance from x to the nearer end of each interval
     for (std::size_t i = point_cut + 1; i < lengths.size(); ++i) {
         gap[i] = gap[i - 1] + lengths[i - 1];
     }
     for (std::size_t i = point_cut; i-- > 1;) {
         gap[i - 1] = gap[i] + lengths[i];
     }
-    const T at_x = slope.value(piece_of_x, at.x);
-    const auto integrand = [&](std::size_t i, const T& lo, const T& hi) {
-        const T right = cuts[i + 1].right + hi;
-        const T left = cuts[i].left + lo;
+    const Real at_x = slope.value(piece_of_x, at.x);
+    const auto integrand = [&](std::size_t i, const Real& lo, const Real& hi) {
+        const Real right = cuts[i + 1].right + hi;
+        const Real left = cuts[i].left + lo;
         // s - x as a sum of lengths. Their roundoff is the same at every node, so that the
         // integrand is smooth.
-        const T delta = i < point_cut ? T(-(hi + gap[i])) : T(lo + gap[i]);
-        const T w = sqrt(T(right * left));
+        const Real delta = i < point_cut ? Real(-(hi + gap[i])) : Real(lo + gap[i]);
+        const Real w = sqrt(Real(right * left));
         // s from the nearer cut. Near the origin, where |s|^m is steep, s is equal to that
         // distance.
-        const T s = lo < hi ? T(cuts[i].x + lo) : T(cuts[i + 1].x - hi);
+        const Real s = lo < hi ? Real(cuts[i].x + lo) : Real(cuts[i + 1].x - hi);
         const auto& knot = lo < hi ? cuts[i].knot : cuts[i + 1].knot;
-        const T away = lo < hi ? lo : T(-hi); // the distance from that cut
+        const Real away = lo < hi ? lo : Real(-hi); // the distance from that cut
         if (piece_of[i] == piece_of_x) {
-            return T((knot ? slope.quotient(piece_of_x, at.x, s, delta, {*knot, away})
-                           : slope.quotient(piece_of_x, at.x, s, delta)) /
-                     w);
+            return Real((knot ? slope.quotient(piece_of_x, at.x, s, delta, {*knot, away})
+                              : slope.quotient(piece_of_x, at.x, s, delta)) /
+                        w);
         }
-        const T at_s =
+        const Real at_s =
             knot ? slope.value(piece_of[i], s, {*knot, away}) : slope.value(piece_of[i], s);
         // docs/pressure.md, "The singular integral, and how its pole is taken out"
-        return T((at_s - at_x) / (delta * w));
+        return Real((at_s - at_x) / (delta * w));
     };
-    const auto result = quadrature::integrate_pieces<T>(integrand, lengths, T(0), T(0),
-                                                        {.target_digits = target_digits});
+    const auto result = quadrature::integrate_pieces<Real>(integrand, lengths, Real(0), Real(0),
+                                                           {.target_digits = target_digits});
     // moore-hills EQ01
-    const T factor = law.contact_modulus() / (T(2) * pi<T>()) * sqrt(T(at.right * at.left));
-    return {T(factor * result.value), result.estimate, result.evaluations, result.converged};
+    const Real factor =
+        law.contact_modulus() / (Real(2) * pi<Real>()) * sqrt(Real(at.right * at.left));
+    return {Real(factor * result.value), result.estimate, result.evaluations, result.converged};
 }
-
-#define EDGEPROOF_INSTANTIATE(T)                                                                   \
-    template RoutedPressure<T> singular_integral(const ContactLaw<T>&, const Extent<T>&,           \
-                                                 const Point<T>&, unsigned);
-EDGEPROOF_FOR_EACH_ARITHMETIC(EDGEPROOF_INSTANTIATE)
-#undef EDGEPROOF_INSTANTIATE
 
 } // namespace edgeproof::contact

@@ -51,11 +51,7 @@ template <class T> T elementary(Builtin f, std::span<const T> x) {
     } else if (x.size() == 2) {
         return f == Builtin::atan2 ? T(atan2(x[0], x[1])) : boost::math::hypot(x[0], x[1]);
     } else if (f == Builtin::gamma) {
-        if constexpr (std::same_as<T, Float128>) {
-            return boost::math::tgamma(x[0]);
-        } else {
-            return std::tgamma(x[0]);
-        }
+        return std::tgamma(x[0]);
     } else {
         return detail::adl::unary(f, x[0]).value();
     }

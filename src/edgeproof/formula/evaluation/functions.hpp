@@ -11,7 +11,7 @@
 #include <string>
 #include <tuple>
 
-/// The built-in functions for any number type. The four types of Arithmetic have all of them, with
+/// The built-in functions for any number type. Both types of Arithmetic have all of them, with
 /// checked domains. Any other type (a ball, a series, a divided difference) defines those that it
 /// has, which are found by argument-dependent lookup; a formula with a function that the type lacks
 /// throws Error when it is evaluated.
@@ -55,7 +55,7 @@ template <class T> [[nodiscard]] T power_by_products(const T& x, long n, const T
 
 namespace adl {
 
-// The functions of the C++ library serve double and long double; those of other types are found
+// The functions of the C++ library serve double; those of other types are found
 // through their arguments.
 using std::acos;
 using std::acosh;
@@ -243,7 +243,7 @@ template <class T, class Env> [[nodiscard]] T power(const T& x, const Rational& 
     }
 }
 
-/// Returns x^y. For the four types of Arithmetic 0^0 is 1.
+/// Returns x^y. For both types of Arithmetic 0^0 is 1.
 template <class T> [[nodiscard]] T power(const T& x, const T& y) {
     if constexpr (Arithmetic<T>) {
         return real_power(x, y);
@@ -252,7 +252,7 @@ template <class T> [[nodiscard]] T power(const T& x, const T& y) {
     }
 }
 
-/// Returns x/y. Throws DomainError if y is zero, for the four types of Arithmetic.
+/// Returns x/y. Throws DomainError if y is zero, for both types of Arithmetic.
 template <class T> [[nodiscard]] T quotient(const T& x, const T& y) {
     if constexpr (Arithmetic<T>) {
         if (y == 0) {

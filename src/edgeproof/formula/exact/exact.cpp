@@ -74,14 +74,8 @@ void check_magnitude(const Expr& e, std::string_view text) {
 template <class T> T rounded_to(const Real& x) {
     if constexpr (std::same_as<T, Real>) {
         return at_working_precision(x);
-    } else if constexpr (std::same_as<T, double>) {
-        return mpfr_get_d(x.backend().data(), MPFR_RNDN);
-    } else if constexpr (std::same_as<T, long double>) {
-        return mpfr_get_ld(x.backend().data(), MPFR_RNDN);
     } else {
-        Real narrow = x;
-        mpfr_prec_round(narrow.backend().data(), bits_of_arithmetic<T>(), MPFR_RNDN);
-        return narrow.convert_to<T>();
+        return mpfr_get_d(x.backend().data(), MPFR_RNDN);
     }
 }
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/counts/binary64_count.hpp"
 
-#include "edgeproof/contact/double_word/double_word_expansion.hpp"
-#include "edgeproof/contact/double_word/double_word_shear.hpp"
-#include "edgeproof/contact/slip/ball_slip.hpp"
+#include "edgeproof/contact/double_word/double_word_pressure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rational.hpp"
@@ -14,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace edgeproof::validation {
 namespace {
@@ -23,8 +20,6 @@ using contact::BallContact;
 using contact::Edge;
 
 constexpr long reference_bits = 320;
-constexpr long error_bits = 1024; ///< 1 - p_n/p is at least 1e-180
-constexpr std::size_t most_terms = 3;
 /// The number of sampled contacts from which the first one with a form is chosen.
 constexpr std::size_t choices = 16;
 
@@ -60,129 +55,25 @@ Drawn drawn_contact(std::uint64_t seed, std::size_t number, SplitMix64& dice) {
     }
 }
 
-constexpr long friction_denominator = 2; ///< f = 1/2
-
-contact::ShearLoad<Ball> slip_load(const BallContact& contact, const Rational& ratio) {
-    const long bits = contact.bits();
-    return {contact.force() * Ball(ratio, bits) / friction_denominator, Ball(0, bits)};
-}
-
-/// Draws |Q|/(f P) from 9/10 to 1e-10: near 0 the stick zone nearly fills the contact.
-Rational drawn_ratio(SplitMix64& dice) {
-    Rational ratio(1 + static_cast<long>(dice.below(9)), 10);
-    for (std::size_t zeros = dice.below(10); zeros > 0; --zeros) {
-        ratio /= 10;
-    }
-    return ratio;
-}
-
-/// The slip of a contact, with the objects that it refers to.
-struct Slipping {
-    std::unique_ptr<BallContact> contact;
-    std::unique_ptr<contact::ZoneSolver> zones;
-    std::unique_ptr<contact::BallSlip> slip;
-
-    Slipping(const Drawn& drawn, const Rational& ratio, long bits)
-        : contact(std::make_unique<BallContact>(drawn.at(bits))),
-          zones(contact::closed_form_zones(*contact)),
-          slip(std::make_unique<contact::BallSlip>(*contact, *zones, contact->force(),
-                                                   slip_load(*contact, ratio),
-                                                   Ball(1, bits) / friction_denominator)) {}
-};
-
 class Contact {
 public:
-    Contact(const Drawn& drawn, SplitMix64& dice)
-        : drawn_(drawn), words_(drawn.at(contact::DoubleWordPressure::contact_bits)),
-          balls_(drawn.at(reference_bits)), fine_(drawn.at(error_bits)),
-          ratio_(drawn_ratio(dice)), load_{Rational(1 + static_cast<long>(dice.below(99)), 7),
-                                           Rational(3, 7)},
-          pressure_(drawn.profile, words_), length(number_of(words_.a() + words_.b())) {
-        for (std::size_t i = 0; i < words_.slope().knots.size(); ++i) {
-            if (!words_.piecewise_linear() || words_.bends_inside(i)) {
-                insets.push_back(number_of(words_.a() - words_.slope().knots[i]));
+    explicit Contact(const Drawn& drawn)
+        : drawn_(drawn), balls_(drawn.at(reference_bits)),
+          pressure_(drawn.profile, drawn.at(contact::DoubleWordPressure::contact_bits)),
+          length(number_of(balls_.a() + balls_.b())) {
+        for (std::size_t i = 0; i < balls_.slope().knots.size(); ++i) {
+            if (!balls_.piecewise_linear() || balls_.bends_inside(i)) {
+                insets.push_back(number_of(balls_.a() - balls_.slope().knots[i]));
             }
         }
-        shear_.push_back(contact::DoubleWordShear::full_stick(words_, load(words_.bits())));
-        shear_.push_back(contact::DoubleWordShear::similar(pressure_, Ball(load_.Q, words_.bits()) /
-                                                                          words_.force()));
-        try {
-            const Slipping slip(drawn, ratio_, words_.bits());
-            slip_.emplace(drawn, ratio_, reference_bits);
-            if (!slip.slip->sliding()) {
-                const contact::BallZone& stick = slip.slip->stick();
-                shear_.push_back(contact::DoubleWordShear::partial_slip(
-                    drawn.profile, words_, stick, Ball(1, words_.bits()) / friction_denominator));
-                insets.push_back(number_of(words_.a() - stick.a));
-                insets.push_back(number_of(words_.a() + stick.b));
-            }
-        } catch (const BudgetError&) {
-            // The stick zone ends on a corner: p and the other forms of q remain.
-        }
-        for (const Edge edge : {Edge::right, Edge::left}) {
-            for (std::size_t n = 1; n <= most_terms; ++n) {
-                sums_.emplace_back(words_, edge, n);
-                errors_.emplace_back(drawn.profile, words_, edge, n);
-            }
-            c_[index_of(edge)] = balls_.expansion(edge, most_terms);
-            fine_c_[index_of(edge)] = fine_.expansion(edge, most_terms);
-        }
     }
 
-    [[nodiscard]] bool slips() const { return shear_.size() == 3; }
-
-    [[nodiscard]] DoubleWord words(DrawnForm form, std::size_t n, Edge edge, double u) const {
-        const DoubleWord at{u, 0, 0};
-        const std::size_t row = index_of(edge) * most_terms + n - 1;
-        switch (form) {
-        case DrawnForm::p:
-            return pressure_.at(edge, at);
-        case DrawnForm::sum:
-            return sums_[row].at(at);
-        case DrawnForm::relative_error:
-            return errors_[row].at(at);
-        default:
-            return shear_[static_cast<std::size_t>(form) - 1].at(edge, at);
-        }
+    [[nodiscard]] DoubleWord words(Edge edge, double u) const {
+        return pressure_.at(edge, {u, 0, 0});
     }
-
-    [[nodiscard]] Ball ball(DrawnForm form, std::size_t n, Edge edge, const Rational& at) const {
-        const Ball u(at, reference_bits);
-        switch (form) {
-        case DrawnForm::p:
-            return balls_.pressure(edge, u);
-        case DrawnForm::full_stick:
-            return full_stick_traction(Ball(balls_.a() + balls_.b()), load(reference_bits), edge,
-                                       u);
-        case DrawnForm::similar:
-            return Ball(load_.Q, reference_bits) / balls_.force() * balls_.pressure(edge, u);
-        case DrawnForm::partial_slip:
-            return slip_->slip->traction(edge, u, balls_.pressure(edge, u));
-        case DrawnForm::sum:
-            return sum(c_[index_of(edge)], n, u);
-        case DrawnForm::relative_error:
-            break;
-        }
-        const Ball fine_u(at, error_bits);
-        return abs(1 - sum(fine_c_[index_of(edge)], n, fine_u) / fine_.pressure(edge, fine_u));
+    [[nodiscard]] Ball ball(Edge edge, double u) const {
+        return balls_.pressure(edge, Ball(exact_rational(u), reference_bits));
     }
-
-    /// True if `value` is the correct limit on a corner, where no ball is finite or narrow enough.
-    /// For q in a stick zone it must be the value on both sides, 2^-128 away; this also covers
-    /// edges that are only enclosed, where algebra does not decide the corner.
-    [[nodiscard]] bool is_limit(DrawnForm form, Edge edge, double u, double value) const {
-        if (form == DrawnForm::partial_slip &&
-            slip_->slip->state(edge, Ball(exact_rational(u), reference_bits)) !=
-                contact::SlipState::slip) {
-            const Rational step = exact_rational(u) * exact_rational(0x1p-128);
-            return nearest_binary64(ball(form, 0, edge, exact_rational(u) - step)) == value &&
-                   nearest_binary64(ball(form, 0, edge, exact_rational(u) + step)) == value;
-        }
-        return on_corner(edge, u) &&
-               (form == DrawnForm::relative_error ? value == 1 : std::isinf(value));
-    }
-
-private:
     /// Decided by exact algebra.
     [[nodiscard]] bool on_corner(Edge edge, double u) const {
         const auto& end = balls_.known(edge);
@@ -197,34 +88,15 @@ private:
         }
         return false;
     }
-    [[nodiscard]] contact::ShearLoad<Ball> load(long bits) const {
-        return {Ball(load_.Q, bits), Ball(load_.bulk_tension, bits)};
-    }
-    static Ball sum(const std::vector<Ball>& c, std::size_t n, const Ball& u) {
-        Ball total = c[n - 1];
-        for (std::size_t k = n - 1; k-- > 0;) {
-            total = total * u + c[k];
-        }
-        return total * sqrt(u);
-    }
 
+private:
     const Drawn& drawn_;
-    BallContact words_; ///< the source of the double words
     BallContact balls_;
-    BallContact fine_;
-    Rational ratio_;
-    contact::ShearLoad<Rational> load_;
     contact::DoubleWordPressure pressure_;
-    std::vector<contact::DoubleWordShear> shear_; ///< in the order of DrawnForm
-    std::optional<Slipping> slip_;
-    std::vector<contact::DoubleWordSum> sums_;
-    std::vector<contact::DoubleWordRelativeError> errors_;
-    std::array<std::vector<Ball>, 2> c_;
-    std::array<std::vector<Ball>, 2> fine_c_;
 
 public:
     double length;
-    std::vector<double> insets; ///< of knots and edges of the stick zone, from an edge
+    std::vector<double> insets; ///< of knots, from the right edge
 };
 
 struct Place {
@@ -256,13 +128,6 @@ Place drawn_place(SplitMix64& dice, const Contact& contact) {
     return {edge, far ? at + step : at - step, where};
 }
 
-DrawnForm drawn_form(SplitMix64& dice, const Contact& contact) {
-    // Half of the forms are pressures.
-    const auto form = static_cast<DrawnForm>(
-        std::max<std::ptrdiff_t>(0, static_cast<std::ptrdiff_t>(dice.below(10)) - 4));
-    return form == DrawnForm::partial_slip && !contact.slips() ? DrawnForm::full_stick : form;
-}
-
 } // namespace
 
 CountResult<std::string> count_binary64(const Binary64Options& options) {
@@ -274,14 +139,10 @@ CountResult<std::string> count_binary64(const Binary64Options& options) {
 
 report::Table binary64_table(const CountResult<std::string>& count) {
     report::Table t;
-    t.title = "Values in double words, in " + std::to_string(count.contacts) + " contacts";
+    t.title = "Pressures in double words, in " + std::to_string(count.contacts) + " contacts";
     t.notes = {"undecided: left to balls, as the rounding is open",
-               "wrong: not the binary64 that an enclosure of 320 bits or more rounds to"};
-    add_counts(t,
-               {"value",
-                "place",
-                {drawn_forms.begin(), drawn_forms.end()},
-                {drawn_places.begin(), drawn_places.end()}},
+               "wrong: not the binary64 that an enclosure of 320 bits rounds to"};
+    add_counts(t, {"value", "place", {"p"}, {drawn_places.begin(), drawn_places.end()}},
                {{"values", &CountCell::values},
                 {"undecided", &CountCell::undecided},
                 {"wrong", &CountCell::wrong}},
@@ -293,20 +154,17 @@ CountedContact<std::string> count_binary64_contact(const Binary64Options& option
                                                    std::size_t number, std::size_t values) {
     SplitMix64 dice(SplitMix64(options.seed).next() + number);
     const Drawn drawn = drawn_contact(options.seed, number, dice);
-    const Contact contact(drawn, dice);
+    const Contact contact(drawn);
     CountedContact<std::string> found;
-    for (std::size_t cell = 0; cell < drawn_forms.size() * drawn_places.size(); ++cell) {
+    for (std::size_t cell = 0; cell < drawn_places.size(); ++cell) {
         found.cells[cell] = {};
     }
     for (; values > 0; --values) {
         check_interruption();
         const Place at = drawn_place(dice, contact);
-        const DrawnForm form = drawn_form(dice, contact);
-        const std::size_t n = 1 + dice.below(most_terms);
-        CountCell& cell = found.cells.at(static_cast<std::size_t>(form) * drawn_places.size() +
-                                         static_cast<std::size_t>(at.where));
+        CountCell& cell = found.cells.at(static_cast<std::size_t>(at.where));
         ++cell.values;
-        DoubleWord word = contact.words(form, n, at.edge, at.u);
+        DoubleWord word = contact.words(at.edge, at.u);
         if (options.changed) {
             options.changed(word);
         }
@@ -315,14 +173,13 @@ CountedContact<std::string> count_binary64_contact(const Binary64Options& option
             ++cell.undecided;
             continue;
         }
-        const auto right = nearest_binary64(contact.ball(form, n, at.edge, exact_rational(at.u)));
-        if (right ? *right != *value : !contact.is_limit(form, at.edge, at.u, *value)) {
+        const auto right = nearest_binary64(contact.ball(at.edge, at.u));
+        if (right ? *right != *value : !contact.on_corner(at.edge, at.u) || !std::isinf(*value)) {
             ++cell.wrong;
-            found.findings.push_back(fmt::format(
-                "{}\n{} (n = {}) at u = {:a} from the {} edge: {:a}, where a ball has {}",
-                drawn.text, drawn_forms.at(static_cast<std::size_t>(form)), n, at.u,
-                at.edge == Edge::right ? "right" : "left", *value,
-                right ? fmt::format("{:a}", *right) : "several"));
+            found.findings.push_back(
+                fmt::format("{}\np at u = {:a} from the {} edge: {:a}, where a ball has {}",
+                            drawn.text, at.u, at.edge == Edge::right ? "right" : "left", *value,
+                            right ? fmt::format("{:a}", *right) : "several"));
         }
     }
     return found;

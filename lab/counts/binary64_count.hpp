@@ -15,11 +15,6 @@ namespace edgeproof::validation {
 enum class DrawnPlace : std::uint8_t { by_the_edge, inside, by_a_knot };
 inline constexpr std::array<std::string_view, 3> drawn_places{"by the edge", "inside", "by a knot"};
 
-/// The kind of value: p, q in three ways, the sum of 1 to 3 terms and its relative error.
-enum class DrawnForm : std::uint8_t { p, full_stick, similar, partial_slip, sum, relative_error };
-inline constexpr std::array<std::string_view, 6> drawn_forms{
-    "p", "q, full stick", "q, similar to p", "q, partial slip", "sum of terms", "relative error"};
-
 struct Binary64Options : CountOptions {
     /// Changes a value in double words before it is rounded, for a test that a wrong bound is
     /// counted.
@@ -28,14 +23,13 @@ struct Binary64Options : CountOptions {
 
 inline constexpr std::size_t places_a_contact = 10'000;
 
-/// Compares values in double words (contact/double_word/double_word_*.hpp) with balls of 320 bits
-/// (for a relative error 1,024). Draws contacts with a form in double words (sample.hpp; power laws
-/// only with whole and half exponents), and places in each: u from 1e-60 of the length to the full
-/// length, uniformly, and near knots and the edges of stick zones down to the last bits; q at
-/// |Q|/(f P) from 9/10 to 1e-10. The result depends only on the seed and the number of values, not
-/// on the number of threads. Values are undecided if they are left to balls. Throws Interrupted.
+/// Compares pressures in double words (contact/double_word) with balls of 320 bits. Draws contacts
+/// with a form in double words (sample.hpp; power laws only with whole and half exponents), and
+/// places in each: u from 1e-60 of the length to the full length, uniformly, and near knots down to
+/// the last bits. The result depends only on the seed and the number of values, not on the number
+/// of threads. Values are undecided if they are left to balls. Throws Interrupted.
 [[nodiscard]] CountResult<std::string> count_binary64(const Binary64Options& options);
-/// The rows are the forms of the values and their places.
+/// The rows are the places.
 [[nodiscard]] report::Table binary64_table(const CountResult<std::string>& count);
 
 /// The findings are texts with the scene, the place and both numbers of a wrong value.

@@ -50,13 +50,13 @@ TEST_CASE("each is the binary64 nearest to what another route gives with 40 digi
     for (const std::string& text : contacts) {
         CAPTURE(text);
         const Scene scene = parsed(text);
-        const Binary64Pressures pressures(scene);
+        const Binary64Values pressures(scene);
         const contact::NormalContact contact(*scene.profile, scene.contact_modulus, scene.load, 40);
         const double length = contact.a().convert_to<double>() + contact.b().convert_to<double>();
         for (const Edge edge : {Edge::right, Edge::left}) {
             for (const double u : places(length)) {
                 CAPTURE(u);
-                // This route uses another formula than Binary64Pressures.
+                // This route uses another formula than Binary64Values.
                 const contact::Estimated p = contact.pressure(edge, formula::Exact::of(Rational(u)),
                                                               contact::Route::singular_integral);
                 CHECK(pressures(edge, u) == p.value.convert_to<double>());
@@ -66,7 +66,7 @@ TEST_CASE("each is the binary64 nearest to what another route gives with 40 digi
 }
 
 TEST_CASE("zero at the edges and outside, infinite on a corner, never NaN") {
-    const Binary64Pressures wedge(parsed(contacts[0]));
+    const Binary64Values wedge(parsed(contacts[0]));
     const double infinity = std::numeric_limits<double>::infinity();
     for (const double u : {0.0, -0.0, -1.0, 2.0, 3.0, infinity, -infinity}) {
         CAPTURE(u);
@@ -85,7 +85,7 @@ TEST_CASE("zero at the edges and outside, infinite on a corner, never NaN") {
 // a = 1 with P = pi/4 (E* = C = 1).
 TEST_CASE("zero on a far edge, infinite on a corner, where the edge is not a known number") {
     const double inf = std::numeric_limits<double>::infinity();
-    const Binary64Pressures wedge(
+    const Binary64Values wedge(
         parsed(contact_of("kind = \"tilted-wedge\"\nphi = \"1\"\nalpha = \"1/3\"", "a = \"3\"")));
     CHECK(wedge(Edge::left, 1) == inf);
     CHECK(wedge(Edge::right, 3) == inf);
@@ -98,7 +98,7 @@ TEST_CASE("zero on a far edge, infinite on a corner, where the edge is not a kno
 // a solved edge.
 TEST_CASE("a place closer to the far edge than 55 digits resolve") {
     const auto hertz = [](const std::string& a) {
-        return Binary64Pressures(
+        return Binary64Values(
             parsed("[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n[load]\nP = \"pi/4*(" +
                    a + ")^2\"\ncontact_modulus = \"1\"\n"));
     };
@@ -110,8 +110,7 @@ TEST_CASE("a place closer to the far edge than 55 digits resolve") {
 }
 
 TEST_CASE("an array of places is the places one by one") {
-    const Binary64Pressures half(
-        parsed(contact_of("kind = \"power-law\"\nm = \"1/2\"\nC = \"1\"")));
+    const Binary64Values half(parsed(contact_of("kind = \"power-law\"\nm = \"1/2\"\nC = \"1\"")));
     const std::vector<double> u{0, 1e-20, 0.25, 1, 1.5, 2, 3};
     std::vector<double> p(u.size(), -1);
     half(Edge::left, u, p);
@@ -124,13 +123,13 @@ TEST_CASE("an array of places is the places one by one") {
 
 TEST_CASE("a knot is no corner") {
     // At x = t, the end of the flat, g' has a bend and p is finite.
-    CHECK(std::isfinite(Binary64Pressures(parsed(contacts[2]))(Edge::right, 0.5)));
+    CHECK(std::isfinite(Binary64Values(parsed(contacts[2]))(Edge::right, 0.5)));
 }
 
 TEST_CASE("a tilt that is solved for") {
     const Scene scene = parsed(contact_of(
         "kind = \"tilted-flat-and-rounded\"\nt = \"1\"\nR = \"1\"", "P = \"1/5\"\nM = \"-1/50\""));
-    const Binary64Pressures pressures(scene);
+    const Binary64Values pressures(scene);
     Scene one = scene;
     one.ask.quantities = {QuantityGroup::pressure};
     one.ask.route = contact::Route::singular_integral; // not the closed form
@@ -142,6 +141,6 @@ TEST_CASE("a tilt that is solved for") {
 
 TEST_CASE("a load that no contact carries is refused") {
     CHECK_THROWS_AS(
-        Binary64Pressures(parsed(contact_of("kind = \"flat-and-rounded\"\nt = \"2\"\nR = \"1\""))),
+        Binary64Values(parsed(contact_of("kind = \"flat-and-rounded\"\nt = \"2\"\nR = \"1\""))),
         InputError);
 }

@@ -23,9 +23,9 @@ Scene hertz_with(const std::string& shear = "") {
 }
 
 std::vector<double> computed_at(const Scene& scene, const Binary64Question& question,
-                                const std::vector<double>& places) {
+                                const std::vector<double>& places, Edge edge = Edge::right) {
     std::vector<double> values(places.size(), -1);
-    compute_binary64(scene, question, places, values);
+    Binary64Values(scene, question)(edge, places, values);
     return values;
 }
 
@@ -62,10 +62,9 @@ TEST_CASE("shear under full stick: by hand; refused at an edge and without shear
                     DomainError);
 }
 
-// The double words have the partial slip of one step of Q in the plane only. By hand, with
-// p(0; L) = sqrt(L/pi): Q = pi/16 at P = pi/4 slips outside L = pi/8, and back to 0 outside 3
-// pi/16. Mindlin: Q = 7/8 f P sticks inside r = a/2, where q = f (p - p*), p*(0) = p_0/2, p_0 =
-// 2/pi.
+// By hand, with p(0; L) = sqrt(L/pi): Q = pi/16 at P = pi/4 slips outside L = pi/8, and back to 0
+// outside 3 pi/16. Mindlin: Q = 7/8 f P sticks inside r = a/2, where q = f (p - p*), p*(0) = p_0/2,
+// p_0 = 2/pi.
 TEST_CASE("shear of a load history and of a sphere: by hand") {
     const std::string head = "[profile]\nkind = \"hertz\"\nR = \"1\"\n";
     const Scene history =
@@ -104,14 +103,15 @@ TEST_CASE("arrays of axisymmetric profiles are those of single values") {
 // p_1 = sqrt(u/2), p = sqrt(u (2 - u))/2: p_1 = 1/2 and p_1/p = 2/sqrt(3) at u = 1/2, so that the
 // error is 0.154700538379251529...; at u = 1e-200 it is u/4.
 TEST_CASE("sums of terms and relative errors: by hand; refused outside") {
-    Binary64Question question{.quantity = Quantity::local, .n = 1, .edge = Edge::left};
-    CHECK(computed_at(hertz_with(), question, {0.5, 2e-100}) == std::vector<double>{0.5, 1e-50});
-    CHECK_THROWS_AS(computed_at(hertz_with(), question, {2}), InputError);
-    CHECK_THROWS_AS(computed_at(hertz_with(), question, {-1}), InputError);
+    Binary64Question question{.quantity = Quantity::local, .n = 1};
+    CHECK(computed_at(hertz_with(), question, {0.5, 2e-100}, Edge::left) ==
+          std::vector<double>{0.5, 1e-50});
+    CHECK_THROWS_AS(computed_at(hertz_with(), question, {2}, Edge::left), InputError);
+    CHECK_THROWS_AS(computed_at(hertz_with(), question, {-1}, Edge::left), InputError);
     CHECK_THROWS_AS(computed_at(hertz_with(), {.quantity = Quantity::local}, {0.5}), InputError);
     question.quantity = Quantity::rel;
-    CHECK(computed_at(hertz_with(), question, {0.5, 0x1p-500}) ==
+    CHECK(computed_at(hertz_with(), question, {0.5, 0x1p-500}, Edge::left) ==
           std::vector<double>{0.15470053837925152, 0x1p-502});
     question.from_origin = true;
-    CHECK(computed_at(hertz_with(), question, {-0.5})[0] == 0.15470053837925152);
+    CHECK(computed_at(hertz_with(), question, {-0.5}, Edge::left)[0] == 0.15470053837925152);
 }

@@ -167,7 +167,7 @@ scene::Scene NativeScene::asking(const AskedByName& asked) const {
 }
 
 void NativeScene::pressures(contact::Edge edge, std::span<const double> u, std::span<double> p) {
-    std::unique_ptr<scene::Binary64Pressures> contact;
+    std::unique_ptr<scene::Binary64Values> contact;
     {
         const std::lock_guard lock(pool_->mutex);
         if (!pool_->free.empty()) {
@@ -176,7 +176,7 @@ void NativeScene::pressures(contact::Edge edge, std::span<const double> u, std::
         }
     }
     if (!contact) {
-        contact = std::make_unique<scene::Binary64Pressures>(scene_);
+        contact = std::make_unique<scene::Binary64Values>(scene_);
     }
     (*contact)(edge, u, p);
     const std::lock_guard lock(pool_->mutex);

@@ -30,14 +30,14 @@ public:
     [[nodiscard]] const scene::Scene& scene() const noexcept { return scene_; }
     /// Returns the scene with other questions. Throws InputError for questions that make no sense.
     [[nodiscard]] scene::Scene asking(const AskedByName& asked) const;
-    /// Computes Binary64Pressures at each u; `p` and `u` have the same size. Solved contacts are
-    /// kept for the next call, one for each thread that calls at the same time.
+    /// Computes p at each distance u from an edge (Binary64Values); `p` and `u` have the same size.
+    /// Solved contacts are kept for the next call, one for each thread that calls at the same time.
     void pressures(contact::Edge edge, std::span<const double> u, std::span<double> p);
 
 private:
     struct Pool {
         std::mutex mutex;
-        std::vector<std::unique_ptr<scene::Binary64Pressures>> free;
+        std::vector<std::unique_ptr<scene::Binary64Values>> free;
     };
 
     std::string text_;

@@ -171,12 +171,12 @@ py::array_t<double> binary64(const NativeScene& self, const std::string& quantit
     using scene::Quantity;
     static const std::map<std::string, Quantity> named{
         {"p", Quantity::p}, {"q", Quantity::q}, {"local", Quantity::local}, {"rel", Quantity::rel}};
-    const scene::Binary64Question question{
-        named.at(quantity), terms == 0 ? 0 : number_of_terms(terms), edge_named(edge), by_x};
-    return for_each_place(places, by_x ? "x" : "u",
-                          [&](std::span<const double> from, std::span<double> to) {
-                              compute_binary64(self.scene(), question, from, to);
-                          });
+    const scene::Binary64Values values(
+        self.scene(), {named.at(quantity), terms == 0 ? 0 : number_of_terms(terms), by_x});
+    const contact::Edge at = edge_named(edge);
+    return for_each_place(
+        places, by_x ? "x" : "u",
+        [&](std::span<const double> from, std::span<double> to) { values(at, from, to); });
 }
 
 /// Returns the stresses at points of a body, and the bound of their errors.

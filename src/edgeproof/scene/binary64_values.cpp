@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/binary64_values.hpp"
 
-#include "edgeproof/contact/double_word/double_word_expansion.hpp"
-#include "edgeproof/contact/double_word/double_word_shear.hpp"
-#include "edgeproof/contact/slip/ball_slip.hpp"
+#include "edgeproof/contact/double_word/double_word_pressure.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -13,132 +11,98 @@
 #include "edgeproof/scene/input/readers.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace edgeproof::scene {
-
 namespace {
+
+using contact::DoubleWordPressure;
+
+/// The numbers of such balls fit into two words, which need no heap memory.
+constexpr long first_bits = 128;
+constexpr long most_bits = 4096; ///< for places near the far edge and near corners
+constexpr unsigned first_digits = 25;
+constexpr unsigned most_digits = 800; ///< 1 - p_n/p cancels near an edge
 
 template <class... Rest> ClosedFormContact contact_of(Profile profile, Rest... rest) {
     return {profile, [profile, rest...](long bits) { return BallContact(profile, rest..., bits); }};
 }
 
-using contact::DoubleWordPressure;
-
-/// A quantity at the distance u from an edge, in double words.
-using InWords = std::function<DoubleWord(Edge, const DoubleWord&)>;
-
-constexpr long word_bits = DoubleWordPressure::contact_bits;
-constexpr unsigned first_digits = 25;
-constexpr unsigned most_digits = 800; ///< 1 - p_n/p cancels near an edge
-
-contact::DoubleWordShear shear_in_words(const Scene& scene, const ClosedFormContact& closed,
-                                        const BallContact& solved) {
-    const ShearSpec& shear = *scene.shear;
-    const contact::ShearLoad<Ball> load{ball_of(shear.Q, word_bits),
-                                        ball_of(shear.bulk_tension, word_bits)};
-    if (scene.slips()) {
-        const auto zones = closed_form_zones(solved);
-        const Ball friction = ball_of(*shear.friction, word_bits);
-        const contact::BallSlip slip(solved, *zones, solved.force(), load, friction);
-        if (slip.sliding()) {
-            throw DomainError("the contact slides");
-        }
-        return contact::DoubleWordShear::partial_slip(closed.profile, solved, slip.stick(),
-                                                      friction * shear.Q.sign());
-    }
-    return scene.together() ? contact::DoubleWordShear::similar({closed.profile, solved},
-                                                                load.Q / solved.force())
-                            : contact::DoubleWordShear::full_stick(solved, load);
+std::optional<double> nearest(const Ball& x) {
+    return x.is_finite() ? nearest_binary64(x) : std::nullopt;
 }
 
-/// Returns nothing if the quantity has no formula in double words.
-InWords in_words(const Scene& scene, const Binary64Question& question,
-                 const ClosedFormContact& closed, const BallContact& solved) {
-    const bool has_form = DoubleWordPressure::has_form(closed.profile);
-    if (question.quantity == Quantity::q) {
-        // The form for partial slip is that of one step of Q in the plane.
-        const bool other_slip = scene.slips() && (scene.history || scene.round);
-        if (!scene.shear || other_slip || (!has_form && (scene.slips() || scene.together()))) {
-            return {};
-        }
-        return [words = shear_in_words(scene, closed, solved)](Edge edge, const DoubleWord& u) {
-            return words.at(edge, u);
-        };
-    }
-    if (question.quantity == Quantity::local) {
-        return [words = contact::DoubleWordSum(solved, question.edge, question.n)](
-                   Edge, const DoubleWord& u) { return words.at(u); };
-    }
-    if (!has_form) {
-        return {};
-    }
-    if (question.quantity == Quantity::rel) {
-        return [words = contact::DoubleWordRelativeError(closed.profile, solved, question.edge,
-                                                         question.n)](Edge, const DoubleWord& u) {
-            return words.at(u);
-        };
-    }
-    return [words = DoubleWordPressure(closed.profile, solved)](Edge edge, const DoubleWord& u) {
-        return words.at(edge, u);
-    };
-}
+} // namespace
 
-class Values {
+class Binary64Values::Contact {
 public:
-    Values(const Scene& scene, const Binary64Question& question)
+    Contact(const Scene& scene, const Binary64Question& question)
         : scene_(scene), question_(question) {
         scene_.ask = {};
-        scene_.ask.edges = {question.edge};
         scene_.ask.quantities = {QuantityGroup::contact};
         const SceneResult found = run_scene(scene_); // refuses a load that no contact carries
-        for (const auto& [end, quantity] :
-             {std::pair{&right_, Quantity::a}, {&left_, Quantity::b}}) {
-            const BoundedValue& value = found.at(quantity);
-            *end = {value.exactly ? Ball(*value.exactly, word_bits) : value.value, value.exactly};
+        for (const auto& [edge, quantity] :
+             {std::pair{Edge::right, Quantity::a}, {Edge::left, Quantity::b}}) {
+            end_[index_of(edge)] = {found.at(quantity).value, found.at(quantity).exactly};
         }
-        scene_.ask.quantities = {question.quantity == Quantity::q ? QuantityGroup::shear
-                                                                  : QuantityGroup::pressure};
-        if (question.n > 0) {
-            scene_.ask.terms = {question.n};
+        if (question_.quantity != Quantity::p) {
+            return;
         }
-        try {
-            if (const auto closed = closed_form_contact(scene_, 2 * word_bits)) {
-                profile_ = closed->profile;
-                const BallContact solved = closed->at(word_bits);
-                words_ = in_words(scene_, question_, *closed, solved);
+        if (const auto closed = closed_form_contact(scene_, 2 * first_bits)) {
+            profile_ = closed->profile;
+            solved_ = closed->at;
+            balls_ = solved_(first_bits);
+            if (DoubleWordPressure::has_form(*profile_)) {
+                words_.emplace(*profile_, solved_(DoubleWordPressure::contact_bits));
             }
-        } catch (const BudgetError&) {
-            words_ = {}; // run_scene has more bits
-        } catch (const DomainError&) {
-            words_ = {}; // run_scene refuses it
+        } else {
+            profile_ = scene_.profile;
         }
     }
 
-    void operator()(std::span<const double> places, std::span<double> values) {
-        std::vector<std::size_t> left;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            check_interruption();
-            if (std::isnan(places[i])) {
-                throw DomainError("a place is not a number");
-            }
-            if (const auto value = at_once(places[i])) {
-                values[i] = *value;
-            } else {
-                left.push_back(i);
+    [[nodiscard]] double at(Edge edge, double place) const {
+        if (std::isnan(place)) {
+            throw DomainError("a place is not a number");
+        }
+        if (words_ && std::isfinite(place)) {
+            const DoubleWord u = question_.from_origin
+                                     ? to_double_word(distance(nearer(edge, place), place,
+                                                               DoubleWordPressure::contact_bits))
+                                     : DoubleWord{place, 0, 0};
+            const auto value = nearest_binary64(words_->at(nearer(edge, place), u));
+            if (value && std::isfinite(*value)) {
+                return *value + 0.0;
             }
         }
-        for (unsigned digits = first_digits; !left.empty(); digits *= 2) {
-            if (digits > most_digits) {
-                throw BudgetError("the binary64 nearest to the value is undecided at " +
-                                  name(places[left.front()]));
+        if (!std::isfinite(place) || outside(edge, place)) {
+            if (!is_traction()) {
+                throw InputError("a place is outside the contact", "give places of the contact");
             }
-            left = computed(places, values, left, digits);
+            return 0;
+        }
+        if (question_.quantity != Quantity::p) {
+            return in_full(edge, place);
+        }
+        if (balls_) {
+            if (const auto value = pressure(*balls_, edge, place)) {
+                return *value;
+            }
+        }
+        if (on_corner(edge, place)) {
+            return std::numeric_limits<double>::infinity();
+        }
+        try {
+            return in_full(edge, place);
+        } catch (const Error&) {
+            if (const auto limit = near_edge_or_corner(edge, place)) {
+                return *limit;
+            }
+            throw;
         }
     }
 
@@ -148,131 +112,153 @@ private:
         std::optional<Rational> exactly;
     };
 
-    [[nodiscard]] const End& end(Edge edge) const { return edge == Edge::right ? right_ : left_; }
     [[nodiscard]] bool is_traction() const {
         return question_.quantity == Quantity::p || question_.quantity == Quantity::q;
     }
-    [[nodiscard]] std::string name(double place) const {
-        return (question_.from_origin ? "x = " : "u = ") + exact_text(exact_rational(place));
+    /// True for q under full stick; p and every other q are 0 at the edges.
+    [[nodiscard]] bool is_infinite_at_edges() const {
+        return question_.quantity == Quantity::q && !scene_.slips() && !scene_.together();
     }
-    /// Returns the distance of a place from an edge, exactly if the edges are known.
-    [[nodiscard]] std::optional<Rational> exact_distance(Edge edge, double place) const {
-        const auto& a = end(question_.from_origin ? edge : question_.edge).exactly;
-        const Rational q = exact_rational(place);
+    /// p is the same from both edges; the nearer one loses fewer digits.
+    [[nodiscard]] Edge nearer(Edge edge, double place) const {
+        return !question_.from_origin ? edge : place < 0 ? Edge::left : Edge::right;
+    }
+    /// Returns the distance of a place from an edge `to`, if the contact has these edges.
+    template <class Number>
+    [[nodiscard]] Number distance(Edge to, Edge edge, const Number& place, const Number& a,
+                                  const Number& b) const {
         if (question_.from_origin) {
-            return !a                    ? std::nullopt
-                   : edge == Edge::right ? std::optional(Rational(*a - q))
-                                         : std::optional(Rational(*a + q));
+            return to == Edge::right ? Number(a - place) : Number(b + place);
         }
-        if (edge == question_.edge) {
-            return q;
+        return to == edge ? place : Number(a + b - place);
+    }
+    [[nodiscard]] Ball distance(Edge edge, double place, long bits) const {
+        return distance(edge, edge, Ball(exact_rational(place), bits), end_[0].distance,
+                        end_[1].distance);
+    }
+    [[nodiscard]] std::optional<Rational> exact_distance(Edge to, Edge edge, double place) const {
+        const auto& [a, b] = std::pair(end_[0].exactly, end_[1].exactly);
+        if (!question_.from_origin && to == edge) {
+            return exact_rational(place);
         }
-        return right_.exactly && left_.exactly
-                   ? std::optional(Rational(*right_.exactly + *left_.exactly - q))
+        const bool known = question_.from_origin ? end_[index_of(to)].exactly.has_value() : a && b;
+        return known ? std::optional(
+                           distance(to, edge, exact_rational(place), a.value_or(0), b.value_or(0)))
+                     : std::nullopt;
+    }
+    /// True if the place is certainly outside the contact, or on an edge where q is finite.
+    [[nodiscard]] bool outside(Edge edge, double place) const {
+        return std::ranges::any_of(std::array{Edge::right, Edge::left}, [&](Edge to) {
+            if (const auto exactly = exact_distance(to, edge, place)) {
+                return *exactly < 0 || (*exactly == 0 && !is_infinite_at_edges());
+            }
+            return certainly_negative(distance(to, edge, Ball(exact_rational(place), first_bits),
+                                               end_[0].distance, end_[1].distance));
+        });
+    }
+    /// Decides only where the edge is known exactly; elsewhere more bits have to separate a place
+    /// from a corner.
+    [[nodiscard]] bool on_corner(Edge edge, double place) const {
+        for (std::size_t i = 0; i < profile_->knots().size(); ++i) {
+            const auto knot = rational_of(profile_->knots()[i]);
+            const auto u = exact_distance(edge, edge, place);
+            const auto& end = end_[index_of(edge)].exactly;
+            if (profile_->has_corner(i) && knot && u && end &&
+                *u == (edge == Edge::right ? Rational(*end - *knot) : Rational(*end + *knot))) {
+                return true;
+            }
+        }
+        return false;
+    }
+    [[nodiscard]] std::optional<double> pressure(const BallContact& contact, Edge edge,
+                                                 double place) const {
+        const Edge from = nearer(edge, place);
+        const Ball u = distance(from, edge, Ball(exact_rational(place), contact.bits()),
+                                contact.a(), contact.b());
+        return certainly_less(u, Ball(contact.a() + contact.b()))
+                   ? nearest(contact.pressure(from, u))
                    : std::nullopt;
     }
-    [[nodiscard]] Ball distance(Edge edge, double place) const {
-        const Ball q(exact_rational(place), word_bits);
-        if (question_.from_origin) {
-            return edge == Edge::right ? Ball(right_.distance - q) : Ball(left_.distance + q);
-        }
-        return edge == question_.edge ? q : Ball(right_.distance + left_.distance - q);
-    }
-    /// True if the quantity is 0 at the edges: p, and q unless all sticks.
-    [[nodiscard]] bool is_zero_at_edges() const {
-        return question_.quantity == Quantity::p || scene_.slips() || scene_.together();
-    }
-    /// True if p or q is certainly 0: outside the contact or on its edge.
-    [[nodiscard]] bool outside(double place) const {
-        if (!std::isfinite(place)) {
-            return true;
-        }
-        for (const Edge edge : {Edge::right, Edge::left}) {
-            const auto exactly = exact_distance(edge, place);
-            const bool on_edge = exactly && *exactly == 0;
-            if (on_edge ? is_zero_at_edges() : certainly_negative(distance(edge, place))) {
-                return true;
+    /// Returns p at a place that the route of the scene refuses: closer to the far edge or to a
+    /// corner than its bits separate, or exactly on one of them (as far as most_bits decide).
+    [[nodiscard]] std::optional<double> near_edge_or_corner(Edge edge, double place) const {
+        bool is_inside = false;
+        bool on_corner = false;
+        for (long bits = 2 * first_bits; solved_ && bits <= most_bits; bits *= 2) {
+            const BallContact closer = solved_(bits);
+            if (const auto value = pressure(closer, edge, place)) {
+                return value;
             }
+            const Edge from = nearer(edge, place);
+            const Ball u =
+                distance(from, edge, Ball(exact_rational(place), bits), closer.a(), closer.b());
+            is_inside = certainly_positive(u) && certainly_less(u, Ball(closer.a() + closer.b()));
+            on_corner = is_inside && std::ranges::any_of(closer.corners(from), [&](const Ball& x) {
+                            return overlaps(x, u);
+                        });
         }
-        return false;
-    }
-    [[nodiscard]] bool on_corner(double x) const {
-        for (std::size_t i = 0; profile_ && i < profile_->knots().size(); ++i) {
-            const auto knot = rational_of(profile_->knots()[i]);
-            if (profile_->has_corner(i) && knot && *knot == exact_rational(x)) {
-                return true;
-            }
-        }
-        return false;
-    }
-    [[nodiscard]] std::optional<double> at_once(double place) const {
-        if (!std::isfinite(place) || (is_traction() && outside(place))) {
-            if (!is_traction()) {
-                throw InputError("a place is infinite", "give places of the contact");
-            }
-            return 0;
-        }
-        if (question_.quantity == Quantity::p && question_.from_origin && !scene_.punch &&
-            on_corner(place)) {
+        if (on_corner) {
             return std::numeric_limits<double>::infinity();
         }
-        if (!words_) {
-            return {};
-        }
-        // p and q are the same from both edges; the nearer one loses fewer digits.
-        const Edge edge = question_.from_origin && is_traction()
-                              ? (place < 0 ? Edge::left : Edge::right)
-                              : question_.edge;
-        const DoubleWord u = to_double_word(distance(edge, place));
-        const auto nearest = nearest_binary64(words_(edge, u));
-        return nearest && std::isfinite(*nearest) ? std::optional(*nearest + 0.0) : std::nullopt;
+        return is_inside || !solved_ ? std::nullopt : std::optional(0.0);
     }
-    /// Computes the values at these indices by the routes of the scene; returns the indices whose
-    /// binary64 these digits do not decide.
-    [[nodiscard]] std::vector<std::size_t> computed(std::span<const double> places,
-                                                    std::span<double> values,
-                                                    const std::vector<std::size_t>& indices,
-                                                    unsigned digits) {
-        scene_.ask.u.clear();
-        for (const std::size_t i : indices) {
-            const Exact place = Exact::of(exact_rational(places[i]));
-            AskedPoint point{place};
-            if (question_.from_origin) {
-                point.place = Place::parse(place.text(), Place::From::origin, names_of(scene_));
-            }
-            scene_.ask.u.push_back(std::move(point));
+
+    /// Computes one value by the route of the scene.
+    [[nodiscard]] double in_full(Edge edge, double place) const {
+        const Exact exact = Exact::of(exact_rational(place));
+        AskedValue asked{
+            .quantity = question_.quantity, .k = question_.n, .edge = edge, .u = exact};
+        if (question_.from_origin) {
+            asked.u.reset();
+            asked.place =
+                Place::parse(exact.text(), Place::From::origin, names_of(scene_)).distance(edge);
         }
-        scene_.ask.digits = {digits, Rounding::nearest, true};
-        const SceneResult result = run_scene(scene_);
-        std::vector<std::size_t> undecided;
-        for (const RowsAt& at : result.points()) {
-            const std::size_t i = indices[at.point()];
-            if (const auto nearest = nearest_of(at, digits)) {
-                values[i] = *nearest + 0.0;
-            } else {
-                undecided.push_back(i);
+        const std::string name = (question_.from_origin ? "x = " : "u = ") + exact.text();
+        try {
+            std::size_t level = 0;
+            for (unsigned digits = first_digits; digits <= most_digits; digits *= 2) {
+                if (const auto value = to_digits(asked, digits, level++)) {
+                    return *value + 0.0;
+                }
             }
+        } catch (const DomainError& error) {
+            throw InputError(name + ": " + error.what(),
+                             "give places of the contact, off every corner");
         }
-        return undecided;
+        throw BudgetError("the binary64 nearest to " +
+                          std::string(row_of(question_.quantity).name) + " is undecided at " +
+                          name);
     }
-    [[nodiscard]] std::optional<double> nearest_of(const RowsAt& at, unsigned digits) const {
-        if (question_.quantity == Quantity::rel) { // the row has only a few digits
-            const Ball sum = at.at(Quantity::local, question_.n).value;
-            return nearest_binary64(abs(1 - sum / at.at(Quantity::p).value));
+    [[nodiscard]] std::optional<double> to_digits(const AskedValue& asked, unsigned digits,
+                                                  std::size_t level) const {
+        const Digits format{digits, Rounding::nearest, true};
+        // The row of rel has only a few digits.
+        const bool is_error = question_.quantity == Quantity::rel;
+        AskedValue first = asked;
+        AskedValue second = asked;
+        first.quantity = is_error ? Quantity::local : asked.quantity;
+        second.quantity = Quantity::p;
+        if (levels_.size() == level) {
+            levels_.push_back(std::make_unique<SceneValues>(
+                scene_, is_error ? std::vector{first, second} : std::vector{first}, format));
         }
-        return printed(at.at(question_.quantity, question_.n), {digits, Rounding::nearest, true})
-            .binary64;
+        SceneValues& values = *levels_[level];
+        if (is_error) {
+            return nearest(abs(1 - values.value(first).value / values.value(second).value));
+        }
+        return printed(values.value(first), format).binary64;
     }
 
     Scene scene_;
     Binary64Question question_;
-    End right_;
-    End left_;
+    std::array<End, 2> end_;
     std::optional<Profile> profile_;
-    InWords words_;
+    std::function<BallContact(long)> solved_; ///< the contact of p at these bits
+    std::optional<BallContact> balls_;        ///< the same at first_bits
+    std::optional<DoubleWordPressure> words_; ///< decides nearly all places
+    /// Decide the others, each to twice the digits of the one before.
+    mutable std::vector<std::unique_ptr<SceneValues>> levels_;
 };
-
-} // namespace
 
 std::optional<ClosedFormContact> closed_form_contact(const Scene& scene, long tilt_bits) {
     if (scene.punch) {
@@ -289,23 +275,29 @@ std::optional<ClosedFormContact> closed_form_contact(const Scene& scene, long ti
     return contact_of(*scene.profile, scene.contact_modulus, scene.load);
 }
 
-void compute_binary64(const Scene& scene, const Binary64Question& question,
-                      std::span<const double> places, std::span<double> values) {
-    const bool has_terms = row_of(question.quantity).index == QuantityRow::Index::terms;
-    if (has_terms && question.n == 0) {
-        throw InputError("terms = 0 is out of range", "give 1 or more");
+Binary64Values::Binary64Values(const Scene& scene, const Binary64Question& question) {
+    const QuantityRow& row = row_of(question.quantity);
+    require(row.index != QuantityRow::Index::terms || question.n > 0, "terms = 0 is out of range",
+            "give 1 or more");
+    if (const auto lack = lack_of(scene, AskedValue{question.quantity})) {
+        throw InputError(lack->problem, lack->instead);
     }
-    if (question.quantity == Quantity::p && !question.from_origin) {
-        const Binary64Pressures pressures(scene);
-        pressures(question.edge, places, values);
-        return;
+    contact_ = std::make_unique<Contact>(scene, question);
+}
+Binary64Values::~Binary64Values() = default;
+Binary64Values::Binary64Values(Binary64Values&&) noexcept = default;
+Binary64Values& Binary64Values::operator=(Binary64Values&&) noexcept = default;
+
+double Binary64Values::operator()(Edge edge, double place) const {
+    return contact_->at(edge, place);
+}
+
+void Binary64Values::operator()(Edge edge, std::span<const double> places,
+                                std::span<double> values) const {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        check_interruption();
+        values[i] = (*this)(edge, places[i]);
     }
-    if (question.quantity == Quantity::q) {
-        if (const auto lack = lack_of(scene, AskedValue{Quantity::q})) {
-            throw InputError(lack->problem, lack->instead);
-        }
-    }
-    Values(scene, question)(places, values);
 }
 
 } // namespace edgeproof::scene

@@ -26,54 +26,44 @@ struct ClosedFormContact {
 [[nodiscard]] std::optional<ClosedFormContact> closed_form_contact(const Scene& scene,
                                                                    long tilt_bits);
 
-/// A quantity at many places that are binary64 numbers.
+/// A quantity at places that are binary64 numbers.
 struct Binary64Question {
     Quantity quantity = Quantity::p; ///< p, q, local (n terms of p) or rel
     std::size_t n = 0;               ///< number of terms of local and rel
-    Edge edge = Edge::right;
-    bool from_origin = false; ///< the places are coordinates x, else distances u from the edge
+    bool from_origin = false;        ///< the places are coordinates x, else distances from an edge
 };
 
-/// Computes a quantity of a scene at each place: the binary64 nearest to the exact value at exactly
-/// that place, in units of the contact modulus (rel: a number). The scene's [ask] is ignored.
-/// Double words decide most values of contacts with a formula in double words, run_scene computes
-/// the others. The values are proved.
+/// Many values of a quantity of one scene as binary64: each is the nearest to the exact value (ties
+/// to even) at exactly that place, in units of the contact modulus (rel: a number). The contact is
+/// solved once; the scene's [ask] is ignored.
 ///
-/// p and q are 0 outside the contact, p is infinite at a corner of the profile. Throws InputError
-/// for a load that no contact carries, for places outside the contact (local, rel), at an edge (q
-/// under full stick, local, rel) and at a corner (q), and if the scene lacks the data for the
-/// quantity; DomainError for NaN; BudgetError if no budget decides the last bit; Interrupted.
-/// `places` and `values` have the same size.
-void compute_binary64(const Scene& scene, const Binary64Question& question,
-                      std::span<const double> places, std::span<double> values);
-
-/// Many pressures of one scene as binary64: each is the binary64 nearest to the exact p (ties to
-/// even). The contact is solved once; the scene's [ask] is ignored.
-///
-/// The values are proved: an enclosure of p rounds to each. Double
-/// words decide most values of contacts with a formula in double words; for curved slopes each
-/// value is an integral (about 1 ms).
-class Binary64Pressures {
+/// The values are proved. Double words decide most pressures of contacts with a formula in double
+/// words (about 0.1 us a value); balls decide the others and the other quantities. For curved
+/// slopes each value is an integral (about 1 ms).
+class Binary64Values {
 public:
-    /// Throws InputError (with the line of the load) if no contact carries the load.
-    explicit Binary64Pressures(const Scene& scene);
-    ~Binary64Pressures();
-    Binary64Pressures(Binary64Pressures&&) noexcept;
-    Binary64Pressures& operator=(Binary64Pressures&&) noexcept;
+    /// Throws InputError for a load that no contact carries, and if the scene or the question lacks
+    /// the data for the quantity.
+    explicit Binary64Values(const Scene& scene, const Binary64Question& question = {});
+    ~Binary64Values();
+    Binary64Values(Binary64Values&&) noexcept;
+    Binary64Values& operator=(Binary64Values&&) noexcept;
 
-    /// Returns p at the distance u (exactly that binary64) inwards from an edge, in units of the
-    /// contact modulus; 0 at the edges and outside the contact; infinity on a corner of the profile
-    /// (also where 4096 bits do not separate the place from an edge or from a corner that is not a
-    /// known number). Throws DomainError for NaN, BudgetError if no budget decides the last bit.
-    /// One object belongs to one thread at a time.
-    [[nodiscard]] double operator()(Edge edge, double u) const;
+    /// Returns the value at a place. p and q are 0 outside the contact. p is infinite on a corner
+    /// of the profile (also where 4096 bits do not separate the place from a corner that is not a
+    /// known number). Throws InputError for places outside the contact (local, rel), at an edge (q
+    /// under full stick, local, rel) and at a corner (q); DomainError for NaN; BudgetError if no
+    /// budget decides the last bit. One object belongs to one thread at a time.
+    /// @param edge the edge of local and rel, and from which a distance is measured
+    /// @param place the coordinate x, or the distance inwards from the edge (length)
+    [[nodiscard]] double operator()(Edge edge, double place) const;
 
-    /// Computes p for many distances, in their order; `u` and `p` have the same size. Also throws
-    /// Interrupted.
-    void operator()(Edge edge, std::span<const double> u, std::span<double> p) const;
+    /// Computes the values at many places, in their order; `places` and `values` have the same
+    /// size. Also throws Interrupted.
+    void operator()(Edge edge, std::span<const double> places, std::span<double> values) const;
 
 private:
-    struct Contact;
+    class Contact;
     std::unique_ptr<Contact> contact_;
 };
 

@@ -80,19 +80,6 @@ TEST_CASE("products and sums are not fused, on a processor that could do so") {
     CHECK(std::fma(x, x, -(1 + 0x1p-29)) == 0x1p-60);
 }
 
-TEST_CASE("the root of a double word that may be zero encloses the roots of its numbers") {
-    Drawn draw;
-    for (int i = 0; i < 1000; ++i) {
-        DoubleWord x = draw.word(60);
-        x.radius = std::fabs(x.high) * (1 + static_cast<double>(draw.dice.below(9)));
-        const DoubleWord root = sqrt_from_zero(x);
-        CHECK(holds(root, Ball(0, word_bits)));
-        CHECK(holds(root, sqrt(inside(x, 1))));
-        CHECK(root.radius < 2 * std::sqrt(10 * std::fabs(x.high)));
-    }
-    CHECK(sqrt_from_zero({4, 0, 0}).high == 2);
-}
-
 TEST_CASE("sums, products, quotients and roots of double words hold those of all their numbers") {
     Drawn draw;
     for (int i = 0; i < drawn; ++i) {

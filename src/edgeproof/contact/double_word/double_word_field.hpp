@@ -38,36 +38,12 @@ struct DoubleWordMark {
 struct DoubleWordPlace {
     DoubleWord right;
     DoubleWord left;
-    bool moved = false;
 
     /// The place at the distance `u` from an edge; `length` is a + b.
     DoubleWordPlace(const PreciseWord& length, Edge edge, const DoubleWord& u)
         : right(edge == Edge::right ? u : length - u), left(edge == Edge::right ? length - u : u) {}
-    /// Between two points of the contact, of which the first is the right one.
-    DoubleWordPlace(const DoubleWordMark& a, const DoubleWordMark& b, Edge edge,
-                    const DoubleWord& u)
-        : right(a.offset(edge, u)), left(-b.offset(edge, u)) {}
     /// True if the place is inside the contact.
     [[nodiscard]] bool inside() const { return right.high > 0 && left.high > 0; }
-    /// True if the place is distinct from both edges.
-    [[nodiscard]] bool known() const {
-        return double_word::well_known(right) && double_word::well_known(left);
-    }
-    /// Moves a place that may lie on an edge or beyond it to the edge or inside
-    /// (docs/double-words.md, lemma 11).
-    void move_inside() {
-        moved = true;
-        for (DoubleWord* distance : {&right, &left}) {
-            if (!double_word::well_known(*distance)) {
-                const double most = double_word::most(*distance);
-                *distance = {most, 0, most};
-            }
-        }
-    }
-    /// Returns the root of a number that is 0 only on the edges.
-    [[nodiscard]] DoubleWord root(const DoubleWord& y) const {
-        return moved ? sqrt_from_zero(y) : sqrt(y);
-    }
 };
 
 /// True if double words can represent `u` with their bounds, and the thread rounds to nearest.

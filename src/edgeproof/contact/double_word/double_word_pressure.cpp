@@ -54,8 +54,7 @@ Ball distance_of_knot(const Profile& profile, const BallContact& contact, Edge e
     return right ? contact.a() - knot : contact.b() + knot;
 }
 
-DoubleWordSlope slope_of(const Profile& profile, const BallContact& contact,
-                         const BallContact& whole) {
+DoubleWordSlope slope_of(const Profile& profile, const BallContact& contact) {
     const LinearSlope<Ball>& slope = contact.slope();
     DoubleWordSlope words{{},
                           to_double_word(contact.arc()),
@@ -68,9 +67,8 @@ DoubleWordSlope slope_of(const Profile& profile, const BallContact& contact,
         }
         const Mark<Ball>& mark = contact.knot_marks()[i];
         DoubleWordSlope::Knot knot{
-            i,
-            {to_precise_word(distance_of_knot(profile, whole, Edge::right, i)),
-             to_precise_word(distance_of_knot(profile, whole, Edge::left, i))},
+            {to_precise_word(distance_of_knot(profile, contact, Edge::right, i)),
+             to_precise_word(distance_of_knot(profile, contact, Edge::left, i))},
             {to_double_word(mark.right), to_double_word(mark.left), {}, to_double_word(mark.w), {}},
             slope.has_corner(i),
             {},
@@ -120,9 +118,8 @@ bool DoubleWordPowerLaw::has(const Exact& m) {
     return m.is_rational() && denominator(m.rational()) <= 2 && m.rational() <= largest_m;
 }
 
-DoubleWordPowerLaw::DoubleWordPowerLaw(const Exact& m, const BallContact& contact,
-                                       const BallContact& whole)
-    : apex_{to_precise_word(whole.a()), to_precise_word(whole.b())},
+DoubleWordPowerLaw::DoubleWordPowerLaw(const Exact& m, const BallContact& contact)
+    : apex_{to_precise_word(contact.a()), to_precise_word(contact.b())},
       inverse_(to_double_word(1 / contact.a())),
       factor_(to_double_word(contact.pressure_factor())) {
     const auto halves = Rational(m.rational() * 2).convert_to<long>();
@@ -141,13 +138,12 @@ bool DoubleWordPressure::has_form(const Profile& profile) {
            (profile.has_closed_form() && DoubleWordPowerLaw::has(profile.parameters().at("m")));
 }
 
-DoubleWordPressure::DoubleWordPressure(const Profile& profile, const BallContact& contact,
-                                       const BallContact& whole)
+DoubleWordPressure::DoubleWordPressure(const Profile& profile, const BallContact& contact)
     : length_(to_precise_word(contact.a() + contact.b())), form_([&]() -> decltype(form_) {
           if (contact.piecewise_linear()) {
-              return slope_of(profile, contact, whole);
+              return slope_of(profile, contact);
           }
-          return DoubleWordPowerLaw(profile.parameters().at("m"), contact, whole);
+          return DoubleWordPowerLaw(profile.parameters().at("m"), contact);
       }()),
       in_range_(in_double_words_as_constant(length_.first) &&
                 std::visit([](const auto& form) { return contact::in_range(form); }, form_) &&

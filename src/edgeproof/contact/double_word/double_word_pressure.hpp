@@ -17,7 +17,6 @@ namespace edgeproof::contact {
 /// "Closed form: piecewise linear slopes").
 struct DoubleWordSlope {
     struct Knot {
-        std::size_t index; ///< in the profile
         DoubleWordMark at;
         Mark<DoubleWord> mark;
         bool corner;
@@ -73,7 +72,7 @@ struct DoubleWordSlope {
         if (!x.inside()) {
             return double_word::unknown();
         }
-        const DoubleWord w_x = x.root(x.right * x.left);
+        const DoubleWord w_x = sqrt(x.right * x.left);
         bool on_corner = false;
         const DoubleWord sum = logarithmic_sum(
             *this, knots.size(), arc * w_x, [](std::size_t) { return true; },
@@ -103,15 +102,12 @@ class DoubleWordPowerLaw {
 public:
     /// True if there is such a formula for the exponent `m`.
     [[nodiscard]] static bool has(const Exact& m);
-    /// The contact, or zone, of such a law.
-    /// @param m exponent
-    /// @param contact the contact or zone in balls
-    /// @param whole the contact from whose edges the distance of the apex is measured
-    DoubleWordPowerLaw(const Exact& m, const BallContact& contact, const BallContact& whole);
+    /// The contact of such a law in balls; `m`: its exponent.
+    DoubleWordPowerLaw(const Exact& m, const BallContact& contact);
 
     /// Returns p (stress) at a place of the contact.
-    /// @param x distances from the edges of `contact` (length)
-    /// @param edge,u edge of `whole` and the distance from it (length)
+    /// @param x distances from the edges of the contact (length)
+    /// @param edge,u edge from which the distance of the apex is measured, and the distance from it
     [[nodiscard]] DoubleWord pressure(const DoubleWordPlace& x, Edge edge,
                                       const DoubleWord& u) const {
         if (!x.inside()) {
@@ -119,7 +115,7 @@ public:
         }
         // y = 1 - q^2 = u (D - u)/a^2 (docs/pressure.md, "Closed form: power laws")
         const DoubleWord y = x.right * x.left * inverse_ * inverse_;
-        const DoubleWord root = x.root(y);
+        const DoubleWord root = sqrt(y);
         const DoubleWord q = abs(apex_.offset(edge, u)) * inverse_;
         const DoubleWord square = q * q;
         DoubleWord I = lowest(y, root, q, square);
@@ -203,13 +199,7 @@ public:
     /// between 2^-100 and 2^100, then every place is undecided.
     /// @param profile g'(x)
     /// @param contact the contact in balls
-    DoubleWordPressure(const Profile& profile, const BallContact& contact)
-        : DoubleWordPressure(profile, contact, contact) {}
-    /// The same with the distances of the knots measured from the edges of another zone `whole` of
-    /// the profile: formula() then takes a place of `contact` and the distance from an edge of
-    /// `whole`.
-    DoubleWordPressure(const Profile& profile, const BallContact& contact,
-                       const BallContact& whole);
+    DoubleWordPressure(const Profile& profile, const BallContact& contact);
 
     /// True if there is a formula in double words.
     [[nodiscard]] static bool has_form(const Profile& profile);
@@ -229,22 +219,11 @@ public:
 
     /// `at` without its checks.
     [[nodiscard]] DoubleWord formula(Edge edge, const DoubleWord& u) const {
-        return formula({length_, edge, u}, edge, u);
+        const DoubleWordPlace x(length_, edge, u);
+        const auto* slope = std::get_if<DoubleWordSlope>(&form_);
+        return slope != nullptr ? slope->pressure(x, edge, u)
+                                : std::get_if<DoubleWordPowerLaw>(&form_)->pressure(x, edge, u);
     }
-    /// The same at a place `x` of the contact, which is at the distance `u` from an edge of
-    /// `whole`.
-    [[nodiscard]] DoubleWord formula(const DoubleWordPlace& x, Edge edge,
-                                     const DoubleWord& u) const {
-        return slope() != nullptr ? slope()->pressure(x, edge, u)
-                                  : std::get_if<DoubleWordPowerLaw>(&form_)->pressure(x, edge, u);
-    }
-    /// Null for a power law.
-    [[nodiscard]] const DoubleWordSlope* slope() const {
-        return std::get_if<DoubleWordSlope>(&form_);
-    }
-    /// a + b.
-    [[nodiscard]] const PreciseWord& length() const { return length_; }
-    [[nodiscard]] bool in_range() const { return in_range_; }
 
 private:
     PreciseWord length_;

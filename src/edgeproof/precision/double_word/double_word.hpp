@@ -121,13 +121,6 @@ struct ExactSum {
     z.radius = 0.502 * (x.radius / high) + 5 * double_word::unit * high;
     return z;
 }
-/// The root of a non-negative number, where x may contain zero (docs/double-words.md, lemma 11).
-[[nodiscard]] inline DoubleWord sqrt_from_zero(const DoubleWord& x) {
-    if (!double_word::well_known(x)) [[unlikely]] {
-        return {0, 0, 1.01 * std::sqrt(double_word::most(x))};
-    }
-    return sqrt(x);
-}
 [[nodiscard]] inline DoubleWord abs(const DoubleWord& x) { return x.high < 0 ? -x : x; }
 /// Returns x 2^k; `power` is 2^k.
 [[nodiscard]] inline DoubleWord scaled(const DoubleWord& x, double power) {

@@ -2,7 +2,7 @@
 // A table of pressures made by all processors. Values are put where they belong, so that the table
 // is the same for every number of threads.
 #include "edgeproof/contact/contact.hpp"
-#include "edgeproof/parallel/parallel.hpp"
+#include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <array>

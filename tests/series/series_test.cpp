@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/real.hpp"
-#include "edgeproof/series/series.hpp"
+#include "edgeproof/series/functions.hpp"
+#include "edgeproof/series/laurent.hpp"
+#include "edgeproof/series/polynomial.hpp"
+#include "edgeproof/series/truncated.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>

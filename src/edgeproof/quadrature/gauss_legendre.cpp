@@ -39,8 +39,9 @@ struct Slot {
 };
 
 struct Tables {
+    static constexpr std::size_t most = 64;
     std::mutex guard;
-    BoundedCache<std::pair<std::size_t, long>, Slot> slots{most_gauss_legendre_tables};
+    BoundedCache<std::pair<std::size_t, long>, Slot> slots{most};
 };
 Tables& tables() {
     static Tables all;
@@ -59,22 +60,12 @@ std::shared_ptr<const GaussLegendreBalls> gauss_legendre_balls(std::size_t n, lo
     return {slot, &slot->rule};
 }
 
-std::size_t gauss_legendre_tables() {
-    const std::lock_guard lock(tables().guard);
-    return tables().slots.size();
-}
-
 GaussLegendreRule gauss_legendre_rule(std::size_t n, long bits) {
-    // 1 - x is about 2.9/n^2 at the outermost node, and loses as many bits.
-    long guard = 16;
-    for (std::size_t k = n; k > 1; k /= 2) {
-        guard += 2;
-    }
+    constexpr long guard = 16;
     const auto balls = gauss_legendre_balls(n, bits + guard);
     GaussLegendreRule rule;
     for (std::size_t k = 0; k < balls->x.size(); ++k) {
         rule.x.push_back(rounded(balls->x[k], bits));
-        rule.from_end.push_back(rounded(1 - balls->x[k], bits));
         rule.weight.push_back(rounded(balls->weight[k], bits));
     }
     return rule;

@@ -21,14 +21,9 @@ struct GaussLegendreBalls {
 /// threads, and never changed; the most recent tables are kept.
 [[nodiscard]] std::shared_ptr<const GaussLegendreBalls> gauss_legendre_balls(std::size_t n,
                                                                              long bits);
-/// The number of tables kept now; the next constant is the greatest number.
-[[nodiscard]] std::size_t gauss_legendre_tables();
-constexpr std::size_t most_gauss_legendre_tables = 64;
-
 /// The same rule; the error of each number is at most about one unit in its last bit.
 struct GaussLegendreRule {
     std::vector<Real> x;
-    std::vector<Real> from_end; ///< 1 - x, with all its digits
     std::vector<Real> weight;
 };
 

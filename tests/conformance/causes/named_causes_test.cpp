@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/convention.hpp"
-#include "edgeproof/parallel/parallel.hpp"
+#include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "tests/support/injected_keys.hpp"

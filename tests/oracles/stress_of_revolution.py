@@ -1,27 +1,31 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes stress_of_revolution.csv: stresses inside five bodies of revolution with linear pieces.
+"""Writes stress_of_revolution.txt, a table as tests/scene/values.txt: stresses inside bodies of revolution.
 
 A body is a sum of flat punches of the radius s, each under the pressure of the approach h'(s) ds,
 h(s) = s times the integral of g'(r)/sqrt(s^2 - r^2). The stresses of one punch are Sneddon's real
 formulas (Proc. Cambridge Phil. Soc. 42 (1946), 29-39), integrated by Gauss-Legendre rules. E* = 1, a = 1, nu = 3/10. Needs mpmath.
 """
 import random
+import re
 from fractions import Fraction
 import mpmath as mp
 
 mp.mp.dps = 25
 NU = mp.mpf(3) / 10
-# the knots v and the rates of g' from each knot on; g' is continuous and g'(0) = 0
+# The words of the scene; the exponent m and the factor C of g' = C r^m, or the knots v and the rates of g' from each knot
+# on, where g' is continuous and g'(0) = 0.
 BODIES = [
-    [(0, Fraction(0)), (Fraction(3, 10), Fraction(1))],
-    [(0, Fraction(1)), (Fraction(1, 8), Fraction(3, 4))],
-    [(0, Fraction(1)), (Fraction(1, 2), Fraction(3))],
-    [(0, Fraction(1, 2)), (Fraction(1, 3), Fraction(2)), (Fraction(4, 5), Fraction(1))],
-    [(0, Fraction(0)), (Fraction(9, 10), Fraction(1))],
+    ("flat-and-rounded t=3/10 R=1", [(0, Fraction(0)), (Fraction(3, 10), Fraction(1))]),
+    ("piecewise symmetric knots=1/8;1/2 slopes=x;3/4*x+1/32;3/4*x+1/32", [(0, Fraction(1)), (Fraction(1, 8), Fraction(3, 4))]),
+    ("piecewise symmetric knots=1/2 slopes=x;3*x-1", [(0, Fraction(1)), (Fraction(1, 2), Fraction(3))]),
+    ("piecewise symmetric knots=1/3;4/5 slopes=x/2;2*x-1/2;x+3/10",
+     [(0, Fraction(1, 2)), (Fraction(1, 3), Fraction(2)), (Fraction(4, 5), Fraction(1))]),
+    ("flat-and-rounded t=9/10 R=1", [(0, Fraction(0)), (Fraction(9, 10), Fraction(1))]),
+    ("power-law m=1/3 C=1/2", (Fraction(1, 3), Fraction(1, 2))),
+    ("power-law m=0 C=1/2", (Fraction(0), Fraction(1, 2))),
+    ("power-law m=4 C=1", (Fraction(4), Fraction(1))),
 ]
-
-
 PANELS = 8
 
 
@@ -47,6 +51,9 @@ def number(x):
 
 
 def approach_rate(body, s):
+    if isinstance(body, tuple):
+        m, C = map(number, body)
+        return C * (m + 1) * mp.sqrt(mp.pi) / 2 * mp.gamma((m + 1) / 2) / mp.gamma(m / 2 + 1) * s**m
     total = mp.mpf(0)
     before = Fraction(0)
     for v, rate in body:
@@ -66,17 +73,20 @@ def punch(s, r, z):
     root = mp.sqrt(1 + zeta**2)
     j10 = mp.sin(phi / 2) / mp.sqrt(big)
     j20 = root * mp.sin(3 * phi / 2 - theta) / big**1.5
+    szz = -(j10 + zeta * j20)
+    if r == 0:
+        return -(1 + NU) * j10 - szz / 2, szz, mp.mpf(0), -(1 + NU) * j10 - szz / 2
     j01 = (1 - mp.sqrt(big) * mp.sin(phi / 2)) / rho
     j11 = root / rho * mp.sin(theta - phi / 2) / mp.sqrt(big)
     j21 = rho * mp.sin(3 * phi / 2) / big**1.5
-    szz = -(j10 + zeta * j20)
     hoop = -(2 * NU * j10 + ((1 - 2 * NU) * j01 - zeta * j11) / rho)
     radial = -2 * (1 + NU) * j10 - hoop - szz
     return radial, szz, -zeta * j21, hoop
 
 
 def stresses(body, r, z):
-    ends = sorted({0, 1, *(v for v, _ in body), *([r] if r < 1 else [])})
+    knots = [] if isinstance(body, tuple) else [v for v, _ in body]
+    ends = sorted({0, 1, *knots, *([r] if r < 1 else [])})
     ends = [number(Fraction(e)) for e in ends]
     r, z = number(r), number(z)
 
@@ -94,13 +104,15 @@ def stresses(body, r, z):
 
 
 random.seed(18)
-with open("stress_of_revolution.csv", "w") as out:
-    out.write("body,r,z,sxx,szz,sxz,syy\n")
-    for place in range(200):
-        number_of_body = place % len(BODIES)
-        r = Fraction(random.randint(20, 1500), 1000)
-        z = Fraction(random.randint(20, 1000), 1000)
-        row = stresses(BODIES[number_of_body], r, z)
-        cells = [mp.nstr(x, 18) for x in row]
-        out.write(",".join([str(number_of_body), str(r), str(z), *cells]) + "\n")
+with open("stress_of_revolution.txt", "w") as out:
+    out.write("# mpmath 1.2.1, tests/oracles/stress_of_revolution.py; see tests/scene/values.txt\n")
+    for place in range(136):
+        words, body = BODIES[place % len(BODIES)]
+        r = Fraction(random.randint(20, 1500), 1000) if place % 5 != 4 else Fraction(0)
+        z = Fraction(random.randint(20, 1000), 1000) if place % 7 != 6 or r == 0 else Fraction(0)
+        values = zip(["sxx", "szz", "sxz", "syy"], stresses(body, r, z))
+        cells = [f"{name} ~ {mp.nstr(mp.mpf(x), 30, min_fixed=-99, max_fixed=99)}" for name, x in values]
+        cells = [re.sub(r"(\.\d{12})\d*", r"\1", cell) for cell in cells]
+        slow = "slow\n" if place == 16 else ""
+        out.write(f"{slow}axisymmetric {words} a=1 nu=3/10 | at={r},{z} {' | '.join(cells)}\n")
         out.flush()

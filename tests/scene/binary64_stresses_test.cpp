@@ -4,8 +4,7 @@
 #include "edgeproof/precision/double_word/binary64_ball.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rational.hpp"
-#include "edgeproof/scene/scene.hpp"
-#include "tests/support/namespaces.hpp"
+#include "tests/scene/scene_words.hpp"
 
 #include <doctest/doctest.h>
 
@@ -33,26 +32,17 @@ struct StressMap {
     }
 };
 
-Scene mapped_scene(const std::string& profile, const std::string& shear) {
-    return scene::parse_scene("[profile]\n" + profile +
-                                  "\n[load]\na = \"1\"\ncontact_modulus = \"2\"\nnu = \"0.3\"\n" +
-                                  shear,
-                              "map.toml");
-}
+const std::string slipping_pad =
+    "flat-and-rounded t=0.4 R=1 a=1 E=2 nu=0.3 Q=-1/10 friction=0.6 bulk_A=0.1";
 
-const std::string mapped_slip = "[shear]\nQ = \"-1/10\"\nfriction = \"0.6\"\nbulk_A = \"0.1\"\n";
-
-const std::vector<std::pair<std::string, std::string>> mapped_contacts{
-    {"kind = \"hertz\"\nR = \"1\"", ""},
-    {"kind = \"flat-and-rounded\"\nt = \"0.4\"\nR = \"1\"", mapped_slip},
-    {"kind = \"flat-and-rounded\"\nt = \"0.4\"\nR = \"1\"",
-     mapped_slip + "bulk_tension = \"0.02\"\n"},
-    {"kind = \"flat-and-rounded\"\nt = \"0.999\"\nR = \"1\"", "[shear]\nQ = \"1/9\"\n"},
-    {"kind = \"tilted-wedge\"\nphi = \"1/3\"\nalpha = \"1/10\"",
-     "[shear]\nQ = \"0.3\"\nbulk_tension = \"0.2\"\n"},
-    {"kind = \"tilted-flat-and-rounded\"\nalpha = \"1/10\"\nt = \"0.4\"\nR = \"2\"",
-     "[shear]\nQ = \"0.1\"\npath = \"together\"\n"},
-    {"kind = \"power-law\"\nm = \"5/2\"\nC = \"1\"", "[shear]\nQ = \"0.1\"\nfriction = \"0.6\"\n"},
+const std::vector<std::string> mapped_contacts{
+    "hertz R=1 a=1 E=2 nu=0.3",
+    slipping_pad,
+    slipping_pad + " bulk_tension=0.02",
+    "flat-and-rounded t=0.999 R=1 a=1 E=2 nu=0.3 Q=1/9",
+    "tilted-wedge phi=1/3 alpha=1/10 a=1 E=2 nu=0.3 Q=0.3 bulk_tension=0.2",
+    "tilted-flat-and-rounded alpha=1/10 t=0.4 R=2 a=1 E=2 nu=0.3 Q=0.1 path=together",
+    "power-law m=5/2 C=1 a=1 E=2 nu=0.3 Q=0.1 friction=0.6",
 };
 
 } // namespace
@@ -102,14 +92,13 @@ TEST_CASE("binary64 with bounds: sums, products, roots, logarithms and angles") 
     CHECK(sqrt(Binary64Ball{-1e-30, 2e-30}).radius >= 1e-15);
 }
 
-// The values of run_scene are compared with quadratures elsewhere (principal_stress_test.cpp).
+// The values of run_scene are compared with quadratures in relations_test.cpp.
 TEST_CASE("maps of stresses: the bounds hold, near edges, knots and far away as well") {
     std::mt19937_64 dice(20261126);
     std::uniform_real_distribution<double> unit(-1, 1);
-    for (const auto& contact : mapped_contacts) {
-        CAPTURE(contact.first);
-        CAPTURE(contact.second);
-        const Scene s = mapped_scene(contact.first, contact.second);
+    for (const std::string& contact : mapped_contacts) {
+        CAPTURE(contact);
+        const Scene s = scenes::made(contact);
         StressMap map;
         for (int i = 0; i < 30; ++i) {
             const double middle = i % 3 == 0 ? 1.0 : i % 3 == 1 ? 0.4 : 0.0;
@@ -150,7 +139,7 @@ TEST_CASE("maps of stresses: the bounds hold, near edges, knots and far away as 
 }
 
 TEST_CASE("maps of stresses: knots, threads, and points that are refused") {
-    const Scene s = mapped_scene(mapped_contacts[1].first, mapped_contacts[1].second);
+    const Scene s = scenes::made(slipping_pad);
     StressMap map;
     for (int i = 0; i < 10'000; ++i) {
         map.x.push_back(-2 + 4 * (i % 100) / 99.0);
@@ -173,7 +162,6 @@ TEST_CASE("maps of stresses: knots, threads, and points that are refused") {
     StressMap edge;
     edge.x = {1};
     edge.z = {0};
-    CHECK_THROWS_AS(
-        edge.compute(mapped_scene("kind = \"hertz\"\nR = \"1\"", "[shear]\nQ = \"1\"\n"), Body::A),
-        InputError);
+    CHECK_THROWS_AS(edge.compute(scenes::made("hertz R=1 a=1 E=2 nu=0.3 Q=1"), Body::A),
+                    InputError);
 }

@@ -3,8 +3,7 @@
 
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/scene.hpp"
-#include "tests/support/namespaces.hpp"
+#include "tests/scene/scene_words.hpp"
 
 #include <doctest/doctest.h>
 
@@ -19,40 +18,21 @@ constexpr long ray_bits = 400;
 
 struct RayContact {
     std::string name;
-    std::string text; ///< profile, load and shear; the right edge is at 1
+    std::string text; ///< the words; the right edge is at 1
 };
 
-std::vector<RayContact> ray_contacts() {
-    const auto text_of = [](const char* profile, const std::string& traction) {
-        return std::string("[profile]\n") + profile +
-               "\n[load]\na = \"1\"\ncontact_modulus = \"3/2\"\n" + traction;
-    };
-    const char* const hertz_profile = "kind = \"hertz\"\nR = \"2\"";
-    const char* const rounded_profile = "kind = \"flat-and-rounded\"\nt = \"0.4\"\nR = \"2\"";
-    const char* const tilted_profile =
-        "kind = \"tilted-flat-and-rounded\"\nalpha = \"0.1\"\nt = \"0.4\"\nR = \"2\"";
-    const char* const wedge_profile = "kind = \"tilted-wedge\"\nphi = \"1/5\"\nalpha = \"-1/12\"";
-    const char* const power_profile = "kind = \"power-law\"\nm = \"5/2\"\nC = \"1/3\"";
-    return {{"no shear", text_of(rounded_profile, "")},
-            {"no shear, tilted", text_of(wedge_profile, "")},
-            {"together", text_of(power_profile, "[shear]\nQ = \"1/20\"\nbulk_A = \"1/9\"\npath = "
-                                                "\"together\"\n")},
-            {"full stick", text_of(tilted_profile, "[shear]\nQ = \"0.1\"\nbulk_tension = \"-0.2\"\n"
-                                                   "bulk_A = \"0.3\"\n")},
-            {"partial slip", text_of(hertz_profile, "[shear]\nQ = \"-0.1\"\nfriction = \"0.5\"\n")},
-            {"partial slip, power law",
-             text_of(power_profile, "[shear]\nQ = \"0.05\"\nfriction = \"0.6\"\n")},
-            {"partial slip, tension",
-             text_of(tilted_profile,
-                     "[shear]\nQ = \"-0.1\"\nfriction = \"0.6\"\nbulk_tension = \"0.03\"\n"
-                     "bulk_A = \"0.2\"\n")}};
-}
+const std::vector<RayContact> ray_contacts{
+    {"no shear", "flat-and-rounded t=0.4 R=2 a=1 E=3/2"},
+    {"no shear, tilted", "tilted-wedge phi=1/5 alpha=-1/12 a=1 E=3/2"},
+    {"together", "power-law m=5/2 C=1/3 a=1 E=3/2 Q=1/20 bulk_A=1/9 path=together"},
+    {"full stick", "tilted-flat-and-rounded alpha=0.1 t=0.4 R=2 a=1 E=3/2 Q=0.1 bulk_tension=-0.2 "
+                   "bulk_A=0.3"},
+    {"partial slip", "hertz R=2 a=1 E=3/2 Q=-0.1 friction=0.5"},
+    {"partial slip, power law", "power-law m=5/2 C=1/3 a=1 E=3/2 Q=0.05 friction=0.6"},
+    {"partial slip, tension", "tilted-flat-and-rounded alpha=0.1 t=0.4 R=2 a=1 E=3/2 Q=-0.1 "
+                              "friction=0.6 bulk_tension=0.03 bulk_A=0.2"}};
 
-Scene ray_scene(const std::string& text) {
-    Scene s = scene::parse_scene(text + "[ask]\ndigits = 30\n", "scene.toml");
-    s.ask.edges = {contact::Edge::right};
-    return s;
-}
+Scene ray_scene(const std::string& words) { return scenes::made(words + " edges=right digits=30"); }
 
 /// sxx, szz, sxz at the distance r from the right edge at 1, by the closed forms at points
 /// (contact/stress/cauchy_integral.hpp), which use no expansion.
@@ -85,7 +65,7 @@ TEST_CASE("the series of the stresses near an edge add up to the stresses at poi
     constexpr std::size_t terms = 24;
     const char* const r = "(1/10000)"; // less than 1/100 of the radius of convergence
     const Ball distance(Rational(1, 10'000), ray_bits);
-    for (const RayContact& c : ray_contacts()) {
+    for (const RayContact& c : ray_contacts) {
         CAPTURE(c.name);
         const Scene s = ray_scene(c.text);
         for (const std::string angle : {"0", "37", "90", "135", "180"}) {
@@ -106,17 +86,15 @@ TEST_CASE("the series of the stresses near an edge add up to the stresses at poi
 }
 
 TEST_CASE("the series of the stresses at the left edge are those of the mirror image") {
-    const std::string text = "[profile]\nkind = \"tilted-wedge\"\nphi = \"1/5\"\nalpha = \"1/12\"\n"
-                             "[load]\nP = \"1/7\"\ncontact_modulus = \"3/2\"\n[shear]\nQ = "
-                             "\"1/50\"\nfriction = \"0.5\"\nbulk_tension = \"1/100\"\n";
-    std::string mirrored = text;
-    mirrored.replace(mirrored.find("\"1/12\""), 6, "\"-1/12\"");
-    mirrored.replace(mirrored.find("\"1/50\""), 6, "\"-1/50\"");
-    Scene left = ray_scene(text);
+    const auto wedge = [](const std::string& alpha, const std::string& Q) {
+        return ray_scene("tilted-wedge phi=1/5 alpha=" + alpha + " P=1/7 E=3/2 Q=" + Q +
+                         " friction=0.5 bulk_tension=1/100");
+    };
+    Scene left = wedge("1/12", "1/50");
     left.ask.edges = {contact::Edge::left};
     const Exact angle = Exact::parse("70");
     const auto one = ray_terms(left, Body::A, angle, 9);
-    const auto other = ray_terms(ray_scene(mirrored), Body::A, angle, 9);
+    const auto other = ray_terms(wedge("-1/12", "-1/50"), Body::A, angle, 9);
     for (std::size_t j = 0; j < one.size(); ++j) {
         CAPTURE(j);
         CHECK(overlaps(one[j].values[0].value, other[j].values[0].value));
@@ -129,7 +107,7 @@ TEST_CASE("the series of the stresses at the left edge are those of the mirror i
 // Without shear sxx = szz = -p on the contact, and sxz = 0 (`johnson1985`, eq. 2.24).
 TEST_CASE("terms of the stresses near an edge that vanish are exactly 0") {
     const auto terms =
-        ray_terms(ray_scene(ray_contacts().front().text), Body::A, Exact::parse("0"), 4);
+        ray_terms(ray_scene(ray_contacts.front().text), Body::A, Exact::parse("0"), 4);
     const auto zero = [&](std::size_t j, std::size_t i) {
         return terms[j].values[i].exactly == Rational(0);
     };
@@ -140,14 +118,9 @@ TEST_CASE("terms of the stresses near an edge that vanish are exactly 0") {
 }
 
 TEST_CASE("expansions of stresses that are not computed are refused") {
-    const std::string text = "[profile]\nkind = \"piecewise\"\nsymmetric = true\nknots = []\n"
-                             "slopes = [\"x^3\"]\n[load]\na = \"1\"\ncontact_modulus = \"1\"\n";
-    std::string problem;
-    try {
-        (void)ray_terms(ray_scene(text), Body::A, Exact::parse("45"), 3);
-    } catch (const InputError& error) {
-        problem = error.what();
-    }
-    CHECK(problem.find("the stresses near an edge are expanded for plane power laws") !=
-          std::string::npos);
+    CHECK_THROWS_WITH_AS(
+        (void)ray_terms(ray_scene("piecewise symmetric slopes=x^3 a=1"), Body::A,
+                        Exact::parse("45"), 3),
+        doctest::Contains("the stresses near an edge are expanded for plane power laws"),
+        InputError);
 }

@@ -1,317 +1,329 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/scene/scene_text.hpp"
-
+// The values of values.txt and of the tables of tests/oracles; values.txt describes the rows.
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "tests/support/namespaces.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+#include "tests/scene/scene_words.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <ios>
+#include <optional>
+#include <set>
 
 using namespace edgeproof::scenes;
 
 namespace {
 
-std::string p_text(const RowsAt& row, const Digits& digits) {
-    return printed(row.at(Quantity::p), digits).text;
-}
+const std::map<std::string, Quantity> without_symbol{
+    {"local", Quantity::local},
+    {"rel", Quantity::rel},
+    {"q_local", Quantity::q_local},
+    {"q_rel", Quantity::q_rel},
+    {"extent_fraction", Quantity::extent_fraction},
+    {"measure_fraction", Quantity::measure_fraction},
+    {"crossing", Quantity::crossing},
+    {"load_ratio", Quantity::load_ratio},
+    {"least_tension", Quantity::least_tension},
+    {"most_tension", Quantity::most_tension},
+    {"slip_terms", Quantity::slip_terms},
+    {"slip_rel", Quantity::slip_rel},
+    {"slip_load", Quantity::slip_load},
+    {"x", Quantity::x},
+    {"s1", Quantity::s1},
+    {"s2", Quantity::s2},
+    {"s3", Quantity::s3},
+    {"gap", Quantity::gap},
+    {"moved", Quantity::slip_displacement},
+    {"ux", Quantity::ux},
+    {"uz", Quantity::uz},
+    {"slope", Quantity::slope},
+    {"dissipation", Quantity::dissipation}};
 
-/// Returns sqrt(q), q < 1, to 50 digits after the leading zeros, using only the integer square
-/// root.
-std::string root_digits(const Rational& q, unsigned places) {
-    using namespace boost::multiprecision;
-    const Rational scaled = q * Rational(pow(Integer(100), places));
-    Integer root = sqrt(Integer(numerator(scaled) / denominator(scaled)));
-    // Round to nearest: compare the square of the next half unit.
-    const Rational half = Rational(root) + Rational(1, 2);
-    if (half * half < scaled) {
-        ++root;
+/// A question of a cell; the cells of a row share the words of the place.
+struct Question {
+    AskedValue asked;
+    std::map<std::string, std::string> place; ///< u, x, at, body, ref, tol, j, digits, edge
+    bool greatest = false;
+
+    void read(const std::string& text);
+    [[nodiscard]] Digits digits() const {
+        const auto given = place.find("digits");
+        const unsigned count =
+            given == place.end() ? 30 : static_cast<unsigned>(std::stoul(given->second));
+        return {row_of(asked.quantity).short_error ? std::min(count, 20U) : count};
     }
-    return root.str();
+};
+
+void Question::read(const std::string& text) {
+    greatest = false;
+    for (const std::string& word : words_of(text)) {
+        const std::size_t equals = word.find('=');
+        if (equals != std::string::npos) {
+            place[word.substr(0, equals)] = word.substr(equals + 1);
+            if (word[0] == 'u' || word[0] == 'x') {
+                place.erase(word[0] == 'u' ? "x" : "u");
+            }
+        } else if (word == "left" || word == "right") {
+            place["edge"] = word;
+        } else if (word == "greatest") {
+            greatest = true;
+        } else {
+            const std::size_t index = word.find_last_of('_');
+            const std::string name = word.substr(0, index);
+            const auto symbol = quantity_named(word);
+            asked = {};
+            if (symbol) {
+                asked.quantity = symbol->quantity;
+                asked.k = symbol->k;
+            } else if (without_symbol.contains(word)) {
+                asked.quantity = without_symbol.at(word);
+            } else {
+                REQUIRE_MESSAGE(without_symbol.contains(name), word);
+                asked.quantity = without_symbol.at(name);
+                asked.k = std::stoul(word.substr(index + 1));
+            }
+        }
+    }
+    const auto given = [&](const char* key) {
+        const auto found = place.find(key);
+        return found == place.end() ? std::optional<std::string>() : found->second;
+    };
+    const QuantityRow& row = row_of(asked.quantity);
+    asked.edge = edge_named(given("edge").value_or("right")).value();
+    if (const auto at = given("x"); at && (row.at_point() || row.of_bodies())) {
+        asked.place = Place::parse(*at, Place::From::origin, {}).distance(asked.edge);
+    } else if (const auto u = given("u"); u && row.at_point()) {
+        asked.place = Place::parse(*u, Place::From::edge, {}).distance(asked.edge);
+        asked.u = asked.place->number();
+    }
+    const Body body = given("body") == "B" ? Body::B : Body::A;
+    if (const auto at = given("at"); at && row.place == QuantityRow::Place::body) {
+        const auto both = parts_of(*at, ",");
+        asked.in_body = {Exact::parse(both.at(0)), Exact::parse(both.at(1)), body};
+    } else if (row.place == QuantityRow::Place::surface) {
+        asked.in_body = {Exact(), Exact(), body};
+        asked.reference =
+            Place::parse(given("ref").value_or("0"), Place::From::origin, {}).distance(asked.edge);
+    }
+    if (row.tolerance) {
+        asked.tolerance = parse_tolerance(given("tol").value_or("1%"));
+    }
+    asked.j = std::stoul(given("j").value_or("0"));
 }
 
-std::string digits_only(std::string text) {
-    text.erase(std::remove(text.begin(), text.end(), '.'), text.end());
-    text = text.substr(0, text.find('e'));
-    return text.substr(text.find_first_not_of('0'));
+BoundedValue value_of(const std::string& scene, const Question& q, const Digits& digits) {
+    const Scene s = made(scene);
+    SceneValues values(s, {q.asked}, digits);
+    return row_of(q.asked.quantity).searched && q.asked.quantity != Quantity::extent
+               ? values.searched(q.asked).value.value()
+               : values.value(q.asked);
+}
+
+/// Replaces {QUESTION} and {SCENE : QUESTION} by the value, from inside to outside.
+std::string filled(std::string text, const std::string& scene, const Question& here) {
+    for (std::size_t end = 0; (end = text.find('}')) != std::string::npos;) {
+        const std::size_t begin = text.rfind('{', end);
+        const std::string inner = text.substr(begin + 1, end - begin - 1);
+        const std::size_t colon = inner.find(" : ");
+        Question q = here;
+        q.read(colon == std::string::npos ? inner : inner.substr(colon + 3));
+        const Digits digits{q.digits().count + 15};
+        const BoundedValue value =
+            value_of(colon == std::string::npos ? scene : inner.substr(0, colon), q, digits);
+        CHECK(value.proved);
+        text.replace(begin, end + 1 - begin,
+                     "(" + value.value.midpoint().str(70, std::ios_base::scientific) + ")");
+    }
+    return text;
+}
+
+Ball power_of_10(int n) { return Ball(pow_int(Ball(10, 128), n)); }
+
+/// The last place of a decimal.
+Ball last_place(const std::string& decimal) {
+    const std::string digits = decimal.substr(0, decimal.find('e'));
+    const std::size_t dot = digits.find('.');
+    const int places = dot == std::string::npos ? 0 : static_cast<int>(digits.size() - dot - 1);
+    const int power =
+        digits.size() == decimal.size() ? 0 : std::stoi(decimal.substr(digits.size() + 1));
+    return power_of_10(power - places);
+}
+
+/// Checks "= FORMULA": the enclosure contains the value of the formula, and has the digits.
+void check_equal(const BoundedValue& found, const std::string& formula, const Digits& digits,
+                 bool relation) {
+    const Ball exact = enclosed_constant(Exact::parse(formula), bits_for(digits.count) + 200);
+    const Ball size = contains_zero(exact) ? Ball(1, 128) : abs(exact);
+    CHECK(found.proved);
+    if (relation) {
+        const Ball off = abs(Ball(found.value - exact));
+        CHECK(certainly_less(off, size * power_of_10(2 - static_cast<int>(digits.count))));
+        return;
+    }
+    CHECK(overlaps(found.value, exact));
+    CHECK(certainly_less(Ball(found.value.radius(), 128),
+                         size * power_of_10(1 - static_cast<int>(digits.count))));
+    const PrintedValue expected = printed({exact, true, ""}, digits);
+    if (expected.complete && !contains_zero(exact)) {
+        CHECK(printed(found, digits).text == expected.text);
+    }
+}
+
+/// Checks "~ DECIMAL" and "~ DECIMAL +-BOUND".
+void check_near(const BoundedValue& found, const std::string& text) {
+    const auto words = words_of(text);
+    const Ball bound = words.size() < 2 ? last_place(words[0])
+                                        : enclosed_constant(Exact::parse(words[1].substr(2)), 128);
+    const bool decimal = words[0].find_first_not_of("-.0123456789e") == std::string::npos;
+    const Ball exact = decimal ? Ball(parse_decimal(words[0]), 400)
+                               : enclosed_constant(Exact::parse(words[0]), 400);
+    const Ball off = abs(Ball(found.value - exact));
+    CHECK(found.proved);
+    CHECK(off.upper() <= bound.upper());
+}
+
+/// Checks "prints NEAREST DOWN UP", or one text for all three.
+void check_printed(const std::string& scene, const Question& q, const std::string& text) {
+    const auto words = words_of(text);
+    constexpr std::array modes{Rounding::nearest, Rounding::down, Rounding::up};
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+        const Digits digits{q.digits().count, modes.at(i)};
+        const BoundedValue value = value_of(scene, q, digits);
+        const PrintedValue p = printed(value, digits);
+        CHECK(p.text == words.at(words.size() == 1 ? 0 : i));
+        CHECK(value.proved);
+        CHECK(p.complete);
+        CHECK_FALSE(p.undecided);
+        CHECK(how(value, p) == value.route);
+    }
+}
+
+void check_fails(const std::string& words, const auto& f) {
+    try {
+        f();
+        FAIL_CHECK("not refused");
+    } catch (const Error& error) {
+        CHECK_MESSAGE(std::string(error.what()).find(words) != std::string::npos, error.what());
+    }
+}
+
+void check_greatest(const std::string& scene, const Question& q, const std::string& op,
+                    const std::string& expected) {
+    Scene s = made(scene);
+    s.ask.digits = q.digits();
+    const Body body = q.place.contains("body") && q.place.at("body") == "B" ? Body::B : Body::A;
+    const auto greatest = [&] { return greatest_value(s, q.asked.quantity, body); };
+    if (op == " fails ") {
+        check_fails(expected, greatest);
+        return;
+    }
+    const GreatestValue found = greatest();
+    const std::size_t at = expected.find(" at ");
+    const auto place = words_of(expected.substr(at + 4));
+    const std::string value = expected.substr(0, at);
+    const std::string bound =
+        value.find(' ') == std::string::npos ? "" : value.substr(value.find(' '));
+    const auto check = [&](const BoundedValue& x, const std::string& text) {
+        if (op == " = ") {
+            check_equal(x, text, s.ask.digits, false);
+        } else if (text == "0") {
+            CHECK(x.exactly == Rational(0));
+        } else {
+            check_near(x, text);
+        }
+    };
+    check(found.value, value);
+    check(found.x, place.at(0) == "0" ? "0" : place.at(0) + bound);
+    check(found.z, place.at(1) == "0" ? "0" : place.at(1) + bound);
+}
+
+/// The quantities of the rows that were checked.
+std::set<Quantity> seen;
+
+void check_cell(const std::string& scene, Question& q, const std::string& cell) {
+    for (const std::string op : {" = ", " == ", " ~ ", " prints ", " < ", " > ", " fails "}) {
+        const std::size_t at = cell.find(op);
+        if (at == std::string::npos) {
+            continue;
+        }
+        q.read(filled(cell.substr(0, at), scene, q));
+        seen.insert(q.asked.quantity);
+        const std::string given = cell.substr(at + op.size());
+        const std::string expected = filled(given, scene, q);
+        if (q.greatest) {
+            check_greatest(scene, q, op, expected);
+        } else if (op == " prints ") {
+            check_printed(scene, q, expected);
+        } else if (op == " fails ") {
+            check_fails(expected, [&] { return value_of(scene, q, q.digits()); });
+        } else {
+            const BoundedValue found = value_of(scene, q, q.digits());
+            CAPTURE(found);
+            if (op == " = ") {
+                check_equal(found, expected, q.digits(), expected != given);
+            } else if (op == " ~ ") {
+                check_near(found, expected);
+            } else if (op == " == ") {
+                const Rational exact = Exact::parse(expected).rational();
+                CHECK((found.exactly ? *found.exactly == exact
+                                     : found.value.is_exact() && contains(found.value, exact)));
+            } else {
+                const Ball limit = enclosed_constant(Exact::parse(expected), 400);
+                CHECK(found.proved);
+                CHECK((op == " < " ? certainly_less(found.value, limit)
+                                   : certainly_less(limit, found.value)));
+            }
+        }
+        return;
+    }
+    FAIL("no value in " << cell);
+}
+
+void check_table(const std::string& table, bool slow) {
+    Question q;
+    std::string scene;
+    for (const TableRow& row : rows_of(table)) {
+        if (row.slow != slow) {
+            continue;
+        }
+        CAPTURE(row.at);
+        CAPTURE(row.scene);
+        if (!row.continues) {
+            q = {};
+            scene = filled(row.scene, "", q);
+        }
+        for (const std::string& cell : row.cells) {
+            CAPTURE(cell);
+            try {
+                check_cell(scene, q, cell);
+            } catch (const Error& error) {
+                FAIL_CHECK(std::string(error.what()));
+            }
+        }
+    }
 }
 
 } // namespace
 
-TEST_CASE("Hertz: p = sqrt(u (2 - u))/2, by integer square roots") {
-    const Scene scene =
-        parsed(hertz("1", "u = [\"1e-30\", \"1e-3\", \"0.1\", \"1/3\", \"1.7\"]\n"));
-    const SceneResult result = run_scene(scene);
-    for (const RowsAt& row : result.points()) {
-        const Exact& distance = *row.row(Quantity::x).asked.u;
-        CAPTURE(distance.text());
-        const Rational u = distance.rational();
-        const Rational square = u * (2 - u) / 4;
-        // Enough places for 50 digits after the leading zeros of p.
-        const std::string text = p_text(row, scene.ask.digits);
-        unsigned places = 50;
-        while (root_digits(square, places).size() < 50) {
-            ++places;
-        }
-        CHECK(digits_only(text) == root_digits(square, places));
-        CHECK(row.at(Quantity::p).proved);
-        CHECK(printed(row.at(Quantity::p), scene.ask.digits).complete);
-    }
+TEST_CASE("the values of bodies of revolution of the oracles") {
+    check_table("oracles/axisymmetric.txt", false);
+    check_table("oracles/stress_of_revolution.txt", false);
 }
-
-TEST_CASE("Hertz where p is a decimal: the exact text, each way of rounding") {
-    // 3-4-5 triangles: u = 1/5, 2/5, 1 give p = 3/10, 2/5, 1/2.
-    const std::string text = hertz("1", "u = [\"1/5\", \"2/5\", \"1\"]\ndigits = 12\n");
-    for (const Rounding mode : {Rounding::nearest, Rounding::down, Rounding::up}) {
-        Scene scene = parsed(text);
-        scene.ask.digits.rounding = mode;
-        const SceneResult result = run_scene(scene);
-        const char* const expected[] = {"0.300000000000", "0.400000000000", "0.500000000000"};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const PrintedValue p = printed(result.points()[i].at(Quantity::p), scene.ask.digits);
-            const Rational exactly = parse_decimal(expected[i]);
-            const Rational value = parse_decimal(p.text);
-            CHECK(p.text == expected[i]);
-            CHECK(abs(Rational(value - exactly)) <= parse_decimal(p.bound));
-            // One unit of the last place, rounded up to the two digits of the bound.
-            CHECK(parse_decimal(p.bound) <= parse_decimal("1.1e-12"));
-        }
-        CHECK(printed(result.points()[1].at(Quantity::x), scene.ask.digits).text ==
-              "0.600000000000");
-        CHECK(printed(result.points()[2].at(Quantity::x), scene.ask.digits).text == "0");
-    }
+TEST_CASE("the values of more bodies of revolution of the oracles" * doctest::test_suite("slow")) {
+    check_table("oracles/axisymmetric.txt", true);
+    check_table("oracles/stress_of_revolution.txt", true);
 }
-
-TEST_CASE("Hertz's coefficients, by hand from sqrt(1 - u/(2a))") {
-    // a = 2: p = sqrt(u) sqrt(1 - u/4) = sqrt(u) (1 - u/8 - u^2/128 - u^3/1024 - 5 u^4/32768 ...).
-    const Scene scene = parsed(
-        hertz("2", "edges = [\"left\", \"right\"]\nterms = 5\nquantities = [\"coefficients\"]\n"));
-    const SceneResult result = run_scene(scene);
-    REQUIRE(result.at_edges(QuantityGroup::coefficients).size() == 2);
-    const Rational expected[] = {Rational(1), Rational(-1, 8), Rational(-1, 128),
-                                 Rational(-1, 1024), Rational(-5, 32768)};
-    for (const RowsAt& edge : result.at_edges(QuantityGroup::coefficients)) {
-        CHECK(edge.find(Quantity::c, 5) == nullptr);
-        CHECK(edge.find(Quantity::s, 0) == nullptr);
-        for (std::size_t k = 0; k < 5; ++k) {
-            const BoundedValue& c = edge.at(Quantity::c, k);
-            CHECK(contains(c.value, expected[k]));
-            CHECK(c.proved);
-            CHECK(parse_decimal(printed(c, scene.ask.digits).text) == expected[k]);
+TEST_CASE("values of scenes: closed forms, mpmath and relations") {
+    check_table("scene/values.txt", false);
+    for (const QuantityRow& row : quantity_rows()) {
+        if (row.searched || row.ball != nullptr) {
+            CHECK_MESSAGE((row.quantity == Quantity::u || seen.contains(row.quantity)), row.name);
         }
     }
 }
-
-TEST_CASE("Hertz within 1 %: u = 2a (1 - 1.01^-2) for one term") {
-    Scene scene = parsed(hertz("1", "terms = 1\ntolerance = \"1%\"\nprocess_zone = \"0.039\"\n"
-                                    "digits = 30\n"));
-    const SceneResult result = run_scene(scene);
-    REQUIRE(result.at_edges(QuantityGroup::extent).size() == 1);
-    const RowsAt extent = result.at_edges(QuantityGroup::extent)[0];
-    const BoundedValue& first_exit = extent.at(Quantity::extent, 1);
-    const Rational exit = 2 * (1 - Rational(10000, 10201));
-    CHECK(printed(first_exit, scene.ask.digits).text == to_decimal(exit, 30, Rounding::nearest));
-    CHECK(printed(extent.at(Quantity::extent_fraction, 1), scene.ask.digits).text ==
-          to_decimal(Rational(exit / 2), 30, Rounding::nearest));
-    CHECK(first_exit.proved);
-    CHECK(covers_zone(scene, first_exit)); // 0.0394... > 0.039
-    scene.ask.process_zone = Exact::parse("0.0395");
-    CHECK_FALSE(covers_zone(scene, first_exit));
-}
-
-TEST_CASE("extents of the same number of terms twice, at both edges: as many rows as asked for") {
-    const SceneResult result = run_scene(parsed(hertz(
-        "1", "edges = [\"right\", \"left\"]\nterms = [1, 1]\ntolerance = \"1%\"\ndigits = 10\n")));
-    for (const RowsAt& edge : result.at_edges(QuantityGroup::extent)) {
-        CHECK(std::ranges::count_if(edge, [](const Row& row) {
-                  return row.asked.quantity == Quantity::extent;
-              }) == 2);
-    }
-}
-
-TEST_CASE("balls and quadratures agree, each within its own bound") {
-    const std::string points = "edges = [\"right\", \"left\"]\nterms = [1, 3]\ndigits = 25\n"
-                               "u = [\"1e-20\", \"0.01\", \"0.3\"]\n";
-    const std::string flat =
-        "[profile]\nkind = \"tilted-flat-and-rounded\"\nalpha = \"pi/16\"\nt = \"1\"\nR = \"2\"\n"
-        "[load]\nP = \"1/5\"\ncontact_modulus = \"7/3\"\n[shear]\nQ = \"-0.1\"\n"
-        "bulk_tension = \"0.4\"\n[ask]\n" +
-        points;
-    const std::string power = "[profile]\nkind = \"power-law\"\nm = \"5/2\"\nC = \"3\"\n[load]\n"
-                              "a = \"0.7\"\ncontact_modulus = \"7/3\"\n[ask]\n" +
-                              points;
-    const std::string similar = tilted_wedge("[shear]\nQ = \"0.3\"\npath = \"together\"\n", points);
-    for (const std::string& text : {flat, power, similar}) {
-        const SceneResult balls = run_scene(parsed(text));
-        const SceneResult reals = run_scene(parsed(text + "route = \"singular-integral\"\n"));
-        for (std::size_t i = 0; i < balls.points().size(); ++i) {
-            const BoundedValue x = balls.points()[i].at(Quantity::p);
-            const BoundedValue y = reals.points()[i].at(Quantity::p);
-            CHECK(overlaps(x.value, y.value));
-            CHECK(x.proved);
-            CHECK_FALSE(y.proved);
-        }
-    }
-}
-
-TEST_CASE("P and Q in proportion: q/p is Q/P at every point") {
-    const SceneResult result = run_scene(
-        parsed(tilted_wedge("[shear]\nQ = \"0.3\"\npath = \"together\"\n",
-                            "u = [\"1e-9\", \"0.2\"]\nquantities = [\"pressure\", \"shear\", "
-                            "\"contact\", \"coefficients\"]\nterms = 2\n")));
-    const Ball expected = Ball(Rational(3, 10), 300) / result.at(Quantity::P).value;
-    for (const RowsAt& row : result.points()) {
-        CHECK(overlaps(row.at(Quantity::q).value / row.at(Quantity::p).value, expected));
-    }
-    CHECK(overlaps(result.at_edges(QuantityGroup::coefficients)[0].at(Quantity::s, 1).value /
-                       result.at_edges(QuantityGroup::coefficients)[0].at(Quantity::c, 1).value,
-                   expected));
-    // P of the wedge by hand: E* phi a sqrt(gamma), gamma = (1 - sin)/(1 + sin) of pi alpha/(2 phi)
-    // = pi/10, whose sine is (sqrt 5 - 1)/4 (moore-hills.tex, line 301).
-    const PrecisionScope scope(60);
-    const Real sine = (sqrt(Real(5)) - 1) / 4;
-    const Real P = Real(1) / 5 * sqrt(Real((1 - sine) / (1 + sine)));
-    CHECK(contains(result.at(Quantity::P).value, Ball(P, 180)) ==
-          contains(result.at(Quantity::P).value, P));
-    CHECK(abs(Real(result.at(Quantity::P).value.midpoint() - P)) < Real("1e-50"));
-}
-
-TEST_CASE("the shear of a given contact, by hand") {
-    // a = b = 1, Q = pi, sigma_0 = 8: q = (1 + 2x)/sqrt(1 - x^2). At x = 3/5, which is u = 2/5 from
-    // the right edge, q = 11/4; at x = -3/5, from the left edge, q = -1/4.
-    const std::string text = "[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n[load]\n"
-                             "a = \"1\"\ncontact_modulus = \"1\"\n[shear]\nQ = \"pi\"\n"
-                             "bulk_tension = \"8\"\n[ask]\nedges = [\"right\", \"left\"]\n"
-                             "u = \"2/5\"\nterms = 1\ndigits = 20\n";
-    const Scene scene = parsed(text);
-    const SceneResult result = run_scene(scene);
-    REQUIRE(result.points().size() == 2);
-    CHECK(printed(result.points()[0].at(Quantity::q), scene.ask.digits).text ==
-          "2.7500000000000000000");
-    CHECK(printed(result.points()[1].at(Quantity::q), scene.ask.digits).text ==
-          "-0.25000000000000000000");
-    // K_II = (Q/pi +- sigma_0 (a + b)/8)/sqrt(a + b) = 3/sqrt 2 and -1/sqrt 2; divided by
-    // sqrt(2/5): 3 sqrt 5/2 = 3.3541..., -sqrt 5/2.
-    CHECK(printed(result.points()[0].at(Quantity::q_local, 1), scene.ask.digits).text ==
-          "3.3541019662496845446");
-    CHECK(printed(result.points()[1].at(Quantity::q_local, 1), scene.ask.digits).text ==
-          "-1.1180339887498948482");
-}
-
-TEST_CASE("a value that vanishes is 0, with a bound far below the digits") {
-    // For m = 5/8 the second coefficient is zero (moore-hills.tex, line 182).
-    const Scene scene =
-        parsed("[profile]\nkind = \"power-law\"\nm = \"5/8\"\nC = \"1\"\n[load]\na = \"1\"\n"
-               "contact_modulus = \"1\"\n[ask]\nterms = 2\nquantities = [\"coefficients\"]\n");
-    const SceneResult result = run_scene(scene);
-    const PrintedValue c1 = printed(
-        result.at_edges(QuantityGroup::coefficients)[0].at(Quantity::c, 1), scene.ask.digits);
-    CHECK(c1.text == "0");
-    CHECK(parse_decimal(c1.bound) < parse_decimal("1e-400"));
-    CHECK(printed(result.at_edges(QuantityGroup::coefficients)[0].at(Quantity::c, 0),
-                  scene.ask.digits)
-              .complete);
-}
-
-TEST_CASE("the middle of a power law's contact is recognised exactly, and proved") {
-    // Gauss's theorem gives p(0) = P'/(pi m), and moore-hills.tex line 144 gives P' = 11 (sqrt
-    // pi/2) Gamma(6)/Gamma(13/2) a^10 for m = 10, Gamma(13/2) = 10395 sqrt(pi)/64. Hence p(0) = 128
-    // a^10/(315 pi) = 0.129344969623889542720108709280519608510544981935101... a^10.
-    const Scene scene =
-        parsed("[profile]\nkind = \"power-law\"\nm = \"10\"\nC = \"1\"\n[load]\na = \"1/10\"\n"
-               "contact_modulus = \"1\"\n[ask]\nu = [\"1/10\", \"0.0999999\"]\n");
-    const SceneResult result = run_scene(scene);
-    const BoundedValue middle = result.points()[0].at(Quantity::p);
-    CHECK(overlaps(middle.value, Ball(Rational(128, 315), 400) / Ball::pi(400) *
-                                     Ball(parse_decimal("1e-10"), 400)));
-    CHECK(middle.proved);
-    CHECK(printed(middle, scene.ask.digits).complete);
-    CHECK(result.points()[1].at(Quantity::p).proved);
-}
-
-// x is exactly on a knot, which is a binary number or not: 26 values of the tables once had no
-// proved bound.
-TEST_CASE("on a knot the pressure is proved, and equals the one at a distance of 1e-60") {
-    const auto flat = [](const std::string& t, const std::string& u) {
-        return "[profile]\nkind = \"flat-and-rounded\"\nt = \"" + t +
-               "\"\nR = \"1\"\n[load]\na = \"1\"\ncontact_modulus = \"1\"\n[ask]\nu = " + u + "\n";
-    };
-    const struct {
-        const char* t;
-        const char* u;
-    } cases[] = {
-        {"0.25", R"(["0.75", "0.75 + 1e-60"])"},
-        {"0.4", R"(["0.6", "0.6 - 1e-60"])"},
-        {"pi/8", R"(["1 - pi/8", "1 - pi/8 + 1e-60"])"},
-        {"1/2", R"(["1", "1 + 1e-60"])"},
-        {"0", R"(["1", "1 - 1e-60"])"},
-    };
-    for (const auto& c : cases) {
-        CAPTURE(c.t);
-        const Scene scene = parsed(flat(c.t, c.u));
-        const SceneResult result = run_scene(scene);
-        CHECK(result.points()[0].at(Quantity::p).proved);
-        CHECK(printed(result.points()[0].at(Quantity::p), scene.ask.digits).complete);
-        // |p'| < 200 there: moore-hills.tex eqn:SIEPressure has a logarithm of the distance.
-        const Ball apart = abs(Ball(result.points()[0].at(Quantity::p).value -
-                                    result.points()[1].at(Quantity::p).value));
-        CHECK(certainly_less(apart, Ball(parse_decimal("1e-50"), 300)));
-    }
-    const SceneResult hertz_middle = run_scene(parsed(hertz("1", "u = \"1\"\n")));
-    CHECK(contains(hertz_middle.points()[0].at(Quantity::p).value, Rational(1, 2)));
-    CHECK(hertz_middle.points()[0].at(Quantity::p).proved);
-}
-
-TEST_CASE("the tilt found from P and M is proved, and so is all that follows") {
-    // moore-hills.tex line 303: P = E* phi a sqrt(gamma), gamma = b/a. A tilt of 0 has M = 0.
-    const auto text = [](const char* M) {
-        return std::string("[profile]\nkind = \"tilted-wedge\"\nphi = \"pi/16\"\n[load]\nP = "
-                           "\"1/10\"\nM = \"") +
-               M +
-               "\"\ncontact_modulus = \"1\"\n[ask]\nu = \"1e-6\"\nterms = 1\nquantities = "
-               "[\"contact\", \"pressure\", \"coefficients\"]\n";
-    };
-    const Scene scene = parsed(text("-1/50"));
-    const SceneResult result = run_scene(scene);
-    const std::vector<BoundedValue> values{
-        result.at(Quantity::alpha),
-        result.at(Quantity::a),
-        result.at(Quantity::b),
-        result.at(Quantity::P),
-        result.at(Quantity::M),
-        result.points()[0].at(Quantity::p),
-        result.at_edges(QuantityGroup::coefficients)[0].at(Quantity::c, 0)};
-    for (const BoundedValue& v : values) {
-        CHECK(v.proved);
-        CHECK(printed(v, scene.ask.digits).complete);
-    }
-    const Ball P =
-        Ball::pi(300) / 16 * sqrt(result.at(Quantity::a).value * result.at(Quantity::b).value);
-    CHECK(overlaps(P, Ball(Rational(1, 10), 300)));
-    const SceneResult upright = run_scene(parsed(text("0")));
-    CHECK(printed(upright.at(Quantity::alpha), scene.ask.digits).text == "0");
-    CHECK(upright.at(Quantity::alpha).proved);
-    CHECK(overlaps(upright.at(Quantity::a).value, upright.at(Quantity::b).value));
-}
-
-TEST_CASE("a load that no contact carries, and points that have no pressure, name their lines") {
-    const auto refused = [](const std::string& text, std::size_t line, const std::string& part) {
-        try {
-            (void)run_scene(parsed(text));
-            FAIL("accepted");
-        } catch (const InputError& error) {
-            CAPTURE(error.what());
-            CHECK(error.line() == line);
-            CHECK(std::string(error.what()).find(part) != std::string::npos);
-        }
-    };
-    refused(hertz("1", "u = [\"0.1\",\n\"2\"]\n"), 10, "on an edge"); // a + b = 2
-    refused(hertz("1", "u = \"3\"\n"), 9, "outside the contact");
-    std::string wedge = hertz("1", "u = \"1\"\n");
-    wedge.replace(wedge.find("m = \"1\""), 7, "m = \"0\"");
-    refused(wedge, 9, "infinite at a corner");
-    // The slope is zero on the left.
-    refused("[profile]\nkind = \"piecewise\"\nknots = [\"0\"]\nslopes = [\"0\", \"x\"]\n[load]\n"
-            "a = \"1\"\ncontact_modulus = \"1\"\n[ask]\nu = \"0.1\"\n",
-            6, "no position of the other edge closes this contact");
+TEST_CASE("values of scenes that take longer" * doctest::test_suite("slow")) {
+    check_table("scene/values.txt", true);
 }

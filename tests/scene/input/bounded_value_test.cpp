@@ -2,8 +2,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
 #include "edgeproof/scene/run_scene.hpp"
-#include "tests/scene/scene_text.hpp"
-#include "tests/support/namespaces.hpp"
+#include "tests/scene/scene_words.hpp"
 
 #include <doctest/doctest.h>
 
@@ -55,15 +54,14 @@ TEST_CASE("the bound printed with a value holds, and is as small as two digits a
 
 // E* = R = a = 1: p = sqrt(1 - x^2)/2 (johnson1985), 0.3 at x = 4/5, 0.217944947177... at x = 9/10.
 TEST_CASE("a value is printed with its bound and its route") {
-    const std::string hertz = "[profile]\nkind = \"power-law\"\nm = \"1\"\nC = \"1\"\n[load]\na = "
-                              "\"1\"\ncontact_modulus = \"1\"\n[ask]\nu = [\"1/10\"]\n";
-    const SceneResult result = run_scene(parsed(hertz));
+    const std::string hertz = "power-law m=1 C=1 a=1 u=1/10";
+    const SceneResult result = run_scene(made(hertz));
     CHECK(streamed_value(result.points()[0].at(Quantity::p)) ==
           "0.217945 +/- 5.3e-08 (closed-form)");
     CHECK(streamed_value(result.at(Quantity::a)) == "1.00000 +/- 0 (given)");
     CHECK(streamed_value({Ball(Rational(1, 3), 64), true, "given", Rational(1, 3)}) ==
           "0.333333 +/- 3.4e-07 (given)");
-    const SceneResult estimate = run_scene(parsed(hertz + "route = \"barber-mossakovskii\"\n"));
+    const SceneResult estimate = run_scene(made(hertz + " route=barber-mossakovskii"));
     CHECK(streamed_value(estimate.points()[0].at(Quantity::p)) ==
           "0.217945 +/- 5.3e-08 (barber-mossakovskii (estimate))");
 }

@@ -1,107 +1,71 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/scene/scene_text.hpp"
-
 #include "edgeproof/precision/error.hpp"
-#include "tests/support/namespaces.hpp"
+#include "tests/scene/scene_words.hpp"
+#include "tests/support/paths.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <filesystem>
+
 using namespace edgeproof::scenes;
 
 namespace {
 
-const char* const points = "u = [\"1e-6\", \"0.01\", \"0.1\"]\n";
-const char* const both = "edges = [\"right\", \"left\"]\n";
-const char* const shear = "[shear]\nQ = \"0.3\"\nbulk_tension = \"-0.1\"\n";
-const char* const together = "[shear]\nQ = \"0.3\"\npath = \"together\"\n";
-
-std::string quantities(const std::string& list) { return "quantities = [" + list + "]\n"; }
-
 /// A scene and its work, counted by hand.
 struct Counted {
-    std::string name;
-    std::string text;
+    std::string words;
     Counts counts;
 };
 
-std::vector<Counted> counted() {
-    const std::string punch = "[profile]\nkind = \"tilted-wedge\"\nphi = \"0.1\"\n[load]\n"
-                              "P = \"0.1\"\nM = \"0.01\"\ncontact_modulus = \"1\"\n[ask]\n";
-    const std::string own = "[profile]\nkind = \"piecewise\"\nsymmetric = true\nknots = [\"1/2\"]\n"
-                            "slopes = [\"x/10\", \"x/10 + (x - 1/2)^3\"]\n[load]\na = \"3/4\"\n"
-                            "contact_modulus = \"1\"\n[ask]\ndigits = 15\n";
-    std::string by_force = hertz("1", points);
-    by_force.replace(by_force.find("a = "), 1, "P");
-    return {
-        {"symmetric, one edge", hertz("1", points), {.closed_forms = 3}},
-        {"symmetric, both edges: one is the other's image",
-         hertz("1", std::string(points) + both),
-         {.closed_forms = 3}},
-        {"with approximations",
-         hertz("1", std::string(points) + both + "terms = [1, 2]\n"),
-         {.expansions = 1, .closed_forms = 3}},
-        {"coefficients only: no pressure",
-         hertz("1", "terms = 3\n" + quantities("\"coefficients\"")),
-         {.expansions = 1}},
-        {"the size from P", by_force, {.load_inversions = 1, .closed_forms = 3}},
-        {"P and M too",
-         hertz("1", points + quantities("\"pressure\", \"contact\"")),
-         {.closed_forms = 3, .resultants = 2}},
-        {"not symmetric, one edge",
-         tilted_wedge("", points),
-         {.consistency = 1, .closed_forms = 3}},
-        {"not symmetric, both edges",
-         tilted_wedge("", std::string(points) + both + "terms = 2\n"),
-         {.consistency = 1, .expansions = 2, .closed_forms = 6}},
-        {"shear",
-         tilted_wedge(shear, std::string(points) + both),
-         {.consistency = 1, .closed_forms = 6, .shear_points = 6}},
-        {"shear that is there and not asked for",
-         tilted_wedge(shear, points + quantities("\"pressure\"")),
-         {.consistency = 1, .closed_forms = 3}},
-        {"shear alone: no pressure",
-         tilted_wedge(shear, std::string(points) + both + "terms = 1\n" + quantities("\"shear\"")),
-         {.consistency = 1, .shear_points = 6, .shear_expansions = 2}},
-        {"coefficients of p and q",
-         tilted_wedge(shear, std::string(both) + "terms = 4\n" + quantities("\"coefficients\"")),
-         {.consistency = 1, .expansions = 2, .shear_expansions = 2}},
-        {"P and Q in proportion: the shear is p's",
-         tilted_wedge(together, points + quantities("\"shear\"")),
-         {.consistency = 1, .closed_forms = 3, .shear_points = 3, .resultants = 1}},
-        {"a quadrature asked for",
-         tilted_wedge("", std::string(points) + "route = \"singular-integral\"\ndigits = 15\n"),
-         {.consistency = 1, .quadratures = 3}},
-        {"a quadrature needed", own + points + "terms = 1\n", {.expansions = 1, .quadratures = 3}},
-        {"the tilt from P and M",
-         punch + points + "digits = 15\n",
-         {.tilts = 1, .load_inversions = 1, .consistency = 1, .closed_forms = 3}},
-        {"a point asked for twice", hertz("1", "u = [\"0.1\", \"0.1\"]\n"), {.closed_forms = 2}},
-        {"p and a similar q at a point asked for twice",
-         tilted_wedge(together, "u = [\"0.1\", \"0.1\"]\n"),
-         {.consistency = 1, .closed_forms = 2, .shear_points = 2, .resultants = 1}},
-        {"extents",
-         hertz("1", std::string(both) + "terms = [1, 2]\ntolerance = \"1%\"\ndigits = 15\n"),
-         {.extents = 2}},
-    };
-}
+const std::string two_edges = " edges=right;left";
+const std::string three = " u=1e-6;0.01;0.1";
+const std::string cylinder = "power-law m=1 C=1 a=1";
+const std::string wedge = "tilted-wedge phi=0.1 alpha=0.02 a=2";
+const std::string stuck = wedge + " Q=0.3 bulk_tension=-0.1";
+const std::string together = wedge + " Q=0.3 path=together";
 
-/// Returns the number of coefficients at one of the edges.
-std::ptrdiff_t count_of(const SceneResult& r, std::size_t edge, Quantity quantity) {
-    return std::ranges::count_if(r.at_edges(QuantityGroup::coefficients).at(edge),
-                                 [&](const Row& row) { return row.asked.quantity == quantity; });
-}
+const std::vector<Counted> counted{
+    {cylinder + three, {.closed_forms = 3}},
+    // symmetric: one edge is the other's image
+    {cylinder + three + two_edges, {.closed_forms = 3}},
+    {cylinder + three + two_edges + " terms=1;2", {.expansions = 1, .closed_forms = 3}},
+    {cylinder + " terms=3 quantities=coefficients", {.expansions = 1}},
+    {cylinder + " a= P=1" + three, {.load_inversions = 1, .closed_forms = 3}},
+    {cylinder + three + " quantities=pressure;contact", {.closed_forms = 3, .resultants = 2}},
+    {wedge + three, {.consistency = 1, .closed_forms = 3}},
+    {wedge + three + two_edges + " terms=2",
+     {.consistency = 1, .expansions = 2, .closed_forms = 6}},
+    {stuck + three + two_edges, {.consistency = 1, .closed_forms = 6, .shear_points = 6}},
+    // shear that is there and not asked for, and shear alone
+    {stuck + three + " quantities=pressure", {.consistency = 1, .closed_forms = 3}},
+    {stuck + three + two_edges + " terms=1 quantities=shear",
+     {.consistency = 1, .shear_points = 6, .shear_expansions = 2}},
+    {stuck + two_edges + " terms=4 quantities=coefficients",
+     {.consistency = 1, .expansions = 2, .shear_expansions = 2}},
+    // P and Q in proportion: the shear is that of p
+    {together + three + " quantities=shear",
+     {.consistency = 1, .closed_forms = 3, .shear_points = 3, .resultants = 1}},
+    {wedge + three + " route=singular-integral digits=15", {.consistency = 1, .quadratures = 3}},
+    {"piecewise symmetric knots=1/2 slopes=x/10;x/10+(x-1/2)^3 a=3/4 digits=15 terms=1" + three,
+     {.expansions = 1, .quadratures = 3}},
+    {"tilted-wedge phi=0.1 P=0.1 M=0.01 digits=15" + three,
+     {.tilts = 1, .load_inversions = 1, .consistency = 1, .closed_forms = 3}},
+    // a point that is asked for twice
+    {cylinder + " u=0.1;0.1", {.closed_forms = 2}},
+    {together + " u=0.1;0.1",
+     {.consistency = 1, .closed_forms = 2, .shear_points = 2, .resultants = 1}},
+    {cylinder + two_edges + " terms=1;2 tolerance=1% digits=15", {.extents = 2}},
+};
 
-std::string all_text(const SceneResult& r, const Digits& digits) {
+std::string all_text(const SceneResult& r) {
     std::string text;
-    const auto add = [&](const BoundedValue& v) {
-        const PrintedValue p = printed(v, digits);
-        text += p.text + " +- " + p.bound + " " + v.how() + "\n";
-    };
     for (const RowsAt& row : r.points()) {
         text += edge_name(row.edge()) + " " + row.row(Quantity::x).asked.u->text() + "\n";
-        add(row.at(Quantity::x));
-        add(row.at(Quantity::p));
+        for (const Quantity quantity : {Quantity::x, Quantity::p}) {
+            const PrintedValue p = printed(row.at(quantity), {});
+            text += p.text + " +- " + p.bound + " " + row.at(quantity).how() + "\n";
+        }
     }
     return text;
 }
@@ -109,15 +73,25 @@ std::string all_text(const SceneResult& r, const Digits& digits) {
 } // namespace
 
 TEST_CASE("a run does no more than the scene needs") {
-    for (const Counted& c : counted()) {
-        CAPTURE(c.name);
-        const Scene scene = parsed(c.text);
-        CHECK(run_scene(scene).work.counts == c.counts);
+    for (const Counted& c : counted) {
+        CAPTURE(c.words);
+        CHECK(run_scene(made(c.words)).work.counts == c.counts);
     }
+    CHECK(run_scene(made("hertz R=1 a=1 E=2 nu=0.3 points=0,1;1/2,0;2,0")).work.counts.stresses ==
+          3);
+    const Counts slips =
+        run_scene(made("hertz R=1 P=1 Q=0.3 friction=0.6 quantities=slip" + two_edges)).work.counts;
+    CHECK(slips.stick_zones == 1);
+    CHECK(slips.slip_sizes == 2);
 }
 
 TEST_CASE("all values of the examples are proved") {
-    const auto files = examples();
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(test::source_dir() / "examples" / "scenes")) {
+        files.push_back(entry.path());
+    }
+    std::erase_if(files, [](const auto& file) { return file.extension() != ".toml"; });
     REQUIRE(files.size() >= 12);
     for (const auto& file : files) {
         CAPTURE(file.filename().string());
@@ -137,61 +111,88 @@ TEST_CASE("all values of the examples are proved") {
 }
 
 TEST_CASE("the omission of an effect changes no digit of the others") {
-    const std::string asked = std::string(points) + both;
-    for (const std::string& load : {std::string(shear), std::string(together)}) {
-        const Scene whole =
-            parsed(tilted_wedge(load, asked + "terms = [1, 5]\ntolerance = \"1%\"\n" +
-                                          quantities("\"pressure\", \"shear\", \"coefficients\", "
-                                                     "\"extent\", \"contact\"")));
-        const SceneResult all = run_scene(whole);
-        const std::string expected = all_text(all, whole.ask.digits);
-        // The same scene without shear, terms, extents, resultants and coefficients.
-        const SceneResult bare = run_scene(parsed(tilted_wedge("", asked)));
-        CHECK(all_text(bare, whole.ask.digits) == expected);
-        // The same with one edge at a time.
+    const std::string asked = three + two_edges;
+    for (const std::string& sheared : {stuck, together}) {
+        const SceneResult all = run_scene(made(sheared + asked +
+                                               " terms=1;5 tolerance=1% quantities=pressure;shear;"
+                                               "coefficients;extent;contact"));
+        const std::string expected = all_text(all);
+        CHECK(all_text(run_scene(made(wedge + asked))) == expected);
         std::string in_turn;
-        for (const char* edge : {"right", "left"}) {
-            const SceneResult one = run_scene(parsed(tilted_wedge(
-                load, std::string(points) + "edges = [\"" + edge + "\"]\nterms = 2\n")));
-            in_turn += all_text(one, whole.ask.digits);
+        for (const std::string edge : {"right", "left"}) {
+            in_turn += all_text(run_scene(made(sheared + three + " terms=2 edges=" + edge)));
         }
         CHECK(in_turn == expected);
         // Fewer terms have the same coefficients.
-        const SceneResult few = run_scene(parsed(tilted_wedge(
-            load, std::string(both) + "terms = 2\n" + quantities("\"coefficients\""))));
+        const SceneResult few =
+            run_scene(made(sheared + two_edges + " terms=2 quantities=coefficients"));
         for (std::size_t e = 0; e < 2; ++e) {
-            CHECK(count_of(few, e, Quantity::c) == 2);
-            CHECK(count_of(few, e, Quantity::s) == 2);
-            CHECK(count_of(all, e, Quantity::c) == 5);
-            for (std::size_t k = 0; k < 2; ++k) {
-                CHECK(printed(few.at_edges(QuantityGroup::coefficients)[e].at(Quantity::c, k),
-                              whole.ask.digits)
-                          .text ==
-                      printed(all.at_edges(QuantityGroup::coefficients)[e].at(Quantity::c, k),
-                              whole.ask.digits)
-                          .text);
-                CHECK(printed(few.at_edges(QuantityGroup::coefficients)[e].at(Quantity::s, k),
-                              whole.ask.digits)
-                          .text ==
-                      printed(all.at_edges(QuantityGroup::coefficients)[e].at(Quantity::s, k),
-                              whole.ask.digits)
-                          .text);
+            const RowsAt of_few = few.at_edges(QuantityGroup::coefficients).at(e);
+            const RowsAt of_all = all.at_edges(QuantityGroup::coefficients).at(e);
+            for (const Quantity quantity : {Quantity::c, Quantity::s}) {
+                CHECK(of_few.find(quantity, 2) == nullptr);
+                CHECK(of_all.find(quantity, 4) != nullptr);
+                CHECK(of_all.find(quantity, 5) == nullptr);
+                for (std::size_t k = 0; k < 2; ++k) {
+                    CHECK(printed(of_few.at(quantity, k), {}).text ==
+                          printed(of_all.at(quantity, k), {}).text);
+                }
             }
         }
     }
 }
 
-TEST_CASE("a plan that cannot be carried out is refused with the line") {
-    const auto refused = [](const std::string& text, const std::string& part) {
-        try {
-            (void)make_plan(parsed(text));
-            FAIL("accepted");
-        } catch (const InputError& error) {
-            CHECK(std::string(error.what()).find(part) != std::string::npos);
-            CHECK(error.line() > 0);
+TEST_CASE("extents of the same number of terms twice, at both edges: as many rows as asked for") {
+    const SceneResult result = run_scene(made(cylinder + two_edges + " terms=1;1 tolerance=1%"));
+    for (const RowsAt& edge : result.at_edges(QuantityGroup::extent)) {
+        CHECK(std::ranges::count_if(edge, [](const Row& row) {
+                  return row.asked.quantity == Quantity::extent;
+              }) == 2);
+    }
+}
+
+TEST_CASE("the first exit covers the process zone, or not") {
+    // 2 (1 - 1.01^-2) = 0.0394...
+    Scene scene = made(cylinder + " terms=1 tolerance=1% process_zone=0.039");
+    const SceneResult result = run_scene(scene);
+    const BoundedValue exit = result.at_edges(QuantityGroup::extent).at(0).at(Quantity::extent, 1);
+    CHECK(covers_zone(scene, exit));
+    scene.ask.process_zone = Exact::parse("0.0395");
+    CHECK_FALSE(covers_zone(scene, exit));
+}
+
+TEST_CASE("a point is shown as it was given; mises needs Poisson's ratio") {
+    const Scene scene = made("power-law m=1 C=1 a=2 u=a/2;50%;pi/4;1e-3 x=a/2;-1/3");
+    const SceneResult result = run_scene(scene);
+    std::vector<std::string> asked;
+    for (const RowsAt& point : result.points()) {
+        asked.push_back(scene.ask.u[point.point()].text());
+    }
+    CHECK(asked == std::vector<std::string>{"a/2", "50%", "pi/4", "1e-3", "x = a/2", "x = -1/3"});
+    CHECK(result.points()[1].row(Quantity::x).asked.u->text() == "2");
+    for (const std::string nu : {"0.3", ""}) {
+        const SceneResult stresses = run_scene(made("hertz R=1 a=1 points=0,1 nu=" + nu));
+        const RowsAt at = stresses.at_places(QuantityRow::Place::body).at(0);
+        CHECK(at.find(Quantity::sxx) != nullptr);
+        CHECK((at.find(Quantity::mises) == nullptr) == nu.empty());
+    }
+}
+
+// The second route is an estimate by quadrature.
+TEST_CASE("balls and quadratures agree, each within its own bound") {
+    const std::string asked = " edges=right;left terms=1;3 digits=25 u=1e-20;0.01;0.3 E=7/3";
+    for (const std::string words :
+         {"tilted-flat-and-rounded alpha=pi/16 t=1 R=2 P=1/5 Q=-0.1 bulk_tension=0.4",
+          "power-law m=5/2 C=3 a=0.7", "tilted-wedge phi=0.1 alpha=0.02 a=2 Q=0.3 path=together"}) {
+        CAPTURE(words);
+        const SceneResult balls = run_scene(made(words + asked));
+        const SceneResult reals = run_scene(made(words + asked + " route=singular-integral"));
+        for (std::size_t i = 0; i < balls.points().size(); ++i) {
+            const BoundedValue x = balls.points()[i].at(Quantity::p);
+            const BoundedValue y = reals.points()[i].at(Quantity::p);
+            CHECK(overlaps(x.value, y.value));
+            CHECK(x.proved);
+            CHECK_FALSE(y.proved);
         }
-    };
-    refused(hertz("1", quantities("\"pressure\"")), "no points");
-    refused(hertz("1", quantities("\"coefficients\"")), "no number of terms");
-    refused(hertz("1", "terms = 1\n" + quantities("\"extent\"")), "tolerance");
+    }
 }

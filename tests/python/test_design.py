@@ -21,39 +21,14 @@ HERTZ_REACH = 1 - 1 / Fraction(102, 100)**2
 
 
 def test_the_best_exponent_is_where_an_extremum_touches(source):
-    """Compares with mpmath: for a = 1 and |x|^m, p is a multiple of I = int_x^1 s^m/sqrt(s^2 - x^2)
-    ds, whose first term is sqrt(2u). At the best m a maximum of sqrt(2u)/I - 1 equals the
-    tolerance, and the reach is the place where it then falls to minus the tolerance."""
-    mpmath = pytest.importorskip("mpmath")
-    digits = 24
-    found = edgeproof.design(source / "examples/design/exponent.toml", digits=digits)
-    with mpmath.workdps(digits + 6):
-        tolerance = mpmath.mpf(1) / 100
-
-        def integral(u, m):
-            x = 1 - u  # s = x cosh t
-            return x**m * mpmath.quad(lambda t: mpmath.cosh(t)**m, [0, mpmath.acosh(1 / x)])
-
-        def error(u, m):
-            return mpmath.sqrt(2 * u) / integral(u, m) - 1
-
-        def slope(u, m):  # of log(error + 1), times the integral
-            x = 1 - u
-            return integral(u, m) * (1 / (2 * u) + m / x) - 1 / (x * mpmath.sqrt(1 - x * x))
-
-        at, m = mpmath.findroot(lambda u, m: [error(u, m) - tolerance, slope(u, m)], (0.5, 0.65))
-        far = mpmath.findroot(lambda u: error(u, m) + tolerance, 0.9)
-        printed = mpmath.findroot(lambda u: error(u, mpmath.mpf(5) / 8) + tolerance, 0.5)
-        bound = mpmath.mpf(10)**-digits
-        assert abs(found.value.mpmath() - m) < bound
-        assert abs(found.touches_at.mpmath() - at / 2) < bound
-        assert abs(found.reach.mpmath() - far / 2) < bound
-        assert abs(found.reach_at_printed.mpmath() - printed / 2) < bound
-        assert abs(found.falls_short_by.mpmath() - (1 - printed / far)) < bound
+    """tests/contact/design/design_test.cpp has the values of mpmath."""
+    found = edgeproof.design(source / "examples/design/exponent.toml", digits=12)
     assert found.proved and found.missing == "" and not found.attained and found.terms == 1
     assert found.parameter == "m" and set(found.values) == {"m"} and "touches" in found.best
-    assert found.printed["m"].exact == Fraction(5, 8)
-    assert found.reach_shown_at["m"] < found.value and found.gap == "0.000001"
+    assert found.printed["m"].exact == Fraction(5, 8) and found.gap == "0.000001"
+    assert found.reach_shown_at["m"] < found.value and 0 < found.touches_at < found.reach
+    short = 1 - found.reach_at_printed.fraction() / found.reach.fraction()
+    assert abs(found.falls_short_by.fraction() - short) < Fraction(1, 10**10)
 
 
 def test_a_scene_as_text_with_options():

@@ -232,8 +232,8 @@ TEST_CASE("the energy of a cycle is the area of the loop of shear force and disp
     for (const std::string& profile : profiles) {
         CAPTURE(profile);
         std::vector<double> logs;
-        for (int i = 0; i < 100; ++i) {
-            const Scene s = made(profile + "P=" + std::to_string(0.015 * i + 0.0075));
+        for (int i = 0; i < 60; ++i) {
+            const Scene s = made(profile + "P=" + std::to_string(0.025 * i + 0.0125));
             SceneValues values(s, {{Quantity::a}}, {10});
             const Ball D = values.value({Quantity::a}).value + values.value({Quantity::b}).value;
             logs.push_back(std::log(D.midpoint().convert_to<double>()));

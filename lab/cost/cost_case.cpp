@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/cost/cost_case.hpp"
 
+#include "edgeproof/contact/witness/witness.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
@@ -110,7 +111,7 @@ CostCase case_of(const scene::Scene& scene) {
         c.u.push_back(*u);
     }
     if (c.u.empty()) {
-        const contact::NormalContact contact(*scene.profile, scene.contact_modulus, scene.load, 20);
+        const contact::Witness contact(*scene.profile, scene.contact_modulus, scene.load, 20);
         const Real size = c.edge == contact::Edge::right ? contact.a() : contact.b();
         c.u = geometric_places(many, to_decimal(size, digits_of_places));
     }

@@ -29,8 +29,9 @@ Line& line_named(std::vector<Line>& lines, const std::string& title, const Pen& 
 /// A colour for each route.
 Pen pen_of(const cost::CostCell& c) {
     static const std::map<std::string, std::pair<Colour, unsigned>> known{
-        {"Barber-Mossakovskii", {Colour::blue, 4}}, {"singular integral", {Colour::orange, 6}},
-        {"closed form", {Colour::green, 8}},        {"enclosure", {Colour::black, 5}},
+        {"Barber-Mossakovskii", {Colour::blue, 4}},
+        {"singular integral", {Colour::orange, 6}},
+        {"enclosure", {Colour::black, 5}},
         {"rounded", {Colour::sky_blue, 12}},
     };
     const auto found = known.find(c.route);

@@ -3,8 +3,7 @@
 
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/contact/routes/normal_contact.hpp"
-#include "edgeproof/contact/routes/pressure_routes.hpp"
+#include "edgeproof/contact/witness/witness.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/route/plan.hpp"
 #include "edgeproof/scene/route/value_route.hpp"
@@ -21,12 +20,12 @@ long bits_of(unsigned digits) {
     return static_cast<long>(static_cast<double>(digits) * 3.3219281) + 64;
 }
 
-/// A route of NormalContact, at the digits asked for.
+/// A route of the witness, at the digits asked for.
 ReadyContact in_real(const CostCase& c, unsigned digits, contact::Route route) {
-    const auto contact = std::make_shared<contact::NormalContact>(
+    const auto contact = std::make_shared<contact::Witness>(
         *c.scene.profile, c.scene.contact_modulus, c.scene.load, digits);
     return [&c, contact, route](std::size_t i) -> CostValue {
-        const contact::Estimated p = contact->pressure(c.edge, c.u[i], route);
+        const auto p = contact->pressure(c.edge, c.u[i], route);
         return {p.value, p.evaluations};
     };
 }
@@ -77,11 +76,11 @@ bool curved(const scene::Scene& scene) { return !closed(scene); }
 
 /// For a curved g', the integrand of Barber-Mossakovskii is itself an integral: minutes for each
 /// point.
-CostRoute in_mpfr(const char* name, contact::Route route, bool expensive,
+CostRoute in_mpfr(const char* name, contact::Route route,
                   const std::function<bool(const scene::Scene&)>& takes) {
     return {
         name,  "MPFR",
-        false, expensive,
+        false, true,
         takes, [route](const CostCase& c, unsigned digits) {
                 return in_real(c, digits, route); }};
 }
@@ -91,10 +90,8 @@ CostRoute in_mpfr(const char* name, contact::Route route, bool expensive,
 const std::vector<CostRoute>& cost_routes() {
     static const std::vector<CostRoute> routes = [] {
         std::vector<CostRoute> list;
-        list.push_back(
-            in_mpfr("Barber-Mossakovskii", contact::Route::barber_mossakovskii, true, closed));
-        list.push_back(in_mpfr("singular integral", contact::Route::singular_integral, true, any));
-        list.push_back(in_mpfr("closed form", contact::Route::closed_form, false, closed));
+        list.push_back(in_mpfr("Barber-Mossakovskii", contact::Route::barber_mossakovskii, closed));
+        list.push_back(in_mpfr("singular integral", contact::Route::singular_integral, any));
         list.push_back({"enclosure", "balls", true, false, closed, in_balls<contact::BallContact>});
         list.push_back(
             {"enclosure", "balls", true, false, curved, in_balls<contact::IntegratedContact>});

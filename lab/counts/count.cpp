@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/counts/count.hpp"
 #include "edgeproof/contact/law/shear.hpp"
-#include "edgeproof/contact/routes/normal_contact.hpp"
+#include "edgeproof/contact/witness/witness.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -25,10 +26,9 @@ report::Table count_table(const EnclosureCountOptions& options,
     t.title = std::to_string(result.total.values) + " values at " + std::to_string(options.digits) +
               " digits, seed " + std::to_string(options.seed);
     t.notes = {
-        "excluded: the enclosure leaves out the value that the routes in Real give at twice "
-        "the digits",
+        "excluded: the enclosure leaves out the value that the witness gives at twice the digits",
         "wrong: a printed digit is not that of a second enclosure at twice the digits, or of "
-        "the value in Real",
+        "the witness",
         "wide: the enclosure is wider than 10 units of the last digit asked",
         "undecided: no enclosure, or no second value, within the budgets"};
     add_counts(t,
@@ -57,7 +57,6 @@ using scene::AskedValue;
 using scene::Quantity;
 
 constexpr std::size_t most_counted_terms = 4;
-constexpr std::size_t integral_every = 8;
 constexpr std::size_t mossakovskii_every = 64;
 /// The allowed width of an enclosure, in units of the last printed digit.
 constexpr long most_units = 10;
@@ -92,19 +91,24 @@ struct SecondValue {
     Real error;
 };
 
-/// The same values in Real.
-class Reals {
+/// The same values by the witness.
+class SecondValues {
 public:
-    Reals(const scene::Scene& scene, unsigned digits)
+    SecondValues(const scene::Scene& scene, unsigned digits)
         : digits_(digits), contact_(*scene.profile, scene.contact_modulus, scene.load, digits),
-          shear_{scene.shear->Q, scene.shear->bulk_tension},
-          logarithms_(contact_.profile().piecewise_linear()) {}
+          shear_{scene.shear->Q, scene.shear->bulk_tension} {}
 
     [[nodiscard]] SecondValue value(const AskedValue& asked, std::size_t i) {
         const PrecisionScope scope(digits_ + 20);
         switch (asked.quantity) {
         case Quantity::p: {
-            const Real p = contact_.pressure(asked.edge, asked.u.value(), route(i)).value;
+            const bool mossakovskii =
+                i % mossakovskii_every == mossakovskii_every / 2 && contact_.profile().symmetric();
+            const Real p = contact_
+                               .pressure(asked.edge, asked.u.value(),
+                                         mossakovskii ? contact::Route::barber_mossakovskii
+                                                      : contact::Route::singular_integral)
+                               .value;
             return {p, Real(abs(p) * unit())};
         }
         case Quantity::q: {
@@ -123,10 +127,10 @@ public:
         case Quantity::c: {
             auto& c = c_[asked.edge];
             if (c.empty()) {
-                c = contact_.expansion(asked.edge, most_counted_terms);
+                c = contact_.coefficients(asked.edge, most_counted_terms);
             }
             const Real natural =
-                abs(c[0]) / pow(contact_.convergence_radius(asked.edge), static_cast<int>(asked.k));
+                abs(c[0]) / pow(contact_.radius(asked.edge), static_cast<int>(asked.k));
             const Real size = std::max(Real(abs(c.at(asked.k))), natural);
             return {c.at(asked.k), Real(size * unit())};
         }
@@ -138,13 +142,6 @@ public:
     }
 
 private:
-    [[nodiscard]] contact::Route route(std::size_t i) const {
-        if (i % mossakovskii_every == mossakovskii_every / 2 && contact_.profile().symmetric()) {
-            return contact::Route::barber_mossakovskii;
-        }
-        return logarithms_ && i % integral_every != 0 ? contact::Route::closed_form
-                                                      : contact::Route::singular_integral;
-    }
     /// A value that is linear in the shear load. Q and the bulk tension may cancel.
     template <class Of> [[nodiscard]] SecondValue of_parts(const Of& of) const {
         const Real by_force = of({shear_.Q.to<Real>(), Real(0)});
@@ -154,9 +151,8 @@ private:
     [[nodiscard]] Real unit() const { return pow(Real(10), -static_cast<int>(digits_)); }
 
     unsigned digits_;
-    contact::NormalContact contact_;
+    contact::Witness contact_;
     contact::ShearSpec shear_;
-    bool logarithms_;
     std::map<contact::Edge, std::vector<Real>> c_;
 };
 
@@ -216,7 +212,7 @@ CountedContact<CountFinding> count_contact(const EnclosureCountOptions& options,
     const SampledContact contact = sampled_contact(options.seed, number, values);
     std::optional<Enclosures> coarse;
     std::optional<Enclosures> fine;
-    std::optional<Reals> reals;
+    std::optional<SecondValues> others;
     for (std::size_t i = 0; i < values; ++i) {
         check_interruption();
         const SampledValue& v = contact.values[i];
@@ -228,10 +224,10 @@ CountedContact<CountFinding> count_contact(const EnclosureCountOptions& options,
             if (!coarse) {
                 coarse.emplace(contact.scene, options.digits);
                 fine.emplace(contact.scene, 2 * options.digits);
-                reals.emplace(contact.scene, 2 * options.digits);
+                others.emplace(contact.scene, 2 * options.digits);
             }
             const scene::BoundedValue first = coarse->value(v.asked);
-            SecondValue second = reals->value(v.asked, i);
+            SecondValue second = others->value(v.asked, i);
             if (options.second) {
                 options.second(v, second.value);
             }

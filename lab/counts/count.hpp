@@ -41,11 +41,9 @@ struct EnclosureCountOptions : CountOptions {
 ///   2. The printed decimal is the correct rounding: a second enclosure, at twice the digits,
 ///      rounds to the same text, and so does the value in Real.
 ///   3. The enclosure is no wider than 10 units of the last digit requested.
-/// The value in Real is the pressure by the singular integral for a power law without logarithms,
-/// for a curved g' and for one in 8 of the others, by Barber-Mossakovskii for one of a symmetric
-/// contact (for others b(s) has to be solved at every node of the integral, which takes minutes at
-/// this number of digits), else by logarithms in Real; coefficients, P, b and q are computed by the
-/// routes in Real. The result does not depend on the number of threads.
+/// The value in Real is that of contact::Witness: a pressure is the singular integral, for one of a
+/// symmetric contact the integral of Barber-Mossakovskii. The result does not depend on the number
+/// of threads.
 [[nodiscard]] CountResult<CountFinding> count_values(const EnclosureCountOptions& options);
 
 /// The rows are the profiles of the contacts and the regimes of the values.

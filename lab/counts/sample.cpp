@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/counts/sample.hpp"
 
+#include "edgeproof/contact/witness/witness.hpp"
+
 #include <algorithm>
 
 namespace edgeproof::validation {
@@ -90,8 +92,7 @@ class Drawing {
 public:
     Drawing(Dice& dice, SampledContact& contact) : dice_(dice), contact_(contact) {
         const scene::Scene& scene = contact.scene;
-        const contact::NormalContact look(*scene.profile, scene.contact_modulus, scene.load,
-                                          look_digits);
+        const contact::Witness look(*scene.profile, scene.contact_modulus, scene.load, look_digits);
         const PrecisionScope scope(look_digits);
         a_ = look.a();
         b_ = look.b();

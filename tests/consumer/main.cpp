@@ -15,8 +15,8 @@ int main() {
     const Load load = Load::right_edge(Exact::parse("1"));
     const Exact u = Exact::parse("2/5");
 
-    const NormalContact contact(hertz, modulus, load, 50);
-    const Estimated p = contact.pressure(Edge::right, u, Route::barber_mossakovskii);
+    const Witness witness(hertz, modulus, load, 50);
+    const auto p = witness.pressure(Edge::right, u, Route::barber_mossakovskii);
     std::cout << to_decimal(p.value, 50) << '\n';
 
     const Ball enclosed = enclosed_pressure(hertz, modulus, load, Edge::right, u, 50);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/routes/normal_contact.hpp"
+#include "edgeproof/contact/witness/witness.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -77,6 +77,13 @@ struct ShearCase {
 inline const ShearCase all_signs[] = {{"0.3", "0.7"},   {"0.3", "-0.7"}, {"-0.3", "0.7"},
                                       {"-0.3", "-0.7"}, {"0.3", "0"},    {"0", "0.7"},
                                       {"2e6", "1e-3"}};
+
+inline int common_digits(const Real& x, const Real& y) {
+    if (x == y) {
+        return 1000;
+    }
+    return static_cast<int>(floor(-log10(abs(x - y) / abs(y))));
+}
 
 inline bool agree(const Real& x, const Real& y, int digits) {
     return abs(Real(x - y)) <= abs(y) * pow(Real(10), -digits);

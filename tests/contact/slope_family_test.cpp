@@ -157,17 +157,18 @@ TEST_CASE("slopes of every kind: b, P and p agree with mpmath, with a or P given
         CAPTURE(c.name);
         const Profile profile = profile_of(c);
         const Exact one = exact("1");
-        const NormalContact by_a(profile, one, Load::right_edge(exact(c.a)), 30);
+        const Witness by_a(profile, one, Load::right_edge(exact(c.a)), 30);
         CHECK(agrees(by_a.b(), c.b, mpmath_digits));
         CHECK(agrees(by_a.force(), c.P, mpmath_digits));
         CHECK(agrees(by_a.pressure(Edge::right, u, Route::singular_integral).value, c.p,
                      mpmath_digits));
-        const NormalContact by_P(profile, one, Load::force(exact(c.P)), 30);
+        const Witness by_P(profile, one, Load::force(exact(c.P)), 30);
         CHECK(agrees(by_P.a(), c.a, mpmath_digits));
         CHECK(agrees(by_P.b(), c.b, mpmath_digits));
-        const NormalContact mirrored(profile.reflected(), one, Load::force(exact(c.P)), 30);
+        const Witness mirrored(profile.reflected(), one, Load::force(exact(c.P)), 30);
         CHECK(agrees(mirrored.a(), c.b, mpmath_digits));
-        CHECK(agrees(mirrored.pressure(Edge::left, u).value, c.p, mpmath_digits));
+        CHECK(agrees(mirrored.pressure(Edge::left, u, Route::singular_integral).value, c.p,
+                     mpmath_digits));
     }
 }
 
@@ -176,7 +177,7 @@ TEST_CASE("slopes of every kind: the second route, flat punches laid over each o
     const Exact u = exact("1/10");
     for (const Case& c : family()) {
         CAPTURE(c.name);
-        const NormalContact contact(profile_of(c), exact("1"), Load::right_edge(exact(c.a)), 12);
+        const Witness contact(profile_of(c), exact("1"), Load::right_edge(exact(c.a)), 12);
         CHECK(agrees(contact.pressure(Edge::right, u, Route::barber_mossakovskii).value, c.p, 12));
     }
 }
@@ -202,7 +203,7 @@ TEST_CASE("a slope that falls beyond the contact: a load that reaches there is r
     const auto refuse = [](const char* slope, const Load& load) {
         const Profile profile = Profile::piecewise({}, {parse(slope, Symbols{"x"})});
         try {
-            (void)NormalContact(profile, exact("1"), load, 20);
+            (void)IntegratedContact(profile, exact("1"), load, 96);
             FAIL("accepted: ", slope);
         } catch (const InputError& e) {
             CHECK_MESSAGE(std::string(e.what()).find("could not be shown to rise beyond x = ") !=
@@ -221,10 +222,47 @@ TEST_CASE("a slope that falls beyond the contact: a load that reaches there is r
                           Fall{"asin(x)", "0.99", "1.0001"}, Fall{"atanh(x)", "0.99", "2"}}) {
         CAPTURE(f.slope);
         const Profile profile = Profile::piecewise({}, {parse(f.slope, Symbols{"x"})});
-        CHECK_NOTHROW((void)NormalContact(profile, exact("1"), Load::right_edge(exact("1/2")), 20));
         CHECK_NOTHROW(
-            (void)NormalContact(profile, exact("1"), Load::right_edge(exact(f.inside)), 20));
+            (void)IntegratedContact(profile, exact("1"), Load::right_edge(exact("1/2")), 96));
+        CHECK_NOTHROW(
+            (void)IntegratedContact(profile, exact("1"), Load::right_edge(exact(f.inside)), 96));
         refuse(f.slope, Load::right_edge(exact(f.outside)));
     }
     refuse("sin(x)", Load::force(exact("10"))); // the force at pi/2 is smaller
+}
+
+TEST_CASE("profiles that are refused") {
+    CHECK_THROWS_AS((void)Profile::power_law(exact("1"), exact("-1/2")), InputError);
+    CHECK_THROWS_AS((void)Profile::power_law(exact("0"), exact("1")), InputError);
+    CHECK_THROWS_AS((void)Profile::flat_and_rounded(exact("-1"), exact("1")), InputError);
+    CHECK_THROWS_AS((void)Profile::flat_and_rounded(exact("1"), exact("0")), InputError);
+    CHECK_THROWS_AS((void)Profile::tilted_wedge(exact("pi/16"), exact("pi/16")), InputError);
+    CHECK_THROWS_AS((void)Profile::tilted_wedge(exact("pi/16"), exact("-1")), InputError);
+    struct Refused {
+        const char* part; ///< of the message
+        std::vector<const char*> knots;
+        std::vector<const char*> slopes;
+    };
+    for (const Refused& r : {Refused{"decreases", {}, {"-x"}},
+                             {"decreases", {"1"}, {"x", "x - 1/2"}},
+                             {"decreases", {}, {"-sin(3*x)"}},
+                             {"decreases", {"3/2"}, {"sin(3*x)", "x"}},
+                             {"origin", {}, {"x - 1"}},
+                             {"ascend", {"2", "1"}, {"x", "x", "x"}},
+                             {"one piece more", {"2"}, {"x"}}}) {
+        std::vector<Exact> knots;
+        std::vector<Expr> slopes;
+        for (const char* knot : r.knots) {
+            knots.push_back(exact(knot));
+        }
+        for (const char* slope : r.slopes) {
+            slopes.push_back(parse(slope, Symbols{"x"}));
+        }
+        try {
+            (void)Profile::piecewise(knots, slopes);
+            FAIL("accepted: ", r.part);
+        } catch (const InputError& e) {
+            CHECK_MESSAGE(std::string(e.what()).find(r.part) != std::string::npos, e.what());
+        }
+    }
 }

@@ -106,19 +106,6 @@ TEST_CASE("a feature between the nodes is invisible: the reason for cutting at e
     CHECK(abs(cut.value - exact) < Real("1e-48"));
 }
 
-TEST_CASE("a whole series is integrated coefficient by coefficient") {
-    const PrecisionScope scope(50);
-    // The integral of (x + z)^(-1/2) (1-x)^(-1/2) about z = 1: derivatives of 2 atan(1/sqrt z).
-    const auto r = tanh_sinh<Real>([](const Real& lo, const Real& hi) {
-        Series<Real> z = Series<Real>::variable(Real(1) + lo, 12);
-        return Real(1 / sqrt(hi)) / sqrt(z);
-    });
-    const Series<Real> exact = atan(Real(1) / sqrt(Series<Real>::variable(Real(1), 12))) * Real(2);
-    for (std::size_t k = 0; k < 12; ++k) {
-        CHECK(abs(r.value[k] - exact[k]) < Real("1e-47"));
-    }
-}
-
 TEST_CASE("Boost.Math's tanh-sinh agrees, given the same two distances") {
     const PrecisionScope scope(50);
     boost::math::quadrature::tanh_sinh<Real> boost_rule(15);

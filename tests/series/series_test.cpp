@@ -136,38 +136,3 @@ TEST_CASE("the beta weight of a polynomial in sigma") {
     CHECK(p.over_one_minus_sigma() == P(std::vector<Rational>{1, 1, 1}));
     CHECK_THROWS_AS(P(q(1)) / P::monomial(q(1), 1), DomainError);
 }
-
-TEST_CASE("divided differences do not cancel") {
-    const PrecisionScope scope(40);
-    using D = DividedDifference<Real>;
-    const auto f = [](const auto& z) {
-        return exp(sin(z)) + pow_int(z, 3) / (sqrt(z) + log(z)) + atan(z);
-    };
-    // If subtraction keeps only 20 of 40 digits, compare with a subtraction at 200 digits.
-    for (const char* step : {"1e-20", "-1e-35", "0.3"}) {
-        const D d = f(D::variable(Real(2), Real(step)));
-        Real expected;
-        {
-            const PrecisionScope fine(200);
-            const D zero_step = D::variable(Real(2), Real(0));
-            const auto plain = [](const Real& z) {
-                return Real(exp(sin(z)) + z * z * z / (sqrt(z) + log(z)) + atan(z));
-            };
-            (void)zero_step;
-            const Real h(Real(step), 200);
-            expected = (plain(Real(2) + h) - plain(Real(2))) / h;
-        }
-        CHECK(abs(d.q - expected) < abs(expected) * Real("1e-36"));
-    }
-}
-
-TEST_CASE("a divided difference at one point is the derivative") {
-    const PrecisionScope scope(50);
-    using D = DividedDifference<Real>;
-    const D x = D::variable(Real(3) / 2, Real(0));
-    CHECK(abs(sqrt(x).q - 1 / (2 * sqrt(Real(3) / 2))) < Real("1e-48"));
-    CHECK(abs(pow(x, Real(1) / 3).q - pow(Real(3) / 2, Real(-2) / 3) / 3) < Real("1e-48"));
-    CHECK(abs(asin(x / D::constant(Real(2), Real(0))).q - 1 / sqrt(4 - Real(9) / 4)) <
-          Real("1e-48"));
-    CHECK(abs(tanh(x).q - 1 / (cosh(Real(3) / 2) * cosh(Real(3) / 2))) < Real("1e-48"));
-}

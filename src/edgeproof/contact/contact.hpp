@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 /// The mechanics of an incomplete contact between half-planes. The formulas in law/ are templates
-/// over the number type. routes/ and tilt/ use Real (estimates); enclosure/, curved/ and
-/// design/ use balls (proved).
+/// over the number type. The contacts are in balls (proved); the witness is in Real (estimates).
 ///   profile/profile.hpp               Profile: g'(x), exact
 ///   law/kernels.hpp                   P, M, b(a) and their rates as integrals over dg'
-///   law/contact_law.hpp               ContactLaw<T>: b(a), P(a), M(a) and their series
 ///   law/edge_expansion.hpp            c_0, c_1, ... at both edges
 ///   law/shear.hpp                     q under full stick
 ///   law/slip_series.hpp               the slip zones in powers of the load
-///   routes/normal_contact.hpp         NormalContact: p, c_k, P, M to a given number of digits
-///   routes/pressure_routes.hpp        p(x) by routes that share no formula
 ///   tilt/tilt_solver.hpp              the tilt for a given force and moment
 ///   double_word/double_word_pressure.hpp  pressures to binary64, in double words with bounds
 ///   enclosure/ball_contact.hpp        BallContact: the contact in balls, proved
@@ -23,18 +19,17 @@
 ///   curved/proved_slip.hpp            ProvedSlip: partial slip of any profile in balls
 ///   curved/curved_slope.hpp           proves that g' does not decrease
 ///   curved/pressure_disk.hpp          Taylor series of p; Cauchy's estimate bounds the remainder
+///   witness/witness.hpp               Witness: p by two quadratures that share only the slope
 ///   design/best_reach.hpp             the parameter for which an approximation reaches farthest
 #include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/exact_contact.hpp"
-#include "edgeproof/contact/law/contact_law.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
-#include "edgeproof/contact/routes/normal_contact.hpp"
-#include "edgeproof/contact/routes/pressure_routes.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
 #include "edgeproof/contact/slip/slip_reach.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
+#include "edgeproof/contact/witness/witness.hpp"

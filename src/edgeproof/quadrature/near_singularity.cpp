@@ -68,16 +68,12 @@ QuadratureResult<R> integrate_near_of(const IntegrandRef<T, R>& f, const T& leng
     return left;
 }
 
-#define EDGEPROOF_INSTANTIATE_FOR(T, R)                                                            \
-    template QuadratureResult<R> integrate_one_sided_of(const IntegrandRef<T, R>&, const T&,       \
-                                                        const T&, bool, const QuadratureOptions&); \
-    template QuadratureResult<R> integrate_near_of(const IntegrandRef<T, R>&, const T&, const T&,  \
-                                                   const T&, const QuadratureOptions&);
 #define EDGEPROOF_INSTANTIATE(T)                                                                   \
-    EDGEPROOF_INSTANTIATE_FOR(T, T)                                                                \
-    EDGEPROOF_INSTANTIATE_FOR(T, series::Series<T>)
+    template QuadratureResult<T> integrate_one_sided_of(const IntegrandRef<T, T>&, const T&,       \
+                                                        const T&, bool, const QuadratureOptions&); \
+    template QuadratureResult<T> integrate_near_of(const IntegrandRef<T, T>&, const T&, const T&,  \
+                                                   const T&, const QuadratureOptions&);
 EDGEPROOF_FOR_EACH_ARITHMETIC(EDGEPROOF_INSTANTIATE)
 #undef EDGEPROOF_INSTANTIATE
-#undef EDGEPROOF_INSTANTIATE_FOR
 
 } // namespace edgeproof::quadrature

@@ -127,10 +127,7 @@ QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOp
 
 // NOLINTBEGIN(bugprone-macro-parentheses): a type, not a value
 #define EDGEPROOF_INSTANTIATE(T)                                                                   \
-    template QuadratureResult<T> tanh_sinh_of(const IntegrandRef<T, T>&,                           \
-                                              const QuadratureOptions&);                           \
-    template QuadratureResult<series::Series<T>> tanh_sinh_of(                                     \
-        const IntegrandRef<T, series::Series<T>>&, const QuadratureOptions&);
+    template QuadratureResult<T> tanh_sinh_of(const IntegrandRef<T, T>&, const QuadratureOptions&);
 // NOLINTEND(bugprone-macro-parentheses)
 EDGEPROOF_FOR_EACH_ARITHMETIC(EDGEPROOF_INSTANTIATE)
 #undef EDGEPROOF_INSTANTIATE

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/precision/arithmetic.hpp"
-#include "edgeproof/series/truncated.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -31,8 +30,7 @@ private:
 template <class T, class F>
 using IntegrandResult = std::remove_cvref_t<std::invoke_result_t<const F&, const T&, const T&>>;
 
-/// The operations of a rule on the values that it adds: numbers, or truncated series, of which each
-/// coefficient must converge.
+/// The operations of a rule on the values that it adds.
 template <class R> struct QuadratureValue;
 
 template <Arithmetic T> struct QuadratureValue<T> {
@@ -46,7 +44,7 @@ template <Arithmetic T> struct QuadratureValue<T> {
         using std::abs;
         sum += abs(T(weight * f));
     }
-    /// |x - y| in units of `scale`; for series the largest over the coefficients.
+    /// |x - y| in units of `scale`.
     static T distance(const T& x, const T& y, const T& scale) {
         using std::abs;
         const T d = abs(T(x - y));
@@ -55,40 +53,6 @@ template <Arithmetic T> struct QuadratureValue<T> {
     static bool finite(const T& f) {
         using std::isfinite;
         return isfinite(f);
-    }
-};
-
-template <Arithmetic T> struct QuadratureValue<series::Series<T>> {
-    using Scalar = T;
-    using One = QuadratureValue<T>;
-    static void add(series::Series<T>& sum, const T& weight, const series::Series<T>& f) {
-        for (std::size_t k = 0; k < sum.order(); ++k) {
-            One::add(sum[k], weight, f[k]);
-        }
-    }
-    static void add_magnitude(series::Series<T>& sum, const T& weight, const series::Series<T>& f) {
-        for (std::size_t k = 0; k < sum.order(); ++k) {
-            One::add_magnitude(sum[k], weight, f[k]);
-        }
-    }
-    static T distance(const series::Series<T>& x, const series::Series<T>& y,
-                      const series::Series<T>& scale) {
-        T worst(0);
-        for (std::size_t k = 0; k < x.order(); ++k) {
-            const T d = One::distance(x[k], y[k], scale[k]);
-            if (d > worst) {
-                worst = d;
-            }
-        }
-        return worst;
-    }
-    static bool finite(const series::Series<T>& f) {
-        for (const T& c : f.coefficients()) {
-            if (!One::finite(c)) {
-                return false;
-            }
-        }
-        return true;
     }
 };
 
@@ -133,7 +97,7 @@ struct QuadratureOptions {
 ///
 /// f is called as f(lo, hi) with lo + hi = 1, where *both* distances have all their digits: near an
 /// end point the integrand must be written in the small one. End-point singularities up to
-/// d^(-1/2), also times a logarithm, cost no digits. R is T or series::Series<T>.
+/// d^(-1/2), also times a logarithm, cost no digits.
 ///
 /// The working precision is that of the calling thread; node tables are kept for each thread and
 /// precision. If the quadrature does not converge by `last_level`, `converged` is false.

@@ -160,7 +160,7 @@ template <class T> [[nodiscard]] Series<T> atanh(const Series<T>& x) {
 /// Euler's gamma function: its Taylor series about x_0, composed with x - x_0 by Horner's rule.
 template <Arithmetic T> [[nodiscard]] Series<T> gamma(const Series<T>& x) {
     const std::size_t n = x.order();
-    const std::vector<T> outer = gamma_taylor_in<T>(x[0], n);
+    const std::vector<T> outer = gamma_taylor(x[0], n);
     Series<T> shift = x;
     shift[0] = T(0);
     Series<T> result(outer[n - 1], n);

@@ -2,7 +2,6 @@
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_extent.hpp"
-#include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/contact/scenes.hpp"
 #include "tests/support/namespaces.hpp"
@@ -62,20 +61,21 @@ std::string fault(const EnclosedExtents& x, const EnclosedExtents& y) {
     return fault(x.first_exit, y.first_exit) + fault(x.measure, y.measure);
 }
 
-/// Compares with pressures in Real: the error is the tolerance at the first exit, and smaller
-/// before it.
+/// Compares with pressures by the witness: the error is the tolerance at the first exit, and
+/// smaller before it.
 std::string fault_against_pressures(const Asked& asked) {
     const EnclosedExtents x = enclosed<IntegratedContact>(asked);
-    const NormalContact contact(Profile(asked.profile), exact("7/3"), Load(asked.load), 20);
+    const Witness contact(asked.profile, exact("7/3"), asked.load, 20);
     const PrecisionScope scope(50);
-    const std::vector<Real> c = contact.expansion(asked.edge, asked.n);
+    const std::vector<Real> c = contact.coefficients(asked.edge, asked.n);
     const Real tolerance = exact(asked.tolerance).to<Real>();
     const auto error = [&](const Real& u) {
         Real sum = c.back();
         for (std::size_t k = c.size() - 1; k-- > 0;) {
             sum = sum * u + c[k];
         }
-        const Real p = contact.pressure(asked.edge, Exact::parse(u.str(40))).value;
+        const Real p =
+            contact.pressure(asked.edge, Exact::parse(u.str(40)), Route::singular_integral).value;
         return Real(abs(Real(sum * sqrt(u) / p - 1)) / tolerance);
     };
     const Real first = x.first_exit.midpoint();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/double_word/double_word_pressure.hpp"
-#include "edgeproof/contact/routes/normal_contact.hpp"
+#include "edgeproof/contact/witness/witness.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/precision/split_mix.hpp"
@@ -55,7 +55,7 @@ TEST_CASE("in double words: the binary64 nearest to the singular integral at 40 
     std::size_t asked = 0;
     for (const Pressed& c : pressed()) {
         const DoubleWordPressure pressure = c.words();
-        const NormalContact contact(c.profile, given("7/3"), c.load, 40);
+        const Witness contact(c.profile, given("7/3"), c.load, 40);
         const double length = (contact.a() + contact.b()).convert_to<double>();
         for (const Edge edge : {Edge::right, Edge::left}) {
             for (const double u : {1e-40, 1e-9, 0.003, 0.21, 0.4999, 0.73, 1 - 1e-9}) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/ball_extent.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
-#include "edgeproof/contact/routes/normal_contact.hpp"
 
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 
@@ -30,8 +29,8 @@ public:
         }
         return *slot;
     }
-    [[nodiscard]] NormalContact real(unsigned digits) const {
-        return {Profile(profile_), exact("1"), Load(load_), digits};
+    [[nodiscard]] Witness witness(unsigned digits) const {
+        return {profile_, exact("1"), load_, digits};
     }
 
 private:
@@ -109,8 +108,8 @@ TEST_CASE("Hertz: the enclosed exits hold the roots of a linear and a quadratic"
     CHECK(inner.measure.relative_accuracy_bits() > 180);
 }
 
-TEST_CASE(
-    "by pressures in Real, the error is the tolerance at crossings and less before the exit") {
+TEST_CASE("by pressures of the witness, the error is the tolerance at crossings and less before "
+          "the exit") {
     struct Asked {
         Profile profile;
         Load load;
@@ -133,19 +132,20 @@ TEST_CASE(
          "1e-9"}};
     for (const Asked& asked : all) {
         Contacts contacts(asked.profile, asked.load);
-        const NormalContact real = contacts.real(25);
+        const Witness witness = contacts.witness(25);
         for (const Edge edge : {Edge::right, Edge::left}) {
             CAPTURE(asked.profile.kind_name());
             CAPTURE(std::string(asked.tolerance));
             const EnclosedExtents balls = enclosed(contacts, edge, asked.n, asked.tolerance);
             const PrecisionScope scope(50);
-            const std::vector<Real> c = real.expansion(edge, asked.n);
+            const std::vector<Real> c = witness.coefficients(edge, asked.n);
             const auto error = [&](const Real& u) { // in units of the tolerance
                 Real sum = c.back();
                 for (std::size_t k = c.size() - 1; k-- > 0;) {
                     sum = sum * u + c[k];
                 }
-                const Real p = real.pressure(edge, Exact::parse(u.str(45))).value;
+                const Real p =
+                    witness.pressure(edge, Exact::parse(u.str(45)), Route::singular_integral).value;
                 return Real(abs(Real(sum * sqrt(u) / p - 1)) / exact(asked.tolerance).to<Real>());
             };
             const Real first = balls.first_exit.midpoint();

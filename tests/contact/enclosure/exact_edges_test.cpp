@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/exact_contact.hpp"
-#include "edgeproof/contact/routes/normal_contact.hpp"
+#include "edgeproof/contact/witness/witness.hpp"
 #include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "tests/support/namespaces.hpp"
@@ -97,22 +97,22 @@ TEST_CASE("zeros that the algebra proves, and numbers that it does not decide") 
     CHECK_FALSE(decided_sign(parse("acos(1/3) - atan(sqrt(8))")).has_value());
 }
 
-// Only digits are known here: they do not distinguish whether b is -1e-300 from the knot or on it.
-TEST_CASE("routes in Real: an edge that no digits separate from a knot is taken to be on it, with "
+// Only digits are known here: they do not distinguish whether b is 1e-60 from the knot or on it.
+TEST_CASE("the witness: an edge that no digits separate from a knot is taken to be on it, with "
           "a note") {
-    const NormalContact contact(punch("0.1", "0.5", "2"), Exact::parse("1"),
-                                Load::force(Exact::parse("pi*0.005")), 30);
+    const Witness contact(punch("0.1", "0.5", "2"), Exact::parse("1"),
+                          Load::force(Exact::parse("pi*0.005")), 30);
     CHECK(contact.edge_taken_on_knot());
     const PrecisionScope scope(40);
     // Hertz: p = sqrt(u (2/5 - u))/4, so c_0 = sqrt(2/5)/4 and c_1 = -(5/4) c_0.
     const Real c0 = sqrt(Real(2) / 5) / 4;
     for (const Edge edge : {Edge::right, Edge::left}) {
-        const auto c = contact.expansion(edge, 2);
+        const auto c = contact.coefficients(edge, 2);
         CHECK(abs(Real(c[0] - c0)) < Real("1e-30"));
         CHECK(abs(Real(c[1] + c0 * 5 / 4)) < Real("1e-30"));
     }
-    const NormalContact near_knot(punch("0.1", "0.5", "2"), Exact::parse("1"),
-                                  Load::force(Exact::parse("pi*0.005 + 1e-60")), 30);
+    const Witness near_knot(punch("0.1", "0.5", "2"), Exact::parse("1"),
+                            Load::force(Exact::parse("pi*0.005 + 1e-40")), 30);
     CHECK_FALSE(near_knot.edge_taken_on_knot());
 }
 

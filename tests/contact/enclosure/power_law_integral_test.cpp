@@ -3,7 +3,7 @@
 
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
-#include "tests/contact/route_agreement.hpp"
+#include "tests/contact/scenes.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -99,7 +99,7 @@ TEST_CASE("at the apex the integral is 1/m, and next to it narrow, for m from 1e
 TEST_CASE("a power law of m = 1e4 by Barber and Mossakovskii, and by balls at m = 1e-10 ... 1e6") {
     const auto law = [](const char* m) { return Profile::power_law(exact("3"), exact(m)); };
     const Load load = Load::right_edge(exact("7/10"));
-    const NormalContact steep(law("10000"), exact("7/3"), load, 20);
+    const Witness steep(law("10000"), exact("7/3"), load, 20);
     for (const char* u : {"1e-6", "1e-4", "0.01"}) {
         CAPTURE(u);
         const Ball p =

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/law/shear.hpp"
-#include "edgeproof/contact/routes/normal_contact.hpp"
 #include "tests/contact/forward.hpp"
 #include "tests/contact/scenes.hpp"
 #include "tests/support/namespaces.hpp"
@@ -152,25 +151,24 @@ TEST_CASE("equal signs at both edges, for both signs of Q and of the tension") {
 TEST_CASE("P and Q that grow together: the sum of increments is similar to the pressure") {
     for (const auto& c : {scenes::symmetric()[4], scenes::tilted()[0], scenes::tilted()[5]}) {
         CAPTURE(c.name);
-        const NormalContact contact(c.profile, c.modulus, c.load, 20);
+        const BallContact contact(c.profile, c.modulus, c.load, shear_bits);
         const PrecisionScope scope(50);
-        const ContactLaw<Real> law(c.profile, c.modulus.to<Real>());
-        const Extent<Real> e{contact.a(), contact.b()};
-        const Real u = e.a / 30; // no knot is passed
+        const Real a = c.load.value.to<Real>();
+        const Real u = a / 30; // no knot is passed
         // Increments dQ/(pi w) while the edge moves from x to a; Q(s) = (Q/P) P(s).
-        const Real x = e.a - u;
-        const Real rate = Real(-7) / 10 / law.force(e);
-        std::vector<Real> lengths{u};
+        const Real x = a - u;
+        const Real rate = Real(-7) / 10 / contact.force().midpoint();
         const auto sum = integrate_one_sided<Real>(
             [&](const Real& lo, const Real&) {
-                const Extent<Real> then = law.extent(Real(x + lo));
-                const Point<Real> at{lo, Real(x + then.b), x};
-                return full_stick_traction(
-                    at, ShearLoad<Real>{Real(rate * law.force_rate(then)), Real(0)});
+                const BallContact then = contact.with_right_edge(Ball(Real(x + lo), shear_bits));
+                const Real force_rate = at_working_precision(then.force_rate().midpoint());
+                const Point<Real> at{lo, Real(x + at_working_precision(then.b().midpoint())), x};
+                return full_stick_traction(at, ShearLoad<Real>{Real(rate * force_rate), Real(0)});
             },
             u, Real(0), true, {.target_digits = 25});
         REQUIRE(sum.converged);
-        CHECK(agree(sum.value, Real(rate * contact.pressure(Edge::right, u).value), 20));
+        const Ball p = contact.pressure(Edge::right, Ball(u, shear_bits));
+        CHECK(agree(sum.value, Real(rate * p.midpoint()), 20));
     }
 }
 

@@ -2,9 +2,10 @@
 #include "edgeproof/contact/stress/plane_stress.hpp"
 
 #include "edgeproof/contact/curved/integrated_contact.hpp"
-#include "edgeproof/contact/law/measure.hpp"
+#include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/contact/stress/surface_gap.hpp"
 #include "edgeproof/formula/parse.hpp"
+#include "edgeproof/quadrature/near_singularity.hpp"
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 #include "tests/contact/scenes.hpp"
 
@@ -142,7 +143,7 @@ TEST_CASE("the gap outside the contact is the integral of its slope") {
     for (const auto& scene : contacts) {
         CAPTURE(scene.name);
         const BallContact c(scene.profile, scene.modulus, scene.load, stress_bits);
-        const SlopeIn<Real> slope(scene.profile);
+        const RealSlope slope(scene.profile);
         const Real factor = 2 / (edgeproof::pi<Real>() * c.modulus().midpoint());
         for (const Edge edge : {Edge::right, Edge::left}) {
             const Real sign = edge == Edge::right ? Real(1) : Real(-1);

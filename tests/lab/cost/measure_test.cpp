@@ -34,7 +34,7 @@ std::vector<CostCell> counted(const std::vector<CostCase>& cases, std::vector<un
 std::map<std::string, std::size_t> totals(const std::vector<CostCell>& cells) {
     std::map<std::string, std::size_t> all;
     for (const CostCell& c : cells) {
-        if (c.evaluations() && c.route != "closed form") {
+        if (c.evaluations()) {
             all[c.route + ", " + c.arithmetic + ", " + std::to_string(c.digits)] =
                 c.total_evaluations();
         }

@@ -67,7 +67,7 @@ double disc(double r, double c) {
 std::vector<double> gap_of(const scene::Scene& scene, const ExactContact& exact, double first,
                            double width, std::size_t elements) {
     const PrecisionScope scope(20);
-    const contact::SlopeIn<Real> slope(scene.round ? scene.round->profile : exact.profile());
+    const contact::RealSlope slope(scene.round ? scene.round->profile : exact.profile());
     std::vector<double> gap{0};
     const double step = width / steps_of_gap;
     for (std::size_t i = 1; i < elements; ++i) {

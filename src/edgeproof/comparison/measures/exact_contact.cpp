@@ -20,15 +20,16 @@ namespace {
 
 constexpr unsigned value_digits = 20;
 constexpr unsigned contact_digits = 40;
+constexpr long tilt_bits = 192; ///< for `contact_digits`
 /// The error of a and b at `contact_digits`, relative to a + b.
 constexpr double edge_error = 1e-37;
 constexpr double closed_form_error = 1e-20;
 
 contact::Profile profile_of(const scene::Scene& scene) {
     return scene.profile ? *scene.profile
-                         : solve_tilt(*scene.punch, scene.contact_modulus, scene.load.value,
-                                      *scene.moment, contact_digits)
-                               .profile;
+                         : enclose_tilt(*scene.punch, scene.contact_modulus, scene.load.value,
+                                        *scene.moment, tilt_bits)
+                               .near;
 }
 
 /// True if g' changes its formula there: the origin of a parabola is a knot without a change.

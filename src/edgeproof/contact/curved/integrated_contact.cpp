@@ -4,6 +4,7 @@
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/exact_contact.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
+#include "edgeproof/contact/enclosure/isolate_zero.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
@@ -23,7 +24,7 @@ constexpr std::size_t least_terms_of_disk = 6;
 constexpr long spent_on_signs = 24; ///< bits, for the sign of a sum near its zero
 constexpr long spent_on_both = 16;  ///< additional bits if an edge depends on the other one
 
-constexpr unsigned first_digits = 10;
+constexpr long few_bits = 80; ///< of the search for the edges
 constexpr int most_chords = 40;
 
 struct Between {
@@ -58,7 +59,7 @@ IntegratedContact::IntegratedContact(const Profile& profile, const Exact& contac
     if (load.kind == Load::Kind::right_edge && profile.symmetric()) {
         b_ = a_;
     } else {
-        enclose_edges(contact_modulus);
+        enclose_edges();
     }
     check_reach(profile_, a_, b_);
 }
@@ -378,20 +379,50 @@ std::optional<Ball> IntegratedContact::left_edge_near(const Ball& a, const Ball&
     return {};
 }
 
-/// Approximates the edges by the routes in Real with a few digits, then by chords. With the partial
+/// Searches for the edges between brackets with few bits, then by chords. With the partial
 /// derivatives P_a and P_b of P(a, b), the integral of g' over theta has the derivatives kappa P_a
 /// and -kappa P_b, kappa = 4/(E* (a + b)). So b' = P_a/P_b and P' = 2 P_a along the contacts that
 /// satisfy the consistency condition (docs/mechanics.md, "One measure, six kernels").
-IntegratedContact::Guess IntegratedContact::guess(const Exact& contact_modulus) const {
+IntegratedContact::Guess IntegratedContact::guess() const {
     const bool by_force = load_.kind == Load::Kind::force;
     const bool symmetric = profile_.symmetric();
-    const auto near = [&](unsigned digits) {
-        const NormalContact contact(Profile(profile_), contact_modulus, Load(load_), digits);
-        const Ball b_rate(symmetric ? Real(1) : contact.left_edge_derivative(1), bits_);
-        const Ball rate(contact.force_derivative(1), bits_);
-        return Guess{Ball(contact.a(), bits_), Ball(contact.b(), bits_), rate, b_rate};
+    (void)roots(); // shared by all zones
+    const auto near = [&](long bits) {
+        // Where an integral has no value, the edge is too far out.
+        const auto or_beyond = [bits](Ball f) {
+            return f.is_finite() ? std::move(f) : Ball(-1, bits);
+        };
+        Ball b(0, bits);
+        const auto zone_at = [&](const Ball& a) {
+            if (!symmetric) {
+                const auto zone = [&](const Ball& x) { return between(a, x, bits); };
+                b = isolate_zero(
+                    [&](const Ball& x) { return or_beyond(zone(x).zone_mean_slope()); },
+                    [&](const Ball& x) {
+                        return zone(x).zone_rate(Edge::left) * -2 /
+                               (Ball::pi(bits) * modulus_.with_bits(bits) * (a + x));
+                    },
+                    certainly_positive(b) ? b : a, "the left edge", {.prove = false});
+            }
+            return between(a, symmetric ? a : b, bits);
+        };
+        Ball a(a_.midpoint(), bits);
+        if (by_force) {
+            const Ball P = enclosed_constant(load_.value, bits);
+            a = isolate_zero([&](const Ball& x) { return or_beyond(P - zone_at(x).zone_force()); },
+                             [&](const Ball& x) {
+                                 return -between(x, symmetric ? x : b, bits).zone_rate(Edge::right);
+                             },
+                             P / modulus_.with_bits(bits), "the right edge",
+                             {.prove = false, .nested = !symmetric});
+        }
+        const IntegratedContact found = zone_at(a);
+        const Ball rate = found.zone_rate(Edge::right);
+        return Guess{
+            found.a_.with_bits(bits_), found.b_.with_bits(bits_), rate.with_bits(bits_),
+            (symmetric ? Ball(1, bits) : rate / found.zone_rate(Edge::left)).with_bits(bits_)};
     };
-    Guess found = near(first_digits);
+    Guess found = near(std::min(bits_, few_bits));
     if (!by_force) {
         found.a = a_;
     }
@@ -418,11 +449,11 @@ IntegratedContact::Guess IntegratedContact::guess(const Exact& contact_modulus) 
             return found;
         }
     }
-    return near(static_cast<unsigned>(bits_ * 3 / 10));
+    return near(bits_);
 }
 
-void IntegratedContact::enclose_edges(const Exact& contact_modulus) {
-    const Guess near = guess(contact_modulus);
+void IntegratedContact::enclose_edges() {
+    const Guess near = guess();
     const auto too_few = [&] {
         return BudgetError("ball arithmetic at " + std::to_string(bits_) +
                            " bits does not enclose an edge");

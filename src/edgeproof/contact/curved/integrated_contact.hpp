@@ -3,7 +3,6 @@
 #include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/curved/pressure_disk.hpp"
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
-#include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/contact/stress/cauchy_integral.hpp"
 
 #include <array>
@@ -23,8 +22,7 @@ namespace edgeproof::contact {
 /// edge that is not given is enclosed between two trial edges. The integral of g' over theta
 /// (eqn:Consistency) decreases as the left edge moves outwards, and the force increases with the
 /// right edge of a contact that satisfies the consistency condition. Opposite signs at both trial
-/// edges therefore prove that exactly one edge lies between them. The trial edges come from the
-/// routes in Real, which prove nothing.
+/// edges therefore prove that exactly one edge lies between them.
 class IntegratedContact : public ProvedContact {
 public:
     /// Throws BudgetError where `bits` do not suffice to enclose the edges.
@@ -118,10 +116,9 @@ private:
         Ball force_rate; ///< P'(a)
         Ball b_rate;     ///< b'(a)
     };
-    /// `contact_modulus`: E* (stress).
-    [[nodiscard]] Guess guess(const Exact& contact_modulus) const;
+    [[nodiscard]] Guess guess() const;
     /// Encloses the edges that are not given.
-    void enclose_edges(const Exact& contact_modulus);
+    void enclose_edges();
     /// Encloses b for the right edge `a`, near `start`; nothing if the bits do not suffice.
     [[nodiscard]] std::optional<Ball> left_edge_near(const Ball& a, const Ball& start) const;
     /// Returns x at the distance `u` from an edge.

@@ -23,7 +23,8 @@ struct ZeroSearch {
 /// (`moore-kearfott-cloud2009`): if middle - f(middle)/f'(X) lies inside X, there is exactly one
 /// zero in X, and it lies in this image.
 /// f(x) > 0 must mean that the zero lies beyond x; `rate` encloses f' (of one sign) over a ball.
-/// Throws a BudgetError that names `what` if the bits do not isolate the zero.
+/// Throws a BudgetError that names `what` if the bits do not isolate the zero, a DomainError if
+/// f > 0 however far out.
 template <class F, class Rate>
 Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* what,
                   const ZeroSearch& search) {
@@ -34,7 +35,9 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
     std::optional<Ball> lo;
     std::optional<Ball> hi;
     long factor = 2;
-    for (int k = 0; k < 64 && !search.near && !(lo && hi); ++k) {
+    constexpr int most_doublings = 64;
+    int doublings = 0;
+    for (; doublings < most_doublings && !search.near && !(lo && hi); ++doublings) {
         const Ball value = f(x);
         if (certainly_positive(value)) {
             lo = x;
@@ -49,6 +52,9 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
     }
     if (lo && hi) {
         x = middle(sqrt(*lo * *hi));
+    } else if (doublings == most_doublings && lo) {
+        throw DomainError(std::string("no position of ") + what +
+                          " closes this contact: the profile does not rise on that side");
     }
     Ball step(0, bits);
     const long wanted = search.nested && !search.prove ? bits / 2 : bits - 12;

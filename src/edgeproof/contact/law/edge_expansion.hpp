@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/law/contact_law.hpp"
-#include "edgeproof/contact/profile/edge.hpp"
+#include "edgeproof/contact/law/field.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/series/polynomial.hpp"
 #include "edgeproof/series/truncated.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace edgeproof::contact {
+
+/// P'(a + z) and b(a + z) as truncated series in z, the input of an edge expansion. Units of the
+/// coefficients of z^k: force per unit length over length^(k+1), and length^(1-k).
+template <class T> struct LawSeries {
+    series::Series<T> force_rate; ///< dP/da, the total derivative along the family of contacts
+    series::Series<T> b;          ///< b(a + z); a + z itself for a symmetric contact
+};
 
 [[nodiscard]] constexpr std::size_t nth(int k) { return static_cast<std::size_t>(k); }
 
@@ -205,24 +212,6 @@ template <class T>
         }
     }
     return d;
-}
-
-/// c_0 ... c_{terms-1} of p = sum c_k u^(k+1/2) at one edge (moore-hills EQ04, without its printed
-/// coefficients), from the truncated series of the contact law. Unit: pressure/length^(k+1/2). The
-/// digits are those of the thread's working precision less those that cancel in the series; there
-/// is no proved bound.
-template <Arithmetic T>
-[[nodiscard]] std::vector<T> edge_expansion(const ContactLaw<T>& law, const Extent<T>& e, Edge edge,
-                                            std::size_t terms) {
-    if (terms == 0) {
-        return {};
-    }
-    // The left edge's derivation loses one order, since it divides by u.
-    const LawSeries<T> series = law.series(e, edge == Edge::right ? terms : terms + 1);
-    std::vector<T> c = edge == Edge::right ? right_edge_brackets(series, e.a)
-                                           : left_edge_derivation(series, e.a).brackets;
-    c.resize(terms);
-    return coefficients_of(std::move(c), T(e.length()));
 }
 
 } // namespace edgeproof::contact

@@ -61,29 +61,18 @@ template <class T> struct Field<series::Series<T>> {
     template <class W> static void add_product(U& sum, const W& x, const U& y) { sum += x * y; }
     static U root(const U& x) { return sqrt(x); }
     static U angle(const U& near, const U& far) {
-        if constexpr (Arithmetic<T>) {
-            return arc_tangent(root(near / far)) * T(2);
-        } else {
-            // With near = a - v, far = v + b, the angle h has the cosine (far - near)/(far + near)
-            // and the sine 2 sqrt(far near)/(far + near); so dh/dz = -(d(cos h)/dz)/sin h.
-            const T start = Field<T>::angle(near[0], far[0]);
-            if (near.order() < 2) {
-                return U(start, near.order());
-            }
-            const U sum = far + near;
-            const U cosine = (far - near) / sum;
-            const U over_sine = over(sum, 2) / root(near * far);
-            return antiderivative(-(derivative(cosine) * over_sine.truncated(near.order() - 1)),
-                                  start);
+        // With near = a - v, far = v + b, the angle h has the cosine (far - near)/(far + near) and
+        // the sine 2 sqrt(far near)/(far + near); so dh/dz = -(d(cos h)/dz)/sin h.
+        const T start = Field<T>::angle(near[0], far[0]);
+        if (near.order() < 2) {
+            return U(start, near.order());
         }
+        const U sum = far + near;
+        const U cosine = (far - near) / sum;
+        const U over_sine = over(sum, 2) / root(near * far);
+        return antiderivative(-(derivative(cosine) * over_sine.truncated(near.order() - 1)), start);
     }
-    template <class Mark> static U other_angle(const Mark& m) {
-        if constexpr (Arithmetic<T>) {
-            return arc_tangent(m.w / m.right) * T(2);
-        } else {
-            return pi(m.h) - m.h;
-        }
-    }
+    template <class Mark> static U other_angle(const Mark& m) { return pi(m.h) - m.h; }
     /// The series with fewer terms, or with more terms that are 0 (a start for Newton's steps).
     static U resized(const U& x, std::size_t order) {
         std::vector<T> c = x.coefficients();

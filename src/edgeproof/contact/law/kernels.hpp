@@ -61,40 +61,6 @@ template <class U> [[nodiscard]] Mark<U> end_mark(const Extent<U>& e, Edge edge)
     return edge == Edge::right ? right_end(e) : left_end(e);
 }
 
-/// The marks of a contact at the knots of its profile. Each is computed once, at its first use, and
-/// shared by all integrals over the contact. Keeps references to the extent and to `knots`.
-template <class T, class U> class Marks {
-public:
-    Marks(const Extent<U>& e, const std::vector<T>& knots)
-        : extent_(e), knots_(knots), at_(knots.size()) {}
-    [[nodiscard]] const Extent<U>& extent() const { return extent_; }
-    [[nodiscard]] const Mark<U>& at(std::size_t knot) {
-        auto& known = at_[knot];
-        if (!known) {
-            known = mark(extent_, knots_[knot]);
-        }
-        return *known;
-    }
-    /// The marks of all knots, where U is a number; knots that are not inside the contact get the
-    /// mark of an end.
-    [[nodiscard]] const std::vector<Mark<U>>& all() {
-        if (all_.empty()) {
-            for (std::size_t i = 0; i < knots_.size(); ++i) {
-                all_.push_back(!(knots_[i] < extent_.a)    ? right_end(extent_)
-                               : !(-knots_[i] < extent_.b) ? left_end(extent_)
-                                                           : at(i));
-            }
-        }
-        return all_;
-    }
-
-private:
-    const Extent<U>& extent_;
-    const std::vector<T>& knots_;
-    std::vector<std::optional<Mark<U>>> at_;
-    std::vector<Mark<U>> all_;
-};
-
 /// A kernel phi has two functions: `at` is weight phi(v) at a mark (for corners), `between` is the
 /// integral of phi between two marks (for pieces on which g'' is constant). `e` is the extent.
 /// Units of phi: length for P, length^2 for M, 1 for the others.

@@ -47,24 +47,8 @@ Profile Profile::assemble(Kind kind, std::vector<Exact> knots, std::vector<Expr>
     for (const Expr& slope : slopes) {
         p.pieces_.push_back({slope, as_linear(slope, "x")});
     }
-    p.find_forms_at_knots();
     p.corner_.assign(p.knots_.size(), false);
     return p;
-}
-
-void Profile::find_forms_at_knots() {
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        SlopePiece& piece = pieces_[i];
-        if (piece.linear) {
-            continue;
-        }
-        if (i > 0) {
-            piece.from_left = slope_near_zero(piece.slope, knots_[i - 1].expr());
-        }
-        if (i < knots_.size()) {
-            piece.from_right = slope_near_zero(piece.slope, knots_[i].expr());
-        }
-    }
 }
 
 void Profile::continue_outer_pieces() {
@@ -96,9 +80,6 @@ void Profile::continue_outer_pieces() {
     }
     if (left) {
         add(Edge::left, *left);
-    }
-    if (right || left) {
-        find_forms_at_knots();
     }
 }
 
@@ -305,7 +286,6 @@ Profile Profile::reflected() const {
         p.pieces_.push_back({slope, as_linear(slope, "x")});
     }
     p.origin_ = knots_.size() - 1 - origin_;
-    p.find_forms_at_knots();
     const auto mirrored_place = [](const std::optional<Exact>& x) {
         return x ? std::optional(Exact(-x->expr())) : std::nullopt;
     };

@@ -21,11 +21,6 @@ struct SlopePiece {
         Expr rate;      ///< 1/length
     };
     std::optional<Linear> linear;
-
-    /// `slope` as a function of the distance from the knot at its left or right end
-    /// (slope.hpp). Present where this form keeps digits that x loses.
-    std::optional<Expr> from_left = {};
-    std::optional<Expr> from_right = {};
 };
 
 /// The slope g'(x) of the gap between the bodies (dimensionless). It does not decrease, it is
@@ -98,7 +93,7 @@ public:
     /// The place up to which a user's slope rises on that side, moved back by a millionth of its
     /// distance from the last knot; empty if there is no such limit. Beyond it the given slope ends
     /// or decreases, and g' continues as a straight line so that contacts can be searched for. A
-    /// contact that reaches this place is refused (NormalContact).
+    /// contact that reaches this place is refused (check_reach).
     [[nodiscard]] const std::optional<Exact>& rises_to(Edge edge) const noexcept {
         return edge == Edge::right ? right_limit_ : left_limit_;
     }
@@ -109,7 +104,6 @@ public:
 
 private:
     Profile() = default;
-    void find_forms_at_knots();
     void continue_outer_pieces();
     static Profile assemble(Kind kind, std::vector<Exact> knots, std::vector<Expr> slopes);
 

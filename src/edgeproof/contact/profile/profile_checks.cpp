@@ -47,7 +47,7 @@ std::vector<bool> checked_corners(const Profile& profile) {
                              "list knots from left to right, each once");
         }
     }
-    const SlopeIn<Real> slope(profile);
+    const RealSlope slope(profile);
     std::vector<bool> corner(knots.size(), false);
     for (std::size_t i = first; i < knots.size(); ++i) {
         const Expr at = knots[i].expr();
@@ -135,7 +135,7 @@ public:
     }
 
 private:
-    SlopeIn<Real> slope_;
+    RealSlope slope_;
     bool right_;
     std::size_t piece_;
     Real knot_;
@@ -234,28 +234,6 @@ void check_reach(const Profile& profile, const Ball& a, const Ball& b) {
                     ", and g' = " + to_text(slope) +
                     " could not be shown to rise beyond x = " + short_text(limit->to<Real>()),
                 "give a smaller load, or the slope further out");
-        }
-    }
-}
-
-void sample_slope(const Profile& profile, const SlopeIn<Real>& slope, const Real& a,
-                  const Real& b) {
-    const auto& knots = slope.knots();
-    for (std::size_t i = 0; i <= knots.size(); ++i) {
-        const Real lo = i > 0 && knots[i - 1] > -b ? knots[i - 1] : Real(-b);
-        const Real hi = i < knots.size() && knots[i] < a ? knots[i] : a;
-        if (profile.pieces()[i].linear || !(lo < hi)) {
-            continue;
-        }
-        std::optional<Real> previous;
-        for (int k = 0; k <= samples; ++k) {
-            const Real x = lo + (hi - lo) * (Real(k) + Real(1) / 2) / Real(samples + 1);
-            const Real g = slope.value(i, x);
-            if (previous && g < *previous) {
-                not_convex("near x = " + short_text(x) + " (" + to_text(profile.pieces()[i].slope) +
-                           ")");
-            }
-            previous = g;
         }
     }
 }

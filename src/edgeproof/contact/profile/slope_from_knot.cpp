@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
-#include "edgeproof/series/polynomial.hpp"
 
 #include <numeric>
 #include <optional>
@@ -49,108 +48,23 @@ bool zero_by_form(const Expr& e) {
     return linear && zero_by_form(linear->at_origin) && zero_by_form(linear->rate);
 }
 
-using Polynomial = series::Polynomial<Rational>;
-
-constexpr std::size_t most_coefficients = 33;
-
-/// e as a polynomial in the distance x - knot; nothing if it is not one with rational coefficients.
-std::optional<Polynomial> as_polynomial(const Expr& e, const Rational& knot) {
-    if (const Rational* q = e.rational()) {
-        return Polynomial(*q);
-    }
-    if (e.kind() == Expr::Kind::symbol) {
-        return Polynomial(std::vector{knot, Rational(1)});
-    }
-    if (e.kind() == Expr::Kind::call || e.args().empty()) {
-        return {};
-    }
-    const auto f = as_polynomial(e.arg(0), knot);
-    if (!f) {
-        return {};
-    }
-    if (e.kind() == Expr::Kind::neg) {
-        return -*f;
-    }
-    const auto g = e.args().size() == 2 ? as_polynomial(e.arg(1), knot) : std::nullopt;
-    if (!g) {
-        return {};
-    }
-    switch (e.kind()) {
-    case Expr::Kind::add:
-        return *f + *g;
-    case Expr::Kind::sub:
-        return *f - *g;
-    case Expr::Kind::mul:
-        return f->size() + g->size() <= most_coefficients ? std::optional(*f * *g) : std::nullopt;
-    case Expr::Kind::div:
-        return g->size() == 1 && (*g)[0] != 0 ? std::optional(*f / *g) : std::nullopt;
-    case Expr::Kind::pow: {
-        if (g->size() != 1 || denominator((*g)[0]) != 1 || (*g)[0] < 0 ||
-            (*g)[0] * f->size() >= most_coefficients) {
-            return {};
-        }
-        Polynomial power(1);
-        for (long n = numerator((*g)[0]).convert_to<long>(); n > 0; --n) {
-            power *= *f;
-        }
-        return power;
-    }
-    default:
-        return {};
-    }
-}
-
-/// The polynomial by Horner's rule, without its constant, which is 0.
-Expr without_constant(const Polynomial& f) {
-    const Expr x = Expr::symbol("x");
-    Expr sum = Expr::number(f[f.size() - 1]);
-    for (std::size_t i = f.size() - 1; i-- > 0;) {
-        sum = f[i] == 0 ? sum * x : sum * x + Expr::number(f[i]);
-    }
-    return sum;
-}
-
-/// e as a function of x - knot. With `expand`, polynomials are multiplied out; then the sign of
-/// their rate can no longer be read from the form, for example from a square.
-Expr moved_to(const Expr& knot, const Expr& e, bool expand, bool* vanishes) {
-    if (!free_symbols(e).contains("x")) {
-        return e;
-    }
-    if (const Rational* at = knot.rational(); expand && at != nullptr) {
-        const auto f = as_polynomial(e, *at);
-        if (f && f->size() > 2 && (*f)[0] == 0 && (*f)[f->size() - 1] != 0) {
-            *vanishes = true;
-            return without_constant(*f);
-        }
-    }
-    if (const auto linear = as_linear(e, "x")) {
-        const Expr there = linear->at_origin + linear->rate * knot;
-        const Expr moved = linear->rate * Expr::symbol("x");
-        const Rational* q = there.rational();
-        *vanishes = *vanishes || zero_by_form(there);
-        return zero_by_form(there) ? moved : (q != nullptr ? Expr::number(*q) : there) + moved;
-    }
-    std::vector<Expr> args;
-    for (const Expr& x : e.args()) {
-        args.push_back(moved_to(knot, x, expand, vanishes));
-    }
-    return Expr::with_args(e, std::move(args));
-}
-
 } // namespace
 
 Expr slope_from_knot(const Expr& slope, const Expr& knot) {
-    bool vanishes = false;
-    return moved_to(knot, slope, false, &vanishes);
-}
-
-std::optional<Expr> slope_near_zero(const Expr& slope, const Expr& knot) {
-    if (const Rational* q = knot.rational(); q != nullptr && *q == 0) {
-        return std::nullopt;
+    if (!free_symbols(slope).contains("x")) {
+        return slope;
     }
-    bool vanishes = false;
-    Expr moved = moved_to(knot, slope, true, &vanishes);
-    return vanishes ? std::optional(std::move(moved)) : std::nullopt;
+    if (const auto linear = as_linear(slope, "x")) {
+        const Expr there = linear->at_origin + linear->rate * knot;
+        const Expr moved = linear->rate * Expr::symbol("x");
+        const Rational* q = there.rational();
+        return zero_by_form(there) ? moved : (q != nullptr ? Expr::number(*q) : there) + moved;
+    }
+    std::vector<Expr> args;
+    for (const Expr& x : slope.args()) {
+        args.push_back(slope_from_knot(x, knot));
+    }
+    return Expr::with_args(slope, std::move(args));
 }
 
 namespace {

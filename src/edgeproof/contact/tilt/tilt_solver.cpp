@@ -14,6 +14,9 @@ namespace {
 
 constexpr unsigned rough_digits = 14;
 constexpr int most_decades = 1000;
+constexpr unsigned spare_digits = 30;
+constexpr long spare_bits = 64;
+constexpr long most_bits = 1L << 20;
 
 Expr number(long k) { return Expr::number(Rational(k)); }
 
@@ -47,29 +50,21 @@ public:
     Solver(const TiltedPunch& punch, const Exact& modulus, const Exact& P)
         : punch_(punch), modulus_(modulus), P_(P) {}
 
-    /// y at v to `wanted` digits; the working precision grows by the digits that cancel.
+    /// y at v to `wanted` digits, with more bits for those that cancel.
     [[nodiscard]] Real y(const Branch& branch, const Real& v, unsigned wanted) {
-        unsigned working = wanted + 30;
-        for (int k = 0; k < 30; ++k) {
-            const PrecisionScope scope(working);
-            const Profile profile = punch_.at(branch.tilt(decimal(v, working)));
-            const ContactLaw<Real> law(profile, modulus_.to<Real>());
-            const Real P = P_.to<Real>();
-            const Extent<Real> e = law.extent(law.right_edge_for_force(P));
-            ++contacts_;
-            const Real offset = branch.moment_at_zero.to<Real>();
-            const Real value = branch.sense * (law.moment(e) - offset);
-            const Real scale = P * e.length() + abs(offset);
-            if (value > 0) {
-                const Real lost = log10(Real(scale / value));
-                const auto needed =
-                    wanted + 20 + (lost > 0 ? 2 * static_cast<unsigned>(ceil(lost)) : 0U);
-                if (needed <= working) {
-                    return value;
+        const Profile profile = punch_.at(branch.tilt(decimal(v, wanted + spare_digits)));
+        const long enough = formula::bits_for(wanted);
+        for (long bits = enough + spare_bits; bits < most_bits; bits *= 2) {
+            try {
+                ++contacts_;
+                const Ball moment = BallContact(profile, modulus_, Load::force(P_), bits).moment();
+                const Ball found =
+                    (moment - enclosed_constant(branch.moment_at_zero, bits)) * branch.sense;
+                if (certainly_positive(found) && found.relative_accuracy_bits() >= enough) {
+                    return at_working_precision(found.midpoint());
                 }
-                working = needed;
-            } else {
-                working *= 2; // only roundoff is left
+            } catch (const BudgetError&) {
+                // More bits may isolate the edges.
             }
         }
         throw BudgetError("the moment of a tilted punch is lost in roundoff");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/routes/normal_contact.hpp"
+#include "edgeproof/contact/profile/edge.hpp"
+#include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
 #include <cstddef>

@@ -97,24 +97,4 @@ std::vector<Real> gamma_taylor(const Real& x, std::size_t n) {
     return series;
 }
 
-Real gamma_difference(const Real& x, const Real& h) {
-    if (h == 0) {
-        return Real(0);
-    }
-    const unsigned digits = working_digits();
-    // The number of decades that the difference loses. If it exceeds all digits, the derivative
-    // suffices.
-    const Real ratio = abs(Real(h / (abs(x) + 1)));
-    const Real lost = ratio < 1 ? Real(-log10(ratio)) : Real(0);
-    if (lost > digits) {
-        return Real(gamma_taylor(x, 2)[1] * h);
-    }
-    constexpr unsigned guard_digits = 5;
-    const Real difference = [&] {
-        const PrecisionScope scope(digits + lost.convert_to<unsigned>() + guard_digits);
-        return Real(gamma_taylor(Real(x + h), 1)[0] - gamma_taylor(x, 1)[0]);
-    }();
-    return at_working_precision(difference);
-}
-
 } // namespace edgeproof

@@ -31,32 +31,4 @@ template <Arithmetic T> [[nodiscard]] T exp_less_one(const T& x) {
 /// working precision, by Arb. Throws DomainError at a pole.
 [[nodiscard]] std::vector<Real> gamma_taylor(const Real& x, std::size_t n);
 
-/// Returns gamma(x + h) - gamma(x) without cancellation. Throws DomainError at a pole.
-[[nodiscard]] Real gamma_difference(const Real& x, const Real& h);
-
-/// The number of digits used for the machine formats.
-constexpr unsigned gamma_digits = 50;
-
-template <Arithmetic T> [[nodiscard]] std::vector<T> gamma_taylor_in(const T& x, std::size_t n) {
-    if constexpr (std::same_as<T, Real>) {
-        return gamma_taylor(x, n);
-    } else {
-        const PrecisionScope scope(gamma_digits);
-        std::vector<T> series;
-        for (const Real& c : gamma_taylor(Real(x), n)) {
-            series.push_back(c.convert_to<T>());
-        }
-        return series;
-    }
-}
-
-template <Arithmetic T> [[nodiscard]] T gamma_difference_in(const T& x, const T& h) {
-    if constexpr (std::same_as<T, Real>) {
-        return gamma_difference(x, h);
-    } else {
-        const PrecisionScope scope(gamma_digits);
-        return gamma_difference(Real(x), Real(h)).template convert_to<T>();
-    }
-}
-
 } // namespace edgeproof

@@ -53,17 +53,29 @@ void read_edges(const io::TomlSection& ask, Ask& result) {
     }
 }
 
-Route route_of(const io::TomlSection& ask) {
+/// Nothing for the proved routes, "automatic" and "closed-form".
+std::optional<Route> route_of(const io::TomlSection& ask, const Scene& scene) {
     const std::string name = ask.text("route");
-    for (const Route route : {Route::automatic, Route::closed_form, Route::singular_integral,
-                              Route::barber_mossakovskii}) {
+    for (const Route route : {Route::singular_integral, Route::barber_mossakovskii}) {
         if (name == route_name(route)) {
             return route;
         }
     }
+    if (name == "closed-form" && scene.profile &&
+        !contact::BallContact::has_closed_form(*scene.profile)) {
+        ask.reject("route",
+                   scene.round ? "only a power law has its pressure in closed form as an "
+                                 "axisymmetric contact"
+                               : "only a power law or a piecewise linear g' has its pressure in "
+                                 "closed form",
+                   "write route = \"automatic\"");
+    }
     static constexpr std::array<std::string_view, 4> names{
         "automatic", "closed-form", "singular-integral", "barber-mossakovskii"};
-    ask.reject("route", "unknown route '" + name + "'", one_of(name, names));
+    if (name != names[0] && name != names[1]) {
+        ask.reject("route", "unknown route '" + name + "'", one_of(name, names));
+    }
+    return {};
 }
 
 /// True if a text contains a name: a percentage, or a word that is neither a function nor a
@@ -348,16 +360,7 @@ void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene&
         result.part = {part[0].value, part[1].value};
     }
     if (ask.has("route")) {
-        result.route = route_of(ask);
-        if (result.route == Route::closed_form && scene.profile &&
-            !contact::BallContact::has_closed_form(*scene.profile)) {
-            ask.reject("route",
-                       scene.round ? "only a power law has its pressure in closed form as an "
-                                     "axisymmetric contact"
-                                   : "only a power law or a piecewise linear g' has its pressure "
-                                     "in closed form",
-                       "write route = \"automatic\"");
-        }
+        result.route = route_of(ask, scene);
     }
     if (ask.has("quantities")) {
         for (const std::string& name : ask.texts("quantities")) {

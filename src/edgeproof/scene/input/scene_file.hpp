@@ -3,8 +3,8 @@
 #include "edgeproof/contact/axisymmetric/axisymmetric_power_law.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
-#include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
+#include "edgeproof/contact/witness/witness.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/real.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
@@ -74,7 +74,7 @@ struct Ask {
     std::optional<Exact> tolerance;
     std::optional<Exact> process_zone; ///< a length from the edge
     contact::ExtentRange part;         ///< the part over which extents are measured
-    Route route = Route::automatic;
+    std::optional<Route> route;        ///< a second route by which p is estimated
     Digits digits;
 
     [[nodiscard]] bool wants(QuantityGroup group) const { return quantities.contains(group); }

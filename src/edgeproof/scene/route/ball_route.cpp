@@ -58,13 +58,8 @@ BallRoute::BallRoute(const Scene& scene, const Plan& plan, Work& work)
 }
 
 void BallRoute::refuse_contact() const {
-    if (scene_.profile && !scene_.profile->axisymmetric()) {
-        try {
-            (void)contact::NormalContact(*scene_.profile, scene_.contact_modulus, scene_.load,
-                                         plan_.digits.count);
-        } catch (const DomainError& error) {
-            throw InputError(error.what(), "give a load that a contact of this profile can carry");
-        }
+    if (no_contact_) {
+        throw InputError(*no_contact_, "give a load that a contact of this profile can carry");
     }
     throw BudgetError("no number of bits encloses the edges of the contact");
 }
@@ -103,7 +98,7 @@ BoundedValue BallRoute::value(const AskedValue& asked) {
         check_slip();
     }
     count(asked);
-    if (asked.quantity == Quantity::p && plan_.witness) {
+    if (asked.quantity == Quantity::p && scene_.ask.route) {
         return by_witness(asked);
     }
     // Inside a body of revolution also a power law is integrated.
@@ -183,9 +178,9 @@ BoundedValue BallRoute::by_witness(const AskedValue& asked) {
     const Distance u = asked.distance();
     refuse_outside(asked.edge, u);
     const auto at = [&](const Exact& from) {
-        const contact::Estimated p = witness_->pressure(asked.edge, from, *plan_.witness);
+        const auto p = witness_->pressure(asked.edge, from, *scene_.ask.route);
         const PrecisionScope scope(p.working_digits);
-        return estimated(p.value, Real(abs(p.value) * p.estimate), route_name(p.route));
+        return estimated(p.value, Real(abs(p.value) * p.estimate), route_name(*scene_.ask.route));
     };
     if (u.number()) {
         return at(*u.number());
@@ -395,8 +390,8 @@ void BallRoute::count(const AskedValue& asked) {
 }
 
 std::unique_ptr<ValueRoute> make_route(const Scene& scene, const Plan& plan, Work& work) {
-    if (plan.witness && scene.profile && scene.profile->axisymmetric()) {
-        throw InputError("an axisymmetric contact has no route " + route_name(*plan.witness),
+    if (scene.ask.route && scene.profile && scene.profile->axisymmetric()) {
+        throw InputError("an axisymmetric contact has no route " + route_name(*scene.ask.route),
                          "write route = \"automatic\"")
             .at(scene.file, scene.ask_line);
     }
@@ -483,7 +478,8 @@ BallLevel* BallRoute::at_level(long bits) {
             edges_ = contact::ExactEdges{*a, *b};
         }
     } catch (const BudgetError&) {
-    } catch (const DomainError&) {
+    } catch (const DomainError& error) {
+        no_contact_ = error.what();
     }
     return slot.get();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/enclosure/ball_extent.hpp"
-#include "edgeproof/contact/routes/normal_contact.hpp"
+#include "edgeproof/contact/witness/witness.hpp"
 #include "edgeproof/scene/route/ball_level.hpp"
 #include "edgeproof/scene/route/exact_values.hpp"
 #include "edgeproof/scene/route/value_route.hpp"
@@ -25,7 +25,7 @@ public:
     /// Keeps references to all three arguments.
     BallRoute(const Scene& scene, const Plan& plan, Work& work);
 
-    /// Throws the reason why no contact is enclosed, as the second route finds it.
+    /// Throws the reason why no contact is enclosed.
     [[noreturn]] void refuse_contact() const;
     /// Throws InputError unless g' is proved not to decrease in the contact; all proofs for a
     /// curved profile depend on this.
@@ -80,7 +80,7 @@ private:
     void refuse_known_corner(Edge edge, const Distance& u);
     /// Throws an Error with the reason why no number of bits encloses a value.
     [[noreturn]] void refuse_unknown(const QuantityRow& row, const AskedValue& asked);
-    /// p by the second route of the plan, with its estimated error.
+    /// p by the second route of the scene, with its estimated error.
     [[nodiscard]] BoundedValue by_witness(const AskedValue& asked);
     /// The coordinate x of the point u, which is inside the contact, if it is known to be a
     /// rational number.
@@ -89,7 +89,7 @@ private:
     /// Counts the work of a value.
     void count(const AskedValue& asked);
     void count_pressure() {
-        ++(closed() && !plan_.witness ? work_.counts.closed_forms : work_.counts.quadratures);
+        ++(closed() && !scene_.ask.route ? work_.counts.closed_forms : work_.counts.quadratures);
     }
 
     /// The rows of an extent, proved by the signs of the error between the crossings. Throws
@@ -142,7 +142,8 @@ private:
     bool ratio_counted_ = false;
     /// The place of the last pressure, for q.
     std::optional<std::pair<Edge, Distance>> pressed_;
-    std::optional<contact::NormalContact> witness_;
+    std::optional<contact::Witness> witness_;
+    std::optional<std::string> no_contact_; ///< why a level found no contact
 };
 
 } // namespace edgeproof::scene

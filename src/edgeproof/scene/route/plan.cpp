@@ -65,9 +65,6 @@ Plan make_plan(const Scene& scene) {
     Plan plan;
     plan.digits = ask.digits;
     plan.closed = !scene.profile || contact::BallContact::has_closed_form(*scene.profile);
-    if (ask.route != Route::automatic && ask.route != Route::closed_form) {
-        plan.witness = ask.route;
-    }
     const long bits = formula::bits_for(ask.digits.count);
     plan.bits = bits + 96;
     plan.narrow_bits = plan.closed ? std::min(whole_words(bits + 40), plan.bits)

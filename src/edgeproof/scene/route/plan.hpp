@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/routes/normal_contact.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
 #include <cstddef>
@@ -42,11 +41,9 @@ struct Work {
 /// two edges of a symmetric scene, the second is the mirror image of the first.
 struct Plan {
     Digits digits;
-    long bits = 256;        ///< initial bits of the balls
-    long narrow_bits = 232; ///< for values that cancel little: edges, places, pressures
-    bool closed = true;     ///< pressures have a closed form; otherwise they are integrals
-    /// The second route by which p is estimated, if the scene asks for one.
-    std::optional<Route> witness;
+    long bits = 256;         ///< initial bits of the balls
+    long narrow_bits = 232;  ///< for values that cancel little: edges, places, pressures
+    bool closed = true;      ///< pressures have a closed form; otherwise they are integrals
     std::vector<Edge> edges; ///< in the order of the request
     bool mirrored = false;   ///< p at the second edge is copied from the first
     std::size_t points = 0;  ///< at each edge

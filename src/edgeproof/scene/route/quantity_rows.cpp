@@ -230,7 +230,7 @@ constexpr auto quantity_table = std::to_array<Def>({
         .by([](const Scene& scene, const Plan& plan) {
             return plan.closed                                      ? "closed-form"
                    : scene.profile && scene.profile->axisymmetric() ? "Abel integral"
-                                                                    : "singular-integral";
+                                                                    : "rigorous integration";
         })
         .with(&Def::cancels_little, true),
     at_point<&BallLevel::q, &ExactValues::q>(Quantity::q, "q", "shear", Group::shear, units::stress)

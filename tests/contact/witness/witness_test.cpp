@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/contact/scenes.hpp"
+
+#include "edgeproof/contact/curved/proved_slip.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/split_mix.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <future>
+
+using namespace edgeproof::scenes;
+
+namespace {
+
+constexpr Route both_routes[] = {Route::singular_integral, Route::barber_mossakovskii};
+
+/// The digits that the edges, the loads and the pressures of the witness share with enclosures; the
+/// pressures by `route` at `places`, parts of the contact's length from the right edge.
+int digits_shared(const Contact& c, unsigned digits, Route route,
+                  const std::vector<const char*>& places) {
+    const Witness witness(c.profile, c.modulus, c.load, digits);
+    const long bits = static_cast<long>(4 * digits) + 400;
+    const auto balls = proved_contact(c.profile, c.modulus, c.load, bits);
+    const PrecisionScope scope(digits + 20);
+    int least = std::min({common_digits(witness.a(), balls->a().midpoint()),
+                          common_digits(witness.b(), balls->b().midpoint()),
+                          common_digits(witness.force(), balls->force().midpoint())});
+    const Real size = witness.force() * (witness.a() + witness.b());
+    const Real moment = witness.moment() - balls->moment().midpoint();
+    least = std::min(least, common_digits(Real(size + moment), size));
+    for (const char* place : places) {
+        const Exact u = Exact::parse(Real((witness.a() + witness.b()) * Real(place)).str(12));
+        const Ball p = balls->pressure(Edge::right, u);
+        REQUIRE(p.relative_accuracy_bits() > static_cast<long>(3.4 * digits));
+        const int shared =
+            common_digits(witness.pressure(Edge::right, u, route).value, p.midpoint());
+        CAPTURE(place);
+        CHECK(shared >= static_cast<int>(digits));
+        least = std::min(least, shared);
+    }
+    return least;
+}
+
+Contact drawn(SplitMix64& dice) {
+    const auto number = [&](std::size_t least, std::size_t most) {
+        return std::to_string(least + dice.below(most - least + 1));
+    };
+    const Symbols x{"x"};
+    const std::string a = number(3, 40) + "/10";
+    const Load load = dice.next() % 2 == 0 ? Load::right_edge(exact(a))
+                                           : Load::force(exact(number(1, 99) + "/50"));
+    switch (dice.next() % 5) {
+    case 0:
+        return {"power law", Profile::power_law(exact("1/7"), exact(number(1, 60) + "/12")),
+                exact("7/3"), load};
+    case 1:
+        return {"flat", Profile::flat_and_rounded(exact(number(1, 20) + "/70"), exact("3")),
+                exact("7/3"), load};
+    case 2:
+        return {"tilted wedge",
+                Profile::tilted_wedge(exact("1/10"), exact("9/100 - " + number(0, 180) + "/1000")),
+                exact("7/3"), load};
+    case 3:
+        return {"tilted flat",
+                Profile::tilted_flat_and_rounded(exact(number(1, 90) + "/300"), exact("1/2"),
+                                                 exact(number(2, 9))),
+                exact("7/3"), load};
+    default:
+        return {"corners and bends",
+                Profile::piecewise(
+                    {exact("-" + number(1, 9) + "/20"), exact("0"), exact(number(1, 9) + "/20")},
+                    {parse("x/3 - 1/5", x), parse("-1/" + number(6, 30), x),
+                     parse("1/" + number(6, 30), x), parse("1/5 + x/9", x)}),
+                exact("7/3"), load};
+    }
+}
+
+} // namespace
+
+// Hertz: johnson1985, 4.45 (line contact). Wedge: johnson1985, 5.37. m = 2: the integral of
+// s^2/sqrt(s^2 - x^2) is (a w + x^2 arcosh(a/x))/2. Flat and rounded: P = E* a^2 (pi - 2 f - sin
+// 2f)/ (4 R) with sin f = t/a (ciavarella-hills-monno1998).
+TEST_CASE("closed forms, by both routes to 50 digits") {
+    struct Case {
+        Profile profile;
+        const char* a;
+        Real force;
+        std::function<Real(const Real& x)> pressure = {};
+    };
+    const PrecisionScope scope(80);
+    const Real E = Real(7) / 3;
+    const Real pi = edgeproof::pi<Real>();
+    const Real f = asin(Real(4) / 15);
+    const std::vector<Case> cases{
+        {Profile::power_law(exact("1/70"), exact("1")), "1/50", Real(pi * E / 2500 / 280),
+         [&](const Real& x) { return Real(E / 140 * sqrt(Real(1) / 2500 - x * x)); }},
+        {Profile::power_law(exact("0.3"), exact("0")), "3/2", Real(E * 3 / 10 * 3 / 2),
+         [&](const Real& x) { return Real(E * 3 / 10 / pi * acosh(Real(3 / (2 * x)))); }},
+        {Profile::power_law(exact("3"), exact("2")), "2", Real(E * 16),
+         [&](const Real& x) {
+             const Real w = sqrt(Real(4 - x * x));
+             return Real(E * 3 / pi * (2 * w + x * x * acosh(Real(2 / x))));
+         }},
+        {Profile::flat_and_rounded(exact("2/5"), exact("3")), "3/2",
+         Real(E * 9 / 4 / 12 * (pi - 2 * f - sin(Real(2 * f))))}};
+    for (const Case& c : cases) {
+        const Witness witness(c.profile, exact("7/3"), Load::right_edge(exact(c.a)), 50);
+        CHECK(common_digits(witness.force(), c.force) >= 50);
+        for (const char* part : {"1e-30", "1/1000", "9/10"}) {
+            const Exact u(exact(part).expr() * exact(c.a).expr());
+            for (const Route route : both_routes) {
+                CAPTURE(route_name(route));
+                const auto p = witness.pressure(Edge::right, u, route);
+                CHECK((!c.pressure ||
+                       common_digits(
+                           p.value, c.pressure(Real(exact(c.a).to<Real>() - u.to<Real>()))) >= 50));
+                CHECK(p.estimate < Real("1e-50"));
+            }
+        }
+    }
+}
+
+// b = gamma a with sin(pi alpha/(2 phi)) = (1 - gamma)/(1 + gamma), and P = E* phi sqrt(gamma) a,
+// from the consistency condition by hand.
+TEST_CASE("the tilted wedge, given by its edge and by its force") {
+    for (const char* ratio : {"1/5", "1e-12", "999999999/1000000000", "-1/3"}) {
+        CAPTURE(ratio);
+        const Exact alpha(exact(ratio).expr() * exact("pi/16").expr());
+        const Profile profile = Profile::tilted_wedge(exact("pi/16"), alpha);
+        const PrecisionScope scope(110);
+        const Real S = sin(pi<Real>() / 2 * exact(ratio).to<Real>());
+        const Real gamma = (1 - S) / (1 + S);
+        const Witness by_a(profile, exact("3"), Load::right_edge(exact("7/5")), 50);
+        CHECK(common_digits(by_a.b(), gamma * 7 / 5) >= 50);
+        CHECK(common_digits(by_a.force(), 3 * pi<Real>() / 16 * sqrt(gamma) * 7 / 5) >= 50);
+        const Witness by_P(profile, exact("3"), Load::force(exact("1/9")), 50);
+        CHECK(common_digits(by_P.a(), 16 / (27 * pi<Real>() * sqrt(gamma))) >= 50);
+    }
+}
+
+TEST_CASE("drawn contacts against enclosures") {
+    SplitMix64 dice(53);
+    for (int k = 0; k < 24; ++k) {
+        const Contact c = drawn(dice);
+        CAPTURE(k);
+        CAPTURE(c.name);
+        const bool second = k % 4 == 0;
+        CHECK(digits_shared(c, second ? 20 : 40,
+                            second ? Route::barber_mossakovskii : Route::singular_integral,
+                            {"1e-25", "0.013", "0.471", "0.83"}) >= (second ? 20 : 40));
+    }
+}
+
+TEST_CASE("200 digits, and 1e-20 from knots") {
+    std::vector<Contact> contacts{symmetric()[2], symmetric()[6], tilted()[5], own_symmetric()};
+    for (const Contact& c : contacts) {
+        CAPTURE(c.name);
+        CHECK(digits_shared(c, 200, Route::singular_integral, {"0.3"}) >= 200);
+    }
+    const Contact flat = symmetric()[6]; // the flat ends at u = 1.1
+    const Witness witness(flat.profile, flat.modulus, flat.load, 40);
+    const BallContact balls(flat.profile, flat.modulus, flat.load, 600);
+    const PrecisionScope scope(60);
+    for (const char* u : {"1.1", "1.1 + 1e-20", "1.1 - 1e-20", "1.1 + 1e-100"}) {
+        CAPTURE(u);
+        for (const Route route : both_routes) {
+            CHECK(common_digits(witness.pressure(Edge::right, exact(u), route).value,
+                                balls.pressure(Edge::right, exact(u)).midpoint()) >= 40);
+        }
+    }
+}
+
+TEST_CASE("an edge just beyond a corner: Barber-Mossakovskii, where P' is nearly infinite") {
+    const Symbols x{"x"};
+    const Profile profile =
+        Profile::piecewise_symmetric({exact("1/4")}, {parse("x/10", x), parse("x/10 + 1/50", x)});
+    for (const char* u : {"11e-21", "3e-20", "1/5"}) {
+        CAPTURE(u);
+        const Load load = Load::right_edge(exact("1/4 + 1e-20"));
+        const Witness witness(profile, exact("1"), load, 40);
+        const BallContact balls(profile, exact("1"), load, 600);
+        const PrecisionScope scope(60);
+        CHECK(
+            common_digits(witness.pressure(Edge::right, exact(u), Route::barber_mossakovskii).value,
+                          balls.pressure(Edge::right, exact(u)).midpoint()) >= 40);
+    }
+}
+
+TEST_CASE("two precisions and two threads in one process") {
+    const Contact c = own_symmetric();
+    const auto pressure = [&](unsigned digits) {
+        const Witness witness(c.profile, c.modulus, c.load, digits);
+        return witness.pressure(Edge::right, exact("1/9"), Route::singular_integral).value;
+    };
+    const Real few = pressure(20);
+    auto other = std::async(std::launch::async, pressure, 90);
+    const Real many = pressure(60);
+    const PrecisionScope scope(100);
+    CHECK(common_digits(few, many) >= 20);
+    CHECK(common_digits(many, other.get()) >= 60);
+    CHECK(pressure(20) == few);
+}
+
+TEST_CASE("places and loads without a value") {
+    const Contact wedge = symmetric()[0]; // a = 3/2
+    const Witness witness(wedge.profile, wedge.modulus, wedge.load, 30);
+    for (const char* u : {"0", "3", "-1", "3/2"}) { // 3/2: the corner at the apex
+        for (const Route route : both_routes) {
+            CHECK_THROWS_AS((void)witness.pressure(Edge::right, exact(u), route), DomainError);
+        }
+    }
+    // At 1e-300 from the apex it is large, but finite: (7/10 pi) arcosh(1.5e300).
+    const PrecisionScope scope(60);
+    const Exact near_apex(exact("3/2").expr() - exact("1e-300").expr());
+    CHECK(common_digits(witness.pressure(Edge::right, near_apex, Route::singular_integral).value,
+                        Real(7) / 10 / pi<Real>() * log(Real(3) * pow(Real(10), 300))) >= 30);
+    const Profile hertz = Profile::power_law(exact("1"), exact("1"));
+    CHECK_THROWS_AS(Witness(hertz, exact("1"), Load::right_edge(exact("0")), 30), InputError);
+    CHECK_THROWS_AS(Witness(hertz, exact("1"), Load::force(exact("-1")), 30), InputError);
+    CHECK_THROWS_AS(Witness(hertz, exact("-1"), Load::right_edge(exact("1")), 30), InputError);
+    // The left side has no slope: no b satisfies the consistency condition.
+    const Symbols x{"x"};
+    const Profile half = Profile::piecewise({exact("0")}, {parse("0", x), parse("x", x)});
+    CHECK_THROWS_AS(Witness(half, exact("1"), Load::right_edge(exact("1")), 30), DomainError);
+}
+
+TEST_CASE("coefficients: Hertz's binomial series, and a wedge") {
+    // p = (E*/2R) sqrt(2a u) sqrt(1 - u/2a): c_k = (E* C/2) sqrt(2a) binom(1/2, k) (-1/2a)^k.
+    const Witness hertz(Profile::power_law(exact("1/70"), exact("1")), exact("7/3"),
+                        Load::right_edge(exact("0.02")), 40);
+    const std::vector<Real> c = hertz.coefficients(Edge::left, 5);
+    const PrecisionScope scope(60);
+    const Real a = Real(1) / 50;
+    Real expected = Real(7) / 3 / 70 / 2 * sqrt(2 * a);
+    for (int k = 0; k < 5; ++k) {
+        CHECK(common_digits(c[static_cast<std::size_t>(k)], expected) >= 38);
+        expected *= (Real(1) / 2 - k) / (k + 1) / (-2 * a);
+    }
+    CHECK(hertz.coefficients(Edge::right, 0).empty());
+}
+
+TEST_CASE("a curved slope by Barber-Mossakovskii" * doctest::test_suite("slow")) {
+    CHECK(digits_shared(own_symmetric(), 20, Route::barber_mossakovskii, {"0.2"}) >= 20);
+}

@@ -188,20 +188,31 @@ BallContact BallContact::between(const Ball& a, const Ball& b) const {
     return zone;
 }
 
+Ball BallContact::zone_force() const {
+    return modulus_ / 2 * over_linear_measure<ForceKernel>(slope_, {a_, b_}, fixed_.marks);
+}
+
+Ball BallContact::zone_rate(Edge edge) const {
+    const Extent<Ball> e{a_, b_};
+    return modulus_ / 2 *
+           (edge == Edge::right ? over_linear_measure<RightRateKernel>(slope_, e, fixed_.marks)
+                                : over_linear_measure<LeftRateKernel>(slope_, e, fixed_.marks));
+}
+
 Ball BallContact::zone_mean_slope() const {
     // The integral of (k + r s)/w between two marks, with s = c + y, h' = -1/w and w' = -y/w
     // (docs/mechanics.md); the mean slope of docs/partial-slip.md.
     const Ball c = (a_ - b_) / 2;
     const Extent<Ball> e{a_, b_};
-    const std::vector<Mark<Ball>> list = marks(e);
+    const std::vector<Mark<Ball>>& list = fixed_.marks;
     Ball sum(0, bits_);
     Mark<Ball> previous = end_mark(e, Edge::left);
     for (std::size_t i = 0; i <= list.size(); ++i) {
-        const Mark<Ball> next = i < list.size() ? list[i] : end_mark(e, Edge::right);
+        Mark<Ball> next = i < list.size() ? list[i] : end_mark(e, Edge::right);
         const auto& piece = slope_.pieces[i];
         sum += (piece.at_origin + piece.rate * c) * (previous.h - next.h) +
                piece.rate * (previous.w - next.w);
-        previous = next;
+        previous = std::move(next);
     }
     return sum / Ball::pi(bits_);
 }

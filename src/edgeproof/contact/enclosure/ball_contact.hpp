@@ -88,8 +88,8 @@ public:
     [[nodiscard]] BallContact between(const Ball& a, const Ball& b) const;
     /// For such a zone of a piecewise linear slope: the force; E*/2 times the kernel integral A or
     /// B of docs/mechanics.md; the mean of g' over the zone with the weight 1/(pi w).
-    [[nodiscard]] Ball zone_force() const { return force_of({a_, b_}); }
-    [[nodiscard]] Ball zone_rate(Edge edge) const { return force_rate_of({a_, b_}, edge); }
+    [[nodiscard]] Ball zone_force() const;
+    [[nodiscard]] Ball zone_rate(Edge edge) const;
     [[nodiscard]] Ball zone_mean_slope() const;
 
 private:

@@ -2,6 +2,7 @@
 #include "edgeproof/contact/slip/ball_slip.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
+#include "edgeproof/contact/enclosure/isolate_zero.hpp"
 #include "edgeproof/precision/ball/ball_series.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -10,12 +11,6 @@
 #include <vector>
 
 namespace edgeproof::contact {
-namespace {
-
-constexpr int most_limit_steps = 400;
-
-} // namespace
-
 BallSlip::BallSlip(const ProvedContact& contact, const ZoneSolver& zones, const Ball& force,
                    const ShearLoad<Ball>& load, const Ball& friction,
                    const std::optional<BallZone>& stick)
@@ -80,38 +75,27 @@ bool BallSlip::slips_from_the_first(Edge edge) const {
     return certainly_positive(edge == Edge::right ? 1 + turn : 1 - turn);
 }
 
-// docs/partial-slip.md, "When it holds": F increases with the free edge, which is found by Newton's
-// method and enclosed by the signs on both sides.
+// docs/partial-slip.md, "When it holds": F increases with the length of the zone that begins at an
+// edge of the contact, at half the rate dP/da of its free edge. The signs of F - P on both sides of
+// the place found enclose the length.
 Ball BallSlip::tension_limit(Edge edge) const {
-    const Ball P = force_ * (1 - ratio_);
-    const auto zone_to = [&](const Ball& other) {
-        return edge == Edge::left ? BallZone{other, whole_.b} : BallZone{whole_.a, other};
-    };
-    Ball x = middle(whole_.at(opposite(edge)));
     const long bits = zones_.bits();
-    const Ball tiny = power_of_two(24 - bits, bits);
-    for (int k = 0; k < most_limit_steps; ++k) {
-        const ZoneValues v = zones_.values(zone_to(x));
-        Ball step = middle((v.force - P) / v.rate(opposite(edge)) * 2);
-        if (!step.is_finite()) {
-            break;
-        }
-        const Ball limit = zone_to(x).length() * Ball(Rational(7, 8), bits);
-        if (certainly_less(limit, step)) {
-            step = limit;
-        }
-        x = middle(x - step);
-        if (!certainly_less(tiny * whole_.length(), abs(step))) {
-            break;
-        }
-    }
+    const Ball P = force_ * (1 - ratio_);
+    const Ball& fixed = whole_.at(edge);
+    const auto values = [&](const Ball& length) {
+        const Ball free = length - middle(fixed);
+        return zones_.values(edge == Edge::left ? BallZone{free, fixed} : BallZone{fixed, free});
+    };
+    const Ball found =
+        isolate_zero([&](const Ball& length) { return P - values(length).force; },
+                     [&](const Ball& length) { return -values(length).rate(opposite(edge)) / 2; },
+                     whole_.length(), "the limit of the bulk tension", {.prove = false});
     for (long lost = 24; lost < bits; lost += 24) {
         const Ball slack = whole_.length() * power_of_two(lost - bits, bits);
-        const Ball lo = lower_end(x - slack);
-        const Ball hi = upper_end(x + slack);
-        if (certainly_less(zones_.values(zone_to(lo)).force, P) &&
-            certainly_less(P, zones_.values(zone_to(hi)).force)) {
-            const Ball tilt = -zones_.values(zone_to(Ball::hull(lo, hi))).mean_slope;
+        const Ball lo = lower_end(found - slack);
+        const Ball hi = upper_end(found + slack);
+        if (certainly_less(values(lo).force, P) && certainly_less(P, values(hi).force)) {
+            const Ball tilt = -values(Ball::hull(lo, hi)).mean_slope;
             return direction_ * tilt * friction_ * zones_.modulus() * 2;
         }
     }

@@ -2,6 +2,7 @@
 #include "edgeproof/contact/slip/stick_zone.hpp"
 
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/isolate_zero.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <optional>
@@ -12,7 +13,6 @@ namespace {
 
 constexpr int most_zone_steps = 400;
 constexpr int most_growing_steps = 60;
-constexpr int halvings_of_an_edge = 40;
 constexpr long bits_of_a_zone_step = 12; ///< bits lost when Newton's steps have converged
 
 /// Returns (E*/4) times the integral of (g' + tilt)/w (docs/partial-slip.md, "Enclosed").
@@ -20,27 +20,27 @@ Ball turn_of(const ZoneSolver& zones, const ZoneValues& v, const Ball& tilt) {
     return zones.modulus() * Ball::pi(zones.bits()) / 4 * (v.mean_slope + tilt);
 }
 
-/// Finds a start for ZoneSolver::search by halving, for a zone that is small compared with `near`.
-/// The mean slope increases with the right edge and decreases with the left one; F increases with
-/// both.
-BallZone halved(const ZoneSolver& zones, const Ball& force, const Ball& tilt,
-                const BallZone& near) {
-    const auto halve = [](Ball lo, Ball hi, const auto& beyond) {
-        for (int k = 0; k < halvings_of_an_edge; ++k) {
-            const Ball m = middle((lo + hi) / 2);
-            (beyond(m) ? hi : lo) = m;
-        }
-        return hi;
+/// Finds a start for ZoneSolver::search in a zone that is small compared with `near`. The mean
+/// slope increases with the right edge and decreases with the left one; F increases with both.
+BallZone from_afar(const ZoneSolver& zones, const Ball& force, const Ball& tilt,
+                   const BallZone& near) {
+    const ZeroSearch unproved{.prove = false, .nested = true};
+    const auto balanced = [&](const Ball& a) { // turn_of has the rate -left_rate/(2 D) by b
+        const Ball length = isolate_zero(
+            [&](const Ball& D) {
+                return turn_of(zones, zones.values({a, D - a}), tilt);
+            },
+            [&](const Ball& D) {
+                return -zones.values({a, D - a}).left_rate / (D * 2);
+            },
+            a + near.b, "the left edge", unproved);
+        return BallZone{a, middle(length - a)};
     };
-    const auto left_edge = [&](const Ball& a) {
-        return halve(-a, near.b, [&](const Ball& b) {
-            return !certainly_positive(turn_of(zones, zones.values({a, b}), tilt));
-        });
-    };
-    const Ball a = halve(-near.b, near.a, [&](const Ball& x) {
-        return !certainly_less(zones.values({x, left_edge(x)}).force, force);
-    });
-    return {a, left_edge(a)};
+    const auto beyond_left = [&](const Ball& x) { return balanced(middle(x - near.b)); };
+    return beyond_left(
+        isolate_zero([&](const Ball& x) { return force - zones.values(beyond_left(x)).force; },
+                     [&](const Ball& x) { return -zones.values(beyond_left(x)).right_rate; },
+                     near.length(), "the right edge", unproved));
 }
 
 class LinearZones : public ZoneSolver {
@@ -170,7 +170,7 @@ BallZone ZoneSolver::zone(const Ball& force, const Ball& tilt, const BallZone& n
         try {
             return search(force, tilt, near);
         } catch (const BudgetError&) {
-            return search(force, tilt, halved(*this, force, tilt, near));
+            return search(force, tilt, from_afar(*this, force, tilt, near));
         }
     }();
     const ZoneValues at = values(m);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/stress/dissipation.hpp"
 
-#include "edgeproof/contact/stress/surface_gap.hpp"
+#include "edgeproof/contact/stress/force_growth.hpp"
 #include "edgeproof/precision/error.hpp"
 
+#include <array>
 #include <cstddef>
 
 namespace edgeproof::contact {
@@ -45,36 +46,32 @@ PhaseWeight weight_between(const SlipPhase& s, const Ball& from, const Ball& to)
             {mean, (upper - lower) / (half * 2), (upper - mean * 2 + lower) / (half * half * 2)}};
 }
 
-/// The integral of a weight d ln D between two cuts. W is the sum of a constant, a multiple of
-/// L - L_1 and one of (L_2 - L)(L - L_1), whose integrals are ln(D_2/D_1) and integrals of the gap
-/// (docs/partial-slip.md, "The energy of a cycle").
-Ball growth_integral(const BallContact& contact, const PhaseWeight& weight, const Cut& from,
-                     const Cut& to) {
-    const BallContact inner = contact.between(from.zone.a, from.zone.b);
-    const BallContact outer = contact.between(to.zone.a, to.zone.b);
-    const Ball at_from = weight(from.force);
-    const Ball rise = (weight(to.force) - at_from) / (to.force - from.force);
-    const Ball half = contact.modulus() / 2;
-    return at_from * log1p((outer.length() - inner.length()) / inner.length()) +
-           gap_integral(inner, outer, -(weight.c[2] * Ball::pi(contact.bits()) * half),
-                        rise * half);
+/// c_0, c_1, c_2 of W = c_0 + c_1 L + c_2 L^2.
+std::array<Ball, 3> about_zero(const PhaseWeight& w) {
+    return {w(Ball(0, w.at.bits())), w.c[1] - w.c[2] * w.at * 2, w.c[2]};
 }
 
 } // namespace
 
 GrowthIntegral growth_of(const BallContact& contact) {
     return [&contact](const PhaseWeight& weight, const Cut& from, const Cut& to) {
-        return growth_integral(contact, weight, from, to);
+        const BallContact inner = contact.between(from.zone.a, from.zone.b);
+        const BallContact outer = contact.between(to.zone.a, to.zone.b);
+        const ForceGrowth lower = force_growth(inner, from.force);
+        const ForceGrowth upper = force_growth(outer, to.force);
+        const auto c = about_zero(weight);
+        return c[0] * log1p((outer.length() - inner.length()) / inner.length()) +
+               c[1] * (upper.first - lower.first) + c[2] * (upper.second - lower.second);
     };
 }
 
 // d ln D = dL/(power L)
 GrowthIntegral similar_growth(const Ball& power) {
-    return [power](const PhaseWeight& w, const Cut& from, const Cut& to) {
+    return [power](const PhaseWeight& weight, const Cut& from, const Cut& to) {
         const Ball width = to.force - from.force;
-        const Ball constant = w(Ball(0, power.bits()));
-        return (constant * log1p(width / from.force) + (w.c[1] - w.c[2] * w.at * 2) * width +
-                w.c[2] * width * (from.force + to.force) / 2) /
+        const auto c = about_zero(weight);
+        return (c[0] * log1p(width / from.force) + c[1] * width +
+                c[2] * width * (from.force + to.force) / 2) /
                power;
     };
 }

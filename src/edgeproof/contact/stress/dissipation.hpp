@@ -44,7 +44,7 @@ struct PhaseWeight {
 using GrowthIntegral = std::function<Ball(const PhaseWeight& weight, const SlipPhase::Cut& from,
                                           const SlipPhase::Cut& to)>;
 
-/// For a profile with a piecewise linear slope (surface_gap.hpp). The result refers to `contact`,
+/// For a profile with a piecewise linear slope (force_growth.hpp). The result refers to `contact`,
 /// a contact of the family.
 [[nodiscard]] GrowthIntegral growth_of(const BallContact& contact);
 

@@ -35,19 +35,32 @@ Ball gap_of_profile(const BallContact& contact, const Ball& beyond) {
     return sum + rate * beyond * beyond / 2;
 }
 
-// docs/stress.md, "The gap"
+// docs/stress.md, "The gap": the integral of h' = g' - (2/(pi E*)) P_1 from the edge, with g'(a) by
+// the consistency condition.
 Ball linear_gap(const BallContact& contact, const Ball& beyond) {
+    const LinearSlope<Ball>& slope = contact.slope();
     const Extent<Ball> e{contact.a(), contact.b()};
+    const Ball pi = Ball::pi(beyond.bits());
     const Ball half = e.length() / 2;
     const Ball W = sqrt(beyond * (e.length() + beyond));
     const Ball omega = half / (half + beyond + W);
+    const Ball log_omega = log1p((beyond + W) / half); // -ln omega
+    Ball lost = (log_omega * 2 + omega * omega - 1) * contact.arc() * half * half / 4;
+    for (const std::size_t i : contact.bends_inside()) {
+        const Mark<Ball>& v = contact.knot_marks()[i];
+        const Ball far = beyond + v.right; // x - v
+        const Ball k = atan2(omega * v.w / half, 1 - omega * v.y / half) * 2;
+        const Ball k_edge = pi - v.h;
+        if (slope.has_corner(i)) {
+            lost += (far * k - v.right * k_edge + log_omega * v.w) * slope.jump(i);
+        }
+        lost -= (far * far * k - v.right * v.right * k_edge +
+                 (W - log_omega * v.y - beyond * 2) * v.w) *
+                slope.rate_drop(i) / 2;
+    }
     const Ball at_edge =
-        over_linear_measure<LeftBalanceKernel>(contact.slope(), e, contact.knot_marks());
-    const BeyondEdge<Ball> x{beyond, W, omega, log1p((beyond + W) / half)};
-    return gap_of_profile(contact, beyond) +
-           gap_of_contact(contact, at_edge, x, [&](const Mark<Ball>& v) {
-               return atan2(omega * v.w / half, 1 - omega * v.y / half) * 2;
-           });
+        over_linear_measure<LeftBalanceKernel>(slope, e, contact.knot_marks()); // pi g'(a)
+    return gap_of_profile(contact, beyond) + (beyond * at_edge - lost) / pi;
 }
 
 // docs/stress.md, "The gap": h = C x^(m+1)/(m+1) - (2/(pi E* (m+1))) (a P'(a) arcosh(x/a)

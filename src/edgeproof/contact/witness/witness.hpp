@@ -52,8 +52,8 @@ public:
         unsigned working_digits = 0;
     };
     /// p at the distance u inwards from `edge`. Throws DomainError for u outside (0, a + b) and on
-    /// a corner of the profile, where p is infinite. A point within 1e-400 of a knot counts as on
-    /// it.
+    /// a corner of the profile, where p is infinite. A point within 1e-400 of a knot (curved
+    /// slopes: 1e-60) that exact numbers do not distinguish from it counts as on it.
     [[nodiscard]] Pressure pressure(Edge edge, const Exact& u, Route route) const;
     /// c_0 ... c_{terms-1} of p = sum of c_k u^(k+1/2) at an edge, from pressures near it by the
     /// singular integral, to the digits of the contact relative to |c_0|/radius^k.

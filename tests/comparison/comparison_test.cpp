@@ -41,6 +41,36 @@ TEST_CASE("the exact contact: Hertz by the textbook") {
     CHECK(exact().pressure(1.6) == 0);
 }
 
+// Slopes with a corner, a jump of g'', a branch point and no symmetry; places from 1e-7 of the
+// contact next to edges and knots. The exact pressures are those of rigorous integration.
+TEST_CASE("pressures of curved slopes for searches agree with the exact ones") {
+    for (const char* profile :
+         {"symmetric = true\nknots = [\"1/2\"]\nslopes = [\"x/10\", \"x/10 + (x - 1/2)^3\"]\n",
+          "knots = [\"0\", \"1/4\"]\nslopes = [\"sinh(x) - 1/10\", \"x^3\", \"1/64 + sqrt(x - "
+          "1/4)\"]\n",
+          "knots = [\"-1/3\"]\nslopes = [\"exp(x) - 1 + (x + 1/3)/5\", \"exp(x) - 1\"]\n"}) {
+        CAPTURE(profile);
+        const ExactContact contact(
+            scene::parse_scene(std::string("[profile]\nkind = \"piecewise\"\n") + profile +
+                                   "[load]\ncontact_modulus = \"100\"\na = \"3/4\"\n",
+                               "curved.toml"));
+        std::vector<double> places{-contact.b().value, contact.a().value};
+        for (const ContactKnot& knot : contact.knots()) {
+            places.push_back(knot.x);
+        }
+        for (const double place : places) {
+            for (const double away : {-0.2, -1e-2, -1e-4, -1e-7, 1e-7, 1e-4, 1e-2, 0.2}) {
+                const double x = place + away * contact.length();
+                CAPTURE(x);
+                const auto exact = contact.at(Real(x)).p;
+                const auto quick = contact.quick_pressure(x);
+                REQUIRE(exact.has_value() == quick.has_value());
+                CHECK(quick.value_or(0) == doctest::Approx(exact.value_or(0)).epsilon(1e-9));
+            }
+        }
+    }
+}
+
 TEST_CASE("exact data pass at any tolerance") {
     const FileComparison file = compared(table(mesh, p), within(1e-12));
     CHECK(file.passes());

@@ -151,7 +151,7 @@ std::optional<Cause> own_force(const Observed& data, double force, SuspectContac
     }
     solve(force);
     if (contact != nullptr) {
-        const auto exact = [&](const Node& node) { return contact->at(Real(node.x)).p; };
+        const auto exact = [&](const Node& node) { return contact->quick_pressure(node.x); };
         const double corrected = force * force / force_of(data.nodes.data, *contact, exact);
         force = corrected > 0 && corrected < 2 * force ? corrected : force;
         solve(force);
@@ -161,7 +161,7 @@ std::optional<Cause> own_force(const Observed& data, double force, SuspectContac
     }
     Suspect carried{"another-force", "", contact->a().value, contact->b().value, {}};
     for (std::size_t i = 0; i < data.nodes.size(); ++i) {
-        carried.values.push_back(contact->at(Real(data.nodes[i].x)).p.value_or(std::nan("")));
+        carried.values.push_back(contact->quick_pressure(data.nodes[i].x).value_or(std::nan("")));
     }
     const auto fit = fit_of(data, carried);
     if (!fit || !explains(*fit, allowance, unexplained)) {

@@ -105,7 +105,7 @@ private:
     }
     /// The pressure of another contact; NaN on a corner.
     [[nodiscard]] static double pressure(const ExactContact& contact, double x) {
-        return contact.at(Real(x)).p.value_or(no_value);
+        return contact.quick_pressure(x).value_or(no_value);
     }
     /// The exact pressure `rows` rows after a node used; NaN if there is no such row.
     [[nodiscard]] double exact_pressure(std::size_t i, std::ptrdiff_t rows = 0) const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/measures/exact_contact.hpp"
+#include "edgeproof/comparison/measures/quick_pressure.hpp"
 #include "edgeproof/contact/double_word/double_word_pressure.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 
 namespace edgeproof::comparison {
@@ -61,9 +63,7 @@ std::unique_ptr<scene::SceneValues> values_of(const scene::Scene& scene, scene::
 } // namespace
 
 struct ExactContact::Solved {
-    explicit Solved(const scene::Scene& scene)
-        : profile(profile_of(scene)),
-          pressures(values_of(scene, scene::Quantity::p, value_digits)) {
+    explicit Solved(const scene::Scene& asked) : scene(asked), profile(profile_of(asked)) {
         if (contact::DoubleWordPressure::has_form(profile) && !profile.axisymmetric()) {
             try {
                 words.emplace(profile,
@@ -100,17 +100,34 @@ struct ExactContact::Solved {
                 throw DomainError("the place is on a corner");
             }
         }
+        if (!pressures) {
+            pressures = values_of(scene, scene::Quantity::p, value_digits);
+        }
         return pressures->value(asked_at(scene::Quantity::p, x)).value.midpoint();
     }
+    /// The values of the contact, or its coefficients, with the digits of its edges.
+    [[nodiscard]] scene::SceneResult values(scene::QuantityGroup group) const {
+        scene::Scene of = scene.without_shear();
+        of.ask = {};
+        of.ask.edges = {contact::Edge::right, contact::Edge::left};
+        of.ask.terms = {coefficients};
+        of.ask.quantities = {group};
+        of.ask.digits = {contact_digits, Rounding::nearest, false};
+        return io::at_place(scene.file, scene.load_line, [&] { return run_scene(of); });
+    }
 
+    scene::Scene scene;
     contact::Profile profile;
-    std::unique_ptr<scene::SceneValues> pressures;
+    std::unique_ptr<scene::SceneValues> pressures; ///< made when needed
     /// Used where they have the digits.
     std::optional<contact::DoubleWordPressure> words;
+    /// Set for a curved slope.
+    std::optional<QuickPressure> quick;
     Real right; ///< a
     Real left;  ///< b
     Real force; ///< P
     std::optional<ExactShear> shear;
+    std::map<contact::Edge, std::vector<ExactValue>> c; ///< c_0, ..., made when needed
 };
 
 ExactContact::ExactContact(const scene::Scene& scene) {
@@ -125,26 +142,18 @@ ExactContact::ExactContact(const scene::Scene& scene) {
 void ExactContact::solve(const scene::Scene& scene) {
     solved_ = std::make_shared<Solved>(scene);
     Solved& s = *solved_;
-    scene::Scene asked = scene.without_shear();
-    asked.ask = {};
-    asked.ask.edges = {contact::Edge::right, contact::Edge::left};
-    asked.ask.terms = {coefficients};
-    asked.ask.quantities = {scene::QuantityGroup::contact, scene::QuantityGroup::coefficients};
-    asked.ask.digits = {contact_digits, Rounding::nearest, false};
-    const scene::SceneResult result = run_scene(asked);
+    const scene::SceneResult result = s.values(scene::QuantityGroup::contact);
     a_ = exact_value(result.at(scene::Quantity::a));
     b_ = exact_value(result.at(scene::Quantity::b));
     force_ = exact_value(result.at(scene::Quantity::P));
     s.right = result.at(scene::Quantity::a).value.midpoint();
     s.left = result.at(scene::Quantity::b).value.midpoint();
     s.force = result.at(scene::Quantity::P).value.midpoint();
-    for (const scene::RowsAt& edge : result.at_edges(scene::QuantityGroup::coefficients)) {
-        for (std::size_t k = 0; k < coefficients; ++k) {
-            c_[index_of(edge.edge())][k] = exact_value(edge.at(scene::Quantity::c, k));
-        }
-    }
     const PrecisionScope scope(place_digits);
     const contact::Profile& profile = s.profile;
+    if (!profile.has_closed_form()) {
+        s.quick.emplace(profile, scene.contact_modulus.to<double>(), a_.value, b_.value);
+    }
     symmetric_ = profile.symmetric();
     axisymmetric_ = scene.round.has_value();
     if (scene.shear) {
@@ -162,6 +171,19 @@ void ExactContact::solve(const scene::Scene& scene) {
             knots_.push_back({x.convert_to<double>(), profile.has_corner(i)});
         }
     }
+}
+
+const ExactValue& ExactContact::c(contact::Edge edge, std::size_t k) const {
+    auto& all = solved_->c;
+    if (all.empty()) {
+        const scene::SceneResult found = solved_->values(scene::QuantityGroup::coefficients);
+        for (const scene::RowsAt& at : found.at_edges(scene::QuantityGroup::coefficients)) {
+            for (std::size_t i = 0; i < coefficients; ++i) {
+                all[at.edge()].push_back(exact_value(at.at(scene::Quantity::c, i)));
+            }
+        }
+    }
+    return all.at(edge).at(k);
 }
 
 /// Finds the largest p from samples, which are dense near knots, where p may rise steeply; then
@@ -196,7 +218,7 @@ void ExactContact::find_scale() const {
     double largest = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         check_interruption();
-        const double p = pressure(samples[i]);
+        const double p = quick_pressure(samples[i]).value_or(0);
         if (p > largest) {
             largest = p;
             best = i;
@@ -210,8 +232,8 @@ void ExactContact::find_scale() const {
         check_interruption();
         const double s1 = lower + golden * (upper - lower);
         const double s2 = upper - golden * (upper - lower);
-        const double p1 = pressure(s1);
-        const double p2 = pressure(s2);
+        const double p1 = quick_pressure(s1).value_or(0);
+        const double p2 = quick_pressure(s2).value_or(0);
         for (const auto& [place, p] : {std::pair{s1, p1}, std::pair{s2, p2}}) {
             if (p > largest) {
                 largest = p;
@@ -220,7 +242,7 @@ void ExactContact::find_scale() const {
         }
         (p1 < p2 ? lower : upper) = p1 < p2 ? s1 : s2;
     }
-    scale_ = Scale{largest, x, false};
+    scale_ = Scale{at(Real(x)).p.value_or(largest), x, false};
 }
 
 std::string ExactContact::pressure_route() const {
@@ -290,7 +312,13 @@ std::optional<double> ExactContact::traction(const Real& x, const Place& place) 
     }
 }
 
-double ExactContact::pressure(double x) const { return at(Real(x)).p.value_or(scale().value); }
+std::optional<double> ExactContact::quick_pressure(double x) const {
+    const auto& quick = solved_->quick;
+    const auto p = quick && x < a_.value && x > -b_.value ? quick->at(x) : std::nullopt;
+    return p ? p : at(Real(x)).p;
+}
+
+double ExactContact::pressure(double x) const { return quick_pressure(x).value_or(scale().value); }
 
 namespace {
 

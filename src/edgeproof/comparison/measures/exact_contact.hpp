@@ -71,9 +71,7 @@ public:
     }
     [[nodiscard]] const ExactValue& force() const { return force_; }
     /// c_0, c_1 and c_2 at an edge.
-    [[nodiscard]] const ExactValue& c(contact::Edge edge, std::size_t k) const {
-        return c_.at(index_of(edge)).at(k);
-    }
+    [[nodiscard]] const ExactValue& c(contact::Edge edge, std::size_t k) const;
     [[nodiscard]] double length() const { return a_.value + b_.value; }
     /// The profile, with its tilt if P and M determine that. Of an axisymmetric power law, the
     /// profile of the plane contact with the same pressure.
@@ -118,7 +116,10 @@ public:
         [[nodiscard]] double u() const { return from_right <= from_left ? from_right : from_left; }
     };
     [[nodiscard]] Place at(const Real& x) const;
-    [[nodiscard]] double pressure(double x) const; ///< the scale's value on a corner
+    /// p at x in binary64, for searches and suspects: of a curved slope an estimate of at least
+    /// about 9 digits. Empty on a corner.
+    [[nodiscard]] std::optional<double> quick_pressure(double x) const;
+    [[nodiscard]] double pressure(double x) const; ///< the same; the scale's value on a corner
 
     /// The shear, if the scene has it; otherwise null.
     [[nodiscard]] const ExactShear* shear() const;
@@ -139,7 +140,6 @@ private:
     ExactValue a_;
     ExactValue b_;
     ExactValue force_;
-    std::array<std::array<ExactValue, coefficients>, 2> c_; ///< by index_of(edge)
     std::array<double, 2> radius_{};
     std::vector<ContactKnot> knots_;
     bool symmetric_ = false;

@@ -394,9 +394,10 @@ TEST_CASE("claims: relations") { check_table("relations"); }
 TEST_CASE("claims: sizes") { check_table("sizes"); }
 TEST_CASE("claims: slip") { check_table("slip"); }
 TEST_CASE("claims: sweeps") { check_table("sweeps"); }
+TEST_CASE("claims: symbols") { check_table("symbols"); }
 TEST_CASE("claims: two-edges") { check_table("two-edges"); }
 
 TEST_CASE("claims: each table has a test case") {
     using Files = std::filesystem::directory_iterator;
-    CHECK(std::distance(Files(claim_tables()), Files()) == 11);
+    CHECK(std::distance(Files(claim_tables()), Files()) == 12);
 }

@@ -23,43 +23,6 @@ m = ["1"]
 C = ["3/7", "1e-6"]
 a = ["3/2", "7e5"]
 Es = ["7/3", "2.1e11"]
-[[family]]
-name = "powers"
-profile = "power-law"
-count = 2
-u = ["1/20", "1/5"]
-[family.parameters]
-m = ["1", "2", "4", "8", "16", "32", "64"]
-C = ["3/7", "1e-6"]
-a = ["3/2", "7e5"]
-Es = ["7/3"]
-[[family]]
-name = "nine"
-profile = "power-law"
-count = 9
-[family.parameters]
-m = ["1", "2", "3"]
-C = ["3/7", "1e-6"]
-a = ["3/2", "7e5", "0.02"]
-Es = ["7/3"]
-[[family]]
-name = "five-eighths"
-profile = "power-law"
-count = 1
-[family.parameters]
-m = ["5/8"]
-C = ["1"]
-a = ["3/2"]
-Es = ["1"]
-[[family]]
-name = "curved"
-profile = "piecewise-symmetric"
-count = 1
-knots = []
-slopes = ["x/6 + x^3/8"]
-[family.parameters]
-a = ["3/4"]
-Es = ["7/3"]
 )";
 
 inline Ledger ledger_of(const std::string& claim, const std::string& families = head) {
@@ -74,14 +37,6 @@ inline AuditResult audit_of(const Ledger& ledger, unsigned digits = 34) {
 }
 inline AuditResult audit_of(const std::string& claim, unsigned digits = 34) {
     return audit_of(ledger_of(claim), digits);
-}
-
-inline ClaimResult result_of(const std::string& claim, unsigned digits = 34) {
-    return audit_of(claim, digits).claims.front();
-}
-
-inline std::string verdict_of(const std::string& claim, unsigned digits = 34) {
-    return std::string(name_of(result_of(claim, digits).outcome.verdict));
 }
 
 } // namespace edgeproof::small_ledger

@@ -4,6 +4,7 @@
 #include "edgeproof/comparison/comparison.hpp"
 #include "edgeproof/comparison/measures/measures.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "tests/comparison/spring_bed.hpp"
 #include "tests/support/namespaces.hpp"
 #include "tests/support/paths.hpp"

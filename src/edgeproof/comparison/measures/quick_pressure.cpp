@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/measures/quick_pressure.hpp"
 
+#include "edgeproof/precision/precision.hpp"
 #include "edgeproof/quadrature/gauss_legendre.hpp"
 
 #include <algorithm>
@@ -12,6 +13,7 @@ namespace {
 
 constexpr std::array<std::size_t, 2> nodes_of_a_piece{32, 64};
 constexpr double most_difference = 1e-9; ///< between both rules, of p
+constexpr unsigned digits_of_slope = 20;
 
 } // namespace
 
@@ -19,7 +21,11 @@ constexpr double most_difference = 1e-9; ///< between both rules, of p
 // p = E*/(2 pi) w(x) times the integral of (g'(s) - g'(x))/(s - x) over theta, s = c + d cos theta.
 QuickPressure::QuickPressure(const contact::Profile& profile, double contact_modulus, double a,
                              double b)
-    : slope_(profile), factor_(contact_modulus / (2 * std::numbers::pi)), a_(a), b_(b) {
+    : slope_([&] {
+          const PrecisionScope scope(digits_of_slope);
+          return contact::RealSlope(profile);
+      }()),
+      factor_(contact_modulus / (2 * std::numbers::pi)), a_(a), b_(b) {
     const double centre = (a - b) / 2;
     const double half = (a + b) / 2;
     for (std::size_t k = 0; k < rules_.size(); ++k) {
@@ -31,29 +37,34 @@ QuickPressure::QuickPressure(const contact::Profile& profile, double contact_mod
                 for (const double side : {-1.0, 1.0}) {
                     const double theta = (from + to + side * t * (to - from)) / 2;
                     const double s = centre + half * std::cos(theta);
-                    rules_[k].push_back({s, slope_.value(piece, s), weight});
+                    rules_[k].push_back({s, slope(piece, s), weight});
                 }
             }
         };
         double from = 0; // theta, from the right edge
         for (std::size_t i = slope_.knots().size(); i-- > 0;) {
-            const double knot = slope_.knots()[i];
+            const double knot = slope_.knots()[i].convert_to<double>();
             if (knot < a && knot > -b) {
                 const double to = std::acos((knot - centre) / half);
                 add(i + 1, from, to);
                 from = to;
             }
         }
-        add(slope_.piece_at(std::nextafter(-b, a)), from, std::numbers::pi);
+        add(slope_.piece_at(Real(std::nextafter(-b, a))), from, std::numbers::pi);
     }
 }
 
+double QuickPressure::slope(std::size_t piece, double x) const {
+    const PrecisionScope scope(digits_of_slope);
+    return slope_.value(piece, Real(x)).convert_to<double>();
+}
+
 std::optional<double> QuickPressure::at(double x) const {
-    const double slope = slope_.value(slope_.piece_at(x), x);
+    const double here = slope(slope_.piece_at(Real(x)), x);
     std::array<double, 2> sum{};
     for (std::size_t k = 0; k < rules_.size(); ++k) {
         for (const Node& node : rules_[k]) {
-            sum[k] += node.weight * (node.slope - slope) / (node.s - x);
+            sum[k] += node.weight * (node.slope - here) / (node.s - x);
         }
     }
     const bool agree = std::abs(sum[0] - sum[1]) <= most_difference * std::abs(sum[1]);

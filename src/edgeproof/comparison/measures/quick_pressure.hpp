@@ -28,7 +28,10 @@ private:
         double slope; ///< g'(s)
         double weight;
     };
-    contact::SlopeIn<double> slope_;
+    /// g'(x).
+    [[nodiscard]] double slope(std::size_t piece, double x) const;
+
+    contact::RealSlope slope_;
     double factor_; ///< E*/(2 pi)
     double a_;
     double b_;

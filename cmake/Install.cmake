@@ -13,7 +13,6 @@ install(FILES
     ${PROJECT_BINARY_DIR}/edgeproofConfig.cmake
     ${PROJECT_BINARY_DIR}/edgeproofConfigVersion.cmake
     cmake/ImportLibrary.cmake cmake/FindGMP.cmake cmake/FindMPFR.cmake cmake/FindFLINT.cmake
-    cmake/FindGiNaC.cmake
     DESTINATION ${package_dir})
 install(DIRECTORY examples/cpp examples/scenes examples/recipes examples/compare examples/design
     DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)

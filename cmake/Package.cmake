@@ -45,7 +45,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "Headers, static libraries and the CMake package: contacts, scenes, audits of
 printed formulas and checks of other programs, for C++.")
 set(needed "libboost1.81-dev | libboost-dev (>= 1.81)" libgmp-dev libmpfr-dev libflint-dev
-    libginac-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libtbb-dev libcli11-dev)
+    libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libtbb-dev libcli11-dev)
 if(FLINT_ARB_LIBRARY)
     list(APPEND needed libflint-arb-dev)
 endif()

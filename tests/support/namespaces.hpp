@@ -3,6 +3,7 @@
 
 /// Tests use the names of several modules.
 namespace edgeproof {
+namespace algebra {}
 namespace audit {}
 namespace certificate {}
 namespace comparison {}
@@ -22,6 +23,7 @@ namespace validation {}
 } // namespace edgeproof
 
 using namespace edgeproof;
+using namespace edgeproof::algebra;
 using namespace edgeproof::audit;
 using namespace edgeproof::comparison;
 using namespace edgeproof::conformance;

@@ -41,8 +41,8 @@ const nativeProgram = (program) => (words, files, wanted = []) => {
     }
 };
 
-/// The text of an output without the names and versions of the program and its libraries: GiNaC is
-/// linked to the native program only, and both may be built from different commits.
+/// The text of an output without the names and versions of the program and its libraries:
+/// both may be built from different commits and with different versions.
 const withoutProgram = (bytes) => Buffer.from(bytes ?? '').toString('latin1')
     .replace(/edgeproof \d+\.\d+\.\d+ \([^)]*\)/g, 'edgeproof');
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/algebra/identity.hpp"
 #include "edgeproof/audit/run.hpp"
 #include "edgeproof/audit/sample/formal_values.hpp"
 #include "edgeproof/audit/symbolic/symbolic.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
-#include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
@@ -171,7 +171,7 @@ bool clearly_apart(const Ball& x, const Ball& y) {
 std::string decimal_of(const Expr& constant, const Ball& ball) {
     constexpr unsigned digits = 8;
     std::string text = round_ball(ball, digits).text;
-    return text.empty() && formula::proved_zero(constant) ? "0" : text;
+    return text.empty() && algebra::proved_zero(constant) ? "0" : text;
 }
 
 double effort_to_read(const std::string& exact) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/algebra/identity.hpp"
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/run.hpp"
-#include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
@@ -74,7 +74,7 @@ std::string enclosed_decimal(const Expr& e, const Sample& sample) {
         return "";
     }
     std::string text = round_ball(*value.ball, shown_digits).text;
-    return text.empty() && value.ball->is_finite() && formula::proved_zero(e) ? "0" : text;
+    return text.empty() && value.ball->is_finite() && algebra::proved_zero(e) ? "0" : text;
 }
 
 /// Returns the middle of a formula's enclosure; throws Error if there is none.

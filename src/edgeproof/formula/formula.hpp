@@ -6,13 +6,11 @@
 ///   expr.hpp                    Expr: the tree; text and TeX of it; substitution; edits by path
 ///   parse.hpp                   text -> Expr, with a strict table of names; FormulaError
 ///   exact/exact.hpp             Exact: a constant such as "pi/16", and its value at any precision
-///   exact/identity.hpp          zeros and signs proved by exact algebra
 ///   evaluation/evaluate.hpp     Values: names with values; the value of an Expr in any number type
 ///   evaluation/program.hpp      Program: an Expr compiled for many evaluations
 #include "edgeproof/formula/builtin.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/evaluation/program.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
-#include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/formula/parse.hpp"

@@ -10,21 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace GiNaC {
-class ex;
-} // namespace GiNaC
-
 namespace edgeproof::series {
-
-/// Operations on coefficients: vanishes() is true if a coefficient is zero (for symbols:
-/// identically), and field_number() converts a rational number.
-[[nodiscard]] inline bool vanishes(const Real& c) { return c == 0; }
-[[nodiscard]] bool vanishes(const GiNaC::ex& c);
-template <class T> [[nodiscard]] T field_number(const Rational& q);
-template <> [[nodiscard]] inline Real field_number<Real>(const Rational& q) {
-    return from_rational<Real>(q);
-}
-template <> [[nodiscard]] GiNaC::ex field_number<GiNaC::ex>(const Rational& q);
 
 /// A truncated series in w = eps^(1/2) that may begin with any power of w: printed expansions are
 /// in powers of eps and of its root. The coefficient of the lowest power is not zero, unless all
@@ -95,7 +81,7 @@ public:
             throw DomainError("a power of the expansion is neither whole nor half");
         }
         using std::pow;
-        const T exponent = field_number<T>(q);
+        const T exponent(q);
         return {static_cast<long>(numerator(lowest)),
                 pow_with_constant<T>(x.s_, exponent, T(pow(x.s_[0], exponent)))};
     }
@@ -114,14 +100,14 @@ public:
 
 private:
     void want_leading() const {
-        if (vanishes(s_[0])) {
+        if (s_[0] == T(0)) {
             throw DomainError("division by, or a power of, an expansion whose known terms are "
                               "all zero");
         }
     }
     void drop_zeros() {
         std::size_t k = 0;
-        while (k + 1 < s_.order() && vanishes(s_[k])) {
+        while (k + 1 < s_.order() && s_[k] == T(0)) {
             ++k;
         }
         if (k > 0) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/algebra/identity.hpp"
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
-#include "edgeproof/audit/symbolic/ginac_bridge.hpp"
-#include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -116,22 +115,10 @@ std::vector<IntegrandCut> integrand_cuts(const Expr& f, const std::string& varia
 
 namespace {
 
-bool is_zero_by_symbols(const Expr& e) {
-    try {
-        const auto held = ginac::hold();
-        const GiNaC::ex x = ginac::from_expr(e);
-        return x.is_zero() || x.expand().is_zero() || x.normal().is_zero();
-    } catch (const Error&) {
-        return false; // no conversion
-    } catch (const std::exception&) {
-        return false; // from GiNaC, for instance for a division by zero
-    }
-}
-
 /// Returns y if the whole of e is equal to f(y) for an f(y) in e.
 std::optional<Expr> argument_if_all(const Expr& e, const std::string& f, const Expr& whole) {
     if (e.kind() == Expr::Kind::call && e.name() == f &&
-        (e == whole || is_zero_by_symbols(whole - e))) {
+        (e == whole || algebra::proved_zero(whole - e))) {
         return e.arg(0);
     }
     for (const Expr& part : e.args()) {
@@ -183,7 +170,7 @@ std::optional<Expr> as_rational_function(const Expr& e, bool symmetric) {
 
 bool surely_zero(const Expr& e, bool symmetric) {
     const auto rational = as_rational_function(e, symmetric);
-    return rational && is_zero_by_symbols(*rational);
+    return rational && algebra::proved_zero(*rational);
 }
 
 } // namespace edgeproof::audit

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/relations/relations.hpp"
-#include "edgeproof/audit/relations/residue_sample.hpp"
-#include "edgeproof/formula/evaluation/evaluate.hpp"
-#include "edgeproof/formula/expr.hpp"
+
+#include "edgeproof/algebra/form.hpp"
+#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
+#include <flint/fmpq.h>
+#include <flint/nmod_mat.h>
+#include <flint/ulong_extras.h>
 #include <map>
 #include <numeric>
+#include <random>
 #include <string>
 
 namespace edgeproof::audit {
@@ -18,8 +22,10 @@ constexpr std::size_t most_columns = 1'200;
 constexpr std::size_t spare_samples = 8;
 constexpr std::size_t most_draws_a_sample = 200;
 
+constexpr ulong prime = (1UL << 61U) - 1;
+
+using algebra::Form;
 using Exponents = std::vector<unsigned>;
-using Row = std::vector<Residue>;
 
 unsigned degree_of(const Exponents& e) { return std::accumulate(e.begin(), e.end(), 0U); }
 
@@ -51,40 +57,52 @@ void all_monomials(Exponents& at, std::size_t from, unsigned left, std::vector<E
     at[from] = 0;
 }
 
-/// Returns the formula of s_k under full stick (contact/law/shear.hpp) for GiNaC; beta_k are the
-/// coefficients of (1 - z)^(-1/2).
-Expr full_stick_formula(bool right, unsigned k) {
-    Rational beta(1);
-    Rational before(0);
-    for (unsigned j = 1; j <= k; ++j) {
-        before = beta;
-        beta *= Rational(2 * static_cast<long>(j) - 1, 2 * static_cast<long>(j));
+/// Numbers modulo the prime for the free symbols, drawn on first use. Pi is drawn like a symbol,
+/// because it is transcendental; a square root is a root modulo the prime.
+class Draw {
+public:
+    explicit Draw(std::uint64_t seed) : random_(seed) {}
+    /// Returns nothing if a number under a root is no square, or for a division by zero.
+    [[nodiscard]] std::optional<ulong> value(const Form& f) {
+        std::optional<ulong> y;
+        bool defined = true;
+        y = f.modulo(prime, [&](const algebra::Generator& g) {
+            const auto x = of(g);
+            defined = defined && x;
+            return x.value_or(0);
+        });
+        return defined ? y : std::nullopt;
     }
-    const Expr L = Expr::symbol("L");
-    const Expr tension = Expr::number(right ? 1 : -1) * Expr::symbol("sig0") * L;
-    const Expr load = Expr::symbol("Q") / Expr::pi() + tension / Expr::number(8);
-    return (formula::quotient_of(beta) * load -
-            formula::quotient_of(before) * tension / Expr::number(4)) /
-           (pow(L, Expr::number(Rational(static_cast<long>(k)))) * Expr::call("sqrt", {L}));
-}
 
-Expr with_shear_put_in(Expr e) {
-    for (const std::string& name : free_symbols(e)) {
-        const bool right = name.starts_with("right_s");
-        if (right || name.starts_with("left_s")) {
-            e = substitute(e, name,
-                           full_stick_formula(right, static_cast<unsigned>(name.back() - '0')));
+private:
+    [[nodiscard]] std::optional<ulong> of(const algebra::Generator& g) {
+        using Kind = algebra::Generator::Kind;
+        if (const auto it = known_.find(g.key); it != known_.end()) {
+            return it->second;
         }
+        std::optional<ulong> x;
+        if (g.kind == Kind::name || g.kind == Kind::pi) {
+            x = (random_() >> 3U) % prime;
+        } else if (g.kind == Kind::root && g.index == 2) {
+            const auto square = value(g.parts[0]);
+            const ulong root = square ? n_sqrtmod(*square, prime) : 0;
+            x = root != 0 ? std::optional(root) : std::nullopt;
+        } else {
+            throw InputError("a quantity has a function other than sqrt",
+                             "write a quotient of polynomials in names and square roots");
+        }
+        known_.emplace(g.key, x);
+        return x;
     }
-    return e;
-}
+    std::mt19937_64 random_;
+    std::map<std::string, std::optional<ulong>> known_;
+};
 
-/// The quantities at many samples.
+/// The quantities at many draws.
 class SampleValues {
 public:
-    SampleValues(const std::vector<RelatedQuantity>& quantities, const SymbolicCase& under)
-        : quantities_(quantities), under_(under) {}
-    [[nodiscard]] const Row& at(std::size_t sample) {
+    explicit SampleValues(const std::vector<Form>& quantities) : quantities_(quantities) {}
+    [[nodiscard]] const std::vector<ulong>& at(std::size_t sample) {
         while (values_.size() <= sample) {
             values_.push_back(next());
         }
@@ -92,94 +110,94 @@ public:
     }
 
 private:
-    [[nodiscard]] static Residue value_of(const RelatedQuantity& q, const ResidueSample& sample) {
-        try {
-            return formula::evaluate<Residue>(q.formula, sample);
-        } catch (const DomainError&) {
-            throw;
-        } catch (const InputError&) {
-            throw;
-        } catch (const Error& problem) {
-            throw InputError(q.name + ": " + problem.what(),
-                             "write a quotient of polynomials in names");
-        }
-    }
-    [[nodiscard]] Row next() {
-        for (std::size_t k = 0;; ++k) {
+    [[nodiscard]] std::vector<ulong> next() {
+        for (std::size_t k = 0; k < most_draws_a_sample; ++k) {
             check_interruption();
-            try {
-                const ResidueSample sample(under_, ++seed_);
-                Row row;
-                for (const RelatedQuantity& q : quantities_) {
-                    row.push_back(value_of(q, sample));
-                }
-                return row;
-            } catch (const DomainError& problem) {
-                if (k == most_draws_a_sample) {
-                    throw InputError(std::string("the quantities have no value: ") + problem.what(),
-                                     "leave out what is divided by zero everywhere");
+            Draw draw(++seed_);
+            std::vector<ulong> row;
+            for (const Form& q : quantities_) {
+                if (const auto x = draw.value(q)) {
+                    row.push_back(*x);
                 }
             }
+            if (row.size() == quantities_.size()) {
+                return row;
+            }
         }
+        throw InputError("the quantities have no value modulo a prime",
+                         "leave out roots of negative numbers");
     }
-    const std::vector<RelatedQuantity>& quantities_;
-    const SymbolicCase& under_;
+    const std::vector<Form>& quantities_;
     std::uint64_t seed_ = 0;
-    std::vector<Row> values_;
+    std::vector<std::vector<ulong>> values_;
 };
 
 /// A vector of the null space of a matrix: 1 at a column without a pivot, and entries at columns
 /// before it.
 struct NullVector {
     std::size_t leading;
-    std::vector<std::pair<std::size_t, Residue>> others;
+    std::vector<std::pair<std::size_t, ulong>> others;
 };
 
-/// Computes the reduced echelon form, column by column: one vector for each column that depends on
-/// the columns before it.
-std::vector<NullVector> null_space(std::vector<Row> m) {
-    const std::size_t columns = m.front().size();
-    std::vector<std::size_t> pivots;
-    std::vector<NullVector> found;
-    for (std::size_t c = 0; c < columns; ++c) {
-        check_interruption();
-        const std::size_t rank = pivots.size();
-        const auto pivot = std::find_if(m.begin() + static_cast<std::ptrdiff_t>(rank), m.end(),
-                                        [c](const Row& row) { return !(row[c] == Residue(0)); });
-        if (pivot == m.end()) {
-            NullVector v{c, {}};
-            for (std::size_t i = 0; i < rank; ++i) {
-                if (!(m[i][c] == Residue(0))) {
-                    v.others.emplace_back(pivots[i], -m[i][c]);
-                }
-            }
-            found.push_back(std::move(v));
-            continue;
-        }
-        std::swap(*pivot, m[rank]);
-        const Residue scale = Residue(1) / m[rank][c];
-        for (std::size_t k = c; k < columns; ++k) {
-            m[rank][k] *= scale;
-        }
-        for (std::size_t i = 0; i < m.size(); ++i) {
-            const Residue factor = m[i][c];
-            if (i == rank || factor == Residue(0)) {
+/// A matrix modulo the prime.
+class Matrix {
+public:
+    Matrix(std::size_t rows, std::size_t columns) {
+        nmod_mat_init(m_, static_cast<slong>(rows), static_cast<slong>(columns), prime);
+    }
+    Matrix(const Matrix&) = delete;
+    Matrix& operator=(const Matrix&) = delete;
+    ~Matrix() { nmod_mat_clear(m_); }
+    [[nodiscard]] ulong& at(std::size_t i, std::size_t j) { return nmod_mat_entry(m_, i, j); }
+    /// Returns one vector for each column that depends on the columns before it.
+    [[nodiscard]] std::vector<NullVector> null_space() {
+        const auto rank = static_cast<std::size_t>(nmod_mat_rref(m_));
+        std::vector<std::size_t> pivots;
+        std::vector<NullVector> found;
+        for (std::size_t c = 0; c < static_cast<std::size_t>(nmod_mat_ncols(m_)); ++c) {
+            if (pivots.size() < rank && at(pivots.size(), c) != 0) {
+                pivots.push_back(c);
                 continue;
             }
-            for (std::size_t k = c; k < columns; ++k) {
-                m[i][k] -= factor * m[rank][k];
+            found.push_back({c, {}});
+            for (std::size_t i = 0; i < pivots.size(); ++i) {
+                if (at(i, c) != 0) {
+                    found.back().others.emplace_back(pivots[i], prime - at(i, c));
+                }
             }
         }
-        pivots.push_back(c);
+        return found;
     }
-    return found;
+
+private:
+    nmod_mat_t m_;
+};
+
+/// Returns the fraction n/d with n^2, d^2 < prime/2 that equals x modulo the prime; there is at
+/// most one.
+std::optional<Rational> fraction(ulong x) {
+    fmpq_t q;
+    fmpz_t a;
+    fmpz_t m;
+    fmpq_init(q);
+    fmpz_init_set_ui(a, x);
+    fmpz_init_set_ui(m, prime);
+    std::optional<Rational> result;
+    if (fmpq_reconstruct_fmpz(q, a, m) != 0) {
+        result.emplace();
+        fmpq_get_mpq(result->backend().data(), q);
+    }
+    fmpz_clear(m);
+    fmpz_clear(a);
+    fmpq_clear(q);
+    return result;
 }
 
 std::optional<PolynomialRelation> over_integers(const NullVector& v,
                                                 const std::vector<Exponents>& monomials) {
     std::vector<std::pair<Rational, Exponents>> terms{{Rational(1), monomials[v.leading]}};
     for (auto it = v.others.rbegin(); it != v.others.rend(); ++it) {
-        const auto q = it->second.fraction();
+        const auto q = fraction(it->second);
         if (!q) {
             return {};
         }
@@ -196,20 +214,16 @@ std::optional<PolynomialRelation> over_integers(const NullVector& v,
     return relation;
 }
 
-bool proved(const PolynomialRelation& relation, const std::vector<Expr>& formulas,
-            const SymbolicCase& under) {
-    Expr sum = Expr::number(0);
+bool proved(const PolynomialRelation& relation, const std::vector<Form>& quantities) {
+    Form sum;
     for (const PolynomialRelation::Term& term : relation.terms) {
-        Expr product = Expr::number(Rational(term.coefficient));
-        for (std::size_t i = 0; i < formulas.size(); ++i) {
-            if (term.exponents[i] > 0) {
-                product =
-                    product * pow(formulas[i], Expr::number(static_cast<long>(term.exponents[i])));
-            }
+        Form product(Rational(term.coefficient));
+        for (std::size_t i = 0; i < quantities.size(); ++i) {
+            product *= pow(quantities[i], Rational(term.exponents[i]));
         }
-        sum = sum + product;
+        sum += product;
     }
-    return proved_equal(sum, Expr::number(0), under);
+    return sum.is_zero();
 }
 
 } // namespace
@@ -223,12 +237,14 @@ std::size_t PolynomialRelation::terms_with(std::size_t quantity) const {
 
 FoundRelations find_relations(const std::vector<RelatedQuantity>& quantities, unsigned degree,
                               const SymbolicCase& under) {
-    std::vector<Expr> formulas;
+    SymbolicCase with_shear = under;
+    with_shear.full_stick = true;
+    std::vector<Form> formulas;
     std::vector<ScalingWeights> weights;
     bool graded = true;
     for (const RelatedQuantity& q : quantities) {
-        formulas.push_back(with_shear_put_in(q.formula));
-        const auto w = scaling_weights(derive(formulas.back(), under));
+        formulas.push_back(form_in(q.formula, with_shear));
+        const auto w = scaling_weights(formulas.back().expr());
         graded = graded && w;
         weights.push_back(w.value_or(ScalingWeights{}));
     }
@@ -250,7 +266,7 @@ FoundRelations find_relations(const std::vector<RelatedQuantity>& quantities, un
     FoundRelations result;
     result.monomials = all.size();
     result.grades = grades.size();
-    SampleValues values(quantities, under);
+    SampleValues values(formulas);
     struct Candidate {
         NullVector vector;
         const std::vector<Exponents>* monomials;
@@ -266,20 +282,19 @@ FoundRelations find_relations(const std::vector<RelatedQuantity>& quantities, un
         }
         const std::size_t rows = monomials.size() + spare_samples;
         result.samples = std::max(result.samples, rows);
-        std::vector<Row> matrix;
+        Matrix matrix(rows, monomials.size());
         for (std::size_t i = 0; i < rows; ++i) {
-            const Row& at = values.at(i);
-            Row row;
-            for (const Exponents& e : monomials) {
-                Residue product(1);
-                for (std::size_t j = 0; j < e.size(); ++j) {
-                    product *= Residue::power(at[j], e[j]);
+            const std::vector<ulong>& at = values.at(i);
+            for (std::size_t k = 0; k < monomials.size(); ++k) {
+                ulong product = 1;
+                for (std::size_t j = 0; j < at.size(); ++j) {
+                    product = n_mulmod2(product, n_powmod2(at[j], monomials[k][j], prime), prime);
                 }
-                row.push_back(product);
+                matrix.at(i, k) = product;
             }
-            matrix.push_back(std::move(row));
         }
-        for (NullVector& v : null_space(std::move(matrix))) {
+        check_interruption();
+        for (NullVector& v : matrix.null_space()) {
             candidates.push_back({std::move(v), &monomials});
         }
     }
@@ -296,7 +311,7 @@ FoundRelations find_relations(const std::vector<RelatedQuantity>& quantities, un
             continue; // minus a multiple of that one, it has a lower leading term
         }
         auto relation = over_integers(candidate.vector, *candidate.monomials);
-        if (relation && proved(*relation, formulas, under)) {
+        if (relation && proved(*relation, formulas)) {
             result.relations.push_back(std::move(*relation));
         } else {
             result.complete = false;

@@ -17,8 +17,8 @@
 namespace edgeproof::audit {
 
 /// A quantity: its name for the user, and its formula in a, b, L = a + b, P1, P2, ..., b1, ...,
-/// right_c0, left_c0, ..., right_s0, ..., Q, sig0 and additional free names. Formulas have no
-/// roots.
+/// right_c0, left_c0, ..., right_s0, ..., Q, sig0 and additional free names: a quotient of
+/// polynomials in names and square roots.
 struct RelatedQuantity {
     std::string name;
     Expr formula;
@@ -49,7 +49,7 @@ struct FoundRelations {
 };
 
 /// Finds all polynomial relations of total degree up to `degree`. Throws InputError if there are
-/// too many monomials, or if a formula has a root or an unknown name.
+/// too many monomials, or if a formula has another function or an unknown name.
 [[nodiscard]] FoundRelations find_relations(const std::vector<RelatedQuantity>& quantities,
                                             unsigned degree, const SymbolicCase& under);
 

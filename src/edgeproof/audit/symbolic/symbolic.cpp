@@ -1,38 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/symbolic/symbolic.hpp"
-#include "edgeproof/audit/symbolic/ginac_bridge.hpp"
+
+#include "edgeproof/algebra/form.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
+#include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/series/laurent.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <map>
 #include <vector>
-
-namespace edgeproof::series {
-
-bool vanishes(const GiNaC::ex& c) { return audit::ginac::is_zero(c); }
-
-template <> GiNaC::ex field_number<GiNaC::ex>(const Rational& q) {
-    return audit::ginac::from_expr(formula::Expr::number(q));
-}
-
-} // namespace edgeproof::series
 
 namespace edgeproof::audit {
 namespace {
 
-using GiNaC::ex;
+using algebra::Form;
+
+/// True for names that may be negative or zero.
+bool has_either_sign(std::string_view name) {
+    static constexpr std::string_view names[] = {"x", "s", "M", "alpha", "Q", "sig0", "y"};
+    return std::ranges::find(names, name) != std::end(names) ||
+           (name.size() == 2 && (name[0] == 'P' || name[0] == 'b') && name[1] >= '1' &&
+            name[1] <= '9');
+}
+
+/// A name without a meaning. Lengths, moduli and similar quantities are positive.
+Form symbol_alone(std::string_view name) { return Form::name(name, !has_either_sign(name)); }
+
+/// Returns a formula in symbols that have no further meaning.
+Form from(const Expr& e) { return algebra::form_of(e, symbol_alone); }
 
 /// The field of symbols: returns the meaning of a name in a SymbolicCase.
 class SymbolField {
 public:
     explicit SymbolField(const SymbolicCase& under) : under_(under) {}
 
-    [[nodiscard]] ex pi() const { return GiNaC::Pi; }
-    [[nodiscard]] ex symbol(std::string_view name) const {
+    [[nodiscard]] Form pi() const { return Form::pi(); }
+    [[nodiscard]] Form symbol(std::string_view name) const {
         const auto it = known_.find(name);
         if (it != known_.end()) {
             return it->second;
@@ -40,49 +45,50 @@ public:
         return known_.emplace(std::string(name), meaning(name)).first->second;
     }
     /// Integrates c over 0 < variable < hi; c must be a polynomial over sqrt(hi - variable).
-    [[nodiscard]] ex integral(const ex& c, std::string_view variable, const ex& hi) const {
-        const ex s = ginac::symbol(variable);
-        const std::vector<ex> q = ginac::polynomial_over_root(c, s, hi);
-        ex sum = 0;
-        ex beta = 2; // B(j + 1, 1/2)
-        for (std::size_t j = 0; j < q.size(); ++j) {
-            const auto n = static_cast<long>(j);
-            if (n > 0) {
-                beta = beta * GiNaC::numeric(2 * n, 2 * n + 1);
-            }
-            sum += q[j] * beta * GiNaC::pow(hi, n) * GiNaC::sqrt(hi);
+    [[nodiscard]] static Form integral(const Form& c, std::string_view variable, const Form& hi) {
+        const auto q = Form(c * sqrt(hi - symbol_alone(variable))).coefficients(variable);
+        if (!q) {
+            throw DomainError("an integrand is not a polynomial over the square root of the "
+                              "distance from its upper end");
+        }
+        Form sum;
+        Form beta = 2 * sqrt(hi); // B(j + 1, 1/2) hi^(j + 1/2)
+        for (std::size_t j = 0; j < q->size(); ++j) {
+            const auto n = static_cast<int>(j);
+            beta = n > 0 ? beta * hi * (2 * n) / (2 * n + 1) : beta;
+            sum += (*q)[j] * beta;
         }
         return sum;
     }
 
     /// Returns c_k of p = sum c_k u^(k+1/2) at an edge.
-    [[nodiscard]] std::vector<ex> coefficients(Edge edge, std::size_t count) const {
+    [[nodiscard]] std::vector<Form> coefficients(Edge edge, std::size_t count) const {
         const std::size_t n = edge == Edge::right ? count : count + 1;
-        std::vector<ex> rate;
-        std::vector<ex> b;
+        std::vector<Form> rate;
+        std::vector<Form> b;
         for (unsigned k = 0; k < n; ++k) {
             rate.push_back(derivative("P", k + 1, k));
             b.push_back(k == 0 ? symbol("b") : derivative("b", k, k));
         }
-        const contact::LawSeries<ex> law{series::Series<ex>(std::move(rate)),
-                                         series::Series<ex>(std::move(b))};
-        const ex a = symbol("a");
-        std::vector<ex> c = edge == Edge::right ? right_edge_brackets(law, a)
-                                                : left_edge_derivation(law, a).brackets;
-        c.resize(count, ex(0));
-        return contact::coefficients_of(std::move(c), ex(a + symbol("b")), pi());
+        const contact::LawSeries<Form> law{series::Series<Form>(std::move(rate)),
+                                           series::Series<Form>(std::move(b))};
+        const Form a = symbol("a");
+        std::vector<Form> c = edge == Edge::right ? right_edge_brackets(law, a)
+                                                  : left_edge_derivation(law, a).brackets;
+        c.resize(count, Form(0));
+        return contact::coefficients_of(std::move(c), Form(a + symbol("b")), pi());
     }
     /// Returns the derivative of P or b of order k, divided by factorial!.
-    [[nodiscard]] ex derivative(const char* letter, unsigned k, unsigned factorial) const {
-        ex c = symbol(letter + std::to_string(k));
+    [[nodiscard]] Form derivative(const char* letter, unsigned k, unsigned factorial) const {
+        Form c = symbol(letter + std::to_string(k));
         for (unsigned j = 2; j <= factorial; ++j) {
-            c = c / ex(static_cast<int>(j));
+            c /= static_cast<int>(j);
         }
         return c;
     }
 
 private:
-    [[nodiscard]] ex meaning(std::string_view name) const {
+    [[nodiscard]] Form meaning(std::string_view name) const {
         const bool numbered = name.size() == 2 && name[1] >= '1' && name[1] <= '9';
         const unsigned k = numbered ? static_cast<unsigned>(name[1] - '0') : 0;
         if (name == "L") {
@@ -93,50 +99,50 @@ private:
             const auto count = static_cast<std::size_t>(name.back() - '0') + 1;
             return coefficients(edge, count).back();
         }
+        if (under_.full_stick && (name.starts_with("right_s") || name.starts_with("left_s"))) {
+            const Edge edge = name.front() == 'r' ? Edge::right : Edge::left;
+            const auto count = static_cast<std::size_t>(name.back() - '0') + 1;
+            return contact::full_stick_expansion<Form>(symbol("L"), {symbol("Q"), symbol("sig0")},
+                                                       edge, count)
+                .back();
+        }
         if (const auto given = under_.names.find(name); given != under_.names.end()) {
             return from(given->second);
         }
         if ((name == "P" || (numbered && name[0] == 'P')) && under_.P) {
-            return from(*under_.P).diff(a(), k);
+            return derivative(from(*under_.P), k);
         }
         if (name == "b" || (numbered && name[0] == 'b')) {
             if (under_.b) {
-                return from(*under_.b).diff(a(), k);
+                return derivative(from(*under_.b), k);
             }
             if (under_.symmetric) {
-                return k == 0 ? ginac::symbol("a") : ex(k == 1 ? 1 : 0);
+                return k == 0 ? symbol_alone("a") : Form(k == 1 ? 1 : 0);
             }
         }
-        return ginac::symbol(name);
+        return symbol_alone(name);
     }
-    [[nodiscard]] static GiNaC::symbol a() {
-        return GiNaC::ex_to<GiNaC::symbol>(ginac::symbol("a"));
+    [[nodiscard]] static Form derivative(Form f, unsigned k) {
+        for (; k > 0; --k) {
+            f = f.derivative("a");
+        }
+        return f;
     }
-    [[nodiscard]] static ex from(const Expr& e) { return ginac::from_expr(e); }
 
     const SymbolicCase& under_;
-    mutable std::map<std::string, ex, std::less<>> known_;
+    mutable std::map<std::string, Form, std::less<>> known_;
 };
 
 /// Returns e with every name replaced by its meaning in the case.
-ex meaning_of(const Expr& e, const SymbolField& field) {
-    ex value = ginac::from_expr(e);
-    GiNaC::exmap meanings;
-    for (const std::string& name : free_symbols(e)) {
-        const ex symbol = ginac::symbol(name);
-        const ex meaning = field.symbol(name);
-        if (!meaning.is_equal(symbol)) {
-            meanings[symbol] = meaning;
-        }
-    }
-    return meanings.empty() ? value : value.subs(meanings, GiNaC::subs_options::no_pattern);
+Form meaning_of(const Expr& e, const SymbolField& field) {
+    return algebra::form_of(e, [&](std::string_view name) { return field.symbol(name); });
 }
 
-using L = series::Laurent<ex>;
+using L = series::Laurent<Form>;
 
 /// Evaluates a formula as a truncated expansion in one of its variables. The functions along the
 /// family of contacts are given by their Taylor series, with the coefficients P1, P2, ..., b, b1,
-/// ... of the field ex. No other data of the contact is used.
+/// ... of the field Form. No other data of the contact is used.
 class ExpansionEnvironment {
 public:
     /// Keeps `order` powers of w = variable^(1/2).
@@ -144,9 +150,7 @@ public:
                          std::size_t order)
         : field_(field), variable_(std::move(variable)), edge_(edge), order_(order) {}
 
-    [[nodiscard]] L number(const Rational& q) const {
-        return L(series::field_number<ex>(q), order_);
-    }
+    [[nodiscard]] L number(const Rational& q) const { return L(Form(q), order_); }
     [[nodiscard]] L pi() const { return L(field_.pi(), order_); }
     [[nodiscard]] L symbol(std::string_view name) const {
         if (name == variable_) {
@@ -176,11 +180,11 @@ public:
         }
         if (name == "binv") {
             const L y = s - constant("b");
-            std::vector<ex> b;
+            std::vector<Form> b;
             for (unsigned k = 0; k < terms_in(y); ++k) {
-                b.push_back(k == 0 ? ex(0) : b_coefficient(k));
+                b.push_back(k == 0 ? Form(0) : b_coefficient(k));
             }
-            const series::Series<ex> inverse = revert(series::Series<ex>(std::move(b)));
+            const series::Series<Form> inverse = revert(series::Series<Form>(std::move(b)));
             return taylor(y, [&](unsigned k) { return k == 0 ? field_.symbol("a") : inverse[k]; });
         }
         if (name == "p") {
@@ -196,30 +200,29 @@ public:
         const std::string& name = node.arg(1).name();
         const L lo = evaluate<L>(node.arg(2), scope);
         const L hi = evaluate<L>(node.arg(3), scope);
-        if (node.kind() == Expr::Kind::pv || !series::vanishes(lo.series()[0]) ||
-            hi.lowest() != 0) {
+        if (node.kind() == Expr::Kind::pv || !lo.series()[0].is_zero() || hi.lowest() != 0) {
             throw Error("an expansion is integrated term by term from 0 to a constant only");
         }
         const L variable(field_.symbol(name), order_);
         const L f = evaluate<L>(node.arg(0), formula::with_symbol(scope, name, variable));
-        return f.mapped([&](const ex& c) { return field_.integral(c, name, hi.series()[0]); });
+        return f.mapped([&](const Form& c) { return field_.integral(c, name, hi.series()[0]); });
     }
 
 private:
     /// The number of Taylor coefficients with names: P1 ... P9.
     static constexpr unsigned terms = 8;
 
-    [[nodiscard]] ex b_coefficient(unsigned k) const {
+    [[nodiscard]] Form b_coefficient(unsigned k) const {
         return k == 0 ? field_.symbol("b") : field_.derivative("b", k, k);
     }
     [[nodiscard]] L constant(std::string_view name) const { return L(field_.symbol(name), order_); }
     /// A term that marks all powers from w^end on as unknown.
     [[nodiscard]] static L unknown_from(long end) {
-        return {end - 1, series::Series<ex>(ex(0), 1)};
+        return {end - 1, series::Series<Form>(Form(0), 1)};
     }
 
     template <class Coefficient> [[nodiscard]] L taylor(const L& y, const Coefficient& c) const {
-        if (series::vanishes(y.series()[0])) { // y = 0 to the known order
+        if (y.series()[0].is_zero()) { // y = 0 to the known order
             return L(c(0), order_) + unknown_from(y.end());
         }
         if (y.lowest() < 1) {
@@ -247,7 +250,7 @@ private:
             }
             const auto count = static_cast<std::size_t>(
                 std::min<long>(6, static_cast<long>(order_) / 2 / u.lowest() + 2));
-            const std::vector<ex> c = field_.coefficients(edge, count);
+            const std::vector<Form> c = field_.coefficients(edge, count);
             L sum(c.back(), order_);
             for (std::size_t k = count - 1; k-- > 0;) {
                 sum = sum * u + L(c[k], order_);
@@ -280,18 +283,6 @@ L expansion_through(const Expr& e, const ExpansionIn& in, const SymbolField& fie
     }
 }
 
-/// Calls f, which uses GiNaC; its exceptions (a pole, a division by zero) become Error.
-template <class F> auto by_symbols(const F& f) {
-    const auto lock = ginac::hold();
-    try {
-        return f();
-    } catch (const Error&) {
-        throw;
-    } catch (const std::exception& problem) {
-        throw Error(std::string("by symbols: ") + problem.what());
-    }
-}
-
 } // namespace
 
 bool ExpansionComparison::equal() const { return first_wrong() == nullptr; }
@@ -301,62 +292,45 @@ const ExpansionComparison::Term* ExpansionComparison::first_wrong() const {
     return it == terms.end() ? nullptr : &*it;
 }
 
-Expr derive(const Expr& e, const SymbolicCase& under) {
-    return by_symbols([&] { return ginac::tidy(meaning_of(e, SymbolField(under))); });
-}
+Form form_in(const Expr& e, const SymbolicCase& under) { return meaning_of(e, SymbolField(under)); }
 
-Expr derivative(const Expr& e, const std::string& name) {
-    return by_symbols([&] {
-        if (ginac::hides(e, name)) {
-            throw Error("no derivative by " + name + " in symbols: " + to_text(e));
-        }
-        const ex by = ginac::symbol(name);
-        return ginac::tidy(ginac::from_expr(e).diff(GiNaC::ex_to<GiNaC::symbol>(by)));
-    });
-}
+Expr derive(const Expr& e, const SymbolicCase& under) { return form_in(e, under).expr(); }
+
+Expr derivative(const Expr& e, const std::string& name) { return from(e).derivative(name).expr(); }
 
 bool proved_equal(const Expr& x, const Expr& y, const SymbolicCase& under) {
-    return by_symbols([&] {
-        const SymbolField field(under);
-        return ginac::is_zero(meaning_of(x, field) - meaning_of(y, field));
-    });
+    const SymbolField field(under);
+    return meaning_of(x, field) == meaning_of(y, field);
 }
 
 std::vector<ExpansionTerm> expand(const Expr& e, const ExpansionIn& in, const SymbolicCase& under) {
-    return by_symbols([&] {
-        const SymbolField field(under);
-        const L series = expansion_through(e, in, field);
-        std::vector<ExpansionTerm> terms;
-        for (long k = series.lowest(); Rational(k, 2) <= in.through; ++k) {
-            const ex c = series[k];
-            if (!ginac::is_zero(c)) {
-                terms.push_back({Rational(k, 2), ginac::tidy(c)});
-            }
+    const SymbolField field(under);
+    const L series = expansion_through(e, in, field);
+    std::vector<ExpansionTerm> terms;
+    for (long k = series.lowest(); Rational(k, 2) <= in.through; ++k) {
+        if (const Form c = series[k]; !c.is_zero()) {
+            terms.push_back({Rational(k, 2), c.expr()});
         }
-        return terms;
-    });
+    }
+    return terms;
 }
 
 ExpansionComparison compare_expansions(const Expr& printed, const Expr& derived,
                                        const ExpansionIn& in, const SymbolicCase& under) {
-    return by_symbols([&] {
-        const SymbolField field(under);
-        const L x = expansion_through(printed, in, field);
-        const L y = expansion_through(derived, in, field);
-        ExpansionComparison comparison;
-        for (long k = std::min(x.lowest(), y.lowest()); Rational(k, 2) <= in.through; ++k) {
-            const ex cx = x[k];
-            const ex cy = y[k];
-            const bool equal = ginac::is_zero(cx - cy);
-            const Expr derived_text = ginac::tidy(cy);
-            if (equal && derived_text == Expr::number(0)) {
-                continue;
-            }
-            comparison.terms.push_back(
-                {Rational(k, 2), equal ? derived_text : ginac::tidy(cx), derived_text, equal});
+    const SymbolField field(under);
+    const L x = expansion_through(printed, in, field);
+    const L y = expansion_through(derived, in, field);
+    ExpansionComparison comparison;
+    for (long k = std::min(x.lowest(), y.lowest()); Rational(k, 2) <= in.through; ++k) {
+        const Form cx = x[k];
+        const Form cy = y[k];
+        const bool equal = cx == cy;
+        if (!equal || !cy.is_zero()) {
+            const Expr of_y = cy.expr();
+            comparison.terms.push_back({Rational(k, 2), equal ? of_y : cx.expr(), of_y, equal});
         }
-        return comparison;
-    });
+    }
+    return comparison;
 }
 
 Expr sum_of(const std::vector<ExpansionTerm>& terms, const std::string& variable) {

@@ -10,6 +10,10 @@
 #include <string>
 #include <vector>
 
+namespace edgeproof::algebra {
+class Form;
+} // namespace edgeproof::algebra
+
 namespace edgeproof::audit {
 
 using contact::Edge;
@@ -23,6 +27,8 @@ struct SymbolicCase {
     std::optional<Expr> b;
     /// Additional names defined by formulas in free symbols, such as P2 = m*P1/a.
     std::map<std::string, Expr, std::less<>> names = {};
+    /// right_s0, left_s0, ... are the multipliers of the shear under full stick, not free.
+    bool full_stick = false;
 };
 
 /// One term of an expansion: coefficient times variable^exponent.
@@ -52,10 +58,9 @@ struct ExpansionComparison {
     [[nodiscard]] const Term* first_wrong() const;
 };
 
-/// All functions below use GiNaC, one caller at a time, and are deterministic.
-
-/// Returns e with right_c0, ... derived, derivatives taken, and in tidy form. Throws Error for
-/// parts without a symbolic meaning.
+/// Returns the form of e (algebra/form.hpp) with right_c0, ... derived and derivatives taken.
+[[nodiscard]] algebra::Form form_in(const Expr& e, const SymbolicCase& under);
+/// Returns it as a formula.
 [[nodiscard]] Expr derive(const Expr& e, const SymbolicCase& under);
 /// Returns the partial derivative, with respect to a free name, of a formula returned by derive.
 /// Throws Error if a function that contains the name has no symbolic derivative.
@@ -70,16 +75,5 @@ struct ExpansionComparison {
                                                      const SymbolicCase& under);
 /// Returns the sum of the terms as a formula.
 [[nodiscard]] Expr sum_of(const std::vector<ExpansionTerm>& terms, const std::string& variable);
-
-/// Returns the text of an expression with sorted terms and factors. It is the same for two
-/// expressions if they differ only in this order, in signs taken out of products, and in quotients
-/// of quotients.
-[[nodiscard]] std::string ordered_text(const Expr& e);
-
-/// True if two formulas (definitions put in) are proved to be equal: by the order of their terms,
-/// with b = a for symmetric contacts; by symbols; or as principal values over the contact that
-/// differ by a constant over w(s)(s - x), w(s) = sqrt((a - s)(s + b)), whose principal value is
-/// zero. False means that no proof was found.
-[[nodiscard]] bool surely_equal(const Expr& x, const Expr& y, const SymbolicCase& under);
 
 } // namespace edgeproof::audit

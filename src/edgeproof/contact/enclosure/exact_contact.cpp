@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/exact_contact.hpp"
 
+#include "edgeproof/algebra/identity.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
 #include "edgeproof/contact/law/linear_measure.hpp"
-#include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/series/functions.hpp"
 
@@ -49,7 +49,7 @@ public:
 
 private:
     [[nodiscard]] static int side(const Expr& e) {
-        const auto sign = decided_sign(e);
+        const auto sign = algebra::decided_sign(e);
         if (!sign) {
             throw BudgetError("a knot cannot be separated from an edge");
         }
@@ -80,8 +80,8 @@ std::vector<Expr> candidates(const Ball& near, const std::vector<Expr>& knots, l
     const Rational at = exact_value(near.midpoint());
     const Rational slack = abs(at) * power_of_two(-std::max(8L, bits / 4));
     for (const Expr& knot : knots) {
-        if (decided_sign(knot - Expr::number(Rational(at - slack))) == 1 &&
-            decided_sign(Expr::number(Rational(at + slack)) - knot) == 1) {
+        if (algebra::decided_sign(knot - Expr::number(Rational(at - slack))) == 1 &&
+            algebra::decided_sign(Expr::number(Rational(at + slack)) - knot) == 1) {
             found.push_back(knot);
         }
     }
@@ -134,12 +134,12 @@ bool odd_within(const Profile& profile, const Expr& a) {
     for (;;) {
         const Expr& to_the_right = profile.pieces()[o + 1 + i].slope;
         const Expr& to_the_left = profile.pieces()[o - j].slope;
-        if (!proved_zero(to_the_right + substitute(to_the_left, "x", -x))) {
+        if (!algebra::proved_zero(to_the_right + substitute(to_the_left, "x", -x))) {
             return false;
         }
         // The next knots within the contact.
         const auto inside = [&](const std::vector<Expr>& list, std::size_t k) {
-            return k < list.size() ? decided_sign(a - list[k]) : std::optional<int>(0);
+            return k < list.size() ? algebra::decided_sign(a - list[k]) : std::optional<int>(0);
         };
         const auto r = inside(right, i);
         const auto l = inside(left, j);
@@ -151,7 +151,7 @@ bool odd_within(const Profile& profile, const Expr& a) {
         }
         const auto order = *r <= 0   ? std::optional<int>(1)
                            : *l <= 0 ? std::optional<int>(-1)
-                                     : decided_sign(right[i] - left[j]);
+                                     : algebra::decided_sign(right[i] - left[j]);
         if (!order) {
             return false;
         }
@@ -181,8 +181,10 @@ std::optional<ExactEdges> exact_edges(const Profile& profile, const Exact& conta
                 }
                 const SymbolicLaw law(profile, a, b);
                 // A flat without force is in balance with any other edge on the flat.
-                if (decided_sign(law.twice_force()) == 1 && (odd || proved_zero(law.imbalance())) &&
-                    (given || proved_zero(load.value.expr() -
+                if (algebra::decided_sign(law.twice_force()) == 1 &&
+                    (odd || algebra::proved_zero(law.imbalance())) &&
+                    (given ||
+                     algebra::proved_zero(load.value.expr() -
                                           contact_modulus.expr() / whole(2) * law.twice_force()))) {
                     return ExactEdges{given ? load.value : Exact(a), Exact(b)};
                 }

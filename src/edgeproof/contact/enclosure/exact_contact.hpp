@@ -21,7 +21,7 @@ struct ExactEdges {
 
 /// The exact edges of the contact, where one of them lies on a knot, or where g' is odd in the
 /// whole contact; no number of bits can prove either. `near_a` and `near_b`, which are known to
-/// most of their bits, suggest candidates, and exact algebra (formula/exact/identity.hpp) proves
+/// most of their bits, suggest candidates, and exact algebra (algebra/identity.hpp) proves
 /// that they satisfy the consistency condition (moore-hills EQ20) and carry the load (moore-hills
 /// EQ22). Returns nothing if no edge is near a knot, or if there is no such proof: then it is not
 /// known whether an edge lies on a knot. Lengths in one unit; forces in the unit of contact_modulus

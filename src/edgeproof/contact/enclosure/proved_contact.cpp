@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
 
-#include "edgeproof/formula/exact/identity.hpp"
+#include "edgeproof/algebra/identity.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace edgeproof::contact {
 
-bool certainly_zero(const Expr& e) { return decided_sign(e) == 0; }
+bool certainly_zero(const Expr& e) { return algebra::decided_sign(e) == 0; }
 
 ProvedContact::ProvedContact(const Profile& profile, const Ball& modulus, long bits)
     : profile_(profile), bits_(bits), modulus_(modulus),

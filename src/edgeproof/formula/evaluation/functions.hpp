@@ -228,6 +228,8 @@ template <class T, class Env>
 template <class T> [[nodiscard]] T call_builtin(Builtin f, std::span<const T> x) {
     if constexpr (Arithmetic<T>) {
         return real_call<T>(f, x);
+    } else if constexpr (requires { T::call(f, x); }) { // a type with all functions, by their names
+        return T::call(f, x);
     } else {
         return adl::call<T>(f, x);
     }

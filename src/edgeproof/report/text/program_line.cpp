@@ -6,9 +6,6 @@
 #include <boost/version.hpp>
 #include <fmt/format.h>
 #include <mpfr.h>
-#if __has_include(<ginac/version.h>) // not in the page for a browser, which uses no GiNaC
-#include <ginac/version.h>
-#endif
 
 #include <vector>
 
@@ -23,10 +20,6 @@ std::string libraries_text() {
 #endif
         fmt::format("Boost {}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000,
                     BOOST_VERSION % 100),
-#ifdef GINACLIB_MAJOR_VERSION
-        fmt::format("GiNaC {}.{}.{}", GiNaC::version_major, GiNaC::version_minor,
-                    GiNaC::version_micro),
-#endif
     };
     return fmt::format("{}", fmt::join(libraries, ", "));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/algebra/identity.hpp"
 #include "edgeproof/contact/slip/slip_reach.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
-#include "edgeproof/formula/exact/identity.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 #include "edgeproof/scene/route/ball_route.hpp"
@@ -139,7 +139,7 @@ void BallRoute::check_slip() {
         // Balls cannot decide a load exactly on the limit.
         const Expr Q = shear.Q.sign() > 0 ? shear.Q.expr() : -shear.Q.expr();
         const auto sign =
-            formula::decided_sign(scene_.load.value.expr() * shear.friction->expr() - Q);
+            algebra::decided_sign(scene_.load.value.expr() * shear.friction->expr() - Q);
         if (sign && *sign <= 0) {
             refuse_sliding(scene_, scene_.load.value.to<Real>());
         }

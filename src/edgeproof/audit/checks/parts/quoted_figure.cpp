@@ -2,7 +2,7 @@
 #include "edgeproof/audit/checks/parts/quoted_figure.hpp"
 
 #include "edgeproof/audit/ledger/printed_formula.hpp"
-#include "edgeproof/formula/exact/identity.hpp"
+#include "edgeproof/algebra/identity.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -91,7 +91,7 @@ Judgement QuotedFigure::verdict_half_way(const Exact& computed) const {
         floor(Real(computed.to<Real>() / from_rational<Real>(unit_))).convert_to<Integer>());
     for (const int offset : {-1, 0, 1}) {
         const Rational middle = (steps + offset + rounding_units()) * unit_;
-        if (formula::proved_zero(computed.expr() - Expr::number(middle))) {
+        if (algebra::proved_zero(computed.expr() - Expr::number(middle))) {
             return verdict(Ball(Rational(middle + rounding_units() * unit_), 64 + 4 * digits()));
         }
     }

@@ -132,6 +132,7 @@ TEST_CASE("tidy formulas: one fraction in separate factors, sums collected by P1
              {"sqrt(x - a)/(a - x)", "-(1/sqrt(x - a))"},
              {"a^m*a^m/a", "a^(2*m - 1)"},
              {"1/(a^m*2^m)", "1/(2^m*a^m)"},
+             {"pi*sqrt(pi)^(b + 7)", "Pi^((9 + b)/2)"},
              {"exp(x/2)*exp(x)", "exp(3*x/2)"},
              {"pi*a^2*b/4/2*2", "b*Pi*a^2/4"}}) {
         CAPTURE(text);

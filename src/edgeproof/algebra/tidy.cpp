@@ -19,8 +19,8 @@ public:
     /// Of a sum that is not a product, exactly the sum, and not its negative with a minus.
     [[nodiscard]] Expr radicand() const {
         const auto [constant, powers] = form_.over_.factors();
-        const bool one = form_.under_.is_constant() && abs(constant) == 1 && powers.size() == 1 &&
-                         powers[0].second == 1 && form_.over_.size() > 1;
+        const bool one = form_.under_ == Polynomial(g_.size(), 1) && abs(constant) == 1 &&
+                         powers.size() == 1 && powers[0].second == 1 && form_.over_.size() > 1;
         return one ? terms_of(form_.over_, true).joined(false) : formula();
     }
     [[nodiscard]] Expr formula() const {

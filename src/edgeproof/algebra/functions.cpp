@@ -203,7 +203,9 @@ Form rate_of_call(const Generator& g, std::string_view name) {
 } // namespace
 
 Form Form::derivative(std::string_view name) const {
-    Form sum;
+    const Polynomial one(generators_.size(), 1);
+    Form over;  // the derivative of the numerator
+    Form under; // and of the denominator
     for (std::size_t i = 0; i < generators_.size(); ++i) {
         const Generator& g = *generators_[i];
         const Form self({generators_[i]}, Polynomial::variable(1, 0), Polynomial(1, 1));
@@ -225,12 +227,11 @@ Form Form::derivative(std::string_view name) const {
             rate = rate_of_call(g, name);
         }
         if (!rate.is_zero()) {
-            sum += (settled(generators_, over_.derivative(i), under_) -
-                    *this * settled(generators_, under_.derivative(i), under_)) *
-                   rate;
+            over += settled(generators_, over_.derivative(i), one) * rate;
+            under += settled(generators_, under_.derivative(i), one) * rate;
         }
     }
-    return sum;
+    return (over - *this * under) / settled(generators_, under_, one);
 }
 
 } // namespace edgeproof::algebra

@@ -64,9 +64,8 @@ public:
     explicit Draw(std::uint64_t seed) : random_(seed) {}
     /// Returns nothing if a number under a root is no square, or for a division by zero.
     [[nodiscard]] std::optional<ulong> value(const Form& f) {
-        std::optional<ulong> y;
         bool defined = true;
-        y = f.modulo(prime, [&](const algebra::Generator& g) {
+        const auto y = f.modulo(prime, [&](const algebra::Generator& g) {
             const auto x = of(g);
             defined = defined && x;
             return x.value_or(0);
@@ -115,12 +114,12 @@ private:
             check_interruption();
             Draw draw(++seed_);
             std::vector<ulong> row;
-            for (const Form& q : quantities_) {
-                if (const auto x = draw.value(q)) {
-                    row.push_back(*x);
-                }
+            std::optional<ulong> x = 0;
+            for (std::size_t i = 0; x && i < quantities_.size(); ++i) {
+                x = draw.value(quantities_[i]);
+                row.push_back(x.value_or(0));
             }
-            if (row.size() == quantities_.size()) {
+            if (x) {
                 return row;
             }
         }

@@ -41,14 +41,17 @@ TEST_CASE("the exact contact: Hertz by the textbook") {
     CHECK(exact().pressure(1.6) == 0);
 }
 
-// Slopes with a corner, a jump of g'', a branch point and no symmetry; places from 1e-7 of the
-// contact next to edges and knots. The exact pressures are those of rigorous integration.
+// Slopes with a corner, a jump of g'', a branch point and no symmetry, and a body of revolution
+// without a closed form; places from 1e-7 of the contact next to edges and knots. The exact
+// pressures are those of rigorous integration.
 TEST_CASE("pressures of curved slopes for searches agree with the exact ones") {
     for (const char* profile :
          {"symmetric = true\nknots = [\"1/2\"]\nslopes = [\"x/10\", \"x/10 + (x - 1/2)^3\"]\n",
           "knots = [\"0\", \"1/4\"]\nslopes = [\"sinh(x) - 1/10\", \"x^3\", \"1/64 + sqrt(x - "
           "1/4)\"]\n",
-          "knots = [\"-1/3\"]\nslopes = [\"exp(x) - 1 + (x + 1/3)/5\", \"exp(x) - 1\"]\n"}) {
+          "knots = [\"-1/3\"]\nslopes = [\"exp(x) - 1 + (x + 1/3)/5\", \"exp(x) - 1\"]\n",
+          "geometry = \"axisymmetric\"\nsymmetric = true\nknots = [\"1/2\"]\nslopes = [\"0\", \"x "
+          "- 1/2\"]\n"}) {
         CAPTURE(profile);
         const ExactContact contact(
             scene::parse_scene(std::string("[profile]\nkind = \"piecewise\"\n") + profile +

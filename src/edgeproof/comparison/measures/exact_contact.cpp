@@ -121,7 +121,7 @@ struct ExactContact::Solved {
     std::unique_ptr<scene::SceneValues> pressures; ///< made when needed
     /// Used where they have the digits.
     std::optional<contact::DoubleWordPressure> words;
-    /// Set for a curved slope.
+    /// Set for a curved slope in the plane.
     std::optional<QuickPressure> quick;
     Real right; ///< a
     Real left;  ///< b
@@ -151,7 +151,7 @@ void ExactContact::solve(const scene::Scene& scene) {
     s.force = result.at(scene::Quantity::P).value.midpoint();
     const PrecisionScope scope(place_digits);
     const contact::Profile& profile = s.profile;
-    if (!profile.has_closed_form()) {
+    if (!profile.has_closed_form() && !profile.axisymmetric()) {
         s.quick.emplace(profile, scene.contact_modulus.to<double>(), a_.value, b_.value);
     }
     symmetric_ = profile.symmetric();

@@ -4,6 +4,7 @@
 #include "edgeproof/formula/parse.hpp"
 #include "tests/support/namespaces.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,23 @@
 namespace edgeproof::scenes {
 
 inline Exact exact(const std::string& text) { return Exact::parse(text); }
+
+/// Returns the profile with these knots and slopes, each a list with ";" in between; a symmetric
+/// one is given for x > 0.
+inline Profile curve(const std::string& knots, const std::string& slopes, bool symmetric = false) {
+    const auto each = [](std::string list, const auto& take) {
+        for (std::size_t end = 0; !list.empty(); list.erase(0, end)) {
+            end = std::min(list.find(';'), list.size());
+            take(list.substr(0, end));
+            end += end < list.size() ? 1 : 0;
+        }
+    };
+    std::vector<Exact> at;
+    std::vector<Expr> pieces;
+    each(knots, [&](const std::string& knot) { at.push_back(exact(knot)); });
+    each(slopes, [&](const std::string& piece) { pieces.push_back(parse(piece, Symbols{"x"})); });
+    return symmetric ? Profile::piecewise_symmetric(at, pieces) : Profile::piecewise(at, pieces);
+}
 
 struct Contact {
     std::string name;
@@ -44,11 +62,15 @@ inline std::vector<Contact> symmetric() {
 
 /// Returns a g' with a corner at the origin, a bend and a piece that is not linear.
 inline Contact own_symmetric() {
-    const Symbols x{"x"};
-    return {"own symmetric",
-            Profile::piecewise_symmetric(
-                {exact("1/2")}, {parse("1/10 + x^3", x), parse("1/10 + x^3 + sinh(x - 1/2)", x)}),
+    return {"own symmetric", curve("1/2", "1/10 + x^3; 1/10 + x^3 + sinh(x - 1/2)", true),
             exact("7/3"), Load::right_edge(exact("4/5"))};
+}
+
+/// A punch curved on both sides, with a bend at 1/3 and a corner at the origin.
+inline Contact own_tilted() {
+    return {"own, not symmetric",
+            curve("0; 1/3", "-1/10 + sinh(x); x^2 + x/7; 1/9 + 1/21 + tanh(x - 1/3)"), exact("7/3"),
+            Load::right_edge(exact("4/5"))};
 }
 
 inline std::vector<Contact> tilted() {

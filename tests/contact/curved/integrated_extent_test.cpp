@@ -1,44 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/contact/enclosure/ball_extent.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "tests/contact/scenes.hpp"
+#include "tests/contact/extents.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
-#include <map>
-#include <memory>
-
 using namespace edgeproof::scenes;
 
 namespace {
-
-constexpr long asked_bits = 262;
-
-struct Asked {
-    Profile profile;
-    Load load;
-    Edge edge;
-    std::size_t n;
-    const char* tolerance;
-    ExtentRange range = {};
-};
-
-template <class C> EnclosedExtents enclosed(const Asked& asked, long bits = asked_bits) {
-    std::map<long, std::unique_ptr<C>> made;
-    BallExtentSearch search(
-        [&](long b) -> const ProvedContact& {
-            auto& slot = made[b];
-            if (!slot) {
-                slot = std::make_unique<C>(asked.profile, exact("7/3"), asked.load, b);
-            }
-            return *slot;
-        },
-        asked.edge, asked.n, exact(asked.tolerance), asked.range);
-    return search.at(bits);
-}
 
 /// Returns the fault of an enclosure compared with another one; empty if there is none.
 std::string fault(const Ball& x, const Ball& y) {
@@ -61,58 +32,12 @@ std::string fault(const EnclosedExtents& x, const EnclosedExtents& y) {
     return fault(x.first_exit, y.first_exit) + fault(x.measure, y.measure);
 }
 
-/// Compares with pressures by the witness: the error is the tolerance at the first exit, and
-/// smaller before it.
-std::string fault_against_pressures(const Asked& asked) {
-    const EnclosedExtents x = enclosed<IntegratedContact>(asked);
-    const Witness contact(asked.profile, exact("7/3"), asked.load, 20);
-    const PrecisionScope scope(50);
-    const std::vector<Real> c = contact.coefficients(asked.edge, asked.n);
-    const Real tolerance = exact(asked.tolerance).to<Real>();
-    const auto error = [&](const Real& u) {
-        Real sum = c.back();
-        for (std::size_t k = c.size() - 1; k-- > 0;) {
-            sum = sum * u + c[k];
-        }
-        const Real p =
-            contact.pressure(asked.edge, Exact::parse(u.str(40)), Route::singular_integral).value;
-        return Real(abs(Real(sum * sqrt(u) / p - 1)) / tolerance);
-    };
-    const Real first = x.first_exit.midpoint();
-    for (int k = 1; k < 12; ++k) {
-        if (!(error(Real(first * k / 12)) < 1)) {
-            return "beyond the tolerance before the first exit";
-        }
-    }
-    return abs(Real(error(first) - 1)) < pow(Real(10), -9) ? fault(x.first_exit, x.first_exit)
-                                                           : "no crossing";
-}
-
-/// Compares 2 x^m as a user's formula with the kind that has a closed form.
-std::string fault_against_power_law(const std::string& m) {
-    const Profile own = Profile::piecewise_symmetric({}, {parse("2*x^(" + m + ")", Symbols{"x"})});
-    if (BallContact::has_closed_form(own)) {
-        return "no curved formula";
-    }
-    const Profile power = Profile::power_law(exact("2"), Exact::parse(m));
-    const Load load = Load::right_edge(exact("3/2"));
-    return fault(enclosed<IntegratedContact>({own, load, Edge::right, 2, "1/50"}),
-                 enclosed<BallContact>({power, load, Edge::right, 2, "1/50"}));
-}
-
-Profile own_tilted_profile() {
-    const Symbols x{"x"};
-    return Profile::piecewise({exact("0"), exact("1/3")},
-                              {parse("-1/10 + sinh(x)", x), parse("x^2 + x/7", x),
-                               parse("1/9 + 1/21 + tanh(x - 1/3)", x)});
-}
-
 } // namespace
 
 // Compares integrals and Cauchy's bounds with logarithms and their derivatives.
 TEST_CASE("extents by rigorous integrals are those of the closed forms, where there are both") {
     const Load unit = Load::right_edge(exact("1"));
-    const std::vector<Asked> all = {
+    const std::vector<AskedExtent> all = {
         {Profile::flat_and_rounded(exact("2/5"), exact("1")), unit, Edge::right, 2, "1/20"},
         {Profile::flat_and_rounded(exact("2/5"), exact("1")), Load::force(exact("1/5")), Edge::left,
          1, "1/100"},
@@ -127,55 +52,33 @@ TEST_CASE("extents by rigorous integrals are those of the closed forms, where th
          1,
          "1/100",
          {exact("1/1000"), exact("1/2")}}};
-    for (const Asked& asked : all) {
+    for (const AskedExtent& asked : all) {
         CAPTURE(asked.profile.kind_name());
-        CHECK(fault(enclosed<IntegratedContact>(asked), enclosed<BallContact>(asked)) == "");
+        CHECK(fault(enclosed<IntegratedContact>(asked, 262), enclosed<BallContact>(asked, 262)) ==
+              "");
     }
-}
-
-// The same contacts by formulas that are not recognised as a straight line or a power: Hertz, whose
-// one term is 1/sqrt(1 - s) - 1 too large at s = u/(2a), and a contact with Gauss's 2F1.
-TEST_CASE("a straight slope in disguise, and a cube as one's own formula") {
-    const Symbols x{"x"};
-    const Load load = Load::right_edge(exact("3/2"));
-    const Profile straight =
-        Profile::piecewise_symmetric({}, {parse("((1 + x)^2 - 1 - x^2)/2", x)});
-    REQUIRE_FALSE(BallContact::has_closed_form(straight));
-    const EnclosedExtents hertz =
-        enclosed<IntegratedContact>({straight, load, Edge::right, 1, "1/100"});
-    const Ball k(Rational(101, 100), 600);
-    CHECK(fault(hertz.first_exit, (k * k - 1) / (k * k) * 3) == "");
-    CHECK(hertz.crossings.size() == 1);
-    CHECK(fault_against_power_law("3") == "");
-}
-
-// Near the knot of a root there is no Taylor series.
-TEST_CASE("a root at the origin: extents are those of the power law" *
-          doctest::test_suite("slow")) {
-    CHECK(fault_against_power_law("3/2") == "");
-    CHECK(fault_against_power_law("7/4") == "");
 }
 
 TEST_CASE("extents of curved slopes, with corners and bends, symmetric or not" *
           doctest::test_suite("slow")) {
     const Contact own = own_symmetric();
-    const Profile tilted = own_tilted_profile();
+    const Profile tilted = own_tilted().profile;
     const Load a = Load::right_edge(exact("4/5"));
-    const std::vector<Asked> all = {{own.profile, own.load, Edge::right, 1, "1/100"},
-                                    {own.profile, own.load, Edge::right, 3, "1e-6"},
-                                    {tilted, a, Edge::right, 2, "1/20"},
-                                    {tilted, a, Edge::left, 1, "1/100"},
-                                    {tilted, Load::force(exact("1/3")), Edge::left, 2, "1/20"}};
-    for (const Asked& asked : all) {
+    const std::vector<AskedExtent> all = {
+        {own.profile, own.load, Edge::right, 1, "1/100"},
+        {own.profile, own.load, Edge::right, 3, "1e-6"},
+        {tilted, a, Edge::right, 2, "1/20"},
+        {tilted, a, Edge::left, 1, "1/100"},
+        {tilted, Load::force(exact("1/3")), Edge::left, 2, "1/20"}};
+    for (const AskedExtent& asked : all) {
         CAPTURE(asked.n);
-        CHECK(fault_against_pressures(asked) == "");
+        CHECK(fault_by_witness(asked, enclosed<IntegratedContact>(asked, 262)) == "");
     }
 }
 
 TEST_CASE("an undecided case is not guessed: a crossing on the range's end, b on a knot") {
-    const Symbols x{"x"};
-    const Profile straight =
-        Profile::piecewise_symmetric({}, {parse("((1 + x)^2 - 1 - x^2)/2", x)});
+    const std::string inside = "((1 + x)^2 - 1 - x^2)/2";
+    const Profile straight = curve("", inside, true);
     // The error of one term of Hertz is 1 at 3/4 of the contact.
     CHECK_THROWS_AS((void)enclosed<IntegratedContact>({straight,
                                                        Load::right_edge(exact("1")),
@@ -186,16 +89,12 @@ TEST_CASE("an undecided case is not guessed: a crossing on the range's end, b on
                     BudgetError);
     // b = 1 = a, because g' = x in the contact, with a bend at -1: exact algebra shows this. c_0 of
     // Hertz's sqrt(u (2 - u))/2 is sqrt(2)/2.
-    const Expr inside = parse("((1 + x)^2 - 1 - x^2)/2", x);
-    const Profile bent =
-        Profile::piecewise({exact("-1"), exact("0")}, {parse("2*x + 1", x), inside, inside});
+    const Profile bent = curve("-1; 0", "2*x + 1; " + inside + "; " + inside);
     const IntegratedContact odd(bent, exact("1"), Load::right_edge(exact("1")), 200);
     CHECK(odd.known(Edge::left).has_value());
     CHECK(overlaps(odd.expansion(Edge::left, 1)[0], sqrt(Ball(2, 200)) / 2));
     // Exact algebra does not know that sinh is (e^x - e^-x)/2.
-    const Profile hidden = Profile::piecewise(
-        {exact("-1"), exact("0")},
-        {parse("sinh(x) + x + 1", x), parse("(exp(x) - exp(-x))/2", x), parse("sinh(x)", x)});
+    const Profile hidden = curve("-1; 0", "sinh(x) + x + 1; (exp(x) - exp(-x))/2; sinh(x)");
     const IntegratedContact on_knot(hidden, exact("1"), Load::right_edge(exact("1")), 200);
     CHECK(contains(on_knot.b(), Rational(1)));
     CHECK(on_knot.edge_may_be_on_knot());
@@ -207,7 +106,7 @@ TEST_CASE("an undecided case is not guessed: a crossing on the range's end, b on
 
 // Compares values over intervals, by disks and near bends, with the integrals at points in them.
 TEST_CASE("a pressure over an interval holds those at its points, and so do its derivatives") {
-    const IntegratedContact c(own_tilted_profile(), exact("7/3"), Load::right_edge(exact("4/5")),
+    const IntegratedContact c(own_tilted().profile, exact("7/3"), Load::right_edge(exact("4/5")),
                               200);
     const auto ball = [](const char* u) { return Ball(exact(u).rational(), 200); };
     for (const Edge edge : {Edge::right, Edge::left}) {
@@ -237,7 +136,7 @@ TEST_CASE("a pressure over an interval holds those at its points, and so do its 
 }
 
 TEST_CASE("the majorant of a curved slope is above its coefficients") {
-    const IntegratedContact c(own_tilted_profile(), exact("7/3"), Load::right_edge(exact("4/5")),
+    const IntegratedContact c(own_tilted().profile, exact("7/3"), Load::right_edge(exact("4/5")),
                               200);
     for (const Edge edge : {Edge::right, Edge::left}) {
         const Ball rho = c.reach(edge) / 2;

@@ -6,7 +6,6 @@
 #include <doctest/doctest.h>
 
 #include <string>
-#include <vector>
 
 using namespace edgeproof::scenes;
 
@@ -16,18 +15,9 @@ using Course = SlopeMonotonicity::Kind;
 
 /// Returns the monotonicity of a slope right of the origin, continued as an odd function, with
 /// further pieces beyond knots.
-SlopeMonotonicity course_of(const std::vector<const char*>& slopes,
-                            const std::vector<const char*>& at, const char* a) {
-    std::vector<Exact> knots;
-    for (const char* knot : at) {
-        knots.push_back(exact(knot));
-    }
-    std::vector<Expr> pieces;
-    for (const std::string slope : slopes) {
-        pieces.push_back(parse(slope, Symbols{"x"}));
-    }
+SlopeMonotonicity course_of(const std::string& slopes, const std::string& knots, const char* a) {
     const Ball edge = Ball(exact(a).rational(), 200);
-    return monotonicity_of_slope(Profile::piecewise_symmetric(knots, pieces), edge, edge);
+    return monotonicity_of_slope(curve(knots, slopes, true), edge, edge);
 }
 
 } // namespace
@@ -61,39 +51,37 @@ TEST_CASE("slopes that rise are proved to") {
                                     "-(1 - exp(x))",
                                     "x/(1 + x)"}) {
         CAPTURE(slope);
-        CHECK(course_of({slope.c_str()}, {}, "7/8").kind == Course::rises);
+        CHECK(course_of(slope, "", "7/8").kind == Course::rises);
     }
     for (const char* knot : {"1/3", "0.1", "pi/8", "sqrt(2)/3"}) {
         const std::string k = "(" + std::string(knot) + ")";
         CAPTURE(k);
-        const std::string first = "x/9";
         for (const std::string& behind :
              {k + "/9 + 3*(x - " + k + ")^2", k + "/9 + (x - " + k + ")^(5/2)",
               k + "/9 + (2*x - 2*" + k + ")^4/(1 + x)"}) {
             CAPTURE(behind);
-            CHECK(course_of({first.c_str(), behind.c_str()}, {knot}, "7/8").kind == Course::rises);
+            CHECK(course_of("x/9; " + behind, knot, "7/8").kind == Course::rises);
             // The edge is on the knot, or before it.
-            CHECK(course_of({"x^2", (k + "^2 + x - " + k).c_str()}, {knot}, "1/20").kind ==
-                  Course::rises);
+            CHECK(course_of("x^2; " + k + "^2 + x - " + k, knot, "1/20").kind == Course::rises);
         }
     }
-    CHECK(course_of({"x^2", "1/9 + (x - 1/3)^2"}, {"1/3"}, "1/3").kind == Course::rises);
+    CHECK(course_of("x^2; 1/9 + (x - 1/3)^2", "1/3", "1/3").kind == Course::rises);
     // The piece ends before the function turns, or has a pole.
-    CHECK(course_of({"tan(x/2)", "tan(1/2) + x - 1"}, {"1"}, "7/8").kind == Course::rises);
-    CHECK(course_of({"1 - cos(x)", "x"}, {"2"}, "3").kind == Course::rises);
+    CHECK(course_of("tan(x/2); tan(1/2) + x - 1", "1", "7/8").kind == Course::rises);
+    CHECK(course_of("1 - cos(x); x", "2", "3").kind == Course::rises);
 }
 
 TEST_CASE("a slope that falls between the points where a profile is sampled is detected") {
     // 10/9 cos(1000 x) < -1 on a sixth of the cells.
-    const SlopeMonotonicity wave = course_of({"x + sin(1000*x)/900"}, {}, "7/8");
+    const SlopeMonotonicity wave = course_of("x + sin(1000*x)/900", "", "7/8");
     REQUIRE(wave.kind == Course::falls);
     const PrecisionScope scope(40);
     const Real x = wave.where->midpoint();
     CHECK(1 + cos(1000 * x) * 10 / 9 < 0);
     // The slope beyond the edge is irrelevant.
-    CHECK(course_of({"x", "1/2 + (x - 1/2) + sin(1000*(x - 1/2))/900"}, {"1/2"}, "1/2").kind ==
+    CHECK(course_of("x; 1/2 + (x - 1/2) + sin(1000*(x - 1/2))/900", "1/2", "1/2").kind ==
           Course::rises);
-    CHECK(course_of({"x", "1/2 + (x - 1/2) + sin(1000*(x - 1/2))/900"}, {"1/2"}, "3/4").kind ==
+    CHECK(course_of("x; 1/2 + (x - 1/2) + sin(1000*(x - 1/2))/900", "1/2", "3/4").kind ==
           Course::falls);
 }
 
@@ -104,21 +92,20 @@ TEST_CASE("a slope that jumps down between the samples is not taken for one that
          {"x + atan(tan(1000*x))/1000000", "x + atan(1/(1/3 - x))/1000000 - atan(3)/1000000",
           "x + tanh(1/(1/3 - x))/1000000 - tanh(3)/1000000"}) {
         CAPTURE(slope);
-        CHECK(course_of({slope.c_str()}, {}, "7/8").kind == Course::open);
-        CHECK(course_of({slope.c_str()}, {}, "1/1000").kind == Course::rises);
+        CHECK(course_of(slope, "", "7/8").kind == Course::open);
+        CHECK(course_of(slope, "", "1/1000").kind == Course::rises);
     }
     // The same for a slope that has no value beyond some point, or up to it.
-    CHECK(course_of({"x + (1/3 - x)^(5/2) - (1/3)^(5/2)"}, {}, "7/8").kind == Course::open);
-    CHECK(course_of({"x + (x - 1/3)^(5/2)"}, {}, "7/8").kind == Course::open);
+    CHECK(course_of("x + (1/3 - x)^(5/2) - (1/3)^(5/2)", "", "7/8").kind == Course::open);
+    CHECK(course_of("x + (x - 1/3)^(5/2)", "", "7/8").kind == Course::open);
 }
 
 TEST_CASE("a slope that cannot be decided is reported as undecided") {
     // (x - 3/10)^3 + 27/1000, multiplied out: g'' is a square, but not in this form.
-    CHECK(course_of({"x^3 - 9*x^2/10 + 27*x/100"}, {}, "7/8").kind == Course::open);
-    CHECK(course_of({"x^3 - 9*x^2/10 + 27*x/100"}, {}, "1/4").kind == Course::rises);
+    CHECK(course_of("x^3 - 9*x^2/10 + 27*x/100", "", "7/8").kind == Course::open);
+    CHECK(course_of("x^3 - 9*x^2/10 + 27*x/100", "", "1/4").kind == Course::rises);
     // If x/1000000000 is subtracted, the slope decreases.
-    const SlopeMonotonicity less =
-        course_of({"x^3 - 9*x^2/10 + 27*x/100 - x/1000000000"}, {}, "7/8");
+    const SlopeMonotonicity less = course_of("x^3 - 9*x^2/10 + 27*x/100 - x/1000000000", "", "7/8");
     REQUIRE(less.kind == Course::falls);
     CHECK(abs(abs(less.where->midpoint()) - 0.3) < 0.0001);
 }

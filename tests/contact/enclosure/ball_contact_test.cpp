@@ -54,27 +54,6 @@ TEST_CASE("balls hold what the witness finds, and are narrow") {
     }
 }
 
-TEST_CASE("a force given: the edge is isolated, and it is the right one") {
-    for (const Contact& c : {symmetric()[6], symmetric()[2], tilted()[0], tilted()[4]}) {
-        CAPTURE(c.name);
-        const BallContact from_force(c.profile, c.modulus, Load::force(exact("0.05")), 300);
-        CHECK(overlaps(from_force.force(), Ball(Rational(1, 20), 300)));
-        CHECK(from_force.a().relative_accuracy_bits() > 200);
-        const Witness contact(c.profile, c.modulus, Load::force(exact("0.05")), 40);
-        CHECK(overlaps(from_force.a(),
-                       Ball::around(contact.a(), Real(contact.a() * Real("1e-40")), 300)));
-    }
-}
-
-// The search once stopped where bisection met the end of the flat, at which dP/da = 0.
-TEST_CASE("a force for which the search meets a knot on its way") {
-    const Profile flat = Profile::flat_and_rounded(exact("0.4"), exact("1"));
-    const BallContact contact(flat, exact("1"), Load::force(exact("0.1")), 300);
-    CHECK(overlaps(contact.force(), Ball(Rational(1, 10), 300)));
-    CHECK(contact.a().relative_accuracy_bits() > 200);
-    CHECK(certainly_less(Ball(Rational(2, 5), 300), contact.a()));
-}
-
 TEST_CASE("escalation reaches the requested digits in the hard places") {
     const Contact flat = symmetric()[6];
     // Points at 1e-30 from a knot, on it, and 1e-300 from the edge.
@@ -96,21 +75,6 @@ TEST_CASE("escalation reaches the requested digits in the hard places") {
     CHECK_THROWS_AS(
         BallContact(own_symmetric().profile, exact("1"), Load::right_edge(exact("1")), 100),
         DomainError);
-}
-
-TEST_CASE("the tilted wedge in balls: gamma from 1e-25 to 1 - 1e-25") {
-    // b = gamma a by hand (moore-hills.tex line 301, solved for alpha): alpha = (2 phi/pi)
-    // asin((1-gamma)/(1+gamma)).
-    for (const char* gamma : {"1e-25", "1e-3", "0.5", "1 - 1e-25"}) {
-        CAPTURE(gamma);
-        const std::string g = std::string("(") + gamma + ")";
-        const Exact alpha = exact("2*(pi/7)/pi*asin((1-" + g + ")/(1+" + g + "))");
-        const Profile profile = Profile::tilted_wedge(exact("pi/7"), alpha);
-        const BallContact balls(profile, exact("3"), Load::right_edge(exact("7/5")), 500);
-        const Ball expected = Ball(exact(gamma).rational(), 500) * 7 / 5;
-        CHECK(overlaps(balls.b(), expected));
-        CHECK(balls.b().relative_accuracy_bits() > 250);
-    }
 }
 
 TEST_CASE(
@@ -141,24 +105,4 @@ TEST_CASE(
             }
         }
     }
-}
-
-TEST_CASE("an edge just beyond a corner is isolated") {
-    // b lies 0.8 % beyond the corner at -0.835/90, where the balance behaves like a root of the
-    // distance from the corner, and Newton's method oscillates.
-    Symbols x;
-    x.add("x");
-    const Profile profile = Profile::piecewise(
-        {Exact::parse("-8.35e-2/9"), Exact::parse("0"), Exact::parse("8.35e-2/7")},
-        {parse("-1/5", x), parse("-1/16", x), parse("1/8", x), parse("1/5 + x/(34*8.35e-2)", x)});
-    const Load load = Load::right_edge(Exact::parse("3.99e-3"));
-    const BallContact balls(profile, Exact::parse("1"), load, 256);
-    CHECK(balls.b().relative_accuracy_bits() > 200);
-    const Witness contact(profile, Exact::parse("1"), load, 40);
-    const PrecisionScope scope(60);
-    CHECK(overlaps(balls.b(), Ball::around(contact.b(), pow(Real(10), -40), 300)));
-    // The same contact, found from its force.
-    const BallContact from_force(profile, Exact::parse("1"), Load::force(Exact::parse("3.99e-3")),
-                                 256);
-    CHECK(from_force.a().relative_accuracy_bits() > 200);
 }

@@ -1,76 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/algebra/identity.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/exact_contact.hpp"
 #include "edgeproof/contact/witness/witness.hpp"
-#include "edgeproof/formula/parse.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
 #include <string>
-#include <vector>
 
 namespace {
-
-Profile pieces(const std::vector<std::string>& knots, const std::vector<std::string>& slopes) {
-    std::vector<Exact> places;
-    std::vector<Expr> exprs;
-    for (const std::string& knot : knots) {
-        places.push_back(Exact::parse(knot));
-    }
-    for (const std::string& slope : slopes) {
-        exprs.push_back(parse(slope, Symbols{"x"}));
-    }
-    return Profile::piecewise(places, exprs);
-}
 
 Profile punch(const char* alpha, const char* t, const char* R) {
     return Profile::tilted_flat_and_rounded(Exact::parse(alpha), Exact::parse(t), Exact::parse(R));
 }
 
 } // namespace
-
-// A corner, a bend and the end of an arc at the left edge; the right edge is given or found from P.
-// By hand: within |x| < d these are Hertz's contact, a = b = d and P = pi E* d^2/(4 R).
-TEST_CASE("an edge on a knot exactly: a and b are proved by symbols") {
-    const Exact modulus = Exact::parse("1");
-    const struct {
-        Profile profile;
-        Load load;
-        const char* d;
-    } cases[] = {
-        {pieces({"-1", "1"}, {"2*x", "x", "2*x"}), Load::right_edge(Exact::parse("1")), "1"},
-        {pieces({"-1"}, {"x/5 - 1/2", "x/5"}), Load::right_edge(Exact::parse("1")), "1"},
-        {pieces({"-1"}, {"x/5 + (x + 1)", "x/5"}), Load::force(Exact::parse("pi/20")), "1"},
-        {pieces({"-1", "1"}, {"2*x", "x", "2*x"}), Load::force(Exact::parse("pi/4")), "1"},
-        {punch("0.1", "0.5", "2"), Load::force(Exact::parse("pi*0.005")), "1/5"},
-        {punch("pi/16", "1", "2"), Load::right_edge(Exact::parse("pi/8")), "pi/8"},
-        {punch("pi/16", "1", "2"), Load::force(Exact::parse("pi^3/512")), "pi/8"},
-        {punch("1/20", "1/2", "70"), Load::right_edge(Exact::parse("7/2")), "7/2"},
-        {Profile::flat_and_rounded(Exact::parse("0"), Exact::parse("2")),
-         Load::force(Exact::parse("pi/8")), nullptr},
-    };
-    for (const auto& c : cases) {
-        if (c.d == nullptr) {
-            continue;
-        }
-        CAPTURE(c.d);
-        const Expr d = parse(c.d);
-        CHECK(odd_within(c.profile, d));
-        const BallContact contact(c.profile, modulus, c.load, 160);
-        REQUIRE(contact.known(Edge::right));
-        REQUIRE(contact.known(Edge::left));
-        CHECK(proved_zero(contact.known(Edge::right)->expr() - d));
-        CHECK(proved_zero(contact.known(Edge::left)->expr() - d));
-        for (const Edge edge : {Edge::right, Edge::left}) {
-            const auto c012 = contact.expansion(edge, 3);
-            for (const Ball& x : c012) {
-                CHECK(x.is_finite());
-            }
-        }
-    }
-}
 
 // Only digits are known here: they do not distinguish whether b is 1e-60 from the knot or on it.
 TEST_CASE("the witness: an edge that no digits separate from a knot is taken to be on it, with "

@@ -2,10 +2,6 @@
 #include "edgeproof/contact/stress/plane_stress.hpp"
 
 #include "edgeproof/contact/curved/integrated_contact.hpp"
-#include "edgeproof/contact/profile/slope.hpp"
-#include "edgeproof/contact/stress/surface_gap.hpp"
-#include "edgeproof/formula/parse.hpp"
-#include "edgeproof/quadrature/near_singularity.hpp"
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 #include "tests/contact/scenes.hpp"
 
@@ -132,142 +128,10 @@ TEST_CASE("stresses agree with Johnson's integrals by quadrature") {
     }
 }
 
-// h' = g' - (2/(pi E*)) P_1 on the surface outside (johnson1985, eq. 2.25a), integrated by
-// tanh-sinh quadrature; P_1 is compared with Johnson's integrals above.
-TEST_CASE("the gap outside the contact is the integral of its slope") {
-    const PrecisionScope precision(60);
-    std::vector<scenes::Contact> contacts = scenes::symmetric();
-    for (const auto& c : scenes::tilted()) {
-        contacts.push_back(c);
-    }
-    for (const auto& scene : contacts) {
-        CAPTURE(scene.name);
-        const BallContact c(scene.profile, scene.modulus, scene.load, stress_bits);
-        const RealSlope slope(scene.profile);
-        const Real factor = 2 / (edgeproof::pi<Real>() * c.modulus().midpoint());
-        for (const Edge edge : {Edge::right, Edge::left}) {
-            const Real sign = edge == Edge::right ? Real(1) : Real(-1);
-            // an exact midpoint has only as many digits as it needs
-            const Real end = at_working_precision((edge == Edge::right ? c.a() : c.b()).midpoint());
-            for (const std::string part : {"1e-9", "1/3", "2", "1e4"}) {
-                CAPTURE(part);
-                const Ball beyond = stress_ball(part.c_str()) * c.a();
-                std::vector<Real> at{end, Real(end + at_working_precision(beyond.midpoint()))};
-                for (const Ball& knot : c.slope().knots) {
-                    const Real place = sign * knot.midpoint();
-                    if (at[0] < place && place < at[1]) {
-                        at.push_back(at_working_precision(place));
-                    }
-                }
-                std::sort(at.begin(), at.end());
-                Real gap(0);
-                for (std::size_t i = 0; i + 1 < at.size(); ++i) {
-                    const Real length = at[i + 1] - at[i];
-                    const auto rate = [&](const Real& lo, const Real&) {
-                        const Real x = sign * (at[i] + length * lo);
-                        std::size_t piece = 0;
-                        while (piece < slope.knots().size() && slope.knots()[piece] < x) {
-                            ++piece;
-                        }
-                        const Box zeta(Ball(x, stress_bits), Ball(0, stress_bits));
-                        return Real((slope.value(piece, x) -
-                                     factor * cauchy_integral(c, zeta).value.real().midpoint()) *
-                                    sign * length);
-                    };
-                    gap += quadrature::tanh_sinh<Real>(rate, {.target_digits = 20}).value;
-                }
-                const Ball found = gap_beyond(c, edge, beyond);
-                CAPTURE(found.midpoint().str(20));
-                CAPTURE(gap.str(20));
-                CHECK(found.is_finite());
-                CHECK(abs(Real(found.midpoint() - gap)) < Real("1e-15") * gap);
-                CHECK(found.radius() < Real("1e-30") * gap);
-            }
-        }
-    }
-}
-
-// A wedge: 0.3 far - (2/(pi E*)) integral of p(s) ln((x - s)/(a - s)) ds with p = (0.3 E*/pi)
-// arcosh(a/|s|), by mpmath's quad at 25 digits. A cylinder: (a^2/(2R)) (s sqrt(s^2 - 1) - arcosh s)
-// with s = x/a (johnson1985, sec. 5.4).
-TEST_CASE("gaps of a wedge and of a cylinder from other sources") {
-    const BallContact wedge(Profile::power_law(scenes::exact("0.3"), scenes::exact("0")),
-                            scenes::exact("7/3"), Load::right_edge(scenes::exact("3/2")),
-                            stress_bits);
-    const auto differs = [](const Ball& x, const char* value) {
-        return abs(Ball(x - stress_ball(value))).upper() > Real("1e-21");
-    };
-    CHECK_FALSE(
-        differs(gap_beyond(wedge, Edge::left, stress_ball("3")), "0.5529418233773775150391624"));
-    CHECK_FALSE(differs(gap_beyond(wedge, Edge::right, stress_ball("1/2")),
-                        "0.04820872690210944568859567"));
-    const BallContact cylinder(Profile::power_law(scenes::exact("1/70"), scenes::exact("1")),
-                               scenes::exact("5"), Load::right_edge(scenes::exact("2")),
-                               stress_bits);
-    for (const char* part : {"1e-12", "1/2", "7"}) {
-        const Ball s = 1 + stress_ball(part);
-        const Ball expected = (s * sqrt(s * s - 1) - acosh(s)) * 2 / 70;
-        CHECK(overlaps(gap_beyond(cylinder, Edge::right, stress_ball(part) * 2), expected));
-    }
-}
-
-TEST_CASE("on the contact the stress is the traction, and the surface strains are those of g'") {
-    for (const auto& scene : scenes::tilted()) {
-        CAPTURE(scene.name);
-        const BallContact c(scene.profile, scene.modulus, scene.load, stress_bits);
-        const Extent<Ball> e{c.a(), c.b()};
-        const ShearLoad<Ball> load{stress_ball("3/10"), stress_ball("2/7")};
-        for (const char* part : {"1e-20", "1/7", "2/3"}) {
-            const Ball u = e.length() * stress_ball(part);
-            const Box zeta(e.a - u, Ball(0, stress_bits));
-            const StressState s = stress_of(
-                cauchy_integral(c, zeta), cauchy_integral(e, load, zeta), zeta, stress_ball("1/9"));
-            const Ball p = c.pressure(Edge::right, u);
-            CHECK(overlaps(s.szz, -p));
-            CHECK(overlaps(s.sxz, -full_stick_traction(e.length(), load, Edge::right, u)));
-            // The principal value of q under full stick is pi sigma_0/4 (law/shear.hpp).
-            CHECK(overlaps(s.sxx, -p + load.bulk_tension / 2 + stress_ball("1/9")));
-            CHECK(s.sxx.radius() < Real("1e-30"));
-        }
-    }
-}
-
-// An exponent that is not whole takes the hypergeometric function; P is continuous in m. (Nearer to
-// an even m that function loses its digits.)
-TEST_CASE("the recurrence of whole exponents agrees with the hypergeometric function") {
-    for (const char* m : {"2", "3", "10", "17"}) {
-        const std::string near = std::string(m) + " + 1e-12";
-        const auto contact_of = [](const std::string& exponent) {
-            return BallContact(
-                Profile::power_law(scenes::exact("1/3"), scenes::exact(exponent.c_str())),
-                scenes::exact("2"), Load::right_edge(scenes::exact("3/2")), stress_bits);
-        };
-        const BallContact whole = contact_of(m);
-        const BallContact other = contact_of(near);
-        const std::pair<const char*, const char*> places[] = {
-            {"0", "1/10"}, {"1/7", "1e-20"},  {"3/2", "1/8"}, {"3/2 + 1e-9", "0"}, {"-1/2", "2"},
-            {"2", "1/3"},  {"-7/4", "1e-12"}, {"9/5", "0"},   {"-5/3", "0"}};
-        for (const auto& [x_text, z_text] : places) {
-            const char* const x = x_text; // clang's CAPTURE takes no structured binding
-            const char* const z = z_text;
-            CAPTURE(whole.power_law()->exponent.midpoint());
-            CAPTURE(x);
-            CAPTURE(z);
-            const Box at(stress_ball(x), stress_ball(z));
-            const CauchyIntegral here = cauchy_integral(whole, at);
-            const CauchyIntegral there = cauchy_integral(other, at);
-            CHECK(abs(here.value - there.value).upper() < Real("1e-10") * abs(there.value).lower());
-            CHECK(abs(here.derivative - there.derivative).upper() <
-                  Real("1e-10") * abs(there.derivative).lower());
-        }
-    }
-}
-
 // For g' = x + x^3, E* = 1 and the edges -1 and 1 the pressure is (x^2 + 3/2) sqrt(1 - x^2)/2,
 // since g' is the polynomial part of (x^2 + 3/2) sqrt(x^2 - 1) at infinity.
 TEST_CASE("the Cauchy integral of a curved slope has its digits next to an edge") {
-    const Profile cubic =
-        Profile::piecewise_symmetric({}, {formula::parse("x + x^3", formula::Symbols({"x"}))});
+    const Profile cubic = scenes::curve("", "x + x^3", true);
     const IntegratedContact contact(cubic, scenes::exact("1"), Load::right_edge(scenes::exact("1")),
                                     stress_bits);
     const char* const places[][2] = {{"1", "1e-8"},   {"1", "1e-9"},          {"1", "1e-30"},

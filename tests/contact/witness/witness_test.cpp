@@ -228,21 +228,6 @@ TEST_CASE("places and loads without a value") {
     CHECK_THROWS_AS(Witness(half, exact("1"), Load::right_edge(exact("1")), 30), DomainError);
 }
 
-TEST_CASE("coefficients: Hertz's binomial series, and a wedge") {
-    // p = (E*/2R) sqrt(2a u) sqrt(1 - u/2a): c_k = (E* C/2) sqrt(2a) binom(1/2, k) (-1/2a)^k.
-    const Witness hertz(Profile::power_law(exact("1/70"), exact("1")), exact("7/3"),
-                        Load::right_edge(exact("0.02")), 40);
-    const std::vector<Real> c = hertz.coefficients(Edge::left, 5);
-    const PrecisionScope scope(60);
-    const Real a = Real(1) / 50;
-    Real expected = Real(7) / 3 / 70 / 2 * sqrt(2 * a);
-    for (int k = 0; k < 5; ++k) {
-        CHECK(common_digits(c[static_cast<std::size_t>(k)], expected) >= 38);
-        expected *= (Real(1) / 2 - k) / (k + 1) / (-2 * a);
-    }
-    CHECK(hertz.coefficients(Edge::right, 0).empty());
-}
-
 TEST_CASE("a curved slope by Barber-Mossakovskii" * doctest::test_suite("slow")) {
     CHECK(digits_shared(own_symmetric(), 20, Route::barber_mossakovskii, {"0.2"}) >= 20);
 }

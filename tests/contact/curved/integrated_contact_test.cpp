@@ -23,7 +23,8 @@ struct CurvedCase {
 
 /// Slopes of every kind, and branch points on knots: whole, half and third powers on one or both
 /// sides of the knot, which the integrals remove by a change of variable that the witness does not
-/// use. Values of the first twelve by mpmath are rows of tests/scene/values.txt.
+/// use. Values of those before `of_roots` by mpmath are rows of tests/scene/values.txt.
+constexpr std::size_t of_roots = 12;
 const CurvedCase curved_cases[] = {
     {"", "sin(x)", true, "0.8"},
     {"", "tan(x)", true, "0.8"},
@@ -71,8 +72,7 @@ void check_by_witness(const Profile& profile, const char* modulus, const Load& l
 
 /// Checks the coefficients by those of a witness of 12 digits.
 void check_coefficients(const Profile& profile, const char* modulus, const Load& load, Edge edge) {
-    const auto x =
-        IntegratedContact(profile, exact(modulus), load, integral_bits).expansion(edge, 2);
+    const auto x = IntegratedContact(profile, exact(modulus), load, 160).expansion(edge, 2);
     const auto y = Witness(profile, exact(modulus), load, 12).coefficients(edge, 2);
     const PrecisionScope scope(60);
     for (std::size_t k = 0; k < y.size(); ++k) {
@@ -133,8 +133,8 @@ TEST_CASE("slopes of every kind: rigorous integrals hold what the witness finds"
         check_by_witness(curve(c.knots, c.slopes, c.symmetric), "1", Load::right_edge(exact(c.a)),
                          14, {"1/10"});
     }
-    for (const std::size_t rooted : {12U, 13U, 14U}) {
-        const CurvedCase& c = curved_cases[rooted];
+    for (std::size_t i = of_roots; i < std::size(curved_cases); ++i) {
+        const CurvedCase& c = curved_cases[i];
         check_coefficients(curve(c.knots, c.slopes, c.symmetric), "1", Load::right_edge(exact(c.a)),
                            Edge::right);
     }
@@ -142,7 +142,8 @@ TEST_CASE("slopes of every kind: rigorous integrals hold what the witness finds"
 
 TEST_CASE("slopes of every kind: the second route, flat punches laid over each other" *
           doctest::test_suite("slow")) {
-    for (const CurvedCase& c : curved_cases) {
+    for (std::size_t i = 0; i < of_roots; ++i) {
+        const CurvedCase& c = curved_cases[i];
         CAPTURE(c.slopes);
         const Profile profile = curve(c.knots, c.slopes, c.symmetric);
         const Load load = Load::right_edge(exact(c.a));

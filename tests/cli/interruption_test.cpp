@@ -95,7 +95,7 @@ std::vector<LongRun> long_runs() {
         {"table in parts", "table in --part 1/2 --out t.csv --threads 1",
          tilted_recipe(3000, 1000)},
         {"a count", "bounds count --values 1000000", ""},
-        {"costs", "cost --digits 5000 --full --out costs", ""},
+        {"costs", "cost --digits 5000 --points 40 --out costs", ""},
         {"a program that hangs",
          "check in --exec 'echo $$ >child; exec sleep 1000'",
          recipe_of_answers(3),

@@ -274,9 +274,6 @@ def bounds(rng, _library, _command):
 def cost(rng, library, command):
     command.files["in.toml"] = library.drawn("scene", rng)
     words = ["in.toml", "--digits", value(rng, ["16", "5,10"]), "--points", count(rng, ["1", "2"])]
-    if rng.random() < 0.4:
-        command.printed = "json"
-        words.append("--json")
     if rng.random() < 0.03:
         command.written["cost"] = "folder"
         words += ["--out", "cost"]

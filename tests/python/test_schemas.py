@@ -231,8 +231,6 @@ MESHES = [f"examples/compare/mesh-{n}.csv" for n in (24, 48, 96, 192)]
     pytest.param("table", ["design", "examples/design/pad.toml", "--digits", "10", "--gap", "1e-2"],
                  "rows", marks=pytest.mark.slow),
     ("comparison", ["compare", "examples/compare/cylinder.toml", *MESHES], "files"),
-    ("cost", ["cost", "examples/scenes/fretting-pad.toml", "--digits", "16", "--points", "1"],
-     "cells"),
 ], ids=lambda c: " ".join(c[:2]) if isinstance(c, list) else None)
 def test_documents_that_are_written(schema, command, key):
     form = ["--format", "json"] if schema == "table" else ["--json"]

@@ -53,7 +53,7 @@ def shipped_scenes():
         yield Case(f"scene {path.stem}", steps, read(path), seconds=4)
     for name in ("fig3b-hertz", "fig5a-flat-and-rounded"):
         words = ["cost", name + ".toml", "--digits", "16,34", "--points", "1"]
-        yield Case(f"cost {name}", [words + o for o in ([], ["--json"], ["--out", "cost"])],
+        yield Case(f"cost {name}", [words + o for o in ([], ["--out", "cost"])],
                    read(f"examples/scenes/{name}.toml"), seconds=4)
 
 

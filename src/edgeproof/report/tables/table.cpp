@@ -270,30 +270,4 @@ std::string aligned_lines(const Table& table, std::size_t margin, bool rule) {
     return out;
 }
 
-std::string html_table(const Table& table, bool grouped) {
-    std::string out = "<div class=\"scroll\" tabindex=\"0\"><table class=\"cost\"><thead><tr>";
-    const auto add = [&](std::size_t i, const char* tag, const char* scope,
-                         const std::string& text) {
-        const Column::Kind kind = table.columns[i].kind;
-        const bool number = kind == Column::Kind::number || kind == Column::Kind::count;
-        out += fmt::format("<{0}{1}{2}>{3}</{0}>", tag, scope, number ? " class=\"number\"" : "",
-                           kind == Column::Kind::markup ? text : escape_html(text));
-    };
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        add(i, "th", " scope=\"col\"", table.columns[i].name);
-    }
-    out += "</tr></thead><tbody>\n";
-    std::string last;
-    for (const auto& row : table.rows) {
-        const bool next = grouped && !row[0].empty() && !last.empty() && row[0] != last;
-        out += next ? "<tr class=\"next\">" : "<tr>";
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            add(i, "td", "", row[i]);
-        }
-        out += "</tr>\n";
-        last = row[0].empty() ? last : row[0];
-    }
-    return out + "</tbody></table></div>\n";
-}
-
 } // namespace edgeproof::report

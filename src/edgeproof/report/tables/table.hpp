@@ -18,8 +18,7 @@ struct Column {
     enum class Kind {
         text,
         number, ///< also a string in JSON, so that no digit is lost
-        count,  ///< an integer in JSON
-        markup  ///< HTML, for `html_table` only
+        count   ///< an integer in JSON
     };
     /// The role of a cell: a value, or the limit of the error or the route of the value on its
     /// left.
@@ -86,9 +85,5 @@ struct TableLayout {
 /// Returns head and rows in aligned columns, text to the left, numbers to the right, each line
 /// after `margin` blanks. `rule`: with a line below the head.
 [[nodiscard]] std::string aligned_lines(const Table& table, std::size_t margin, bool rule);
-
-/// Returns head and rows as a table of HTML that scrolls within its page. `grouped`: draws a line
-/// above each row with a new text in its first column.
-[[nodiscard]] std::string html_table(const Table& table, bool grouped = false);
 
 } // namespace edgeproof::report

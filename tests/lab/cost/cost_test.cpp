@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/roots/power_law_fit.hpp"
 #include "lab/cost/cost.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 
 namespace {
+
+CostCell cell(const std::string& route, unsigned digits, double seconds) {
+    CostCell c{"punch", route, "MPFR", digits, 0, {}};
+    for (const double factor : {0.5, 1.0, 3.0}) {
+        c.points.push_back({.right = 60, .seconds = factor * seconds});
+    }
+    return c;
+}
 
 constexpr double last_digit = 1;
 
@@ -34,9 +43,9 @@ std::vector<CostCell> counted(const std::vector<CostCase>& cases, std::vector<un
 std::map<std::string, std::size_t> totals(const std::vector<CostCell>& cells) {
     std::map<std::string, std::size_t> all;
     for (const CostCell& c : cells) {
-        if (c.evaluations()) {
-            all[c.route + ", " + c.arithmetic + ", " + std::to_string(c.digits)] =
-                c.total_evaluations();
+        for (const PointCost& p : c.points) {
+            all[c.route + ", " + c.arithmetic + ", " + std::to_string(c.digits)] +=
+                static_cast<std::size_t>(p.evaluations);
         }
     }
     return all;
@@ -57,6 +66,79 @@ std::string differences(const std::map<std::string, std::size_t>& found,
 }
 
 } // namespace
+
+TEST_CASE("a power law is recovered, and too few or zero values give none") {
+    std::vector<std::pair<double, double>> points;
+    for (const double d : {16.0, 50.0, 100.0, 1000.0}) {
+        points.emplace_back(d, 3e-6 * std::pow(d, 1.75));
+    }
+    const auto fit = power_law_fit(points);
+    REQUIRE(fit);
+    CHECK(fit->exponent == doctest::Approx(1.75));
+    CHECK(fit->factor == doctest::Approx(3e-6));
+    CHECK(fit->points == 4);
+    CHECK_FALSE(power_law_fit({{50, 1}}));
+    CHECK_FALSE(power_law_fit({{50, 1}, {50, 2}}));
+    CHECK_FALSE(power_law_fit({{50, 0}, {100, 0}}));
+}
+
+TEST_CASE("growth is fitted route by route, to medians over the points") {
+    const auto tables =
+        cost_tables({{cell("a", 50, 1e-5), cell("a", 100, 4e-5), cell("b", 50, 1e-5),
+                      cell("b", 100, 2e-5), cell("c", 50, 1e-5)},
+                     {}});
+    REQUIRE(tables.size() == 2);
+    const std::vector<std::vector<std::string>> growth{
+        {"punch", "a", "2.00", "+44 %"},
+        {"punch", "b", "1.00", "+20 %"}}; // one number of digits gives no growth
+    CHECK(tables.back().rows == growth);
+}
+
+TEST_CASE("a cell counts failed values and leaves them out of the other results") {
+    CostCell c = cell("a", 50, 1e-5);
+    c.points.push_back({.failure = "no value"});
+    CHECK(c.failed() == 1);
+    CHECK(c.right().least == 60);
+    CHECK(c.seconds().median == doctest::Approx(1e-5));
+    const auto row = cost_tables({{c}, {}}).front().rows.front();
+    CHECK(row ==
+          std::vector<std::string>{"a", "MPFR", "50", "4", "60*", "", "10.0 us", "30.0 us", "0 %"});
+}
+
+TEST_CASE("an effect adds its own operations and no others") {
+    const auto costs = effect_costs(20, false, {});
+    const auto counts = [&](const std::string& effect) {
+        for (const EffectCost& e : costs) {
+            if (e.effect == effect) {
+                return e.work.counts;
+            }
+        }
+        return Counts{};
+    };
+    const Counts base = counts("pressures of a symmetric punch");
+    CHECK(base.closed_forms == 10);
+    CHECK(base.consistency + base.load_inversions + base.tilts + base.expansions +
+              base.shear_points + base.extents ==
+          0);
+    CHECK(counts("tilt").consistency == 1);
+    CHECK(counts("tilt").closed_forms == 10);
+    CHECK(counts("P given instead of a").load_inversions == 1);
+    CHECK(counts("tilt found from P and M").tilts == 1);
+    CHECK(counts("both edges of a tilted punch").closed_forms == 20);
+    CHECK(counts("shear under full stick").shear_points == 10);
+    CHECK(counts("expansion to 3 terms").expansions == 1);
+    CHECK(counts("expansion to 10 terms").closed_forms == 10);
+    CHECK(counts("extents of 1 and 3 terms").extents == 2);
+    CHECK(counts("extents of 1 and 3 terms").closed_forms == 0);
+    CHECK(counts("shear in partial slip").stick_zones == 1);
+    CHECK(counts("stresses at ten points").stresses == 10);
+    CHECK(counts("stresses at ten points").closed_forms == 0);
+    CHECK(counts("gap at ten places").displacements == 10);
+    CHECK(counts("slip at ten places").displacements == 10);
+    CHECK(counts("displacements of a surface at ten places").displacements == 10);
+    CHECK(counts("pressures under a sphere").closed_forms == 10);
+    CHECK(counts("gap around a sphere").displacements == 10);
+}
 
 // The counts are recorded, not derived: an unexpected change in either direction must be noticed.
 // After a change of a rule, check its effect on the digits (below) and write the new counts here.
@@ -113,8 +195,8 @@ TEST_CASE("the points compared are forty, in equal ratios from 1e-8 a to a") {
     CHECK(first.u.front() == Exact::parse("1e-8"));
     CHECK(first.u.back() == Exact::parse("1"));
     for (std::size_t i = 1; i < 40; ++i) {
-        const double ratio = first.distance(i) / first.distance(i - 1);
-        CHECK(ratio == doctest::Approx(1.60371874).epsilon(1e-5)); // 10^(8/39)
+        const Real ratio = first.u[i].to<Real>() / first.u[i - 1].to<Real>();
+        CHECK(ratio.convert_to<double>() == doctest::Approx(1.60371874).epsilon(1e-5)); // 10^(8/39)
     }
     CHECK(thinned(40, 40).size() == 40);
     CHECK(thinned(40, 3) == std::vector<std::size_t>{0, 19, 39});

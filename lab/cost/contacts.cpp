@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/cost/cost_case.hpp"
-
+#include "edgeproof/contact/curved/integrated_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/witness/witness.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/scene/route/value_route.hpp"
+#include "lab/cost/cost.hpp"
 
-#include <algorithm>
 #include <filesystem>
+#include <memory>
+#include <utility>
 
 namespace edgeproof::cost {
 namespace {
@@ -22,11 +25,7 @@ std::vector<formula::Exact> geometric_places(std::size_t count, const std::strin
     for (std::size_t k = 0; k < count; ++k) {
         const Real exponent = Real(8 * k) / Real(count - 1) - 8;
         const std::string text = to_decimal(Real(pow(Real(10), exponent)), digits_of_places);
-        std::string place = text;
-        if (unit != "1") {
-            place.insert(0, "(" + unit + ")*");
-        }
-        u.push_back(formula::Exact::parse(place));
+        u.push_back(formula::Exact::parse(unit == "1" ? text : "(" + unit + ")*" + text));
     }
     return u;
 }
@@ -41,12 +40,6 @@ std::vector<formula::Exact> listed(const std::vector<const char*>& texts) {
 }
 
 using Section = scene::SceneEntries::Section;
-
-scene::Scene unit_contact(const std::string& name, const Section& profile) {
-    scene::Scene scene = scene::make_scene({"", profile, {{"a", "1"}, {"contact_modulus", "1"}}});
-    scene.file = name;
-    return scene;
-}
 
 } // namespace
 
@@ -63,10 +56,14 @@ std::vector<CostCase> usual_cases() {
                          {"slopes", std::vector<std::string>{"x/10", "x/10 + (x - 1/2)^3"}}};
     std::vector<CostCase> cases;
     const auto add = [&](const std::string& name, const Section& profile,
-                         std::vector<formula::Exact> u, const char* near = "0") {
-        cases.push_back({name, unit_contact(name, profile), contact::Edge::right, std::move(u),
-                         formula::Exact::parse(near)});
+                         std::vector<formula::Exact> u) {
+        scene::Scene scene =
+            scene::make_scene({"", profile, {{"a", "1"}, {"contact_modulus", "1"}}});
+        scene.file = name;
+        cases.push_back({name, std::move(scene), contact::Edge::right, std::move(u)});
     };
+    const std::vector<formula::Exact> by_the_apex =
+        listed({"1 - 1e-2", "1 - 1e-4", "1 - 1e-8", "1 - 1e-12", "1 - 1e-20", "1 - 1e-30"});
     std::vector<formula::Exact> off_centre = geometric_places(some, "1");
     off_centre.back() =
         formula::Exact::parse("1/2"); // u = a is the apex, where p is infinite for some profiles
@@ -78,12 +75,9 @@ std::vector<CostCase> usual_cases() {
     add("curved", curved, off_centre);
     add("by the end of the flat", flat,
         listed({"0.6 - 1e-2", "0.6 + 1e-3", "0.6 - 1e-4", "0.6 + 1e-6", "0.6 - 1e-8", "0.6 + 1e-10",
-                "0.6 - 1e-12", "0.6 + 1e-16", "0.6 - 1e-20", "0.6 - 1e-30"}),
-        "0.6");
-    add("by the apex of a wedge", wedge,
-        listed({"1 - 1e-2", "1 - 1e-4", "1 - 1e-8", "1 - 1e-12", "1 - 1e-20", "1 - 1e-30"}), "1");
-    add("by the apex of a power law", power,
-        listed({"1 - 1e-2", "1 - 1e-4", "1 - 1e-8", "1 - 1e-12", "1 - 1e-20", "1 - 1e-30"}), "1");
+                "0.6 - 1e-12", "0.6 + 1e-16", "0.6 - 1e-20", "0.6 - 1e-30"}));
+    add("by the apex of a wedge", wedge, by_the_apex);
+    add("by the apex of a power law", power, by_the_apex);
     add("within 1e-300 of the edge", tilted_flat,
         listed({"1e-12", "1e-20", "1e-30", "1e-60", "1e-100", "1e-300"}));
     return cases;
@@ -99,7 +93,6 @@ CostCase case_of(const scene::Scene& scene) {
     CostCase c{std::filesystem::path(scene.file).stem().string(),
                scene,
                scene.ask.edges.empty() ? contact::Edge::right : scene.ask.edges.front(),
-               {},
                {}};
     for (const scene::AskedPoint& point : scene.ask.u) {
         const auto u = point.distance(c.edge).number();
@@ -118,18 +111,75 @@ CostCase case_of(const scene::Scene& scene) {
     return c;
 }
 
-double CostCase::distance(std::size_t point) const {
-    const PrecisionScope scope(400);
-    return Real(abs(Real(u.at(point).to<Real>() - near.to<Real>()))).convert_to<double>();
+namespace {
+
+/// A route of the witness, at the digits asked for.
+template <contact::Route route> ReadyContact in_mpfr(const CostCase& c, unsigned digits) {
+    const auto contact = std::make_shared<contact::Witness>(
+        *c.scene.profile, c.scene.contact_modulus, c.scene.load, digits);
+    return [&c, contact](std::size_t i) -> CostValue {
+        const auto p = contact->pressure(c.edge, c.u[i], route);
+        return {p.value, p.evaluations};
+    };
 }
 
-std::vector<std::size_t> thinned(std::size_t points, std::size_t most) {
-    std::vector<std::size_t> chosen;
-    const std::size_t n = std::min(points, most);
-    for (std::size_t i = 0; i < n; ++i) {
-        chosen.push_back(n == 1 ? 0 : i * (points - 1) / (n - 1));
+/// An enclosure with as many bits as the digits need if nothing cancels.
+template <class Contact> ReadyContact in_balls(const CostCase& c, unsigned digits) {
+    const auto contact =
+        std::make_shared<Contact>(*c.scene.profile, c.scene.contact_modulus, c.scene.load,
+                                  static_cast<long>(static_cast<double>(digits) * 3.3219281) + 64);
+    return [&c, contact](std::size_t i) -> CostValue {
+        const Ball p = contact->pressure(c.edge, c.u[i]);
+        return {p.midpoint(), 0, p};
+    };
+}
+
+/// The method of `edgeproof pressure`: more and more bits until the value rounds as asked.
+ReadyContact as_printed(const CostCase& c, unsigned digits) {
+    struct Prepared {
+        scene::Scene scene;
+        scene::Plan plan = {};
+        scene::Work work = {};
+        std::unique_ptr<scene::ValueRoute> route = nullptr;
+    };
+    const auto ready = std::make_shared<Prepared>(Prepared{c.scene});
+    scene::Scene& scene = ready->scene;
+    scene.shear.reset();
+    scene.ask = {};
+    scene.ask.quantities = {scene::QuantityGroup::pressure};
+    scene.ask.edges = {c.edge};
+    scene.ask.digits.count = digits;
+    for (const formula::Exact& u : c.u) {
+        scene.ask.u.push_back({u, 0});
     }
-    return chosen;
+    ready->plan = make_plan(scene);
+    ready->route = make_route(scene, ready->plan, ready->work);
+    return [&c, ready](std::size_t i) -> CostValue {
+        const Ball p =
+            ready->route->value({.quantity = scene::Quantity::p, .edge = c.edge, .u = c.u[i]})
+                .value;
+        return {p.midpoint(), 0, p};
+    };
+}
+
+bool any(const scene::Scene&) { return true; }
+bool closed(const scene::Scene& scene) {
+    return contact::BallContact::has_closed_form(*scene.profile);
+}
+bool curved(const scene::Scene& scene) { return !closed(scene); }
+
+} // namespace
+
+const std::vector<CostRoute>& cost_routes() {
+    using contact::Route;
+    static const std::vector<CostRoute> routes{
+        // For a curved g', this integrand is itself an integral: minutes for each point.
+        {"Barber-Mossakovskii", "MPFR", true, closed, in_mpfr<Route::barber_mossakovskii>},
+        {"singular integral", "MPFR", true, any, in_mpfr<Route::singular_integral>},
+        {"enclosure", "balls", false, closed, in_balls<contact::BallContact>},
+        {"enclosure", "balls", false, curved, in_balls<contact::IntegratedContact>},
+        {"rounded", "balls", false, any, as_printed}};
+    return routes;
 }
 
 } // namespace edgeproof::cost

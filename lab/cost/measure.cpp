@@ -35,20 +35,28 @@ std::vector<Ball> enclosures(const CostCase& c, const std::vector<std::size_t>& 
     const long wanted = static_cast<long>(static_cast<double>(digits) * 3.3219281) + 8;
     std::map<long, contact::IntegratedContact> curved; // for each number of bits
     std::vector<Ball> exact;
-    for (const std::size_t i : chosen) {
+    const auto at_point = [&](std::size_t i) {
         if (closed) {
-            exact.push_back(enclosed_pressure(profile, c.scene.contact_modulus, c.scene.load,
-                                              c.edge, c.u[i], digits));
-            continue;
+            return enclosed_pressure(profile, c.scene.contact_modulus, c.scene.load, c.edge, c.u[i],
+                                     digits);
         }
         const auto at = [&](long bits) {
             return curved.try_emplace(bits, profile, c.scene.contact_modulus, c.scene.load, bits)
                 .first->second.pressure(c.edge, c.u[i]);
         };
-        exact.push_back(escalate(
+        return escalate(
             at,
             [&](const Ball& p) { return p.is_finite() && p.relative_accuracy_bits() >= wanted; },
-            {wanted + 64, 1L << 17}));
+            {wanted + 64, 1L << 17});
+    };
+    for (const std::size_t i : chosen) {
+        try {
+            exact.push_back(at_point(i));
+        } catch (const DomainError& error) {
+            throw InputError("u = " + c.u[i].text() + ": " + error.what(),
+                             "give distances from the edge, 0 < u < a + b, off every corner")
+                .at(c.scene.file, c.scene.ask.u.empty() ? 0 : c.scene.ask.u[i].line);
+        }
     }
     return exact;
 }

@@ -164,8 +164,7 @@ effect_costs(unsigned digits, bool timed,
             spent += seconds.back();
         }
         cost.seconds = quartiles(std::move(seconds)).median;
-        const auto base = std::find_if(costs.begin(), costs.end(),
-                                       [&](const EffectCost& c) { return c.effect == cost.base; });
+        const auto base = std::ranges::find(costs, cost.base, &EffectCost::effect);
         cost.ratio = base != costs.end() && base->seconds > 0 ? cost.seconds / base->seconds : 1;
         costs.push_back(std::move(cost));
     }

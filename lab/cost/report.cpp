@@ -66,28 +66,6 @@ std::vector<std::string> row_of(const CostCell& c) {
     return row;
 }
 
-std::vector<Table> contact_tables(const std::vector<CostCell>& cells) {
-    std::vector<Table> tables;
-    for (const CostCell& c : cells) {
-        const std::string title = "What a value costs: " + c.scene;
-        if (tables.empty() || tables.back().title != title) {
-            tables.push_back(table(title, {"route", "in"},
-                                   {"digits", "points", "right", "evaluations", "time a value",
-                                    "slowest", "repeats"}));
-        }
-        tables.back().rows.push_back(row_of(c));
-    }
-    if (!tables.empty()) {
-        tables.front().notes = {
-            "digits: requested; right: digits that are right at the worst point, by an enclosure "
-            "(*: some points have no value)",
-            "evaluations of the integrand and time of the processor: median over the points; "
-            "slowest: the slowest point",
-            "repeats: how far repeats of one point lie apart (middle half over median)"};
-    }
-    return tables;
-}
-
 using Coordinate = double (*)(const CostCell&);
 double digits_asked(const CostCell& c) { return c.digits; }
 double digits_right(const CostCell& c) { return c.right().least; }
@@ -114,25 +92,14 @@ std::vector<Line> lines_of(const std::vector<CostCell>& cells, const std::string
     return lines;
 }
 
-Table growth_table(const std::vector<CostCell>& cells) {
-    Table t = table("Growth with the digits", {"contact", "route"},
-                    {"time ~ digits^", "ten digits more, at 50"});
-    t.notes = {"exponents by least squares in the logarithms, over all digits that were timed"};
-    std::string last;
-    for (const CostCell& c : cells) {
-        if (c.scene == last) {
-            continue;
-        }
-        last = c.scene;
-        for (const Line& line : lines_of(cells, c.scene, digits_asked, microseconds)) {
-            if (const auto fit = roots::power_law_fit(line.points)) {
-                t.rows.push_back(
-                    {c.scene, line.route, fmt::format("{:.2f}", fit->exponent),
-                     fmt::format("{:+.0f} %", 100 * (std::pow(60.0 / 50, fit->exponent) - 1))});
-            }
+void add_growth(Table& table, const std::vector<CostCell>& cells, const std::string& scene) {
+    for (const Line& line : lines_of(cells, scene, digits_asked, microseconds)) {
+        if (const auto fit = roots::power_law_fit(line.points)) {
+            table.rows.push_back(
+                {scene, line.route, fmt::format("{:.2f}", fit->exponent),
+                 fmt::format("{:+.0f} %", 100 * (std::pow(60.0 / 50, fit->exponent) - 1))});
         }
     }
-    return t;
 }
 
 Table effect_table(const CostReport& report) {
@@ -276,8 +243,30 @@ std::string machine() {
 }
 
 std::vector<Table> cost_tables(const CostReport& report) {
-    std::vector<Table> tables = contact_tables(report.cells);
-    tables.push_back(growth_table(report.cells));
+    std::vector<Table> tables;
+    Table growth = table("Growth with the digits", {"contact", "route"},
+                         {"time ~ digits^", "ten digits more, at 50"});
+    growth.notes = {
+        "exponents by least squares in the logarithms, over all digits that were timed"};
+    for (const CostCell& c : report.cells) {
+        const std::string title = "What a value costs: " + c.scene;
+        if (tables.empty() || tables.back().title != title) {
+            tables.push_back(table(title, {"route", "in"},
+                                   {"digits", "points", "right", "evaluations", "time a value",
+                                    "slowest", "repeats"}));
+            add_growth(growth, report.cells, c.scene);
+        }
+        tables.back().rows.push_back(row_of(c));
+    }
+    if (!tables.empty()) {
+        tables.front().notes = {
+            "digits: requested; right: digits that are right at the worst point, by an enclosure "
+            "(*: some points have no value)",
+            "evaluations of the integrand and time of the processor: median over the points; "
+            "slowest: the slowest point",
+            "repeats: how far repeats of one point lie apart (middle half over median)"};
+    }
+    tables.push_back(std::move(growth));
     tables.push_back(effect_table(report));
     std::erase_if(tables, [](const Table& t) { return t.rows.empty(); });
     return tables;

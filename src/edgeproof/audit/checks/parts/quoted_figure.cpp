@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/parts/quoted_figure.hpp"
 
-#include "edgeproof/audit/ledger/printed_formula.hpp"
 #include "edgeproof/algebra/identity.hpp"
+#include "edgeproof/audit/ledger/printed_formula.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

@@ -139,13 +139,13 @@ Form Form::reduced(const Polynomial& p, const Generators& g, std::size_t root) {
     const Form w({g[root]}, Polynomial::variable(1, 0), Polynomial(1, 1));
     Form sum;
     for (auto& [k, c] : p.coefficients(root)) {
-        sum += settled(g, c, Polynomial(g.size(), 1)) * pow(w, Rational(k % index)) *
+        sum += canonical(g, c, Polynomial(g.size(), 1)) * pow(w, Rational(k % index)) *
                pow(g[root]->parts[0], Rational(k / index));
     }
     return sum;
 }
 
-Form Form::settled(Generators g, Polynomial over, Polynomial under) {
+Form Form::canonical(Generators g, Polynomial over, Polynomial under) {
     if (over.is_zero()) {
         return {};
     }
@@ -174,7 +174,7 @@ Form Form::settled(Generators g, Polynomial over, Polynomial under) {
             over = over.with_exponents(g.size(), times_root(g[i]->index - k, 0));
             under = under.with_exponents(g.size(), times_root(0, k));
             const Form base = g[i]->parts[0];
-            return settled(std::move(g), std::move(over), std::move(under)) / base;
+            return canonical(std::move(g), std::move(over), std::move(under)) / base;
         }
     }
     return pruned(std::move(g), over, under);
@@ -248,12 +248,12 @@ Form operator+(const Form& x, const Form& y) {
     Form::Pair p = Form::Pair::of(x, y);
     const Polynomial under = p.under_x;
     cancel(p.under_x, p.under_y);
-    return Form::settled(std::move(p.g), p.x * p.under_y + p.y * p.under_x, under * p.under_y);
+    return Form::canonical(std::move(p.g), p.x * p.under_y + p.y * p.under_x, under * p.under_y);
 }
 
 Form operator*(const Form& x, const Form& y) {
     Form::Pair p = Form::Pair::of(x, y);
-    return Form::settled(std::move(p.g), p.x * p.y, p.under_x * p.under_y);
+    return Form::canonical(std::move(p.g), p.x * p.y, p.under_x * p.under_y);
 }
 
 Form operator/(const Form& x, const Form& y) {
@@ -289,7 +289,7 @@ std::optional<std::vector<Form>> Form::coefficients(std::string_view name) const
     }
     all.resize(over_.degree(at) + 1);
     for (auto& [k, c] : over_.coefficients(at)) {
-        all[k] = settled(generators_, c, under_);
+        all[k] = canonical(generators_, c, under_);
     }
     return all;
 }

@@ -94,8 +94,8 @@ private:
     Form(Generators g, Polynomial over, Polynomial under)
         : generators_(std::move(g)), over_(std::move(over)), under_(std::move(under)) {}
     explicit Form(Generator g);
-    /// over/under in lowest terms, with powers of roots reduced.
-    [[nodiscard]] static Form settled(Generators g, Polynomial over, Polynomial under);
+    /// over/under in lowest terms, with powers of roots reduced: the one form of equal quotients.
+    [[nodiscard]] static Form canonical(Generators g, Polynomial over, Polynomial under);
     [[nodiscard]] static Form reduced(const Polynomial& p, const Generators& g, std::size_t root);
     [[nodiscard]] static Form pruned(Generators g, const Polynomial& over, const Polynomial& under);
     /// The generator, if the form is one.

@@ -227,11 +227,11 @@ Form Form::derivative(std::string_view name) const {
             rate = rate_of_call(g, name);
         }
         if (!rate.is_zero()) {
-            over += settled(generators_, over_.derivative(i), one) * rate;
-            under += settled(generators_, under_.derivative(i), one) * rate;
+            over += canonical(generators_, over_.derivative(i), one) * rate;
+            under += canonical(generators_, under_.derivative(i), one) * rate;
         }
     }
-    return (over - *this * under) / settled(generators_, under_, one);
+    return (over - *this * under) / canonical(generators_, under_, one);
 }
 
 } // namespace edgeproof::algebra

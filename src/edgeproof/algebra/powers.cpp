@@ -72,7 +72,7 @@ std::vector<Form::Part> Form::parts() const {
             add_number(rest, 1);
         }
         for (const auto& [p, power] : powers) {
-            const Form factor = settled(generators_, p, Polynomial(generators_.size(), 1));
+            const Form factor = canonical(generators_, p, Polynomial(generators_.size(), 1));
             const long k = above ? static_cast<long>(power) : -static_cast<long>(power);
             if (const int s = factor.sign(); s == 0) {
                 unknown.emplace_back(factor, k);
@@ -155,7 +155,8 @@ std::vector<std::pair<Rational, Form>> Form::terms() const {
             Polynomial(generators_.size(), 1).with_exponents(generators_.size(), [&](const auto&) {
                 return e;
             });
-        all.emplace_back(Rational(c, common), settled(generators_, monomial, under_) * over_number);
+        all.emplace_back(Rational(c, common),
+                         canonical(generators_, monomial, under_) * over_number);
     });
     return all;
 }

@@ -176,7 +176,7 @@ private:
     /// Returns the formula of a sum or of its negative (then the second value is true): as it is
     /// under a root, else the one with the shorter text.
     [[nodiscard]] std::pair<Expr, bool> sum(const Polynomial& p, bool collect) const {
-        const Form form = Form::settled(g_, p, Polynomial(g_.size(), 1));
+        const Form form = Form::canonical(g_, p, Polynomial(g_.size(), 1));
         for (const auto& g : g_) {
             if (g->kind == Kind::root && g->parts[0] == form) {
                 return {Tidy(form).radicand(), false};

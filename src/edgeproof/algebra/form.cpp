@@ -6,6 +6,7 @@
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
+#include <flint/ulong_extras.h>
 #include <numeric>
 
 namespace edgeproof::algebra {

@@ -7,7 +7,8 @@
 #include <array>
 #include <flint/fmpz.h>
 #include <flint/fmpz_mpoly_factor.h>
-#include <flint/nmod_vec.h>
+#include <flint/fmpz_vec.h>
+#include <flint/ulong_extras.h>
 
 namespace edgeproof::algebra {
 namespace {
@@ -177,16 +178,15 @@ Polynomial Polynomial::derivative(std::size_t i) const {
 }
 
 ulong Polynomial::modulo(ulong prime, std::span<const ulong> values) const {
-    nmod_t mod;
-    nmod_init(&mod, prime);
     ulong sum = 0;
     const Integer p(prime);
     for_each_term([&](const Integer& c, const Exponents& e) {
         ulong product = Integer(((c % p) + p) % p).convert_to<ulong>();
         for (std::size_t i = 0; i < values.size(); ++i) {
-            product = nmod_mul(product, nmod_pow_ui(values[i], e[i], mod), mod);
+            product =
+                n_mulmod2(product, n_powmod2(values[i], static_cast<slong>(e[i]), prime), prime);
         }
-        sum = nmod_add(sum, product, mod);
+        sum = n_addmod(sum, product, prime);
     });
     return sum;
 }

@@ -21,6 +21,7 @@ struct TableOptions : OutputOptions {
     std::string part;
     std::vector<std::string> merge;
     bool check = false;
+    bool exact = false;
 };
 
 std::vector<conformance::Reference> reference_values(const TableOptions& o,
@@ -105,7 +106,8 @@ int table(TableOptions& o) {
         return 0;
     }
     o.recipe = file_or_shipped(o.recipe, shipped_recipes);
-    const conformance::Recipe recipe = conformance::read_recipe(o.recipe);
+    conformance::Recipe recipe = conformance::read_recipe(o.recipe);
+    recipe.digits.exact = o.exact;
     if (o.check) {
         return check(o, recipe);
     }
@@ -128,6 +130,9 @@ void add_table(CLI::App& app, int& code) {
     sub.add_option("--out", o.out, "write to this file, whole or not at all");
     sub.add_option("--format", o.format, "default: csv")->type_name("csv|json|md|tex");
     sub.add_flag("--no-notes", o.no_notes, "leave out the facts and notes around the rows");
+    sub.add_flag("--exact", o.exact,
+                 "inputs as the recipe gives them, such as 1/3 (default: decimals with 15 digits "
+                 "more than the values)");
     sub.add_option("--threads", o.threads, "threads (default: one a processor)");
     sub.add_option("--part", o.part,
                    "K/N: every Nth row from the Kth only; nothing is done where --out is this part "

@@ -81,6 +81,28 @@ std::string csv_line(const std::vector<std::string>& cells) {
 
 namespace {
 
+/// The number of digits of an input that no decimal gives exactly, beyond those of the values: its
+/// rounding does not reach the digits of a value that a reader computes from it.
+constexpr unsigned more_digits_of_inputs = 15;
+
+std::string input_text(const formula::Exact& x, scene::Digits digits) {
+    digits.count += more_digits_of_inputs;
+    return decimal_text(x, digits);
+}
+
+std::string input_text(const conformance::AskedContact& contact, const std::string& key,
+                       const scene::Digits& digits) {
+    const auto found = std::ranges::find(contact.parameters, key, &conformance::Parameter::key);
+    if (found == contact.parameters.end() || found->is_word()) {
+        return parameter_text(contact, key);
+    }
+    std::vector<std::string> items = found->items();
+    for (std::string& item : items) {
+        item = input_text(formula::Exact::parse(item), digits);
+    }
+    return fmt::format("{}", fmt::join(items, "; "));
+}
+
 std::vector<std::string> row_of(const conformance::Questions& questions, std::size_t i,
                                 const conformance::Reference& reference,
                                 const std::vector<std::string>& keys, const scene::Digits& digits,
@@ -88,21 +110,21 @@ std::vector<std::string> row_of(const conformance::Questions& questions, std::si
     const conformance::Question& q = questions.list[i];
     std::vector<std::string> row{q.id};
     for (const std::string& key : keys) {
-        row.push_back(parameter_text(questions.contacts[q.contact], key));
+        row.push_back(input_text(questions.contacts[q.contact], key, digits));
     }
     row.push_back(q.at_edge() ? scene::edge_name(q.edge) : "");
     if (tolerances) {
-        row.push_back(q.tolerance ? q.tolerance->text() : "");
+        row.push_back(q.tolerance ? input_text(*q.tolerance, digits) : "");
     }
-    row.push_back(q.u ? q.u->text() : "");
+    row.push_back(q.u ? input_text(*q.u, digits) : "");
     if (bodies) {
         row.push_back(body_name(q));
     }
     row.push_back(reference.x ? printed_text(*reference.x, digits)
-                  : q.in_body ? q.in_body->x.text()
+                  : q.in_body ? input_text(q.in_body->x, digits)
                               : "");
     if (bodies) {
-        row.push_back(q.in_body ? q.in_body->z.text() : "");
+        row.push_back(q.in_body ? input_text(q.in_body->z, digits) : "");
     }
     row.push_back(symbol_of(q));
     const scene::PrintedValue value = printed(reference.value, digits);

@@ -94,7 +94,6 @@ std::vector<LongRun> long_runs() {
         {"table", "table in", tilted_recipe(3000, 1000)},
         {"table in parts", "table in --part 1/2 --out t.csv --threads 1",
          tilted_recipe(3000, 1000)},
-        {"a count", "bounds count --values 1000000", ""},
         {"costs", "cost --digits 5000 --points 40 --out costs", ""},
         {"a program that hangs",
          "check in --exec 'echo $$ >child; exec sleep 1000'",

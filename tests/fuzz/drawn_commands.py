@@ -263,14 +263,6 @@ def pack(rng, _library, command):
     return ["pack", "--threads", count(rng, ["1"]), *maybe(rng, 0.3, "--date", value(rng, ["2026-01-01"]))]
 
 
-def bounds(rng, _library, _command):
-    kind = rng.choice(["count"] * 3 + ["binary64"] * 3 + ["", "x"])
-    if kind in ("count", "binary64"):
-        return [kind, "--values", count(rng, ["1", "10"]), "--seed", count(rng, ["1", "5", "123"]), "--threads", "1",
-                *maybe(rng, 0.3, "--format", value(rng, ["csv", "json", "md"]))]
-    return [kind]
-
-
 def cost(rng, library, command):
     command.files["in.toml"] = library.drawn("scene", rng)
     words = ["in.toml", "--digits", value(rng, ["16", "5,10"]), "--points", count(rng, ["1", "2"])]
@@ -297,7 +289,7 @@ def verify(rng, library, command):
 COMMANDS = {"pressure": (pressure, 20), "expand": (expand, 12), "extent": (extent, 10), "slip": (slip, 10),
             "plot": (plot, 3), "relations": (relations, 8),
             "design": (design, 2), "table": (table, 6), "points": (points, 6), "check": (check, 10), "compare": (compare, 10),
-            "pack": (pack, 0.6), "bounds": (bounds, 2), "cost": (cost, 3),
+            "pack": (pack, 0.6), "cost": (cost, 3),
             "verify": (verify, 10)}
 
 

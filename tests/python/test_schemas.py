@@ -226,8 +226,6 @@ MESHES = [f"examples/compare/mesh-{n}.csv" for n in (24, 48, 96, 192)]
     ("table", ["slip", SCENE, "--tolerance", "5%"], "rows"),
     ("table", ["extent", "examples/scenes/fretting-pad.toml", "--binary64"], "rows"),
     ("table", ["relations", "left.c0", "right.c0", "--symmetric"], "rows"),
-    ("table", ["bounds", "count", "--values", "4"], "rows"),
-    ("table", ["bounds", "binary64", "--values", "40"], "rows"),
     pytest.param("table", ["design", "examples/design/pad.toml", "--digits", "10", "--gap", "1e-2"],
                  "rows", marks=pytest.mark.slow),
     ("comparison", ["compare", "examples/compare/cylinder.toml", *MESHES], "files"),

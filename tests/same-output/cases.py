@@ -93,16 +93,11 @@ def shipped_checks(seed):
         yield Case(f"verify moore-hills {group}", [["verify", *ledger, group, "--digits", "15", "--out", "verdicts"]], files, seconds=6)
     yield Case("verify profile", [["verify", *ledger, "EQ05", "--digits", "20", "--profile", "--record", "--strict"]], files)
     yield Case("pack", [["pack", "pack", *ONE], ["pack", "pack", "--check", *ONE]], seconds=6)
-    for kind, count in (("count", "60"), ("binary64", "300")):
-        words = ["bounds", kind, "--values", count, "--seed", str(seed), *ONE]
-        options = ([], ["--format", "csv"], ["--format", "json"], ["--format", "md"])
-        yield Case(f"bounds {kind}", [words + o for o in options], seconds=4)
     yield Case("relations", [s for words in (
         "left.c0 right.c0", "left.c1 left.c0 left.s0 --degree 2",
         "right.c1 right.c0 P --symmetric --given P2=m*P1/a --free m")
         for s in in_formats("relations", *words.split())], seconds=4)
-    yield Case("help", [["--version"], ["--help"], [], ["none"], *([c, "--help"] for c in drawn_commands.COMMANDS), *(
-        ["bounds", c, "--help"] for c in ("count", "binary64"))])
+    yield Case("help", [["--version"], ["--help"], [], ["none"], *([c, "--help"] for c in drawn_commands.COMMANDS)])
 
 
 def scene_cases(seed, count, library):

@@ -3,8 +3,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -14,17 +12,14 @@
 namespace edgeproof::cli {
 namespace {
 
-template <const LabCommand& command> void add_name_of(CLI::App& app, int& /*code*/) {
-    app.add_subcommand(command.name, command.help);
-}
+void add_name_of_cost(CLI::App& app, int& /*code*/) { app.add_subcommand(cost_name, cost_help); }
 
-/// Replaces this process by edgeproof-lab if the command is one of its own, or if the manual of all
+/// Replaces this process by edgeproof-lab if the command is `cost`, or if the manual of all
 /// commands is to be written. Returns an error message if there is no such program.
 std::string start_lab(int argc, char** argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";
     const std::string_view command = first == "help" && argc > 2 ? argv[2] : first;
-    const std::array<std::string_view, 3> own{lab_bounds.name, lab_cost.name, "--write-manual"};
-    if (std::ranges::find(own, command) == own.end()) {
+    if (command != cost_name && command != "--write-manual") {
         return "";
     }
     const std::filesystem::path lab = installed("edgeproof-lab");
@@ -35,23 +30,21 @@ std::string start_lab(int argc, char** argv) {
 
 } // namespace
 
-int run_edgeproof(int argc, char** argv, const LabCommands* lab) {
+int run_edgeproof(int argc, char** argv, AddCommand* add_cost) {
     open_standard_streams();
     take_aborts();
-    if (lab == nullptr) {
+    if (add_cost == nullptr) {
         if (const std::string problem = start_lab(argc, argv); !problem.empty()) {
             say_at_the_end("edgeproof: " + problem);
             return 2;
         }
     }
     take_signals();
-    const LabCommands names{add_name_of<lab_bounds>, add_name_of<lab_cost>};
-    const LabCommands& of_lab = lab == nullptr ? names : *lab;
     return run_program(argc, argv,
                        {add_pressure, add_expand, add_extent, add_slip, add_stress,
                         add_displacement, add_plot, add_relations, add_design, add_table,
-                        add_points, add_check, add_compare, add_pack, of_lab.bounds, of_lab.cost,
-                        add_verify});
+                        add_points, add_check, add_compare, add_pack,
+                        add_cost == nullptr ? add_name_of_cost : add_cost, add_verify});
 }
 
 } // namespace edgeproof::cli

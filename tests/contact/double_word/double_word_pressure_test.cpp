@@ -48,36 +48,8 @@ std::vector<Pressed> pressed() {
             {Profile::power_law(given("3"), given("63/2")), a("9/8")}};
 }
 
-} // namespace
-
-TEST_CASE("in double words: the binary64 nearest to the singular integral at 40 digits") {
-    std::size_t decided = 0;
-    std::size_t asked = 0;
-    for (const Pressed& c : pressed()) {
-        const DoubleWordPressure pressure = c.words();
-        const Witness contact(c.profile, given("7/3"), c.load, 40);
-        const double length = (contact.a() + contact.b()).convert_to<double>();
-        for (const Edge edge : {Edge::right, Edge::left}) {
-            for (const double u : {1e-40, 1e-9, 0.003, 0.21, 0.4999, 0.73, 1 - 1e-9}) {
-                CAPTURE(u);
-                const double at = length * u;
-                ++asked;
-                const auto p = pressure.nearest(edge, at);
-                if (!p) {
-                    continue;
-                }
-                ++decided;
-                // This route uses another formula, by quadrature.
-                CHECK(*p ==
-                      contact.pressure(edge, Exact::of(Rational(at)), Route::singular_integral)
-                          .value.convert_to<double>());
-            }
-        }
-    }
-    CHECK(decided + 2 >= asked);
-}
-
-TEST_CASE("in double words: the binary64 of a ball, by edges, knots, the apex and in between") {
+/// Compares drawn places by edges, knots, the apex and in between with balls.
+void compare_with_balls(int draws) {
     SplitMix64 dice(41);
     const auto uniform = [&] { return static_cast<double>(dice.next() >> 11U) * 0x1p-53; };
     for (const Pressed& c : pressed()) {
@@ -86,7 +58,7 @@ TEST_CASE("in double words: the binary64 of a ball, by edges, knots, the apex an
         const BallContact exact = c.balls(400);
         const double length = Ball(exact.a() + exact.b()).midpoint().convert_to<double>();
         std::vector<double> places;
-        for (int i = 0; i < 150; ++i) {
+        for (int i = 0; i < draws; ++i) {
             places.push_back(length * uniform());
             places.push_back(length * std::pow(10.0, -85 * uniform()));
         }
@@ -132,6 +104,45 @@ TEST_CASE("in double words: the binary64 of a ball, by edges, knots, the apex an
             CHECK((!nearest || nearest == nearest_binary64(p)));
         }
         CHECK(undecided <= 1);
+    }
+}
+
+} // namespace
+
+TEST_CASE("in double words: the binary64 nearest to the singular integral at 40 digits") {
+    std::size_t decided = 0;
+    std::size_t asked = 0;
+    for (const Pressed& c : pressed()) {
+        const DoubleWordPressure pressure = c.words();
+        const Witness contact(c.profile, given("7/3"), c.load, 40);
+        const double length = (contact.a() + contact.b()).convert_to<double>();
+        for (const Edge edge : {Edge::right, Edge::left}) {
+            for (const double u : {1e-40, 1e-9, 0.003, 0.21, 0.4999, 0.73, 1 - 1e-9}) {
+                CAPTURE(u);
+                const double at = length * u;
+                ++asked;
+                const auto p = pressure.nearest(edge, at);
+                if (!p) {
+                    continue;
+                }
+                ++decided;
+                // This route uses another formula, by quadrature.
+                CHECK(*p ==
+                      contact.pressure(edge, Exact::of(Rational(at)), Route::singular_integral)
+                          .value.convert_to<double>());
+            }
+        }
+    }
+    CHECK(decided + 2 >= asked);
+}
+
+TEST_CASE("in double words: the binary64 of a ball, by edges, knots, the apex and in between") {
+    compare_with_balls(150);
+}
+
+TEST_SUITE("slow") {
+    TEST_CASE("in double words: the binary64 of a ball at 240,000 drawn places") {
+        compare_with_balls(10'000);
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/lab.hpp"
+#include "lab/cost/command.hpp"
 
 #include "edgeproof/cli/all_commands.hpp"
 #include "edgeproof/cli/scene_command.hpp"
@@ -58,6 +58,15 @@ cost::CostReport measured(const CostArguments& a) {
     return report;
 }
 
+/// Returns title, notes and aligned columns: text to the left, numbers to the right.
+std::string aligned_text(const report::Table& table) {
+    std::string text = table.title + "\n";
+    for (const std::string& note : table.notes) {
+        text += "  " + note + "\n";
+    }
+    return text + "\n" + report::aligned_lines(table, 0, true);
+}
+
 int cost(const CostArguments& a) {
     if (!a.out.empty()) {
         io::check_folder(a.out); // fails before minutes of work, not after them
@@ -77,7 +86,7 @@ int cost(const CostArguments& a) {
 } // namespace
 
 void add_cost(CLI::App& app, int& code) {
-    auto [sub, a] = add_command<CostArguments>(app, code, lab_cost.name, lab_cost.help, cost);
+    auto [sub, a] = add_command<CostArguments>(app, code, cost_name, cost_help, cost);
     sub.add_option("scenes", a.scenes,
                    "scenes (TOML) to time at their own points; without any, a set of contacts "
                    "with easy and hard points");

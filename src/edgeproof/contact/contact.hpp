@@ -6,7 +6,7 @@
 ///   law/kernels.hpp                   P, M, b(a) and their rates as integrals over dg'
 ///   law/edge_expansion.hpp            c_0, c_1, ... at both edges
 ///   law/shear.hpp                     q under full stick
-///   law/slip_series.hpp               the slip zones in powers of the load
+///   slip/slip_series.hpp              the slip zones in powers of the load
 ///   tilt/tilt_solver.hpp              the tilt for a given force and moment
 ///   double_word/double_word_pressure.hpp  pressures to binary64, in double words with bounds
 ///   enclosure/ball_contact.hpp        BallContact: the contact in balls, proved

@@ -133,7 +133,7 @@ Ball BallSlip::traction(Edge edge, const Ball& u, const Ball& p) const {
 }
 
 // docs/partial-slip.md, "The series"
-SlipSeries<Ball> BallSlip::series(std::size_t terms) const {
+SlipSeries BallSlip::series(std::size_t terms) const {
     const long bits = zones_.bits();
     const std::vector<Ball> rates = zones_.force_rates(whole_.a, terms);
     if (!rates.empty()) {
@@ -143,7 +143,7 @@ SlipSeries<Ball> BallSlip::series(std::size_t terms) const {
             over_force.set(k + 1, rates[k] / (force_ * static_cast<long>(k + 1)));
         }
         const BallSeries d = inverse_function(over_force);
-        SlipSeries<Ball> series;
+        SlipSeries series;
         for (std::size_t k = 1; k <= terms; ++k) {
             series.right.push_back(d[k]);
         }
@@ -152,10 +152,9 @@ SlipSeries<Ball> BallSlip::series(std::size_t terms) const {
     }
     const Ball D = whole_.length();
     const Ball root_D = sqrt(D);
-    return slip_series<Ball>(contact_.expansion(Edge::right, terms),
-                             contact_.expansion(Edge::left, terms), D,
-                             force_ * 2 / (Ball::pi(bits) * root_D),
-                             force_ * over_Q_ / (root_D * 4), terms, Ball(1, bits));
+    return slip_series(
+        contact_.expansion(Edge::right, terms), contact_.expansion(Edge::left, terms), D,
+        force_ * 2 / (Ball::pi(bits) * root_D), force_ * over_Q_ / (root_D * 4), terms);
 }
 
 } // namespace edgeproof::contact

@@ -3,8 +3,8 @@
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/contact/law/shear.hpp"
-#include "edgeproof/contact/law/slip_series.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
+#include "edgeproof/contact/slip/slip_series.hpp"
 #include "edgeproof/contact/slip/stick_zone.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
@@ -98,7 +98,7 @@ public:
     [[nodiscard]] Ball traction(Edge edge, const Ball& u, const Ball& p) const;
     /// Returns kappa_1 ... kappa_terms (slip_series.hpp; of an axisymmetric contact
     /// docs/axisymmetric.md, "Partial slip").
-    [[nodiscard]] SlipSeries<Ball> series(std::size_t terms) const;
+    [[nodiscard]] SlipSeries series(std::size_t terms) const;
     [[nodiscard]] const ZoneSolver& zones() const { return zones_; }
 
 private:

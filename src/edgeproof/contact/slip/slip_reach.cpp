@@ -34,7 +34,7 @@ public:
     Error(const BallSlip& slip, Edge edge, std::size_t n, const Exact& tolerance)
         : slip_(slip), edge_(edge), n_(n), bits_(slip.zones().bits()),
           tolerance_(formula::enclosed_constant(tolerance, bits_)) {
-        const SlipSeries<Ball> all = slip.series(n);
+        const SlipSeries all = slip.series(n);
         kappa_ = edge == Edge::right ? all.right : all.left;
         for (const Ball& k : kappa_) {
             if (!k.is_finite()) {

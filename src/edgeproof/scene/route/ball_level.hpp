@@ -190,8 +190,8 @@ public:
             const BallSlip* s = slip();
             slip_series_ = s != nullptr
                                ? s->series(terms)
-                               : contact::SlipSeries<Ball>{std::vector<Ball>(terms, not_known()),
-                                                           std::vector<Ball>(terms, not_known())};
+                               : contact::SlipSeries{std::vector<Ball>(terms, not_known()),
+                                                     std::vector<Ball>(terms, not_known())};
         }
         return edge == Edge::right ? slip_series_->right : slip_series_->left;
     }
@@ -427,7 +427,7 @@ private:
     bool slip_tried_ = false;
     std::unique_ptr<contact::ZoneSolver> zones_;
     std::optional<BallSlip> slip_;
-    std::optional<contact::SlipSeries<Ball>> slip_series_;
+    std::optional<contact::SlipSeries> slip_series_;
     std::optional<Last> last_;
     std::optional<std::pair<BodyPoint, contact::StressState>> last_stress_;
     std::optional<contact::TractionParts> traction_parts_;

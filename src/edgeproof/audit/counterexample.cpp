@@ -262,12 +262,8 @@ std::optional<Evidence> clearest_counterexample(const ClaimResult& result,
     }
     const RefutedReading refuted = kindest_refuted(result);
     try {
-        static const std::map<std::string, Counterexample*, std::less<>> kinds{
-            {"extent", reach_counterexample},
-            {"vanishing", vanishing_counterexample},
-            {"monotone", course_counterexample}};
-        if (const auto kind = kinds.find(refuted.claim->kind); kind != kinds.end()) {
-            return kind->second(refuted, context);
+        if (quoted_reach(*refuted.claim)) {
+            return reach_counterexample(refuted, context);
         }
         auto found = formula_counterexample(refuted);
         return found ? found : integral_counterexample(refuted, context);

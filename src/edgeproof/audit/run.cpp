@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/run.hpp"
 #include "edgeproof/audit/agreement/samples.hpp"
+#include "edgeproof/audit/checks/parts/sweep.hpp"
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -35,6 +36,44 @@ Outcome check_one(const Claim& claim, const AuditContext& context) {
         o.note = e.what();
         return o;
     }
+}
+
+/// Checks a claim about a contact whose size is not given at each of the sizes listed.
+Outcome check_sizes(const Claim& claim, const AuditContext& context) {
+    if (!claim.has("sizes")) {
+        return check_one(claim, context);
+    }
+    Outcome all;
+    std::vector<Judgement> verdicts;
+    std::vector<std::string> holding;
+    Evidence each;
+    for (const std::string& size : claim.list("sizes")) {
+        const Ledger sized = with_parameter(context.ledger(), claim.text("over"), "a",
+                                            parse_formula(size, claim.vocabulary));
+        const Outcome one = check_one(claim, AuditContext(sized, context.digits()));
+        verdicts.push_back(one.verdict);
+        each.add("a = " + size,
+                 std::string(name_of(one.verdict)) + ": " + one.computed.value_or(one.note));
+        if (holds(one.verdict)) {
+            holding.push_back(size);
+        }
+    }
+    const std::string sizes = std::to_string(verdicts.size()) + " sizes";
+    all.evidence.add("sizes", each);
+    all.evidence.add("holds_for_a", holding);
+    if (std::ranges::count(verdicts, Verdict::undecided) > 0) {
+        all.note = "the enclosures do not decide at some of " + sizes;
+    } else if (holding.empty()) {
+        all.note = "it holds at none of " + sizes + ", which does not decide between them";
+    } else if (holding.size() < verdicts.size()) {
+        all.verdict = Undecided::underspecified;
+        all.note = "the size is not given; of " + sizes +
+                   ", it would hold for a = " + boost::algorithm::join(holding, ", ");
+    } else {
+        all.verdict = Judgement::of_readings(verdicts);
+        all.note = "the size is not given, and it holds at each of " + sizes;
+    }
+    return all;
 }
 
 /// Combines the outcomes under several readings; `undefined` lists the names not defined in print.
@@ -119,10 +158,10 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
     const auto judge = [&](const Claim& claim, ClaimResult& r) {
         r.claim = claim;
         if (claim.readings.empty() && claim.undefined.empty()) {
-            r.outcome = check_one(claim, context);
+            r.outcome = check_sizes(claim, context);
         } else {
             for (const Claim& reading : claim.readings) {
-                r.readings.emplace_back(reading.reading, check_one(reading, context));
+                r.readings.emplace_back(reading.reading, check_sizes(reading, context));
             }
             r.outcome = combined(claim, r.readings);
         }
@@ -190,14 +229,14 @@ const Claim& plain(const Claim& claim) {
 /// For a reach: computes the error at the quoted distance, in the first scene. The result is "as
 /// printed" if the error rounds to the tolerance.
 LaterFinding at_quoted_distance(const LaterResult& later, const Claim& claim,
-                                const AuditContext& context) {
+                                const QuotedReach& reach, const AuditContext& context) {
     EnclosedSample at({context.scenes(claim).front(), std::nullopt, claim.edge(), {}}, later_bits);
     const std::string& quoted = claim.text("quoted");
     const Rational share = parse_decimal(quoted.substr(0, quoted.find(" %")));
-    at.set_place(claim.edge(), at.evaluate(claim.formula("base")) * Ball(share / 100, later_bits));
+    at.set_place(claim.edge(), at.evaluate(reach.base) * Ball(share / 100, later_bits));
     const PrecisionScope scope(2 * result_digits);
     const Real error = at.finite(later.says).midpoint();
-    const Real tolerance = Exact::parse(claim.text("tolerance")).to<Real>();
+    const Real tolerance = Exact(reach.tolerance).to<Real>();
     return {to_decimal(Real(error * 100), result_digits) + " %",
             error < tolerance * 3 / 2 && error * 2 > tolerance};
 }
@@ -301,9 +340,9 @@ void add_later_results(AuditResult& result, const AuditContext& context) {
         one.add("claim", later.claim).add("what", later.words);
         try {
             const Claim& claim = plain(to->claim);
-            const LaterFinding finding = claim.kind == "extent"
-                                             ? at_quoted_distance(later, claim, context)
-                                             : at_samples(later, claim, context);
+            const auto reach = quoted_reach(claim);
+            const LaterFinding finding = reach ? at_quoted_distance(later, claim, *reach, context)
+                                               : at_samples(later, claim, context);
             one.add("comes_to", finding.comes_to).add("as_printed", finding.as_printed);
         } catch (const Error& error) { // a limit of the program, not a result
             one.add("not_computed", error.what());

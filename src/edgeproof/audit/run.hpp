@@ -56,6 +56,14 @@ struct RefutedReading {
     const Outcome* outcome = nullptr;
 };
 
+/// The parts of a figure exit(terms, tolerance)/base, or of measure(...)/base.
+struct QuotedReach {
+    Expr terms;
+    Expr tolerance;
+    Expr base;
+};
+[[nodiscard]] std::optional<QuotedReach> quoted_reach(const Claim& claim);
+
 /// Returns a measure of the effort to calculate with a number by hand.
 [[nodiscard]] double effort_of(const Rational& value);
 
@@ -63,8 +71,6 @@ struct RefutedReading {
 using Counterexample = std::optional<Evidence>(const RefutedReading& refuted,
                                                const AuditContext& context);
 [[nodiscard]] Counterexample reach_counterexample;
-[[nodiscard]] Counterexample course_counterexample;
-[[nodiscard]] Counterexample vanishing_counterexample;
 [[nodiscard]] Counterexample integral_counterexample;
 
 } // namespace edgeproof::audit

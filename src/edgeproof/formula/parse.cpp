@@ -293,7 +293,7 @@ private:
         if (peek() != ')') {
             do {
                 args.push_back(sum());
-            } while (take(','));
+            } while (take(',') || (name == "given" && take('=')));
         }
         close(opened_at);
         check_arguments(name, args, start);

@@ -7,9 +7,8 @@ import dataclasses
 RIGHT_VERDICTS = {
     "true": {"proved", "confirmed", "definition"},
     "false": {"refuted", "imprecise", "underspecified"},
-    "imprecise": {"imprecise"},        # a figure that is one unit off, an order that is higher than printed
+    "imprecise": {"imprecise"},        # a figure that is one unit off
     "some": {"underspecified", "imprecise"},  # it holds for some sizes of the contact, not for all
-    "some or all": {"confirmed", "underspecified", "imprecise"},
     "no value": {"underspecified"},    # the printed formula has no value
 }
 

@@ -3,6 +3,7 @@
 
 #include "edgeproof/audit/enclosure/contact_formulas.hpp"
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
+#include "edgeproof/audit/enclosure/enclosed_reach.hpp"
 #include "edgeproof/audit/sample/body_fields.hpp"
 #include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
@@ -120,6 +121,7 @@ struct EnclosedSample::State {
         return *fields_;
     }
     mutable std::optional<BodyFields> fields_; ///< computed on first use
+    mutable std::unique_ptr<EnclosedSample> next_;
     /// The integrals that were enclosed, or the reasons why they were not, for the many variants of
     /// a formula in a diagnosis.
     mutable std::unordered_map<Expr, std::variant<Ball, std::exception_ptr>, formula::ExprHash>
@@ -144,6 +146,8 @@ struct EnclosedSample::State {
     [[nodiscard]] Ball pi() const { return Ball::pi(bits); }
     [[nodiscard]] Ball symbol(std::string_view name) const;
     [[nodiscard]] Ball call(const Expr& node, std::span<const Ball> args) const;
+    /// Returns the value of given(f, name, value) or next(f); nothing for other calls.
+    [[nodiscard]] std::optional<Ball> elsewhere(const Expr& call) const;
 
     template <class Scope> [[nodiscard]] Ball binder(const Expr& node, const Scope& scope) const {
         if (node.kind() == Expr::Kind::sum) {
@@ -342,10 +346,59 @@ Ball EnclosedSample::State::call(const Expr& node, std::span<const Ball> args) c
                : name == "P1of" ? other.force_derivatives(2).back()
                                 : other.b();
     }
+    if (name == "exit" || name == "measure" || name == "best") {
+        const auto exact = [&](std::size_t i) {
+            const auto value = constant(node.arg(i));
+            if (!value) {
+                throw Error("the arguments of " + name + " are not numbers");
+            }
+            return *value;
+        };
+        const ReachQuestion question{sample.edge, exact(0), exact(1)};
+        return name != "best"
+                   ? enclosed_reach(sample.scene, question, name == "exit", bits)
+                   : best_value(sample.scene, question, node.arg(2).name(), exact(3), exact(4));
+    }
     if (name == "binv" && certainly_positive(args[0])) {
         return closed_form(name).mirrored().with_right_edge(args[0]).b();
     }
     throw Error("'" + name + "' has no enclosure");
+}
+
+std::optional<Ball> EnclosedSample::State::elsewhere(const Expr& call) const {
+    if (call.name() == "next") {
+        if (!sample.next) {
+            throw Error("next(f) has a value only in a claim with the key `along`");
+        }
+        if (!next_) {
+            next_ = std::make_unique<EnclosedSample>(*sample.next, bits, integral_digits);
+        }
+        return next_->evaluate(call.arg(0));
+    }
+    if (call.name() != "given") {
+        return std::nullopt;
+    }
+    const std::string name = call.arg(1).kind() == Expr::Kind::symbol ? call.arg(1).name() : "";
+    Sample other = sample;
+    const bool variable = other.variables.contains(name);
+    const auto exact = constant(call.arg(2));
+    if (!variable && !other.scene.parameters.contains(name)) {
+        throw Error("given(...) needs a parameter of the family or a name of `vary`");
+    }
+    if (exact) {
+        (variable ? other.variables[name] : other.scene.parameters[name]) = *exact;
+    } else if (!variable && name != "Q" && name != "sig0") {
+        throw Error("given(...) needs a number for a parameter of the profile");
+    }
+    EnclosedSample there(other, bits, integral_digits);
+    for (const std::string& own : overridden) {
+        there.set(own, names.at(own));
+    }
+    there.set(name, formula::evaluate<Ball>(call.arg(2), *this));
+    if (u) {
+        there.set_place(sample.edge, *u);
+    }
+    return there.evaluate(call.arg(0));
 }
 
 namespace {

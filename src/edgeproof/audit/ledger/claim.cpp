@@ -110,10 +110,12 @@ Condition parse_condition(std::string_view text, const Vocabulary& vocabulary) {
         std::vector<Expr> sides;
         std::vector<Relation::Op> ops;
         std::size_t from = 0;
+        int depth = 0; // given(f, name = value) is no relation
         for (std::size_t i = 0; i < part.size();) {
             const auto* found = std::ranges::find_if(
                 operators, [&](const Operator& o) { return part.substr(i).starts_with(o.sign); });
-            if (found == operators.end()) {
+            depth += part[i] == '(' ? 1 : part[i] == ')' ? -1 : 0;
+            if (found == operators.end() || depth > 0) {
                 ++i;
                 continue;
             }

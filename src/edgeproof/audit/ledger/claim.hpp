@@ -195,8 +195,10 @@ struct CheckKind {
 [[nodiscard]] const std::vector<CheckKind>& check_kinds();
 /// Returns nullptr if there is no kind of that name.
 [[nodiscard]] const CheckKind* find_check_kind(std::string_view name);
-/// The keys that claims of every kind may have: says, of, over, edge, where, quoted, with, vary,
-/// points, remark, decimals.
+/// Returns what to write in place of a kind that is no longer known; empty for other names.
+[[nodiscard]] std::string_view instead_of_kind(std::string_view name);
+/// The keys that claims of every kind may have: over, edge, where, quoted, with, vary, points,
+/// sizes, remark, decimals.
 [[nodiscard]] const std::vector<KeySpec>& common_keys();
 
 } // namespace edgeproof::audit

@@ -157,6 +157,10 @@ private:
         claim.kind = table.written("kind");
         const CheckKind* kind = find_check_kind(claim.kind);
         if (kind == nullptr) {
+            if (const auto instead = instead_of_kind(claim.kind); !instead.empty()) {
+                table.reject("kind", "the kind '" + claim.kind + "' is no longer known",
+                             std::string(instead));
+            }
             Keys known;
             for (const CheckKind& k : check_kinds()) {
                 known.push_back(k.name);

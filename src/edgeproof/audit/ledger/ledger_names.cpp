@@ -100,12 +100,12 @@ void refuse_names(Vocabulary& v, const Friction& friction, const std::string& fa
 /// refuses the other quantities of the plane contact with the same pressure, and the kinds of claim
 /// that use them.
 void refuse_plane_names(Vocabulary& v, const Claim& claim, const std::string& family, bool slips) {
-    const std::set<std::string_view> kinds{"definition", "value", "relation", "figure"};
+    const std::set<std::string_view> kinds{"definition", "value", "condition", "figure"};
     if (!kinds.contains(claim.kind)) {
         claim.reject("over",
                      "family " + family + " is axisymmetric, and claim " + claim.id +
                          " is of kind " + claim.kind,
-                     "write kind = \"value\", \"relation\" or \"figure\", or use a plane family");
+                     "write kind = \"value\", \"condition\" or \"figure\", or use a plane family");
     }
     const std::set<std::string_view> known{"a", "Es", "P", "u", "x", "L", "p", "gap"};
     const auto refuse = [&](const std::string& name) {
@@ -128,12 +128,12 @@ void refuse_plane_names(Vocabulary& v, const Claim& claim, const std::string& fa
 /// Refuses what depends on a slope, and the kinds of claim that use it.
 void use_flat_punch(Vocabulary& v, const Claim& claim, const std::string& family,
                     const std::set<std::string>& parameters) {
-    const std::set<std::string_view> kinds{"definition", "value", "relation", "figure", "order"};
+    const std::set<std::string_view> kinds{"definition", "value", "condition", "figure"};
     if (!kinds.contains(claim.kind)) {
         claim.reject("over",
                      "family " + family + " is a flat punch, and claim " + claim.id +
                          " is of kind " + claim.kind,
-                     "write kind = \"value\", \"relation\", \"figure\" or \"order\"");
+                     "write kind = \"value\", \"condition\" or \"figure\"");
     }
     const std::set<std::string_view> known{"a", "b", "L", "P", "u", "x", "p", "q"};
     const auto refuse = [&](const std::string& name) {
@@ -313,9 +313,10 @@ bool is_full_stick_symbol(std::string_view name) {
 
 const std::vector<std::pair<std::string, unsigned>>& scene_functions() {
     static const std::vector<std::pair<std::string, unsigned>> functions{
-        {"p", 1},    {"g1", 1},          {"Pof", 1},        {"P1of", 1}, {"bof", 1},
-        {"binv", 1}, {"right_local", 2}, {"left_local", 2}, {"q", 1},    {"gap", 1},
-        {"sxx", 2},  {"szz", 2},         {"sxz", 2},        {"slip", 1}};
+        {"p", 1},       {"g1", 1},          {"Pof", 1},        {"P1of", 1}, {"bof", 1},
+        {"binv", 1},    {"right_local", 2}, {"left_local", 2}, {"q", 1},    {"gap", 1},
+        {"sxx", 2},     {"szz", 2},         {"sxz", 2},        {"slip", 1}, {"exit", 2},
+        {"measure", 2}, {"best", 5},        {"given", 3},      {"next", 1}};
     return functions;
 }
 

@@ -12,6 +12,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <set>
 #include <string>
 
 namespace edgeproof::audit {
@@ -148,6 +149,7 @@ public:
     Matrix& operator=(const Matrix&) = delete;
     ~Matrix() { nmod_mat_clear(m_); }
     [[nodiscard]] ulong& at(std::size_t i, std::size_t j) { return nmod_mat_entry(m_, i, j); }
+    [[nodiscard]] std::size_t rank() { return static_cast<std::size_t>(nmod_mat_rank(m_)); }
     /// Returns one vector for each column that depends on the columns before it.
     [[nodiscard]] std::vector<NullVector> null_space() {
         const auto rank = static_cast<std::size_t>(nmod_mat_rref(m_));
@@ -225,6 +227,15 @@ bool proved(const PolynomialRelation& relation, const std::vector<Form>& quantit
     return sum.is_zero();
 }
 
+std::vector<Form> forms_of(const std::vector<RelatedQuantity>& quantities, SymbolicCase under) {
+    under.full_stick = true;
+    std::vector<Form> forms;
+    for (const RelatedQuantity& q : quantities) {
+        forms.push_back(form_in(q.formula, under));
+    }
+    return forms;
+}
+
 } // namespace
 
 unsigned PolynomialRelation::Term::degree() const { return degree_of(exponents); }
@@ -236,14 +247,11 @@ std::size_t PolynomialRelation::terms_with(std::size_t quantity) const {
 
 FoundRelations find_relations(const std::vector<RelatedQuantity>& quantities, unsigned degree,
                               const SymbolicCase& under) {
-    SymbolicCase with_shear = under;
-    with_shear.full_stick = true;
-    std::vector<Form> formulas;
+    const std::vector<Form> formulas = forms_of(quantities, under);
     std::vector<ScalingWeights> weights;
     bool graded = true;
-    for (const RelatedQuantity& q : quantities) {
-        formulas.push_back(form_in(q.formula, with_shear));
-        const auto w = scaling_weights(formulas.back().expr());
+    for (const Form& f : formulas) {
+        const auto w = scaling_weights(f.expr());
         graded = graded && w;
         weights.push_back(w.value_or(ScalingWeights{}));
     }
@@ -317,6 +325,78 @@ FoundRelations find_relations(const std::vector<RelatedQuantity>& quantities, un
         }
     }
     return result;
+}
+
+bool determines(const PolynomialRelation& relation, std::size_t quantity,
+                const std::vector<RelatedQuantity>& quantities, const SymbolicCase& under) {
+    PolynomialRelation rate;
+    for (const PolynomialRelation::Term& term : relation.terms) {
+        if (term.exponents[quantity] > 0) {
+            rate.terms.push_back(
+                {Integer(term.coefficient * term.exponents[quantity]), term.exponents});
+            --rate.terms.back().exponents[quantity];
+        }
+    }
+    return !rate.terms.empty() && !proved(rate, forms_of(quantities, under));
+}
+
+GradientRanks gradient_ranks(const std::vector<RelatedQuantity>& quantities,
+                             const SymbolicCase& under) {
+    const std::vector<Form> forms = forms_of(quantities, under);
+    std::set<std::string> names;
+    for (const Form& f : forms) {
+        names.merge(free_symbols(f.expr()));
+    }
+    GradientRanks ranks;
+    std::vector<std::size_t> alone;         // columns of the first quantity only
+    std::vector<std::vector<Form>> columns; // those that differ; a and b of a + b are one
+    for (const std::string& name : names) {
+        std::vector<Form> column;
+        for (const Form& f : forms) {
+            column.push_back(f.holds(name) ? f.derivative(name) : Form(0));
+        }
+        const bool of_first = !column.front().is_zero();
+        const bool of_others = std::any_of(column.begin() + 1, column.end(),
+                                           [](const Form& f) { return !f.is_zero(); });
+        const bool known = std::ranges::find(columns, column) != columns.end();
+        if (of_first && !of_others && !known) {
+            alone.push_back(columns.size());
+        }
+        if ((of_first || of_others) && !known) {
+            columns.push_back(std::move(column));
+        }
+    }
+    std::vector<Form> entries;
+    for (const auto& column : columns) {
+        entries.insert(entries.end(), column.begin(), column.end());
+    }
+    SampleValues values(entries);
+    const std::size_t rows = forms.size();
+    for (std::size_t draw = 0; draw < 3 && !columns.empty(); ++draw) {
+        Matrix others(rows - 1, columns.size());
+        Matrix all(rows, columns.size());
+        for (std::size_t i = 0; i < rows; ++i) {
+            for (std::size_t j = 0; j < columns.size(); ++j) {
+                all.at(i, j) = values.at(draw)[j * rows + i];
+                if (i > 0) {
+                    others.at(i - 1, j) = all.at(i, j);
+                }
+            }
+        }
+        if (std::ranges::any_of(alone, [&](std::size_t j) { return all.at(0, j) != 0; })) {
+            ranks.function = false;
+        }
+        ranks.others = std::max(ranks.others, others.rank());
+        ranks.all = std::max(ranks.all, all.rank());
+    }
+    const bool constant =
+        std::ranges::all_of(columns, [](const auto& c) { return c.front().is_zero(); });
+    if (!ranks.function && ranks.all == rows) {
+        ranks.function = false;
+    } else if (!ranks.function && (constant || ranks.others == columns.size())) {
+        ranks.function = true;
+    }
+    return ranks;
 }
 
 namespace {

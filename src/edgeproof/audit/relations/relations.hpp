@@ -53,6 +53,23 @@ struct FoundRelations {
 [[nodiscard]] FoundRelations find_relations(const std::vector<RelatedQuantity>& quantities,
                                             unsigned degree, const SymbolicCase& under);
 
+/// Whether the first of the quantities is a function of the others near some point, for free names,
+/// by the ranks of their gradients: of the others alone and of all. A rank modulo a prime is a
+/// lower bound; the upper one is the number of rows or of columns that differ.
+struct GradientRanks {
+    std::size_t others = 0;
+    std::size_t all = 0;
+    std::optional<bool> function; ///< nothing if the bounds do not decide
+};
+[[nodiscard]] GradientRanks gradient_ranks(const std::vector<RelatedQuantity>& quantities,
+                                           const SymbolicCase& under);
+
+/// True if the derivative of a relation by a quantity is proved not to vanish identically: where it
+/// does not vanish, the quantity is a function of the others.
+[[nodiscard]] bool determines(const PolynomialRelation& relation, std::size_t quantity,
+                              const std::vector<RelatedQuantity>& quantities,
+                              const SymbolicCase& under);
+
 /// Returns "6*L*b1^2*left.c1 - 6*L*right.c1 - ... = 0".
 [[nodiscard]] std::string relation_text(const PolynomialRelation& relation,
                                         const std::vector<RelatedQuantity>& quantities);

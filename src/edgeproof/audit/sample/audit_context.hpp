@@ -24,6 +24,7 @@ struct Sample {
     std::optional<Exact> fraction; ///< u as a fraction of the contact's length
     Edge edge = Edge::right;
     std::map<std::string, Exact, std::less<>> variables;
+    std::shared_ptr<const Sample> next = {}; ///< at the next value of a sweep, for next(f)
     [[nodiscard]] std::string text() const;
 };
 

@@ -166,6 +166,11 @@ template <class T, class Env> T evaluate_node(const Expr& e, const Env& env) {
             return evaluate_sum<T>(e, env);
         }
     } else if (e.kind() == Kind::call && e.builtin() == Builtin::none) {
+        if constexpr (requires { *env.elsewhere(e); }) { // a formula in another scene
+            if (const auto value = env.elsewhere(e)) {
+                return T(*value);
+            }
+        }
         if constexpr (requires(std::span<const T> args) { T(env.call(e, args)); }) {
             std::vector<T> args;
             args.reserve(e.args().size());

@@ -36,13 +36,11 @@ struct Typeset {
                                    Arrange arrange = nullptr) const {
         return tex(text_in(c, key), arrange);
     }
-    /// "$x = 1$, $y = 2$" without the variable `except`.
-    [[nodiscard]] std::string values(const Evidence& c, std::string_view except = {}) const {
+    /// "$x = 1$, $y = 2$"
+    [[nodiscard]] std::string values(const Evidence& c) const {
         std::string out;
         for (const auto& [name, item] : part_of<Evidence>(c, "with")->entries()) {
-            if (name != except) {
-                out += (out.empty() ? "" : ", ") + math(tex(name) + " = " + tex(item.text()));
-            }
+            out += (out.empty() ? "" : ", ") + math(tex(name) + " = " + tex(item.text()));
         }
         return out;
     }
@@ -86,19 +84,6 @@ std::string value_steps(const Evidence& clearest, const std::string& which, cons
            (exact.empty() ? "" : " = " + by.tex(exact, gathered)) + decimal_step(decimal, exact);
 }
 
-/// Names the other coefficients that vanish where the claim states that this one does.
-std::string others_in_words(const audit::Outcome& outcome, const Typeset& by) {
-    std::string out;
-    if (const auto* others = part_of<Evidence>(outcome.evidence, "elsewhere")) {
-        for (const auto& [name, found] : others->entries()) {
-            if (found.text() == "vanishes at the printed value") {
-                out += " At the printed value " + math(by.tex(name)) + " vanishes.";
-            }
-        }
-    }
-    return out;
-}
-
 std::vector<std::string> reach_steps(const Evidence& c, const Typeset& by) {
     const std::string p_local = "p_{\\mathrm{local}}";
     const std::string terms = text_in(c, "terms");
@@ -111,19 +96,6 @@ std::vector<std::string> reach_steps(const Evidence& c, const Typeset& by) {
             "The relative error is " + math("|1 - " + p_local + "/p| = " + digits_in(c, "error")) +
                 "; as printed, it would be " + text_in(c, "printed_means") + ", " +
                 latex_text(in_percent(formula::Exact::parse(text_in(c, "tolerance")))) + "."};
-}
-
-std::vector<std::string> course_steps(const Evidence& c, const Typeset& by) {
-    const std::string along = text_in(c, "along");
-    const auto at = [&](const char* where, const char* value) {
-        return "At " + math(by.tex(along) + " = " + by.part(c, where)) + ": " +
-               math(by.part(c, "of")) + math("\\; = " + digits_in(c, value)) + ".";
-    };
-    const std::string place = text_in(c, "place");
-    return {"Take " + by.values(c, along) +
-                (place.empty() ? "" : ", at " + note_tex(place, by.claim, by.source)) + ".",
-            at("first_at", "first"), at("second_at", "second"),
-            "As printed, it " + text_in(c, "claimed") + " from the one to the other."};
 }
 
 } // namespace
@@ -195,28 +167,6 @@ std::string correction_in_words(const audit::ClaimResult& result, const PrintedS
                               math(computed) + ")."
                         : math(computed) + ".");
     }
-    const auto* clearest = part_of<Evidence>(outcome.evidence, "clearest");
-    if (clearest != nullptr && clearest->find("along") != nullptr) {
-        const Typeset by{*spoken_of(result).first, source};
-        const auto at = [&](const char* value, const char* where) {
-            return math(number_tex(text_in(*clearest, value))) + " at " +
-                   math(by.part(*clearest, "along") + " = " + by.part(*clearest, where));
-        };
-        return math(by.part(*clearest, "of")) + " is " + at("first", "first_at") + ", and " +
-               at("second", "second_at") + ".";
-    }
-    if (outcome.correct) {
-        const Typeset by{claim, source};
-        const std::string& correct = *outcome.correct;
-        const std::size_t equals = correct.find(" = ");
-        const std::size_t of = correct.rfind(" for ");
-        if (equals != std::string::npos && of != std::string::npos) {
-            return math(by.tex(correct.substr(of + 5))) + " vanishes at " +
-                   math(by.tex(correct.substr(0, equals)) + " = " +
-                        by.tex(correct.substr(equals + 3, of - equals - 3))) +
-                   "." + others_in_words(outcome, by);
-        }
-    }
     std::string words = note_tex(outcome.note, claim, source) + ".";
     words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
     return words;
@@ -231,14 +181,6 @@ std::vector<std::string> counterexample_steps(const audit::ClaimResult& result,
     const Typeset by{*spoken_of(result).first, source};
     if (c->find("distance") != nullptr) {
         return reach_steps(*c, by);
-    }
-    if (c->find("along") != nullptr) {
-        return course_steps(*c, by);
-    }
-    if (c->find("claimed_value") != nullptr) {
-        return {"Take " + by.values(*c) + ", which is the ratio printed.",
-                "Then " + math(by.part(*c, "of") + " = " + digits_in(*c, "value")) +
-                    ", but the printed value is " + math(text_in(*c, "claimed_value")) + "."};
     }
     return {"Take " + by.values(*c) + "." +
                 (text_in(*c, "coefficient_of").empty()

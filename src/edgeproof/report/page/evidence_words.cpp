@@ -20,8 +20,8 @@ using audit::PrintedSource;
 
 bool shown_elsewhere(std::string_view key) {
     static const std::set<std::string_view> keys{
-        "clearest",    "later_results",   "edit",        "correct_tex",     "ratio_tex",
-        "derived_tex", "correct_verdict", "edits_tried", "derived_instead", "values_taken"};
+        "clearest",    "later_results",   "edit",        "correct_tex",    "ratio_tex",
+        "derived_tex", "correct_verdict", "edits_tried", "derived_instead"};
     return keys.contains(key);
 }
 
@@ -137,21 +137,6 @@ std::string item_html(const EvidenceItem& item, const Claim& claim, const Printe
     return std::visit(Visitor{claim, source}, item.value());
 }
 
-/// A table of the values of a parameter and the results for each.
-std::string course_html(const Evidence& evidence, const Claim& claim, const PrintedSource& source) {
-    const auto* x = part_of<std::vector<EvidenceItem>>(evidence, "values_taken");
-    const auto* y = part_of<std::vector<EvidenceItem>>(evidence, "values");
-    if (x == nullptr || y == nullptr || x->size() != y->size()) {
-        return "";
-    }
-    std::string out = "<table class=\"columns\"><tbody>";
-    for (std::size_t i = 0; i < x->size(); ++i) {
-        out += "<tr><td>" + item_html((*x)[i], claim, source) + "</td><td>" +
-               item_html((*y)[i], claim, source) + "</td></tr>";
-    }
-    return out + "</tbody></table>";
-}
-
 } // namespace
 
 std::string key_words(std::string_view key) {
@@ -172,7 +157,6 @@ std::string key_words(std::string_view key) {
         {"disjoint", "the enclosures are disjoint"},
         {"ratio", "printed over exact"},
         {"ratio_range", "printed over exact runs from; to"},
-        {"printed_over_exact", "printed over exact"},
         {"terms", "power by power"},
         {"both", "printed and exact"},
         {"derived", "exact"},
@@ -183,31 +167,21 @@ std::string key_words(std::string_view key) {
         {"readings", "ways to take the words"},
         {"rounds_to", "rounds to"},
         {"units_off", "units of the last quoted place off"},
-        {"crossings", "times the error crosses the tolerance"},
-        {"first_exit_of_base", "up to where the tolerance is first reached"},
-        {"measure_of_base", "total length within the tolerance"},
-        {"first_exit_of_whole_contact", "the same first exit, of the whole contact"},
-        {"measure_of_whole_contact", "the same total length, of the whole contact"},
-        {"error_at_the_quoted_distance", "error at the distance quoted"},
         {"steps_as_claimed", "steps as claimed"},
         {"steps_against", "steps against it"},
         {"against", "the steps against it"},
         {"against_at", "in the scene"},
-        {"values", "values"},
         {"along", "parameter"},
         {"narrowest_margin", "narrowest margin"},
         {"narrowest_at", "where it is narrowest"},
         {"narrowest_at_u_over_L", "narrowest at u/(a + b)"},
         {"scenes_failing", "scenes in which it fails"},
         {"fails_in", "fails for"},
+        {"left_side", "left side"},
+        {"right_side", "right side"},
+        {"holds_for_a", "holds for a"},
+        {"values_taken", "values of it"},
         {"holds_in", "holds for"},
-        {"vanishes_at", "vanishes at"},
-        {"elsewhere", "other coefficients"},
-        {"loads_of_one_sign", "scenes with loads of one sign"},
-        {"break_down", "scenes in which it breaks down"},
-        {"uniform", "scenes in which it stays bounded"},
-        {"growth_by_decade", "growth per decade"},
-        {"growth_of_the_printed_term", "growth of the printed term"},
         {"samples_left_out", "samples left out"},
         {"samples_to_few_digits", "samples compared to a few digits"},
         {"scenes_left_out", "scenes left out"},
@@ -227,16 +201,14 @@ std::string note_html(const std::string& note, const Claim& claim, const Printed
 std::string evidence_html(const Evidence& evidence, const Claim& claim,
                           const PrintedSource& source) {
     std::string out = "<table class=\"evidence stack\"><tbody>\n";
-    const std::string course = course_html(evidence, claim, source);
     for (const auto& [key, item] : evidence.entries()) {
         if (shown_elsewhere(key)) {
             continue;
         }
-        const bool as_course = key == "values" && !course.empty();
         out += "<tr><th scope=\"row\">" +
                (key.find_first_of(".=*") != std::string::npos ? note_html(key, claim, source)
                                                               : key_words(key)) +
-               "</th><td>" + (as_course ? course : item_html(item, claim, source)) + "</td></tr>\n";
+               "</th><td>" + item_html(item, claim, source) + "</td></tr>\n";
     }
     return out + "</tbody></table>\n";
 }

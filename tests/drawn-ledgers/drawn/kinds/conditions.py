@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Claims of the kinds relation and size-condition: inequalities, many of which become equalities at
+"""Claims of the kind condition: inequalities, many of which become equalities at
 a point."""
 from .. import scenes
 from ..ledger import Claim, family
@@ -65,20 +65,20 @@ def draw_relation(rng, digits):
         if holds == "nowhere" and (" and " in says or " = " in says):
             holds = "everywhere"
         right = HOLDS[true][holds]
-        return Claim("relation", {"says": says, "holds": holds}, scenes.power_law(rng, "1"), "true" if right
+        return Claim("condition", {"says": says, "holds": holds}, scenes.power_law(rng, "1"), "true" if right
                      else "false",
                      f"{true}, claimed {holds}")
     if which == "near":
         m = rng.choice(tuple(NEAR))
         says, right = rng.choice(NEAR[m])
-        return Claim("relation", {"says": says, "holds": "near-edge"}, scenes.power_law(rng, m), "true" if right
+        return Claim("condition", {"says": says, "holds": "near-edge"}, scenes.power_law(rng, m), "true" if right
                      else "false", "near the edge")
     shape, says, right = rng.choice(SCENE)
     if shape == "symmetric":
         at = scenes.power_law(rng, "1")
     else:
         at = scenes.wedge(rng, gam=rng.choice(scenes.GAM + ("1-1e-20", "1-1e-60", "1e-20")))
-    return Claim("relation", {"says": says}, at, "true" if right else "false", f"of a scene, {shape}")
+    return Claim("condition", {"says": says}, at, "true" if right else "false", f"of a scene, {shape}")
 
 
 # Conditions that hold for all sizes of a contact, for some, or for none.
@@ -115,13 +115,10 @@ def sized_family(rng, shape):
 
 def draw_size_condition(rng, digits):
     shape, says, where = rng.choice(SIZED)
-    sizes = rng.choice((("1/2", "4"), ("1/1000", "1e4"))) if shape != "flat" else rng.choice((("11/10", "4"),
-                                                                                              ("101/100", "1e3")))
-    # Sizes are checked one by one, and a note gives their number: a list of sizes cannot show a
-    # single exception.
-    truth = {"all": "true", "some": "some", "but a point": "some or all", "none": "false"}[where]
-    return Claim("size-condition", {"says": says, "sizes": list(sizes)}, sized_family(rng, shape), truth,
-                 f"{shape}, for {where}")
+    sizes = ("1/2", "2", "3", "4") if shape != "flat" else ("11/10", "2", "3", "4")
+    truth = {"all": "true", "some": "some", "but a point": "some", "none": "false"}[where]
+    return Claim("condition", {"says": says, "sizes": list(sizes), "decimals": "exact"}, sized_family(rng, shape),
+                 truth, f"{shape}, for {where}", group="condition at sizes")
 
 
-KINDS = {"relation": draw_relation, "size-condition": draw_size_condition}
+KINDS = {"condition": draw_relation, "condition at sizes": draw_size_condition}

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Claims of the kinds extent, size-extent and optimum, about the distance within which n terms meet
-a tolerance."""
+"""Figures and conditions about the distance within which n terms meet a tolerance."""
 from mpmath import mp, mpf
 
 from .. import scenes
@@ -35,15 +34,15 @@ def first_exit(scene, edge, terms, tolerance, upto):
 def _scene(rng):
     which = rng.choice(("power", "power", "flat", "wedge"))
     if which == "power":
-        return scenes.power_law(rng, rng.choice(("1", "0", "2", "3"))), "1/2"
+        return scenes.power_law(rng, rng.choice(("1", "0", "2", "3")))
     if which == "flat":
-        return scenes.flat(rng, t=rng.choice(("a/3", "a*2/5", "a*4/5"))), "1/2"
-    return scenes.wedge(rng, gam=rng.choice(("1/3", "1/2"))), "1/2"
+        return scenes.flat(rng, t=rng.choice(("a/3", "a*2/5", "a*4/5")))
+    return scenes.wedge(rng, gam=rng.choice(("1/3", "1/2")))
 
 
 def draw_extent(rng, digits):
     while True:
-        at, upto = _scene(rng)
+        at = _scene(rng)
         terms = rng.randint(1, 3)
         tolerance = rng.choice(("1/100", "1/20", "1e-3", "1e-6"))
         edge = "right"
@@ -65,10 +64,8 @@ def draw_extent(rng, digits):
         if units + off <= 0:
             continue
         truth = "true" if off == 0 else "imprecise" if abs(off) == 1 else "false"
-        keys = {"quoted": _decimal(units + off, places), "terms": terms, "tolerance": tolerance, "edge": edge,
-                "base": base,
-                "reach": "first-exit", "upto": upto}
-        return Claim("extent", keys, at, truth, at.profile, f"it is {mp.nstr(number, 15)}")
+        keys = {"quoted": _decimal(units + off, places), "of": f"exit({terms}, {tolerance})/({base})", "edge": edge}
+        return Claim("figure", keys, at, truth, at.profile, f"it is {mp.nstr(number, 15)}", group="exit")
 
 
 def draw_size_extent(rng, digits):
@@ -98,31 +95,20 @@ def _size_extent(rng):
         places = rng.choice((2, 3, 5))
         units = _plain(number, places)
     off = rng.choice((0, 0, 3, -2, 12)) if units > 2 else rng.choice((0, 3))
-    keys = {"edge": edge, "terms": terms, "tolerance": tolerance, "figure": f"{units + off}/{10**places}",
-            "unit": f"1/{10**places}", "base": base,
-            "sizes": ["1/10", "10"], "quoted": _decimal(units + off, places)}
-    # Beyond the apex of a wedge the terms may be within the tolerance again; this measure does not
-    # include that.
-    truth = "false" if off else "true" if shape == "hertz" else "some or all"
-    return Claim("size-extent", keys, at, truth, shape, f"it is {mp.nstr(number, 15)}")
+    side = "(a+b)" if base == "whole" else "a" if edge == "right" else "b"
+    keys = {"edge": edge, "of": f"exit({terms}, {tolerance})/{side}", "sizes": ["1/10", "1", "10"],
+            "quoted": _decimal(units + off, places)}
+    return Claim("figure", keys, at, "false" if off else "true", shape, f"it is {mp.nstr(number, 15)}",
+                 group="exit at sizes")
 
 
-def draw_optimum(rng, digits):
-    which = rng.choice(("limit", "wrong", "free"))
-    if which == "limit":
-        keys = {"along": "m", "at": "5/8", "between": ["0", "2"], "terms": 1, "tolerances": ["1e-3", "1e-6"],
-                "sense": "limit", "upto": "1/2"}
-        return Claim("optimum", keys, scenes.power_law(rng, "5/8"), "true", "in the limit of small tolerances")
-    if which == "wrong":
-        # 5/8 has no second term: the reach of one term is of the order sqrt(tolerance) instead of
-        # the tolerance.
-        keys = {"along": "m", "at": rng.choice(("1/10", "1", "3/2", "1/3")), "between": ["0", "2"], "terms": 1,
-                "tolerances": [rng.choice(("1e-3", "1/100"))],
-                "upto": "1/2"}
-        return Claim("optimum", keys, scenes.power_law(rng, "5/8"), "false", "another value")
-    keys = {"along": rng.choice(("C", "Es")), "at": "1", "between": ["1/2", "2"], "terms": rng.randint(1, 2),
-            "tolerances": ["1/100"], "upto": "1/2"}
-    return Claim("optimum", keys, scenes.power_law(rng, rng.choice(("1", "0"))), "true", "no value reaches farther")
+def draw_best(rng, digits):
+    # 5/8 has no second term: the reach of one term is of the order sqrt(tolerance) instead of the tolerance.
+    wrong = rng.choice(("1/10", "1", "3/2", "1/3"))
+    says, truth = rng.choice((("abs(best(1, 1e-6, m, 0, 2) - 5/8) < abs(best(1, 1e-3, m, 0, 2) - 5/8)/2", "true"),
+                              (f"best(1, 1/100, m, 0, 2) = {wrong}", "false"),
+                              (f"abs(best(1, 1e-3, m, 0, 2) - {wrong}) > 1/100", "true")))
+    return Claim("condition", {"says": says, "decimals": "exact"}, scenes.power_law(rng, "5/8"), truth, "best m", group="best")
 
 
-KINDS = {"extent": draw_extent, "size-extent": draw_size_extent, "optimum": draw_optimum}
+KINDS = {"exit": draw_extent, "exit at sizes": draw_size_extent, "best": draw_best}

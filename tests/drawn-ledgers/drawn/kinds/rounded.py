@@ -74,6 +74,7 @@ TILTED = (_one("right.c0", "{0}*P1/sqrt(a+b)", "2/Pi"), _one("left.c0", "{0}*rig
           _one("p(x)", "{0}*Es*phi*log(abs((1+sqrt(gam*(a-x)/(x+b)))/(1-sqrt(gam*(a-x)/(x+b)))))", "1/Pi"))
 IDENTITIES = (_one("right.c0", "{0}*P1/sqrt(a+b)", "2/Pi"), _one("left.c0", "{0}*P1/(b1*sqrt(a+b))", "2/Pi"),
               _one("L", "{0}*(a+b)/3", "3"))
+ZERO = "-sig0*L/Q*given({0}, sig0 = 0)/given({0}, Q = 0)"
 # (kind, of, keys with {0}, the constant)
 OTHERS = (
     ("expansion", "P1of(a-eps)/sqrt(1-eps/(2*a))", {"says": "P1 + eps*({0}*P1/a - P2)", "through": "1"}, "1/4"),
@@ -85,10 +86,10 @@ OTHERS = (
     ("series", None, {"terms": ["{0}*Es*C*sqrt(a)"], "orders": ["1/2"]}, "1/sqrt(2)"),
     ("series", None, {"terms": ["{0}*P/a^(3/2)"], "orders": ["1/2", "3/2"]}, "2*sqrt(2)/Pi"),
     ("series", None, {"terms": ["Es*C*sqrt(a)/sqrt(2)", "-{0}*Es*C/sqrt(a)"], "orders": ["1/2", "3/2"]}, "sqrt(2)/8"),
-    ("vanishing", "right.s1", {"says": "{0}", "ratio": "sig0*L/Q"}, "8/(3*Pi)"),
-    ("vanishing", "left.s0", {"says": "{0}", "ratio": "sig0*L/Q"}, "8/Pi"),
-    ("vanishing", "right.s1", {"says": "{0}/L", "ratio": "sig0/Q"}, "8/(3*Pi)"),
-    ("vanishing", "right.s0", {"says": "-{0}", "ratio": "sig0*L/Q"}, "8/Pi"))
+    ("value", ZERO.format("right.s1"), {"says": "{0}"}, "8/(3*Pi)"),
+    ("value", ZERO.format("left.s0"), {"says": "{0}"}, "8/Pi"),
+    ("value", ZERO.format("right.s1") + "/L", {"says": "{0}/L"}, "8/(3*Pi)"),
+    ("value", ZERO.format("right.s0"), {"says": "-{0}"}, "8/Pi"))
 
 
 def printed(number, digits):
@@ -261,8 +262,7 @@ def _other(rng):
     texts, intervals, moved = _drawn(rng, (exact,))
     fill = lambda v: [t.format(*texts) for t in v] if isinstance(v, list) else v.format(*texts)
     keys = {**({"of": of} if of else {}), **{key: fill(v) for key, v in keys.items()}}
-    if kind == "vanishing":
-        keys["loads"] = ["Q", "sig0"]
+    if kind == "value":
         at = scenes.sheared(rng)
     else:
         at = scenes.power_law(rng, "1")

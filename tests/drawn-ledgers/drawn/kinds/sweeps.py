@@ -1,14 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Claims of the kinds limit and monotone: a quantity while a parameter runs through a list.
-
-The truth of a monotone behaviour is that of the listed values, computed by mpmath. The truth of
-a limit is the mathematical limit of the parameter. If a limit is false, the last listed value is
-at least a hundred times closer to the true limit than to the false one, so that the list can
-show it."""
+"""Conditions along a parameter: a quantity that grows or falls, or comes nearer to a number by half at
+each step. The truth is that of the listed values, computed by mpmath."""
 import re
 
 from mpmath import mp, mpf
-import mpmath
 
 from .. import scenes
 from ..ledger import Claim, Family
@@ -117,13 +112,13 @@ def draw_monotone(rng, digits):
         if sense in ("increasing", "decreasing") and rng.random() < 0.3:
             claimed = sense
         truth = "true" if claimed == sense else "false"
-        keys = {"of": of, "along": along, "sense": claimed}
+        keys = {"says": f"next({of}) {'>' if claimed == 'increasing' else '<'} {of}", "along": along}
         if along == "s":
             keys["vary"] = {"s": texts}
         label = "tiny steps" if "e-" in texts[-1] or "e-" in texts[1] else "ordinary steps"
         label += ", constant" if sense == "constant" else ""
-        return Claim("monotone", keys, at if along == "s" else _swept(at, along, texts), truth, label,
-                     f"it is {sense}")
+        return Claim("condition", keys, at if along == "s" else _swept(at, along, texts), truth, label,
+                     f"it is {sense}", group="monotone")
 
 
 # Limits: (text in z, the limit, the limit of z). z is replaced by the parameter.
@@ -167,7 +162,7 @@ EDGE_LIMITS = (("right_local(1, a-s)/p(a-s)", "1"), ("abs(1 - right_local(2, a-s
                ("(right_local(3, a-s) - p(a-s))*a/P", "0"), ("(p(a-s) - right_local(2, a-s))/s^(5/2)", "right.c2"))
 
 
-def draw_limit(rng, digits):
+def draw_halving(rng, digits):
     while True:
         claim = _edge_limit(rng) if rng.random() < 0.35 else _plain_limit(rng)
         if claim is not None:
@@ -205,29 +200,17 @@ def _edge_limit(rng):
 
 
 def _limit_claim(rng, of, limit, along, at, vary, values, evaluate, label):
-    """A claim with the true limit, or with another one that is far from the last listed value."""
-    keys = {"of": of, "along": along, "limit": limit, **vary}
-    if rng.random() < 0.5:
-        if limit != "infinity" and abs(values[-1] - evaluate(limit)) > abs(values[0] - evaluate(limit)):
-            label += ", list ends early"
-        return Claim("limit", keys, at, "true", label)
+    """A claim about the true limit, or about a number near it."""
     with mp.workdps(DPS):
         if limit == "infinity":
-            size = abs(values[-1])
-            other = rng.choice(("0", "1", "-3", mpmath.nstr(values[0], 5) if abs(values[0]) < 1e6 else "7"))
-            if "e" in other or "." in other or size < 100 * abs(evaluate(other)) or size < 100:
-                return None
-            return Claim("limit", {**keys, "limit": other}, at, "false", label, "it grows without bound")
-        true = evaluate(limit)
-        off = abs(values[-1] - true)
-        other = rng.choice(("0", "infinity", "1", "2", f"({limit})*(1+1e-6)", f"({limit}) + 1e-20", f"({limit})*2",
-                            f"-({limit})", f"({limit})*(1+1e-30)"))
-        if other == "infinity":
-            if abs(values[-1]) > 100 * (1 + abs(values[0])) or abs(values[-1]) > 10 * abs(values[-2]):
-                return None
-        elif abs(evaluate(other) - true) <= max(100 * off, mpf(10) ** -200 * (1 + abs(true))):
             return None
-        return Claim("limit", {**keys, "limit": other}, at, "false", label, f"it goes to {limit}")
+        number = rng.choice((limit, limit, f"({limit})*(1+1e-6)", f"({limit}) + 1e-20", f"-({limit})", "1"))
+        off = [abs(v - evaluate(number)) for v in values]
+        if any(abs(y - x / 2) <= mpf(10) ** -200 * (x + y + mpf(10) ** -300) for x, y in zip(off, off[1:])):
+            return None  # equality, which no enclosure decides
+        truth = "true" if all(y < x / 2 for x, y in zip(off, off[1:])) else "false"
+    says = f"abs(next({of}) - ({number})) < abs({of} - ({number}))/2"
+    return Claim("condition", {"says": says, "along": along, **vary}, at, truth, label, group="nearer by half")
 
 
-KINDS = {"monotone": draw_monotone, "limit": draw_limit}
+KINDS = {"monotone": draw_monotone, "halving": draw_halving}

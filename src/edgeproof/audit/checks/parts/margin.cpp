@@ -19,9 +19,7 @@ constexpr long clear_bits = 40;       // of a difference, for the comparison wit
 ConditionInScene::ConditionInScene(const Sample& sample, PrintedCondition condition,
                                    std::optional<Condition> where, unsigned digits)
     : sample_(sample), printed_(std::move(condition)), condition_(printed_.as_printed),
-      where_(std::move(where)), digits_(digits), in_balls_(sample, first_digits, digits + 2) {
-    sample_.fraction.reset();
-}
+      where_(std::move(where)), digits_(digits), in_balls_(sample, first_digits, digits + 2) {}
 
 void ConditionInScene::place(EnclosedSample& at, const Real* fraction) const {
     if (fraction != nullptr) {

@@ -29,19 +29,18 @@ public:
     ConditionInScene& operator=(const ConditionInScene&) = delete;
     ~ConditionInScene() = default;
 
-    /// `sample`: its scene, edge and variables are used; its place is ignored.
     ConditionInScene(const Sample& sample, PrintedCondition condition,
                      std::optional<Condition> where, unsigned digits);
 
     /// Distances from the edge to the knots inside the contact, as fractions of its length.
     [[nodiscard]] std::vector<Real> knots() const;
-    /// Returns the margin, from the middles of enclosures, at a place or (nullptr, for conditions
-    /// without one) without a place; nullopt if `where` does not certainly hold there. Throws
+    /// Returns the margin, from the middles of enclosures, at a place or (nullptr) at the place of
+    /// the sample; nullopt if `where` does not certainly hold there. Throws
     /// BudgetError if a side is not enclosed.
     [[nodiscard]] std::optional<Margin> margin(const Real* fraction) const;
-    /// Decides by enclosures, at a place or without a place; returns nullopt if `where` does not
-    /// certainly hold. Decimals represent their intervals: the condition fails if it fails for all
-    /// numbers in them, and holds if it holds as printed.
+    /// Decides by enclosures, at a place or (nullptr) at that of the sample; returns nullopt if
+    /// `where` does not certainly hold. Decimals represent their intervals: the condition fails if
+    /// it fails for all numbers in them, and holds if it holds as printed.
     [[nodiscard]] std::optional<Decision> decide_at(const Real* fraction) const;
     [[nodiscard]] std::string text() const;
     /// Sides whose difference is smaller than this, relative to its size nearby, satisfy the

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/margin.hpp"
+#include "edgeproof/audit/checks/parts/sweep.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
@@ -249,9 +251,75 @@ Outcome summed_up(const std::vector<RelationInScene>& found, const std::string& 
     return outcome;
 }
 
+/// Shows both sides of the first relation that fails at a sample.
+void add_failure(const Claim& claim, const Sample& sample, unsigned digits, Outcome& outcome) {
+    constexpr unsigned digits_shown = 6;
+    for (const Relation& r : claim.condition("says")) {
+        const Enclosed left = enclosed(r.lhs, sample, digits);
+        const Enclosed right = enclosed(r.rhs, sample, digits);
+        SampleInBalls in_balls(sample, digits);
+        if (!left.ball || !right.ball ||
+            !refutes(decide({r}, in_balls, AuditContext::digits_needed(digits)))) {
+            continue;
+        }
+        outcome.evidence.add("enclosures", pair_evidence(full_text(sample), "left_side", left,
+                                                         "right_side", right, digits));
+        outcome.note +=
+            ", where the left side is " + to_decimal(left.ball->midpoint(), digits_shown) +
+            " and the right side is " + to_decimal(right.ball->midpoint(), digits_shown);
+        return;
+    }
+}
+
+/// The condition at each value of a sweep and the next one.
+Outcome along_sweep(const Claim& claim, const AuditContext& context) {
+    const Sweep sweep = sweep_of(claim, context);
+    const std::string& along = claim.text("along");
+    const PrintedCondition condition = printed_condition(claim);
+    std::vector<Decision> decisions;
+    std::vector<std::string> against;
+    const Sample* first = nullptr;
+    for (std::size_t k = 0; k < sweep.samples.front().size(); ++k) {
+        for (std::size_t j = 0; j + 1 < sweep.values.size(); ++j) {
+            const Sample& sample = sweep.samples[j][k];
+            const ConditionInScene here(sample, condition, std::nullopt, context.digits());
+            decisions.push_back(here.decide_at(nullptr).value_or(Decision()));
+            if (refutes(decisions.back()) &&
+                (first == nullptr || first->scene.text() == sample.scene.text())) {
+                against.push_back(along + " = " + sweep.values[j] + " to " + sweep.values[j + 1]);
+                first = first == nullptr ? &sample : first;
+            }
+        }
+    }
+    const auto good = std::ranges::count_if(decisions, confirms);
+    const auto bad = std::ranges::count_if(decisions, refutes);
+    Outcome outcome;
+    outcome.verdict = Judgement::of_all(decisions);
+    outcome.evidence.add("along", along)
+        .add("values_taken", sweep.values)
+        .add("samples", sweep.samples.front().size())
+        .add("steps_as_claimed", good)
+        .add("steps_against", bad);
+    const std::string steps = std::to_string(decisions.size()) + " steps";
+    if (first != nullptr) {
+        outcome.evidence.add("against_at", full_text(*first)).add("against", against);
+        outcome.note =
+            "fails at " + std::to_string(bad) + " of " + steps + ", as from " + against.front();
+        add_failure(claim, *first, context.digits(), outcome);
+    } else {
+        outcome.note = outcome.verdict == Verdict::undecided
+                           ? "some steps are too small for the enclosures"
+                           : "holds at each of " + steps + " (sampled)";
+    }
+    return outcome;
+}
+
 } // namespace
 
-Outcome check_relation(const Claim& claim, const AuditContext& context) {
+Outcome check_condition(const Claim& claim, const AuditContext& context) {
+    if (claim.has("along")) {
+        return along_sweep(claim, context);
+    }
     const std::string holds = claim.text_or("holds", "everywhere");
     PrintedCondition condition = printed_condition(claim);
     if (holds == "nowhere") {
@@ -272,6 +340,7 @@ Outcome check_relation(const Claim& claim, const AuditContext& context) {
                                               : pow(Real(10), holds == "near-edge" ? -40 : -10);
     std::vector<RelationInScene> found;
     std::size_t left_out = 0;
+    std::optional<Sample> failing; // the first, of a condition without a place
     for (const Sample& sample : context.samples(claim)) {
         const ConditionInScene in_scene(sample, condition, where, digits);
         RelationInScene result = !placed                ? without_place(in_scene)
@@ -281,11 +350,17 @@ Outcome check_relation(const Claim& claim, const AuditContext& context) {
         if (result.places == 0) { // `where` admits no place in this scene
             ++left_out;
         } else {
+            if (!placed && !failing && refutes(result.decision)) {
+                failing = sample;
+            }
             result.scene = in_scene.text();
             found.push_back(std::move(result));
         }
     }
     Outcome outcome = summed_up(found, holds);
+    if (failing) {
+        add_failure(claim, *failing, context.digits(), outcome);
+    }
     if (left_out > 0) {
         outcome.evidence.add("scenes_left_out", left_out);
     }

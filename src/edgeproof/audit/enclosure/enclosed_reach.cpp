@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/enclosure/enclosed_reach.hpp"
+
+#include "edgeproof/contact/curved/proved_slip.hpp"
+#include "edgeproof/contact/design/best_reach.hpp"
+#include "edgeproof/contact/enclosure/ball_extent.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <map>
+#include <memory>
+
+namespace edgeproof::audit {
+namespace {
+
+constexpr long most_terms = 9;
+
+std::size_t number_of_terms(const ReachQuestion& question) {
+    for (long n = 1; n <= most_terms; ++n) {
+        if (question.terms == Exact::of(Rational(n))) {
+            return static_cast<std::size_t>(n);
+        }
+    }
+    throw Error("an approximation of " + question.terms.text() + " terms: write 1 to 9");
+}
+
+} // namespace
+
+Ball enclosed_reach(const SceneSpec& scene, const ReachQuestion& question, bool first_exit,
+                    long bits) {
+    const contact::Profile profile = scene.make_profile();
+    const contact::Load load = contact::Load::right_edge(scene.parameter("a"));
+    std::map<long, std::unique_ptr<contact::ProvedContact>> contacts;
+    const auto contact_at = [&](long at_bits) -> const contact::ProvedContact& {
+        auto& made = contacts[at_bits];
+        if (!made) {
+            made = contact::proved_contact(profile, scene.parameter("Es"), load, at_bits);
+        }
+        return *made;
+    };
+    contact::BallExtentSearch search(contact_at, question.edge, number_of_terms(question),
+                                     question.tolerance, {});
+    const contact::EnclosedExtents extents = search.at(bits);
+    if (first_exit && !extents.leaves) {
+        throw Error("there is no first exit: the error is within the tolerance in all the contact");
+    }
+    return first_exit ? extents.first_exit : extents.measure;
+}
+
+Ball best_value(const SceneSpec& scene, const ReachQuestion& question, const std::string& parameter,
+                const Exact& from, const Exact& to) {
+    if (parameter != "m" || scene.profile != "power-law") {
+        throw Error("best(...) is proved only for the exponent m of a power law");
+    }
+    const auto errors = contact::power_law_errors(
+        Expr::symbol("m"), {},
+        {question.edge, number_of_terms(question), contact::ReachUnit::fraction, "m"});
+    contact::ReachProblem problem;
+    problem.edges = {errors.get()};
+    problem.tolerance = question.tolerance.rational();
+    problem.part = Rational(1, 2);
+    contact::DesignOptions options;
+    options.gap = Rational(1, 100'000'000);
+    const contact::BestReach best = best_reach(problem, {from.rational(), to.rational()}, options);
+    if (!best.proved) {
+        throw BudgetError(best.missing);
+    }
+    return best.value;
+}
+
+} // namespace edgeproof::audit

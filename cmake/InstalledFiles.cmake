@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the files other than programs and libraries: ledgers, recipes, tables and scenes, which
 # the program finds by their names (src/edgeproof/cli/installed.cpp); the documents; the manual
-# pages and completions that the program itself writes.
+# pages that the program itself writes; completions.
 set(data_folder ${CMAKE_INSTALL_DATADIR}/edgeproof)
 cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_DATADIR BASE_DIRECTORY ${CMAKE_INSTALL_FULL_BINDIR}
     OUTPUT_VARIABLE data_from_program)
@@ -39,6 +39,7 @@ if(PROJECT_IS_TOP_LEVEL AND TARGET edgeproof)
     foreach(folder verify reference examples)
         file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${data_in_build}/${folder} SYMBOLIC)
     endforeach()
+    file(CREATE_LINK ${PROJECT_SOURCE_DIR}/share/edgeproof/schemas ${data_in_build}/schemas SYMBOLIC)
 
     set(manual ${PROJECT_BINARY_DIR}/manual)
     find_program(GZIP_PROGRAM gzip)
@@ -47,23 +48,25 @@ if(PROJECT_IS_TOP_LEVEL AND TARGET edgeproof)
     if(GZIP_PROGRAM)
         set(compress COMMAND sh -c "gzip -9nf ${manual}/man1/*.1")
     endif()
-    add_custom_command(OUTPUT ${manual}/edgeproof.bash
+    add_custom_command(OUTPUT ${manual}/made
         COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual}
         # CLN does not free its memory at the end, and the tests' suppressions are not set in a
         # build.
         COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0
                 $<TARGET_FILE:edgeproof_lab_program> --write-manual ${manual}
         ${compress}
-        DEPENDS edgeproof_lab_program VERBATIM COMMENT "Manual pages and completions")
-    add_custom_target(edgeproof_manual ALL DEPENDS ${manual}/edgeproof.bash)
+        COMMAND ${CMAKE_COMMAND} -E touch ${manual}/made
+        DEPENDS edgeproof_lab_program VERBATIM COMMENT "Manual pages")
+    add_custom_target(edgeproof_manual ALL DEPENDS ${manual}/made)
     install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program
         OPTIONAL)
-    install(FILES ${manual}/edgeproof.bash
+    install(FILES share/edgeproof/completions/edgeproof.bash
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME edgeproof
         COMPONENT program OPTIONAL)
-    install(FILES ${manual}/_edgeproof DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
+    install(FILES share/edgeproof/completions/_edgeproof
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
         COMPONENT program OPTIONAL)
-    install(FILES ${manual}/edgeproof.fish
+    install(FILES share/edgeproof/completions/edgeproof.fish
         DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT program
         OPTIONAL)
 endif()

@@ -42,7 +42,10 @@ std::vector<cost::CostCase> cases_of(const CostArguments& a) {
 
 cost::CostReport measured(const CostArguments& a) {
     cost::CostReport report;
-    const auto list = whole_numbers("--digits", a.digits, 2, most_digits_of_a_cost);
+    std::vector<std::size_t> list;
+    for (const std::string& digits : parts_of(a.digits)) {
+        list.push_back(whole_number("--digits", digits, 2, most_digits_of_a_cost));
+    }
     const std::set<unsigned> digits(list.begin(), list.end());
     cost::CostOptions options;
     options.digits.assign(digits.begin(), digits.end());

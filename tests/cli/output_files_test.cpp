@@ -136,7 +136,7 @@ TEST_CASE("no output replaces a file of the user's or an input; a former result 
          {"pressure in.toml --out a.csv", "pressure in.toml --out a.csv --no-notes",
           "pressure in.toml --out a.json --format json",
           "pressure in.toml --out a.tex --format tex", "pressure in.toml --out a.md --format md",
-          "plot in.toml --out a.svg", "plot in.toml --out a.html", "table recipe.toml --out t.csv",
+          "plot in.toml --out a.svg", "table recipe.toml --out t.csv",
           "verify ledger.toml --digits 10 --out audit",
           "check answers.csv --out c.txt --junit c.xml",
           "check answers.csv --json --out c.json --figure c.svg",
@@ -173,7 +173,7 @@ TEST_CASE("a standard output that is full or closed is an error of every command
          {"--version", "--help", "pressure in.toml --digits 5", "expand in.toml --digits 5",
           "relations b1", "table recipe.toml", "table recipe.toml --check", "points recipe.toml",
           "check recipe.csv", "compare in.toml mesh.csv", "compare in.toml mesh.csv --json",
-          "pack pack", "pack pack --check", "verify ledger.toml", "check --ledger ledger.toml",
+          "verify ledger.toml", "check --ledger ledger.toml",
           "cost in.toml --digits 16 --points 1"}) {
         for (const std::string where : {" > /dev/full", " >&-"}) {
             CAPTURE(command);

@@ -81,7 +81,7 @@ TEST_CASE("a terminal shows a short answer, a pipe and every option of the outpu
     const std::string extent = shown({"extent", "s.toml"});
     CHECK(has(extent, "\nright edge  n = 1  up to u = 0.0394079 +- "));
     CHECK(has(extent, " mm  0.0197040 of a + b"));
-    CHECK(has(extent, "first n terms are within 1% of the pressure\n"));
+    CHECK(has(extent, "first n terms are within 1 % of the pressure\n"));
     // c_0 = sqrt(2)/2 = 0.707107 in MPa mm^(-1/2), c_1 = -c_0/4 in MPa mm^(-3/2)
     const std::string expand = shown({"expand", "s.toml", "--terms", "2"});
     CHECK(has(expand, "right edge  c_0 =  0.707107 "));

@@ -31,7 +31,7 @@ std::set<std::string> outside(const std::filesystem::path& folder, const std::st
     return names;
 }
 
-const std::string scene_text = R"([profile]
+const std::string plain_scene = R"([profile]
 kind = "power-law"
 m = "1"
 C = "1"
@@ -50,7 +50,7 @@ tolerance = "1%"
 TEST_CASE("a scene's title and names of files with commands: none is run, all figures are made") {
     const Folder folder;
     const std::string title = "title = \"" + hostile("marker") + "\"\n";
-    folder.write("scene.toml", title + scene_text);
+    folder.write("scene.toml", title + plain_scene);
     const std::string data = "a `touch marker` 'b.csv";
     std::string rows = "x,p\n";
     for (int i = -19; i <= 19; ++i) {
@@ -73,8 +73,7 @@ tolerance = "5%"
     std::filesystem::create_directory(folder.path() / "`touch marker`");
     const std::string quoted = "\"a \\`touch marker\\` 'b.csv\"";
     for (const std::string arguments :
-         {"plot scene.toml --out plot.svg", "plot scene.toml --out plot.png",
-          "plot scene.toml --out plot.html"}) {
+         {"plot scene.toml --out plot.svg", "plot scene.toml --out plot.png"}) {
         CAPTURE(arguments);
         const Outcome o = run(folder, arguments);
         CHECK(o.code == 0);
@@ -95,7 +94,7 @@ tolerance = "5%"
         const Outcome o = run(folder, arguments);
         CHECK_MESSAGE(o.code == 0, o.err);
     }
-    for (const char* file : {"plot.svg", "plot.png", "plot.html", "extent.svg", "design.svg"}) {
+    for (const char* file : {"plot.svg", "plot.png", "extent.svg", "design.svg"}) {
         CAPTURE(file);
         CHECK(std::filesystem::exists(folder.path() / file));
     }

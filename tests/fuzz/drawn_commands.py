@@ -255,12 +255,6 @@ def compare(rng, library, command):
     return words
 
 
-def pack(rng, _library, command):
-    if rng.random() < 0.8:  # a whole pack takes more than a second of processor time
-        return [rng.choice(["/dev/null", "/proc/x", ""]), *maybe(rng, 0.5, "--check"),
-                *maybe(rng, 0.3, "--date", value(rng, ["2026-01-01"])), *maybe(rng, 0.3, "--threads", bad_count(rng))]
-    command.written["pack"] = "folder"
-    return ["pack", "--threads", count(rng, ["1"]), *maybe(rng, 0.3, "--date", value(rng, ["2026-01-01"]))]
 
 
 def cost(rng, library, command):
@@ -289,7 +283,7 @@ def verify(rng, library, command):
 COMMANDS = {"pressure": (pressure, 20), "expand": (expand, 12), "extent": (extent, 10), "slip": (slip, 10),
             "plot": (plot, 3), "relations": (relations, 8),
             "design": (design, 2), "table": (table, 6), "points": (points, 6), "check": (check, 10), "compare": (compare, 10),
-            "pack": (pack, 0.6), "cost": (cost, 3),
+            "cost": (cost, 3),
             "verify": (verify, 10)}
 
 

@@ -45,7 +45,7 @@ def shipped_scenes():
         scene = path.name
         steps = [s for c in ("pressure", "expand", "extent", "slip") for s in in_formats(c, scene)]
         steps += [["plot", scene, *o] for o in (
-            [], ["--out", "plot.svg"], ["--out", "plot.html"], ["--out", "plot.png"], ["--out", "plot.pdf"])]
+            [], ["--out", "plot.svg"], ["--out", "plot.png"], ["--out", "plot.pdf"])]
         steps += [["pressure", scene, "--round", r, "--digits", "17", "--binary64", "--out", f"{r}.csv"]
                   for r in ("nearest", "down", "up")]
         steps += [["expand", scene, "--edge", "both", "--terms", "5"],
@@ -86,13 +86,12 @@ def shipped_examples():
 
 
 def shipped_checks(seed):
-    """The ledger of the paper, the pack, and the commands without an input."""
+    """The ledger of the paper, and the commands without an input."""
     files = read("verify/moore-hills.toml", "verify/moore-hills.expected.csv")
     ledger = ["moore-hills.toml", *ONE, "--only"]
     for group in sorted({i + "*" for i in re.findall(r'(?m)^id = "(\w{3})', files["moore-hills.toml"].decode())}):
         yield Case(f"verify moore-hills {group}", [["verify", *ledger, group, "--digits", "15", "--out", "verdicts"]], files, seconds=6)
     yield Case("verify profile", [["verify", *ledger, "EQ05", "--digits", "20", "--profile", "--record", "--strict"]], files)
-    yield Case("pack", [["pack", "pack", *ONE], ["pack", "pack", "--check", *ONE]], seconds=6)
     yield Case("relations", [s for words in (
         "left.c0 right.c0", "left.c1 left.c0 left.s0 --degree 2",
         "right.c1 right.c0 P --symmetric --given P2=m*P1/a --free m")

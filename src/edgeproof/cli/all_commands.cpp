@@ -41,10 +41,9 @@ int run_edgeproof(int argc, char** argv, AddCommand* add_cost) {
     }
     take_signals();
     return run_program(argc, argv,
-                       {add_pressure, add_expand, add_extent, add_slip, add_stress,
-                        add_displacement, add_plot, add_relations, add_design, add_table,
-                        add_points, add_check, add_compare, add_pack,
-                        add_cost == nullptr ? add_name_of_cost : add_cost, add_verify});
+                       {add_sets, add_plot, add_design, add_table, add_points, add_verify,
+                        add_check, add_compare, add_relations,
+                        add_cost == nullptr ? add_name_of_cost : add_cost});
 }
 
 } // namespace edgeproof::cli

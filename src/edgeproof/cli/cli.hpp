@@ -22,8 +22,8 @@
 namespace edgeproof::cli {
 
 using AddCommand = void(CLI::App& app, int& code);
-AddCommand add_pressure, add_expand, add_extent, add_slip, add_stress, add_displacement, add_plot,
-    add_relations, add_design, add_table, add_points, add_check, add_compare, add_pack, add_verify;
+AddCommand add_sets, add_plot, add_relations, add_design, add_table, add_points, add_check,
+    add_compare, add_verify;
 
 /// The program with these subcommands: reads the command line, runs the command that it names, and
 /// prints the error, if there is one. Returns the exit status.
@@ -35,28 +35,10 @@ template <class Options> struct Command {
     Options& options;
 };
 
-/// Returns the error, which names keys and sections of a scene's file, for a scene that is given by
-/// options: "add u = [\"0.1\"] to [ask]" becomes "add --u 0.1".
-[[nodiscard]] InputError error_for_options(const InputError& error);
-
-/// Gives each command its example, and a help that shows the usual options only; --help-all shows
-/// all. Called once, after all commands are added.
+/// Gives each command its group in the help, and its example. Called once, after all are added.
 void set_help(CLI::App& app);
-
-/// Calls run(options). If the options give a scene by its quantities, errors advise options.
-template <class Options, class Run> int run_with(Options& options, const Run& run) {
-    if constexpr (requires { options.by_quantities; }) {
-        try {
-            return run(options);
-        } catch (const InputError& error) {
-            if (!options.by_quantities) {
-                throw;
-            }
-            throw error_for_options(error);
-        }
-    }
-    return run(options);
-}
+/// Returns the keys of a scene, a design, a recipe or a ledger, by its JSON schema.
+[[nodiscard]] std::string help_of_keys(const std::string& kind);
 
 /// Adds a subcommand. If it is chosen, `run` is called with its options and returns the exit
 /// status, which is written to `code`.
@@ -65,7 +47,7 @@ template <class Options, class Run>
                                            std::string help, Run run) {
     CLI::App* const sub = app.add_subcommand(std::move(name), std::move(help));
     const auto options = std::make_shared<Options>();
-    sub->callback([options, run, &code] { code = run_with(*options, run); });
+    sub->callback([options, run, &code] { code = run(*options); });
     return {*sub, *options};
 }
 
@@ -112,17 +94,17 @@ decltype(auto) with_progress(std::string what, std::function<void(std::size_t, s
 /// Returns the error in a command line that CLI11 refused because of an unknown subcommand or
 /// option: "unknown option '--digit'; did you mean --digits? write one of ...". Where the list is
 /// long, the command that prints it is named instead. Empty if all are known.
-[[nodiscard]] std::string unknown_on_command_line(const CLI::App& app, int argc,
-                                                  const char* const* argv);
+[[nodiscard]] std::string unknown_on_command_line(const CLI::App& app,
+                                                  const std::vector<std::string>& words);
 
-/// Writes the documentation of the command line into a folder: man1/edgeproof.1, a page for each
-/// subcommand, man1/edgeproof-NAME.1, one for edgeproof-lab that refers to the first, and
-/// completions for three shells: edgeproof.bash, _edgeproof (zsh) and edgeproof.fish.
+/// Writes manual pages into a folder: man1/edgeproof.1, a page for each subcommand,
+/// man1/edgeproof-NAME.1, and one for edgeproof-lab that refers to the first.
 void write_manual(const CLI::App& app, const std::string& version,
                   const std::filesystem::path& folder);
 
-/// Returns the text in single quotes for a POSIX shell.
-[[nodiscard]] std::string single_quoted(std::string_view text);
+/// Returns the proposals for the last of these words, the arguments typed so far.
+[[nodiscard]] std::vector<std::string> completions(const CLI::App& app,
+                                                   const std::vector<std::string>& words);
 
 /// Copies the standard error of programs that are run to ours as it arrives, up to most_bytes in
 /// all; then one line states that the rest is left out.
@@ -140,6 +122,9 @@ private:
 
 /// Returns the path of a file given by its path relative to the program's folder.
 [[nodiscard]] std::filesystem::path installed(const std::filesystem::path& file);
+
+/// Returns the path of a folder of the files that came with the program.
+[[nodiscard]] std::filesystem::path shipped(std::string_view folder);
 
 inline constexpr std::string_view shipped_ledgers = "verify";
 inline constexpr std::string_view shipped_recipes = "reference";

@@ -35,11 +35,11 @@ std::vector<std::string> options_of(const CLI::App& app) {
 
 } // namespace
 
-std::string unknown_on_command_line(const CLI::App& app, int argc, const char* const* argv) {
+std::string unknown_on_command_line(const CLI::App& app, const std::vector<std::string>& words) {
     const CLI::App* current = &app;
     std::string help = "edgeproof";
-    for (int i = 1; i < argc; ++i) {
-        const std::string_view word = argv[i];
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::string_view word = words[i];
         if (word == "--") {
             break;
         }
@@ -47,7 +47,7 @@ std::string unknown_on_command_line(const CLI::App& app, int argc, const char* c
             const std::string name(word.substr(0, word.find('=')));
             const CLI::Option* option = current->get_option_no_throw(name);
             if (option == nullptr) {
-                return unknown_name("option", name, options_of(*current), help + " --help-all");
+                return unknown_name("option", name, options_of(*current), help + " --help");
             }
             const bool value_follows =
                 option->get_expected_min() > 0 && option->get_type_size() > 0 && name == word;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_options.hpp"
 
-#include "edgeproof/io/atomic_file.hpp"
-#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
@@ -12,35 +10,6 @@
 #include <charconv>
 
 namespace edgeproof::cli {
-namespace {
-
-constexpr std::size_t most_terms = 400;
-
-} // namespace
-
-formula::Exact tolerance_of(const std::string& text) {
-    refuse_whole_tolerance("--tolerance", text);
-    try {
-        return scene::parse_tolerance(text);
-    } catch (const InputError& error) {
-        throw InputError("--tolerance " + text + ": " + error.problem(), error.instead());
-    }
-}
-
-std::string percent_text(const formula::Exact& tolerance) {
-    return tolerance.is_rational() ? exact_text(Rational(tolerance.rational() * 100)) + "%"
-                                   : tolerance.text();
-}
-
-void refuse_options(const std::vector<std::pair<std::string, std::string>>& texts_by_name,
-                    const std::string& why) {
-    for (const auto& [name, text] : texts_by_name) {
-        if (!text.empty()) {
-            throw InputError(name + " " + text + " has no effect: " + why,
-                             "leave " + name + " out");
-        }
-    }
-}
 
 void refuse_whole_tolerance(const std::string& option, const std::string& text) {
     if (text.empty() || text.back() == '%' ||
@@ -76,19 +45,6 @@ std::size_t whole_number(const std::string& option, const std::string& text, std
     return value;
 }
 
-std::vector<std::size_t> whole_numbers(const std::string& option, const std::string& text,
-                                       std::size_t least, std::size_t most) {
-    std::vector<std::size_t> numbers;
-    for (const std::string& part : parts_of(text)) {
-        numbers.push_back(whole_number(option, part, least, most));
-    }
-    return numbers;
-}
-
-std::vector<std::size_t> numbers_of_terms(const std::string& text) {
-    return whole_numbers("--terms", text, 1, most_terms);
-}
-
 unsigned digits_of(const std::string& text, std::size_t most) {
     return static_cast<unsigned>(whole_number("--digits", text, 2, most));
 }
@@ -101,7 +57,7 @@ unsigned threads_of(const std::string& text) {
 report::TableFormat format_of(const std::string& name) {
     const auto format = report::table_format(name.empty() ? "csv" : name);
     if (!format) {
-        throw InputError("--format " + name + " is no format", "write csv, json, md or tex");
+        throw InputError("--format " + name + " is no format", "write csv, json, md, tex or text");
     }
     return *format;
 }

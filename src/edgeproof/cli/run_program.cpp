@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
+#include "edgeproof/cli/scene_words.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/own_file.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -7,6 +8,7 @@
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -23,9 +25,10 @@ std::string safe_line(std::string_view message) { return printable(shortened(mes
 void say_line(std::string_view message) { say_at_the_end("edgeproof: " + safe_line(message)); }
 
 /// Runs the command, and checks that all its output is written.
-void run_command(CLI::App& app, int argc, char** argv) {
+void run_command(CLI::App& app, const std::vector<std::string>& words) {
     try {
-        app.parse(argc, argv);
+        std::vector<std::string> reversed(words.rbegin(), words.rend() - 1); // as CLI11 takes them
+        app.parse(reversed);
     } catch (const CLI::Success& asked) { // --help and --version
         (void)app.exit(asked);
     }
@@ -42,35 +45,53 @@ int run_program(int argc, char** argv, std::initializer_list<AddCommand*> comman
     app.require_subcommand(1);
     app.set_version_flag("--version", report::program_lines());
     app.footer(
-        "edgeproof help COMMAND shows the help of a command.\n"
+        "edgeproof help COMMAND shows the help of a command, edgeproof help scene, design, recipe "
+        "or ledger the keys of such a file.\n"
         "Exit status: 0 done, and nothing differs or fails; 1 something does; 2 the input was "
         "bad; 130, 143 interrupted (SIGINT, SIGTERM)");
     for (AddCommand* const add : commands) {
         add(app, code);
     }
     set_help(app);
-    std::vector<char*> words(argv, argv + argc);
-    std::string help_option = "--help";
-    if (argc >= 2 && std::string_view(argv[1]) == "help") { // help COMMAND
+    std::vector<std::string> words(argv, argv + argc);
+    const auto is = [&](std::size_t i, std::string_view word) {
+        return i < words.size() && words[i] == word;
+    };
+    if (is(1, "compute")) { // compute SET
         words.erase(words.begin() + 1);
-        words.push_back(help_option.data());
-        argc = static_cast<int>(words.size());
-        const std::string unknown = unknown_on_command_line(app, argc, words.data());
-        if (!unknown.empty()) {
-            say_line(unknown);
-            return 2;
-        }
     }
-    argv = words.data();
+    if (words.size() == 1) {
+        words.emplace_back("--help");
+    }
     try {
-        if (argc == 3 && std::string_view(argv[1]) == "--write-manual") { // used by the build
-            write_manual(app, std::string(report::program_version), argv[2]);
+        if (is(1, "help")) { // help COMMAND
+            if (is(2, "scene") || is(2, "design") || is(2, "recipe") || is(2, "ledger")) {
+                io::write_output("-", help_of_keys(words[2]));
+                return 0;
+            }
+            words.erase(words.begin() + 1);
+            words.emplace_back("--help");
+            const std::string unknown = unknown_on_command_line(app, words);
+            if (!unknown.empty()) {
+                throw InputError(unknown.substr(0, unknown.find(';')),
+                                 unknown.substr(unknown.find(';') + 2));
+            }
+        }
+        if (is(1, "--write-manual") && words.size() == 3) { // used by the build
+            write_manual(app, std::string(report::program_version), words[2]);
             return 0;
         }
-        run_command(app, argc, argv);
+        if (is(1, "--complete")) { // used by the shells
+            for (const std::string& word : completions(app, {words.begin() + 2, words.end()})) {
+                std::printf("%s\n", word.c_str());
+            }
+            return 0;
+        }
+        words = with_words(app, words);
+        run_command(app, words);
         return code;
     } catch (const CLI::ParseError& e) {
-        const std::string unknown = unknown_on_command_line(app, argc, argv);
+        const std::string unknown = unknown_on_command_line(app, words);
         say_line(unknown.empty() ? std::string(e.what()) + "; see edgeproof --help" : unknown);
     } catch (const InputError& e) {
         if (e.file().empty()) {

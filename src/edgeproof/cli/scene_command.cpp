@@ -15,15 +15,6 @@
 namespace edgeproof::cli {
 namespace {
 
-/// Adds the value of a quantity of the contact, if it was computed.
-void add_fact(std::vector<report::Fact>& facts, const std::string& key, const scene::Scene& scene,
-              const scene::SceneResult& result, scene::Quantity quantity) {
-    if (const scene::Row* row = result.find(quantity)) {
-        const scene::PrintedValue p = printed(*row->value, scene.ask.digits);
-        facts.push_back({key, p.text, p.bound, how(*row->value, p), unit_of(scene, quantity)});
-    }
-}
-
 /// Returns a unit to a power of n/2: "mm", "mm^2", "mm^(-1/2)".
 std::string power_of(const std::string& unit, int halves) {
     return halves == 2       ? unit
@@ -86,20 +77,14 @@ scene::SceneResult done(const scene::Scene& scene, const SceneOptions& o) {
     return result;
 }
 
-report::ScenePicture picture_of(scene::Scene scene) {
+std::vector<report::Plot> picture_of(scene::Scene scene) {
     ask_terms(scene);
     if (!scene.ask.tolerance) {
-        scene.ask.tolerance = tolerance_of("1%");
+        scene.ask.tolerance = scene::parse_tolerance("1%");
     }
     Progress progress("values");
     return io::at_place(scene.file, scene.load_line,
                         [&] { return report::scene_picture(scene, std::ref(progress)); });
-}
-
-void add_figure_option(CLI::App& sub, SceneOptions& o) {
-    sub.add_option("--figure", o.figure,
-                   "also draw the pressure and these terms (edgeproof plot) into this file: "
-                   ".svg, .png, .pdf or .html");
 }
 
 void check_figure_option(const SceneOptions& o) {
@@ -111,20 +96,26 @@ void check_figure_option(const SceneOptions& o) {
 
 void draw_figure_option(const scene::Scene& scene, const SceneOptions& o) {
     if (!o.figure.empty()) {
-        io::write_whole(o.figure,
-                        report::picture_file(picture_of(scene), title_of(scene), o.figure));
+        io::write_whole(o.figure, report::picture_file(picture_of(scene), o.figure));
     }
 }
 
-std::string title_of(const scene::Scene& scene) {
-    return scene.title.empty() ? scene.file : scene.title;
+void add_fact(std::vector<report::Fact>& facts, const std::string& key, const scene::Scene& scene,
+              const scene::SceneResult& result, scene::Quantity quantity) {
+    if (const scene::Row* row = result.find(quantity)) {
+        const scene::PrintedValue p = printed(*row->value, scene.ask.digits);
+        facts.push_back({key, p.text, p.bound, how(*row->value, p), unit_of(scene, quantity)});
+    }
 }
 
-std::vector<report::Fact> facts_of(const scene::Scene& scene, const scene::SceneResult& result) {
+report::Table values_table(const scene::Scene& scene, const scene::SceneResult& result) {
     const scene::Digits& digits = scene.ask.digits;
-    std::vector<report::Fact> facts{{"scene", scene.file}};
-    facts.push_back({"digits", std::to_string(digits.count)});
-    facts.push_back({"rounding", std::string(rounding_name(digits.rounding))});
+    report::Table table;
+    table.title = scene.title;
+    std::vector<report::Fact>& facts = table.facts;
+    facts = {{"scene", scene.file},
+             {"digits", std::to_string(digits.count)},
+             {"rounding", std::string(rounding_name(digits.rounding))}};
     if (scene.units) {
         facts.push_back({"units", scene.units->text(scene.round.has_value())});
     }
@@ -139,43 +130,7 @@ std::vector<report::Fact> facts_of(const scene::Scene& scene, const scene::Scene
             add(row.quantity);
         }
     }
-    return facts;
-}
-
-report::Table values_table(const scene::Scene& scene, const scene::SceneResult& result) {
-    report::Table table;
-    table.title = scene.title;
-    table.facts = facts_of(scene, result);
     return table;
-}
-
-void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
-                    const scene::SceneResult& result) {
-    using scene::Quantity;
-    facts.push_back({"friction", scene.shear->friction->text()});
-    for (const auto& [key, quantity] :
-         {std::pair{"Q/(f P)", Quantity::load_ratio}, std::pair{"stick_a", Quantity::stick_a},
-          std::pair{"stick_b", Quantity::stick_b},
-          std::pair{"least_bulk_tension", Quantity::least_tension},
-          std::pair{"most_bulk_tension", Quantity::most_tension},
-          std::pair{"step_energy", Quantity::step_energy},
-          std::pair{"cycle_energy", Quantity::cycle_energy}}) {
-        add_fact(facts, key, scene, result, quantity);
-    }
-    if (scene.round) {
-        facts.push_back({"assumption",
-                         "q acts in the direction of Q everywhere and does not change p: exact "
-                         "for Poisson's ratio 0 and equal bodies (Cattaneo, Mindlin)"});
-    }
-    if (!result.in_proportion) {
-        facts.push_back({"path", "Q first: with Q and bulk_tension in proportion one edge would "
-                                 "slip against Q at first, as |sigma_0 (a + b)/Q| is not below "
-                                 "8/pi"});
-    }
-}
-
-std::string bound_note() {
-    return "bounds are proved, and every digit printed is right, unless the route says estimate";
 }
 
 std::string unit_of(const scene::Scene& scene, scene::Quantity quantity, std::size_t k) {
@@ -210,20 +165,88 @@ std::string unit_of(const scene::Scene& scene, scene::Quantity quantity, std::si
     return pressure && length ? pressure->name + " " + power_of(length->name, halves + 2) : "";
 }
 
-void append_value(std::vector<std::string>& row, const std::optional<scene::BoundedValue>& value,
-                  bool route, const scene::Digits& digits) {
-    if (!value) {
-        row.resize(row.size() + 2 + (route ? 1 : 0) + (digits.binary64 ? 1 : 0));
-        return;
+scene::Digits error_digits(const scene::Scene& scene) {
+    return {std::min(scene.ask.digits.count, 20U), scene.ask.digits.rounding, false};
+}
+
+std::vector<Line> lines_of(const std::vector<scene::RowsAt>& places) {
+    std::vector<Line> lines;
+    for (const scene::RowsAt& place : places) {
+        lines.push_back({place});
     }
-    const scene::PrintedValue p = printed(*value, digits);
-    row.push_back(p.text);
-    row.push_back(p.bound);
-    if (route) {
-        row.push_back(how(*value, p));
+    return lines;
+}
+
+report::Column& Columns::add(const std::string& name, Kind kind, Text cell) {
+    columns_.push_back({name, kind});
+    cells_.emplace_back(
+        [cell = std::move(cell)](const Line& line, auto& row) { row.push_back(cell(line)); });
+    return columns_.back();
+}
+
+report::Column& Columns::text(const std::string& name, Text cell, std::string phrase) {
+    report::Column& column = add(name, Kind::text, std::move(cell));
+    column.phrase = std::move(phrase);
+    return column;
+}
+
+report::Column& Columns::number(const std::string& name, scene::Quantity quantity, std::size_t n) {
+    const scene::Digits digits =
+        row_of(quantity).short_error ? error_digits(scene_) : scene_.ask.digits;
+    report::Column& column = add(name, Kind::number, [=](const Line& line) {
+        const scene::Row* const row = line.at.find(quantity, n == 0 ? line.n : n);
+        return row != nullptr && row->value ? printed(*row->value, digits).text : std::string();
+    });
+    column.unit = unit_of(scene_, quantity);
+    return column;
+}
+
+report::Column& Columns::value(const std::string& name, const std::string& route, Value value) {
+    const std::size_t first = columns_.size();
+    const scene::Digits digits = scene_.ask.digits;
+    columns_.push_back({name});
+    columns_.push_back({name + "_bound"});
+    columns_.back().role = report::Column::Role::bound;
+    if (!route.empty()) {
+        columns_.push_back({route, Kind::text});
+        columns_.back().role = report::Column::Role::route;
     }
     if (digits.binary64) {
-        row.push_back(p.binary64 ? fmt::format("{}", *p.binary64) : "");
+        columns_.push_back({name + "_binary64"});
+    }
+    cells_.emplace_back([value = std::move(value), with_route = !route.empty(),
+                         digits](const Line& line, std::vector<std::string>& row) {
+        const std::optional<scene::BoundedValue> x = value(line);
+        const scene::PrintedValue p = x ? printed(*x, digits) : scene::PrintedValue{};
+        row.push_back(p.text);
+        row.push_back(p.bound);
+        if (with_route) {
+            row.push_back(x ? how(*x, p) : "");
+        }
+        if (digits.binary64) {
+            row.push_back(p.binary64 ? fmt::format("{}", *p.binary64) : "");
+        }
+    });
+    return columns_[first];
+}
+
+report::Column& Columns::value(const std::string& name, const std::string& route,
+                               scene::Quantity quantity) {
+    report::Column& column = value(name, route, [=](const Line& line) {
+        const scene::Row* const row = line.at.find(quantity, line.n);
+        return row != nullptr ? row->value : std::nullopt;
+    });
+    column.unit = unit_of(scene_, quantity);
+    return column;
+}
+
+void Columns::write(report::Table& table, const std::vector<Line>& lines) const {
+    table.columns = columns_;
+    for (const Line& line : lines) {
+        table.rows.emplace_back().reserve(columns_.size());
+        for (const auto& cell : cells_) {
+            cell(line, table.rows.back());
+        }
     }
 }
 
@@ -241,7 +264,7 @@ void emit(const report::Table& given, const OutputOptions& o) {
     const std::string text =
         o.is_short() ? short_answer(table, terminal_width()) +
                            "(more digits: --digits N; all columns: --format csv)\n"
-                     : write_table(table, format_of(o.format),
+                     : write_table(table, o.table_format(),
                                    {.width = shown ? width_to_wrap_at() : 0, .notes = !o.no_notes});
     if (!shown) {
         io::write_output(o.out, text); // if this fails, its message is the only one

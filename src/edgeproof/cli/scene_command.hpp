@@ -20,27 +20,19 @@ namespace edgeproof::cli {
 [[nodiscard]] scene::SceneResult done(const scene::Scene& scene, const SceneOptions& options);
 
 /// Draws the scene, with tolerance 1% and 1, 2, 3 terms unless the scene has its own.
-[[nodiscard]] report::ScenePicture picture_of(scene::Scene scene);
-/// Adds --figure, and checks its file before any work, and draws the scene into it.
-void add_figure_option(CLI::App& sub, SceneOptions& options);
+[[nodiscard]] std::vector<report::Plot> picture_of(scene::Scene scene);
+/// Checks the file of --figure before any work, and draws the scene into it.
 void check_figure_option(const SceneOptions& options);
 void draw_figure_option(const scene::Scene& scene, const SceneOptions& options);
-/// Returns the title, else the file.
-[[nodiscard]] std::string title_of(const scene::Scene& scene);
 
-/// Returns the scene, the digits, a and b, and P and M if they were asked for.
-[[nodiscard]] std::vector<report::Fact> facts_of(const scene::Scene& scene,
-                                                 const scene::SceneResult& result);
-
-/// Returns an empty table for such a result, with its title and facts.
+/// Returns an empty table for such a result, with its title and facts: the digits, a and b, P and M
+/// if they were asked for, with friction the stick zone and the allowed bulk tensions.
 [[nodiscard]] report::Table values_table(const scene::Scene& scene,
                                          const scene::SceneResult& result);
-/// Adds, for a scene with friction: Q/(f P), the stick zone, and the allowed bulk tensions.
-void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
-                    const scene::SceneResult& result);
 
-/// Returns a sentence about the reliability of bounds and digits.
-[[nodiscard]] std::string bound_note();
+/// Adds the value of a quantity of the contact, if it was computed.
+void add_fact(std::vector<report::Fact>& facts, const std::string& key, const scene::Scene& scene,
+              const scene::SceneResult& result, scene::Quantity quantity);
 
 /// Reads the option --body.
 [[nodiscard]] scene::Body body_of(const std::string& name);
@@ -52,64 +44,47 @@ void add_slip_facts(std::vector<report::Fact>& facts, const scene::Scene& scene,
 [[nodiscard]] std::string unit_of(const scene::Scene& scene, scene::Quantity quantity,
                                   std::size_t k = 0);
 
-/// Appends the cells of a value: its text, its bound, its route (if `route`), and its binary64 (if
-/// it is asked for); empty cells for a missing value.
-void append_value(std::vector<std::string>& row, const std::optional<scene::BoundedValue>& value,
-                  bool route, const scene::Digits& digits);
-
-/// The columns of a table, each with its cell in the row of an object.
-template <class Object> class Columns {
-public:
-    using Kind = report::Column::Kind;
-
-    explicit Columns(const scene::Scene& scene) : digits_(scene.ask.digits) {}
-    report::Column& add(const std::string& name, Kind kind,
-                        std::function<std::string(const Object&)> cell) {
-        columns_.push_back({name, kind});
-        cells_.push_back([cell = std::move(cell)](const Object& object, auto& row) {
-            row.push_back(cell(object));
-        });
-        return columns_.back();
-    }
-    /// Adds NAME, NAME_bound, the column `route` (if it has a name), then NAME_binary64 if it is
-    /// asked for. Returns the first of them.
-    report::Column&
-    add_value(const std::string& name, const std::string& route,
-              std::function<std::optional<scene::BoundedValue>(const Object&)> value) {
-        const std::size_t first = columns_.size();
-        columns_.push_back({name});
-        columns_.push_back({name + "_bound"});
-        columns_.back().role = report::Column::Role::bound;
-        if (!route.empty()) {
-            columns_.push_back({route, Kind::text});
-            columns_.back().role = report::Column::Role::route;
-        }
-        if (digits_.binary64) {
-            columns_.push_back({name + "_binary64"});
-        }
-        cells_.push_back([value = std::move(value), with_route = !route.empty(),
-                          digits = digits_](const Object& object, auto& row) {
-            append_value(row, value(object), with_route, digits);
-        });
-        return columns_[first];
-    }
-    void write(report::Table& table, const std::vector<Object>& objects) const {
-        table.columns = columns_;
-        for (const Object& object : objects) {
-            table.rows.emplace_back().reserve(columns_.size());
-            for (const auto& cell : cells_) {
-                cell(object, table.rows.back());
-            }
-        }
-    }
-
-private:
-    scene::Digits digits_;
-    std::vector<report::Column> columns_;
-    std::vector<std::function<void(const Object&, std::vector<std::string>&)>> cells_;
+/// The object of a row of a table: the values of a place, with a number of terms or an index.
+struct Line {
+    scene::RowsAt at;
+    std::size_t n = 0;
 };
 
-/// Shows on stderr the file for a scene that was given by quantities, if --show-scene asks for it.
+[[nodiscard]] std::vector<Line> lines_of(const std::vector<scene::RowsAt>& places);
+
+/// The columns of a table, each with its cell in the row of a line.
+class Columns {
+public:
+    using Kind = report::Column::Kind;
+    using Text = std::function<std::string(const Line&)>;
+    using Value = std::function<std::optional<scene::BoundedValue>(const Line&)>;
+
+    explicit Columns(const scene::Scene& scene) : scene_(scene) {}
+    report::Column& add(const std::string& name, Kind kind, Text cell);
+    report::Column& text(const std::string& name, Text cell, std::string phrase = {});
+    /// The text of a quantity of n terms; empty where it has no value.
+    report::Column& number(const std::string& name, scene::Quantity quantity, std::size_t n = 0);
+    /// Adds NAME, NAME_bound, the column `route` (if it has a name), then NAME_binary64 if it is
+    /// asked for; empty cells for a missing value. Returns the first of them.
+    report::Column& value(const std::string& name, const std::string& route, Value value);
+    report::Column& value(const std::string& name, const std::string& route,
+                          scene::Quantity quantity);
+    void route(Text cell) {
+        add("route", Kind::text, std::move(cell)).role = report::Column::Role::route;
+    }
+    [[nodiscard]] report::Column& column(std::size_t i) { return columns_.at(i); }
+    void write(report::Table& table, const std::vector<Line>& lines) const;
+
+private:
+    const scene::Scene& scene_;
+    std::vector<report::Column> columns_;
+    std::vector<std::function<void(const Line&, std::vector<std::string>&)>> cells_;
+};
+
+/// Returns the digits of the errors of a table: 20, or fewer.
+[[nodiscard]] scene::Digits error_digits(const scene::Scene& scene);
+
+/// Shows on stderr the file for a scene that was given by words, if --show-scene asks for it.
 void show_as_file(const OutputOptions& options);
 /// Writes to --out, whole or not at all, or to stdout; a short answer, or wrapped lines, on a
 /// terminal.

@@ -36,13 +36,22 @@ py::dict design(const std::string& text, const std::string& file, const std::str
                 std::optional<long> terms, py::object callback) {
     scene::DesignRunOptions options;
     options.search = search_of(gap, digits);
-    const scene::DesignQuestion asked{std::move(maximise), std::move(tolerance), std::move(edge),
-                                      terms};
+    io::TomlTable asked{"design", 0, {}};
+    const auto ask = [&](const char* key, const std::optional<std::string>& value) {
+        if (value) {
+            asked.entries.push_back({key, *value});
+        }
+    };
+    ask("maximise", maximise);
+    ask("tolerance", tolerance);
+    ask("edge", edge);
+    ask("terms", terms ? std::optional(std::to_string(*terms)) : std::nullopt);
     scene::DesignScene design;
     scene::DesignResult result;
     const std::string json = with_progress(std::move(callback), [&](Progress& progress) {
         options.search.progress = std::ref(progress);
-        design = scene::parse_design(text, file, asked);
+        design = scene::parse_design(
+            text, file, asked.entries.empty() ? std::vector<io::TomlTable>{} : std::vector{asked});
         result = run_design(design, options);
         return write_table(report::design_table(design, result, options.search),
                            report::TableFormat::json);

@@ -135,7 +135,7 @@ TEST_CASE("check --exec: the standard error of a program is handed on, and is th
     CHECK_FALSE(has(check("echo no module named scipy >&2; sh hertz.sh").out, cause));
 }
 
-TEST_CASE("check: a file of many answers is reported as one that is read at once") {
+TEST_CASE("check: a file of thousands of answers") {
     const Folder folder;
     // 3-4-5 and 5-12-13 triangles, some values wrong; one id occurs twice, and a row is torn.
     std::string text = "# questions: 6000\n" + header;
@@ -148,13 +148,10 @@ TEST_CASE("check: a file of many answers is reported as one that is read at once
                                 "," + value + "\n";
     }
     folder.write("a.csv", text);
-    const Outcome blocks = run(folder, "check a.csv --errors 4");
-    const Outcome once = run(folder, "check a.csv --errors 4 --junit j.xml"); // needs them all
-    CHECK(blocks.code == 1);
-    CHECK(once.code == 1);
-    CHECK(blocks.out == once.out);
-    CHECK(has(blocks.out, "a.csv:5303: q17 is answered twice, first in line 20"));
-    CHECK(lines(blocks.out).front() ==
+    const Outcome o = run(folder, "check a.csv --errors 4");
+    CHECK(o.code == 1);
+    CHECK(has(o.out, "a.csv:5303: q17 is answered twice, first in line 20"));
+    CHECK(lines(o.out).front() ==
           "FAIL: 5498 answers, 5 failures, 3 faults of the rows or the "
           "program");
 }

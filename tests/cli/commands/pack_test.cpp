@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/causes/readings.hpp"
+
 #include "tests/cli/run_program.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -6,6 +8,9 @@
 
 #include <memory>
 #include <regex>
+#include <sstream>
+#include <string>
+#include <utility>
 #include <vector>
 
 using namespace edgeproof::test;
@@ -88,30 +93,52 @@ const std::vector<PackLanguage> pack_languages{
 
 } // namespace
 
-TEST_CASE("pack: the committed one is reproduced in every byte; an edited one is reported") {
-    const PackCopy copy;
-    CHECK(run(copy.folder, "pack . --check").code == 0);
-    copy.edit("cases.csv", ",right,", ",left,");
-    const Outcome edited = run(copy.folder, "pack . --check");
-    CHECK(edited.code == 1);
-    CHECK(has(edited.err, "cases.csv:"));
-    const PackCopy other;
-    other.edit("MANIFEST", "  cases.csv", "  kases.csv");
-    CHECK(run(other.folder, "pack . --check").code == 1);
-    const Folder empty;
-    CHECK(run(empty, "pack made --commit abc --date 2026-01-02").code == 0);
-    const std::string manifest_text = file_text(empty.path() / "made" / "MANIFEST");
-    CHECK(
-        has(manifest_text, "# commit: abc\n# date: 2026-01-02\n# command: edgeproof pack made\n"));
-    // sha256sum is an independent program.
-    if (shell_has("sha256sum --version")) {
-        CHECK(other.shell("sha256sum --quiet -c MANIFEST") == 1); // the manifest has an edited name
-        CHECK(PackCopy().shell("sha256sum --quiet --strict -c MANIFEST") == 0);
-        CHECK(copy.shell("sha256sum --quiet -c MANIFEST") == 1); // the edited row
+TEST_CASE("pack: factors.txt has the named factors of the catalogue") {
+    std::istringstream lines(file_text(source_dir() / "reference" / "pack" / "factors.txt"));
+    std::vector<std::pair<std::string, double>> there;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::pair<std::string, double> factor;
+        if (words >> factor.first >> factor.second) {
+            there.push_back(factor);
+        }
     }
+    std::vector<std::pair<std::string, double>> named;
+    for (const auto& factor : edgeproof::conformance::named_factors()) {
+        named.emplace_back(factor.name, factor.value.convert_to<double>());
+    }
+    CHECK(there == named);
 }
 
 TEST_SUITE("slow") {
+    TEST_CASE(
+        "pack: the committed one is right; an edited value, condition or checksum is reported") {
+        if (!shell_has("python3 --version")) {
+            return;
+        }
+        struct Edit {
+            const char* file;
+            const char* from;
+            const char* to;
+            const char* said;
+        };
+        for (const Edit& edit :
+             {Edit{"cases.csv", "", "", ""}, Edit{"cases.csv", ",right,", ",left,", "cases.csv: "},
+              Edit{"cases.csv", "0.45015815807855303477759959550337029133228707497761",
+                   "0.45015815807855303477759959550337029133228707497791", "cases.csv: "},
+              Edit{"level-a.csv", "-3,3.17,4", "-3,2.17,4", "a condition number is wrong"},
+              Edit{"MANIFEST", "  cases.csv", "  kases.csv", "the checksums are not those"}}) {
+            CAPTURE(edit.to);
+            const PackCopy copy;
+            copy.edit(edit.file, edit.from, edit.to);
+            const bool right = *edit.said == '\0';
+            CHECK(copy.shell("EDGEPROOF='" + program().string() + "' '" +
+                             (source_dir() / "scripts" / "pack").string() + "' .") ==
+                  (right ? 0 : 1));
+            CHECK(has(file_text(copy.folder.path() / "out"), edit.said));
+        }
+    }
+
     TEST_CASE("pack: drivers pass a right code, and fail a wrong one, in each language") {
         for (const PackLanguage& language : pack_languages) {
             CAPTURE(language.example);

@@ -12,7 +12,7 @@
 
 namespace {
 
-ScenePicture picture_of_scene(const std::string& profile, const std::string& ask) {
+std::vector<Plot> picture_of_scene(const std::string& profile, const std::string& ask) {
     return scene_picture(scene::parse_scene("[profile]\n" + profile +
                                                 "[load]\na = 1\ncontact_modulus = 1\n[ask]\n" + ask,
                                             "scene.toml"),
@@ -67,24 +67,24 @@ template <class F> double off(const Plot& plot, const F& exact) {
 TEST_CASE("plot: the curve is smooth at a narrow peak, and has few places where it is smooth") {
     const double t = 0.9;
     const double peak = rounded_punch(0.905, t); // 0.0387, within 1 % of the greatest pressure
-    const ScenePicture picture = picture_of_scene(
+    const std::vector<Plot> picture = picture_of_scene(
         "kind = \"flat-and-rounded\"\nt = \"0.9\"\nR = 1\n", "terms = [1]\ntolerance = \"1%\"\n");
-    const Plot& plot = picture.plots.front();
+    const Plot& plot = picture.front();
     CHECK(off(plot, [&](double x) { return rounded_punch(x, t); }) < peak / 300);
     REQUIRE(plot.y.range);
     CHECK(std::stod(plot.y.range->second) > peak);
     CHECK(std::stod(plot.y.range->second) < 1.3 * peak);
-    const ScenePicture hertz =
+    const std::vector<Plot> hertz =
         picture_of_scene("kind = \"hertz\"\nR = 1\n", "terms = [1]\ntolerance = \"1%\"\n");
-    CHECK(off(hertz.plots.front(), [](double x) { return std::sqrt(1 - x * x) / 2; }) < 0.5 / 300);
-    CHECK(hertz.plots.front().rows.size() < 150);
+    CHECK(off(hertz.front(), [](double x) { return std::sqrt(1 - x * x) / 2; }) < 0.5 / 300);
+    CHECK(hertz.front().rows.size() < 150);
 }
 
 TEST_CASE("plot: an infinite pressure at a corner ends the steps, and the range shows the rest") {
     // p = arcosh(1/|x|)/pi for g' = +-1 and a = E* = 1: infinite at x = 0.
-    const ScenePicture picture = picture_of_scene("kind = \"tilted-wedge\"\nphi = 1\nalpha = 0\n",
-                                                  "terms = [1]\ntolerance = \"1%\"\n");
-    const Plot& plot = picture.plots.front();
+    const std::vector<Plot> picture = picture_of_scene(
+        "kind = \"tilted-wedge\"\nphi = 1\nalpha = 0\n", "terms = [1]\ntolerance = \"1%\"\n");
+    const Plot& plot = picture.front();
     CHECK(plot.rows.size() < 400);
     const double top = std::stod(plot.y.range->second);
     CHECK(top > std::acosh(10) / std::numbers::pi);
@@ -92,9 +92,9 @@ TEST_CASE("plot: an infinite pressure at a corner ends the steps, and the range 
 }
 
 TEST_CASE("plot: errors in percent, up to the other edge and no farther") {
-    const ScenePicture picture =
+    const std::vector<Plot> picture =
         picture_of_scene("kind = \"hertz\"\nR = 1\n", "terms = [1]\ntolerance = \"1/100\"\n");
-    const Plot& plot = picture.plots.back();
+    const Plot& plot = picture.back();
     REQUIRE(plot.x.range);
     CHECK(std::stod(plot.x.range->second) == 2); // a + b
     CHECK(plot.y.percent);
@@ -113,19 +113,17 @@ TEST_CASE("plot: a stress along a line") {
         return stress_along(cylinder, quantity, {Exact::parse(from_x), Exact::parse(from_z)},
                             {Exact::parse(to_x), Exact::parse(to_z)});
     };
-    const ScenePicture axis = line(scene::Quantity::szz, "0", "2", "0", "0");
-    CHECK(axis.plots.front().x.label == "z");
-    CHECK(off(axis.plots.front(), [](double z) { return -0.5 / std::sqrt(1 + z * z); }) <
-          0.5 / 300);
-    const ScenePicture surface = line(scene::Quantity::sxx, "-2", "0", "2", "0");
-    CHECK(surface.plots.front().x.label == "x");
-    CHECK(off(surface.plots.front(), [](double x) {
+    const Plot axis = line(scene::Quantity::szz, "0", "2", "0", "0");
+    CHECK(axis.x.label == "z");
+    CHECK(off(axis, [](double z) { return -0.5 / std::sqrt(1 + z * z); }) < 0.5 / 300);
+    const Plot surface = line(scene::Quantity::sxx, "-2", "0", "2", "0");
+    CHECK(surface.x.label == "x");
+    CHECK(off(surface, [](double x) {
               return std::fabs(x) < 1 ? -0.5 * std::sqrt(1 - x * x) : 0.0;
           }) < 0.5 / 300);
     // The line begins at (0, 0) at 45 degrees; the distance along the line is sqrt(2) z.
-    const ScenePicture slant = line(scene::Quantity::tau_max, "0", "0", "1", "1");
-    CHECK(slant.plots.front().x.label == "distance from (0, 0)");
-    CHECK(slant.plots.front().rows.size() > 60);
-    CHECK(std::fabs(slant.plots.front().rows.back()[0]->convert_to<double>() - std::sqrt(2.0)) <
-          1e-15);
+    const Plot slant = line(scene::Quantity::tau_max, "0", "0", "1", "1");
+    CHECK(slant.x.label == "distance from (0, 0)");
+    CHECK(slant.rows.size() > 60);
+    CHECK(std::fabs(slant.rows.back()[0]->convert_to<double>() - std::sqrt(2.0)) < 1e-15);
 }

@@ -84,31 +84,31 @@ TEST_CASE("a design scene: errors have their line") {
               .find("there is no parameter R") != std::string::npos);
 }
 
-TEST_CASE("a design scene with options in place of its own values") {
-    using edgeproof::scene::DesignObjective;
-    const auto asked = [](const std::string& text, const edgeproof::scene::DesignQuestion& q) {
-        return edgeproof::scene::parse_design(text, "pad.toml", q);
+TEST_CASE("a design scene with keys in place of its own") {
+    using edgeproof::io::TomlEntry;
+    const auto asked = [](const std::string& text, const std::vector<TomlEntry>& design) {
+        return edgeproof::scene::parse_design(text, "pad.toml", {{"design", 0, design}});
     };
     const std::string text = pad_design(flat_of_range, "terms = 2\nedge = \"left\"\n");
     const auto as_written = asked(text, {});
     CHECK(as_written.terms == 2);
     CHECK(as_written.edges == std::vector{edgeproof::contact::Edge::left});
-    const auto otherwise = asked(text, {"measure", "1/100", "both", 3});
-    CHECK(otherwise.objective == DesignObjective::measure);
+    const std::vector<TomlEntry> all{
+        {"maximise", "measure"}, {"tolerance", "1/100"}, {"edge", "both"}, {"terms", "3"}};
+    const auto otherwise = asked(text, all);
+    CHECK(otherwise.objective == edgeproof::scene::DesignObjective::measure);
     CHECK(otherwise.tolerance.rational() == Rational(1, 100));
     CHECK(otherwise.edges.size() == 2);
     CHECK(otherwise.terms == 3);
-    // An option hides a wrong value of the key that it replaces, but not an unknown key.
-    CHECK(
-        asked(pad_design(flat_of_range, "edge = \"top\"\n"), {{}, {}, "right", {}}).edges.size() ==
-        1);
-    CHECK_THROWS_WITH_AS((void)asked(pad_design(flat_of_range, "edges = \"left\"\n"),
-                                     {"measure", "1/100", "both", 3}),
+    // A wrong value of a key that is replaced is no error, but an unknown key is.
+    CHECK(asked(pad_design(flat_of_range, "edge = \"top\"\n"), {{"edge", "right"}}).edges.size() ==
+          1);
+    CHECK_THROWS_WITH_AS((void)asked(pad_design(flat_of_range, "edges = \"left\"\n"), all),
                          doctest::Contains("pad.toml:11"), InputError);
     // The file has no table [design].
     const std::string bare = text.substr(0, text.find("[design]"));
-    CHECK(asked(bare, {"first_exit", "1/100", {}, {}}).terms == 1);
-    CHECK_THROWS_WITH_AS((void)asked(bare, {"first_exit", {}, {}, {}}),
+    CHECK(asked(bare, {{"tolerance", "1/100"}}).terms == 1);
+    CHECK_THROWS_WITH_AS((void)edgeproof::scene::parse_design(bare, "pad.toml"),
                          doctest::Contains("there is no [design]"), InputError);
 }
 

@@ -5,11 +5,12 @@
 #include "edgeproof/report/figures/figure_option.hpp"
 #include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/tables/design_table.hpp"
+#include "edgeproof/report/text/percent.hpp"
 #include "edgeproof/scene/design/design_file.hpp"
 
 #include <fmt/format.h>
 
-#include <regex>
+#include <algorithm>
 
 namespace edgeproof::cli {
 namespace {
@@ -19,47 +20,56 @@ struct DesignCommandOptions : SceneOptions {
     std::string maximise;
 };
 
-std::string text_of_file(const std::string& file) {
-    return io::read_text(file, "scene (TOML)", io::most_toml_bytes);
-}
-
-/// Returns the text of a scene file for quantities; FROM..TO is a range.
-std::string text_of_quantities(const scene::SceneEntries& entries) {
-    std::string text = scene_text(entries);
-    static const std::regex range("= \"([^\"]*[^\".])\\.\\.([^\".][^\"]*)\"");
-    return std::regex_replace(text, range, "= { from = \"$1\", to = \"$2\" }");
+/// Moves what [design] has under a name of its own out of [ask].
+void move_question(GivenScene& given, const std::string& maximise) {
+    io::TomlTable design{"design", 0, {}};
+    for (io::TomlTable& table : given.instead) {
+        for (io::TomlEntry& entry : table.entries) {
+            if (table.name != "ask") {
+                continue;
+            }
+            if (entry.key == "edges") {
+                const auto& edges = std::get<std::vector<std::string>>(entry.value);
+                design.entries.push_back({"edge", edges.size() == 2 ? "both" : edges.front()});
+            } else if (entry.key == "terms") {
+                design.entries.push_back(
+                    {"terms", std::get<std::vector<std::string>>(entry.value).front()});
+            } else if (entry.key == "tolerance") {
+                design.entries.push_back(entry);
+            } else {
+                throw InputError(entry.key + " has no effect on a design",
+                                 "leave " + entry.key + " out");
+            }
+        }
+    }
+    std::erase_if(given.instead, [](const io::TomlTable& table) { return table.name == "ask"; });
+    if (!maximise.empty()) {
+        design.entries.push_back({"maximise", maximise});
+    }
+    if (given.file.empty() &&
+        std::ranges::count(design.entries, "tolerance", &io::TomlEntry::key) == 0) {
+        throw InputError("no tolerance is given", "add tolerance=1%");
+    }
+    if (!design.entries.empty()) {
+        given.instead.push_back(std::move(design));
+    }
 }
 
 scene::DesignScene design_of(const DesignCommandOptions& o) {
-    scene::DesignQuestion asked;
-    const auto set = [](auto& target, const std::string& text) {
-        if (!text.empty()) {
-            target = text;
-        }
-    };
-    set(asked.edge, o.edges);
-    set(asked.maximise, o.maximise);
-    if (!o.terms.empty()) {
-        asked.terms = static_cast<long>(whole_number("--terms", o.terms, 1, 12));
+    GivenScene given = given_scene(o.words, shipped_designs);
+    move_question(given, o.maximise);
+    if (given.file.empty()) {
+        o.as_file = scene::scene_text(given.instead);
     }
-    if (!o.tolerance.empty()) {
-        (void)tolerance_of(o.tolerance);
-        asked.tolerance = o.tolerance;
-    }
-    if (!is_by_quantities(o)) {
-        const std::string file = file_or_shipped(o.scene, shipped_designs);
-        return scene::parse_design(text_of_file(file), io::input_name(file), asked);
-    }
-    if (o.tolerance.empty()) {
-        throw InputError("no tolerance is given", "add --tolerance 1%");
-    }
-    if (o.maximise.empty()) {
-        asked.maximise = "first_exit";
-    }
-    o.as_file = text_of_quantities(entries_of(o));
+    const std::string text =
+        given.file.empty() ? "" : io::read_text(given.file, "scene (TOML)", io::most_toml_bytes);
     try {
-        return scene::parse_design(o.as_file, "command line", asked);
-    } catch (const InputError& error) { // the line is one of the text above
+        return scene::parse_design(
+            text, given.file.empty() ? "command line" : io::input_name(given.file), given.instead);
+    } catch (const InputError& error) {
+        if (error.line() != 0) {
+            throw;
+        }
         throw InputError(error.problem(), error.instead());
     }
 }
@@ -78,7 +88,7 @@ int run(const DesignCommandOptions& o) {
     digits.count = !o.digits.empty() ? digits_of(o.digits, scene::most_design_digits)
                    : o.is_short()    ? digits_of_short_answer
                                      : 30;
-    (void)format_of(o.format);
+    (void)o.table_format();
     io::check_output(o.out);
     if (!o.figure.empty()) {
         report::check_figure(o.figure);
@@ -95,7 +105,7 @@ int run(const DesignCommandOptions& o) {
     }
     report::Table table = report::design_table(design, result, options.search);
     table.asked = fmt::format("the best value for the reach of {} term{} within {}", design.terms,
-                              design.terms == 1 ? "" : "s", percent_text(design.tolerance));
+                              design.terms == 1 ? "" : "s", report::in_percent(design.tolerance));
     emit(table, o);
     return 0;
 }
@@ -107,12 +117,6 @@ void add_design(CLI::App& app, int& code) {
         app, code, "design", "the parameter of a scene for which an approximation reaches farthest",
         run);
     add_given_scene(sub, o);
-    sub.get_option("scene")->description("the scene (TOML with [design]); -: standard input");
-    sub.get_option("--terms")->description("number of terms (default: the scene's, else 1)");
-    for (const char* const none : {"--quantity", "--u", "--x", "--process-zone"}) {
-        sub.remove_option(sub.get_option(none)); // what [design] asks has other names
-    }
-    add_tolerance_option(sub, o, " (default: the scene's)");
     sub.add_option("--maximise", o.maximise,
                    "what the approximation is to reach (default: the scene's, else first_exit)")
         ->type_name("first_exit|measure");
@@ -121,7 +125,9 @@ void add_design(CLI::App& app, int& code) {
                    "nothing else in the range does better by more: proved (default: 1e-6)");
     sub.add_option("--figure", o.figure, "reach against the parameter, as .svg or .csv");
     add_table_options(sub, o);
-    sub.footer("A scene by its quantities has one range: --t 0..0.9.");
+    sub.footer(
+        "Words: one key is a range (t=0..0.9), with a tolerance; terms=1 and edges=right are "
+        "the defaults.");
 }
 
 } // namespace edgeproof::cli

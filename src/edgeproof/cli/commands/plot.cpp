@@ -15,7 +15,7 @@ struct PlotOptions : SceneOptions {
 };
 
 /// The picture of a stress: contours, or a curve along a line.
-report::ScenePicture stress_of(const PlotOptions& o, const scene::Scene& scene) {
+report::Plot stress_of(const PlotOptions& o, const scene::Scene& scene) {
     const scene::Body body = body_of(o.body);
     for (const scene::QuantityRow& row : scene::quantity_rows()) {
         if (row.group == scene::QuantityGroup::stress && row.name == o.field) {
@@ -48,8 +48,8 @@ int plot(PlotOptions& o) {
         throw InputError("a line has two ends, and a stress along it",
                          "write --field mises --from X,Z --to X,Z");
     }
-    const report::ScenePicture picture = o.field.empty() ? picture_of(scene) : stress_of(o, scene);
-    const std::string text = report::picture_file(picture, title_of(scene), file);
+    const std::string text = report::picture_file(
+        o.field.empty() ? picture_of(scene) : std::vector{stress_of(o, scene)}, file);
     show_as_file(o);
     io::write_output(file, text);
     return 0;
@@ -62,10 +62,8 @@ void add_plot(CLI::App& app, int& code) {
         app, code, "plot",
         "a picture of a scene: the pressure, the first terms, and where they are good", plot);
     add_given_scene(sub, o);
-    add_tolerance_option(sub, o, " (default: the scene's, else 1%)");
-    sub.add_option(
-        "--out,--figure", o.out,
-        "write to this file, by its ending .svg, .png, .pdf or .html, whole or not at all");
+    sub.add_option("--out,--figure", o.out,
+                   "write to this file, by its ending .svg, .png or .pdf, whole or not at all");
     sub.add_option("--field", o.field,
                    "in place of the pressure the contours of a stress below the contact: sxx, szz, "
                    "sxz, tau_max or mises");
@@ -76,9 +74,9 @@ void add_plot(CLI::App& app, int& code) {
         ->capture_default_str()
         ->type_name("A|B");
     sub.footer(
-        "A .png and a .pdf are made by rsvg-convert. The edges are those of --edge or of the "
-        "scene, else the right "
-        "one; the terms 1, 2 and 3 unless --terms or the scene say which.");
+        "A .png and a .pdf are made by rsvg-convert. The edges are those of the scene, else the "
+        "right one; the tolerance is 1 %, and the terms are 1, 2 and 3, unless the scene has its "
+        "own.");
 }
 
 } // namespace edgeproof::cli

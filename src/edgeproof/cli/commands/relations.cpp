@@ -9,7 +9,7 @@
 namespace edgeproof::cli {
 namespace {
 
-struct RelationsOptions : SceneOptions {
+struct RelationsOptions : OutputOptions {
     std::vector<std::string> quantities;
     std::vector<std::string> given;
     std::vector<std::string> free;

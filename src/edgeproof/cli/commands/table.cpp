@@ -21,6 +21,7 @@ struct TableOptions : OutputOptions {
     std::string part;
     std::vector<std::string> merge;
     bool check = false;
+    bool questions = false;
     bool exact = false;
 };
 
@@ -107,6 +108,12 @@ int table(TableOptions& o) {
     }
     o.recipe = file_or_shipped(o.recipe, shipped_recipes);
     conformance::Recipe recipe = conformance::read_recipe(o.recipe);
+    if (o.questions) {
+        emit(report::question_table(
+                 o.exact ? recipe.questions : rounded_to_binary64(recipe.questions), recipe.title),
+             o);
+        return 0;
+    }
     recipe.digits.exact = o.exact;
     if (o.check) {
         return check(o, recipe);
@@ -130,10 +137,12 @@ void add_table(CLI::App& app, int& code) {
     sub.add_option("--out", o.out, "write to this file, whole or not at all");
     sub.add_option("--format", o.format, "default: csv")->type_name("csv|json|md|tex");
     sub.add_flag("--no-notes", o.no_notes, "leave out the facts and notes around the rows");
+    sub.add_flag("--questions", o.questions,
+                 "the questions of the recipe instead, for another program to answer");
     sub.add_flag("--exact", o.exact,
                  "inputs as the recipe gives them, such as 1/3 (default: decimals with 15 digits "
-                 "more than the values)");
-    sub.add_option("--threads", o.threads, "threads (default: one a processor)");
+                 "more than the values; of --questions: the nearest binary64)");
+    add_threads_option(sub, o.threads);
     sub.add_option("--part", o.part,
                    "K/N: every Nth row from the Kth only; nothing is done where --out is this part "
                    "already");
@@ -143,6 +152,19 @@ void add_table(CLI::App& app, int& code) {
                  "make the table anew and compare it with --out (default: the .csv next to the "
                  "recipe); exit 1 where a digit differs");
     sub.add_option("--every", o.every, "with --check: every Nth row only");
+}
+
+// The older name of table --questions.
+void add_points(CLI::App& app, int& code) {
+    auto [sub, o] =
+        add_command<TableOptions>(app, code, "points", "as table --questions", [](TableOptions& p) {
+            p.questions = true;
+            return table(p);
+        });
+    sub.add_option("recipe", o.recipe, "the recipe (TOML)")->required();
+    sub.add_option("--out", o.out, "write to this file, whole or not at all");
+    sub.add_flag("--no-notes", o.no_notes, "leave out the facts and notes behind the rows");
+    sub.add_flag("--exact", o.exact, "numbers as the recipe gives them");
 }
 
 } // namespace edgeproof::cli

@@ -35,6 +35,36 @@ struct TomlSection::Source {
         made[&node] = line;
         return node;
     }
+    /// Adds a table, or its entries to the table of that name.
+    void add(const TomlTable& table) {
+        const bool listed = table.name.starts_with("[[");
+        toml::node* const there = listed ? nullptr : root.get(table.name);
+        toml::node& node = there != nullptr && there->is_table() ? *there
+                           : listed
+                               ? add_listed(table.name.substr(2, table.name.size() - 4), table.line)
+                               : add(root, table.name, table.line, toml::table{});
+        toml::table& to = *node.as_table();
+        for (const TomlEntry& entry : table.entries) {
+            to.erase(entry.key);
+            if (const auto* list = std::get_if<std::vector<std::string>>(&entry.value)) {
+                toml::array& items = *add(to, entry.key, entry.line, toml::array{}).as_array();
+                for (const std::string& item : *list) {
+                    items.push_back(item);
+                }
+                for (const toml::node& item : items) {
+                    made[&item] = entry.line;
+                }
+            } else if (const auto* flag = std::get_if<bool>(&entry.value)) {
+                add(to, entry.key, entry.line, *flag);
+            } else if (const auto* range = std::get_if<TomlRange>(&entry.value)) {
+                toml::node& ends = add(to, entry.key, entry.line, toml::table{});
+                add(*ends.as_table(), "from", entry.line, range->from);
+                add(*ends.as_table(), "to", entry.line, range->to);
+            } else if (!std::get<std::string>(entry.value).empty()) {
+                add(to, entry.key, entry.line, std::get<std::string>(entry.value));
+            }
+        }
+    }
     /// Adds a table to the list of the tables of that name.
     toml::node& add_listed(const std::string& name, std::size_t line) {
         toml::node* list = root.get(name);
@@ -229,7 +259,8 @@ struct TomlSection::Access {
     }
 };
 
-TomlSection TomlSection::parse(std::string_view text, const std::string& file) {
+TomlSection TomlSection::parse(std::string_view text, const std::string& file,
+                               const std::vector<TomlTable>& instead) {
     if (text.starts_with("\xEF\xBB\xBF")) { // a byte order mark, which toml++ does not count
         text.remove_prefix(3);
     }
@@ -247,6 +278,9 @@ TomlSection TomlSection::parse(std::string_view text, const std::string& file) {
                                : "write key = \"value\" lines under [section] headers")
             .at(file, error.source().begin.line);
     }
+    for (const TomlTable& table : instead) {
+        source->add(table);
+    }
     check_characters(source->root, *source);
     const void* top = &source->root;
     return {std::move(source), top};
@@ -256,27 +290,7 @@ TomlSection TomlSection::made(const std::vector<TomlTable>& tables, const std::s
     auto source = std::make_shared<Source>();
     source->file = file;
     for (const TomlTable& table : tables) {
-        const bool listed = table.name.starts_with("[[");
-        toml::node& node =
-            listed ? source->add_listed(table.name.substr(2, table.name.size() - 4), table.line)
-                   : source->add(source->root, table.name, table.line, toml::table{});
-        toml::table& to = *node.as_table();
-        for (const TomlEntry& entry : table.entries) {
-            if (const auto* list = std::get_if<std::vector<std::string>>(&entry.value)) {
-                toml::array& items =
-                    *source->add(to, entry.key, entry.line, toml::array{}).as_array();
-                for (const std::string& item : *list) {
-                    items.push_back(item);
-                }
-                for (const toml::node& item : items) {
-                    source->made[&item] = entry.line;
-                }
-            } else if (const auto* flag = std::get_if<bool>(&entry.value)) {
-                source->add(to, entry.key, entry.line, *flag);
-            } else {
-                source->add(to, entry.key, entry.line, std::get<std::string>(entry.value));
-            }
-        }
+        source->add(table);
     }
     check_characters(source->root, *source);
     const void* top = &source->root;

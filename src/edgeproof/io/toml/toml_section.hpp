@@ -14,10 +14,15 @@
 
 namespace edgeproof::io {
 
+/// The value { from = "...", to = "..." }.
+struct TomlRange {
+    std::string from;
+    std::string to;
+};
 /// A key of a table made in memory.
 struct TomlEntry {
     std::string key;
-    std::variant<std::string, std::vector<std::string>, bool> value;
+    std::variant<std::string, std::vector<std::string>, bool, TomlRange> value;
     std::size_t line = 0; ///< the line in errors
 };
 struct TomlTable {
@@ -36,8 +41,9 @@ class TomlSection {
 public:
     /// Returns the top level of a file. `file` is the name in errors. Refuses a text beyond the
     /// limits of toml_text.hpp, and control characters other than tab and newline in a key or a
-    /// text.
-    [[nodiscard]] static TomlSection parse(std::string_view text, const std::string& file);
+    /// text. `instead`: keys that replace or add to those of the file; an empty text removes a key.
+    [[nodiscard]] static TomlSection parse(std::string_view text, const std::string& file,
+                                           const std::vector<TomlTable>& instead = {});
 
     /// Returns the top level of a file with these tables; there is no text.
     [[nodiscard]] static TomlSection made(const std::vector<TomlTable>& tables,

@@ -5,9 +5,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/figures/figures_svg.hpp"
-#include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/percent.hpp"
-#include "edgeproof/report/text/program_line.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <fmt/format.h>
@@ -23,9 +21,6 @@ namespace {
 constexpr unsigned picture_digits = 24; ///< shows errors down to 1e-20
 constexpr int first_places = 61;        ///< from edge to edge, to which finer_places adds others
 constexpr int most_halvings = 7;        ///< of a step between two of them
-/// A step is halved where the curve differs from its chord by more than this part of its height:
-/// less than a pixel.
-constexpr double straight = 1.0 / 500;
 /// Pressures are drawn up to this multiple of the height that most of the contact has.
 constexpr double tallest = 4;
 constexpr int decades = 6;
@@ -46,21 +41,20 @@ public:
         : scene_(scene), progress_(std::move(progress)), values_(scene, asked(scene), digits()),
           a_(number({scene::Quantity::a})), b_(number({scene::Quantity::b})) {}
 
-    [[nodiscard]] ScenePicture paint() {
-        ScenePicture picture;
+    [[nodiscard]] std::vector<Plot> paint() {
         for (const contact::Edge edge : scene_.ask.edges) {
             std::vector<Real> c;
             for (std::size_t k = 0; k < scene_.ask.most_terms(); ++k) {
                 c.push_back(number({scene::Quantity::c, k, edge}));
             }
             edges_.push_back({edge, std::move(c), {}});
-            find_exits(edges_.back(), picture.exits);
+            find_exits(edges_.back());
         }
-        picture.plots.push_back(pressures());
+        std::vector<Plot> plots{pressures()};
         for (const OfEdge& edge : edges_) {
-            picture.plots.push_back(errors(edge));
+            plots.push_back(errors(edge));
         }
-        return picture;
+        return plots;
     }
 
 private:
@@ -116,7 +110,7 @@ private:
         return static_cast<std::size_t>(2 * first_places) * (scene_.shear ? 2 : 1) +
                scene_.ask.edges.size() * (decades * places_a_decade + 1);
     }
-    void find_exits(OfEdge& of, std::vector<std::string>& exits) {
+    void find_exits(OfEdge& of) {
         for (const std::size_t n : scene_.ask.terms) {
             check_interruption();
             if (!has_extents(scene_)) {
@@ -127,12 +121,7 @@ private:
                                                     .k = n,
                                                     .edge = of.edge,
                                                     .tolerance = scene_.ask.tolerance});
-            const std::string head = scene::edge_name(of.edge) + " edge, " + in_terms(n) +
-                                     ": within " + in_percent(*scene_.ask.tolerance) + " ";
             of.exits.push_back(e.reached ? std::optional(e.value->value.midpoint()) : std::nullopt);
-            exits.push_back(e.reached ? head + "up to u = " + printed(*e.value, {6}).text +
-                                            (e.value->proved ? "" : " (estimate)")
-                                      : head + "everywhere in the part considered");
         }
     }
     [[nodiscard]] static Real sum(const std::vector<Real>& c, std::size_t n, const Real& u) {
@@ -212,11 +201,15 @@ private:
         std::ranges::sort(heights);
         const Real usual = heights[heights.size() * 9 / 10];
         height_ = usual * tallest; // where the steps end at a corner with an infinite pressure
-        std::vector<Place> all{first.front()};
-        for (std::size_t k = 1; k < first.size(); ++k) {
-            halve(first[k - 1], first[k], most_halvings, all);
-            all.push_back(first[k]);
-        }
+        const std::vector<Place> all = with_halved_steps(
+            first, most_halvings,
+            [&](const Place& from, const Place& to) {
+                return place_at((from.angle + to.angle) / 2);
+            },
+            [&](const Place& from, const Place& middle, const Place& to) {
+                return !bends(from.w, from.p, middle.w, middle.p, to.w, to.p) &&
+                       !bends(from.w, from.q, middle.w, middle.q, to.w, to.q);
+            });
         Real highest = 0;
         for (const Place& place : all) {
             highest = place.p ? std::max(highest, *place.p) : highest;
@@ -224,19 +217,6 @@ private:
         // A higher pressure belongs to a corner: the range shows most of the contact.
         height_ = highest < height_ ? highest : Real(usual * 2);
         return all;
-    }
-    /// Appends the places between two, in order, as long as a curve differs from its chord.
-    void halve(const Place& from, const Place& to, int halvings, std::vector<Place>& all) {
-        const Place middle = place_at((from.angle + to.angle) / 2);
-        const bool again = halvings > 1 && (bends(from.w, from.p, middle.w, middle.p, to.w, to.p) ||
-                                            bends(from.w, from.q, middle.w, middle.q, to.w, to.q));
-        if (again) {
-            halve(from, middle, halvings - 1, all);
-        }
-        all.push_back(middle);
-        if (again) {
-            halve(middle, to, halvings - 1, all);
-        }
     }
     [[nodiscard]] bool bends(const Real& w0, const std::optional<Real>& y0, const Real& w,
                              const std::optional<Real>& y, const Real& w1,
@@ -248,7 +228,7 @@ private:
             return false; // there is no such curve
         }
         const Real chord = drawn(y0) + (drawn(y1) - drawn(y0)) * (w - w0) / (w1 - w0);
-        return abs(drawn(y) - chord) > height_ / tallest * straight;
+        return abs(drawn(y) - chord) > height_ / tallest * straight_enough;
     }
     /// Under full stick q is infinite at the edges: its range extends down as far as p extends up.
     [[nodiscard]] static std::string lowest(const Plot& plot, const Real& top) {
@@ -342,53 +322,24 @@ private:
 
 } // namespace
 
-ScenePicture scene_picture(const scene::Scene& scene,
-                           const std::function<void(std::size_t, std::size_t)>& progress) {
+std::vector<Plot> scene_picture(const scene::Scene& scene,
+                                const std::function<void(std::size_t, std::size_t)>& progress) {
     const PrecisionScope scope(picture_digits + 10);
     return Painter(scene, progress).paint();
 }
 
-namespace {
-
-std::string page_of(const ScenePicture& picture, const std::string& title) {
-    std::string page =
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
-        "name=\"viewport\" content=\"width=device-width\">\n<title>" +
-        escape_html(title) +
-        "</title>\n<style>body{font:1rem/1.4 sans-serif;color:#000;background:#fff;margin:1rem}"
-        ".panels{display:grid;gap:1rem;max-width:84rem;"
-        "grid-template-columns:repeat(auto-fit,minmax(min(26rem,100%),1fr))}"
-        ".panels "
-        "svg{width:100%;height:auto}footer{font-size:.8rem}</style>\n</head>\n<body>\n<h1>" +
-        escape_html(title) + "</h1>\n<div class=\"panels\">\n";
-    for (const Plot& plot : picture.plots) {
-        page += inline_svg(draw_svg({plot}), plot) + "\n";
-    }
-    page += "</div>\n<ul>\n";
-    for (const std::string& exit : picture.exits) {
-        page += "<li>" + escape_html(exit) + "</li>\n";
-    }
-    return page + "</ul>\n<footer>" + escape_html(program_line()) + "</footer>\n</body>\n</html>\n";
-}
-
-} // namespace
-
 void check_picture_name(const std::string& file) {
     const std::filesystem::path ending = std::filesystem::path(file).extension();
-    if (ending != ".svg" && ending != ".png" && ending != ".pdf" && ending != ".html") {
-        throw InputError(file + " is neither .svg, .png, .pdf nor .html", "name the file so");
+    if (ending != ".svg" && ending != ".png" && ending != ".pdf") {
+        throw InputError(file + " is neither .svg, .png nor .pdf", "name the file so");
     }
 }
 
-std::string picture_file(const ScenePicture& picture, const std::string& title,
-                         const std::string& file) {
+std::string picture_file(const std::vector<Plot>& plots, const std::string& file) {
     check_picture_name(file);
-    const std::filesystem::path ending = std::filesystem::path(file).extension();
-    if (ending == ".html") {
-        return page_of(picture, title);
-    }
-    const std::string svg = draw_svg(picture.plots);
-    return ending == ".svg" ? svg : converted_svg(svg, ending == ".png" ? "png" : "pdf");
+    const std::string ending = std::filesystem::path(file).extension();
+    const std::string svg = draw_svg(plots);
+    return ending == ".svg" ? svg : converted_svg(svg, ending.substr(1));
 }
 
 } // namespace edgeproof::report

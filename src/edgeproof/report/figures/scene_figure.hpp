@@ -13,35 +13,27 @@ namespace edgeproof::report {
 /// Pictures of a scene: the exact pressure (and q, if the scene has shear) along the contact with
 /// the sums of the first terms, and for each requested edge the relative errors of these sums on
 /// logarithmic axes, with the tolerance and the first exits. `progress` is called with the number
-/// of values done, and their total.
-struct ScenePicture {
-    std::vector<Plot> plots;
-    /// For example "right edge, 1 term: within 1% up to u = 0.0123"; estimates are marked
-    /// "(estimate)".
-    std::vector<std::string> exits;
-};
-/// Throws InputError as run_scene does.
-[[nodiscard]] ScenePicture
+/// of values done, and their total. Throws InputError as run_scene does.
+[[nodiscard]] std::vector<Plot>
 scene_picture(const scene::Scene& scene,
               const std::function<void(std::size_t, std::size_t)>& progress);
 
-/// Returns the picture in the format of the file's ending: .svg, .png, .pdf, .html. Throws
-/// InputError for other endings, and as converted_svg.
-[[nodiscard]] std::string picture_file(const ScenePicture& picture, const std::string& title,
-                                       const std::string& file);
+/// Returns the picture in the format of the file's ending: .svg, .png, .pdf. Throws InputError for
+/// other endings, and as converted_svg.
+[[nodiscard]] std::string picture_file(const std::vector<Plot>& plots, const std::string& file);
 /// Throws InputError for an ending that picture_file does not support.
 void check_picture_name(const std::string& file);
 
 /// The contours of a stress of a body: sxx, szz, sxz, tau_max or mises, below the contact and
 /// around it, as deep as the contact is long. Throws InputError for other quantities, and as
 /// compute_binary64 does.
-[[nodiscard]] ScenePicture stress_picture(const scene::Scene& scene, scene::Quantity quantity,
-                                          scene::Body body);
+[[nodiscard]] Plot stress_picture(const scene::Scene& scene, scene::Quantity quantity,
+                                  scene::Body body);
 
 /// A stress of the quantities of the group `stress` along the line between two points of a body,
 /// from values in balls. Throws InputError if both are one point, if the quantity needs a Poisson's
 /// ratio that the scene does not have, and as scene::SceneValues does.
-[[nodiscard]] ScenePicture stress_along(const scene::Scene& scene, scene::Quantity quantity,
-                                        const scene::BodyPoint& from, const scene::BodyPoint& to);
+[[nodiscard]] Plot stress_along(const scene::Scene& scene, scene::Quantity quantity,
+                                const scene::BodyPoint& from, const scene::BodyPoint& to);
 
 } // namespace edgeproof::report

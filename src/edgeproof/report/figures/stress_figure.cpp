@@ -19,88 +19,29 @@ namespace {
 constexpr std::size_t columns = 241;
 constexpr std::size_t lines = 121;
 constexpr unsigned line_digits_of_picture = 24; ///< of coordinates and values along a line
+constexpr unsigned line_digits = 12;            ///< of values
 
-/// The values of a stress along a line, by the part of the line.
-class StressLine {
-public:
-    StressLine(const scene::Scene& scene, scene::Quantity quantity, scene::BodyPoint from,
-               scene::BodyPoint to)
-        : quantity_(quantity), from_(std::move(from)), to_(std::move(to)),
-          values_(scene, {asked(formula::Exact())}, {line_digits, Rounding::nearest}) {}
+constexpr int first_points = 64; ///< along a line, to which others are added
+constexpr int line_halvings = 10;
 
-    struct Point {
-        Rational part;             ///< of the line, from 0 to 1
-        std::optional<Real> value; ///< none where the stress is infinite
-    };
-    /// Returns points in order, denser where the curve is not straight.
-    [[nodiscard]] std::vector<Point> points() {
-        std::vector<Point> first;
-        for (int k = 0; k <= first_points; ++k) {
-            first.push_back(at(Rational(k, first_points)));
-            add(first.back().value);
-        }
-        std::vector<Point> all{first.front()};
-        for (std::size_t k = 1; k < first.size(); ++k) {
-            halve(first[k - 1], first[k], most_halvings, all);
-            all.push_back(first[k]);
-        }
-        return all;
-    }
-    /// The range of the values at points of equal distances.
-    [[nodiscard]] const std::pair<Real, Real>& range() const { return *range_; }
-
-private:
-    static constexpr unsigned line_digits = 12;
-    static constexpr int first_points = 64;
-    static constexpr int most_halvings = 10;
-    /// The part of the height by which a chord may differ from the curve: less than a pixel.
-    static constexpr double straight = 1.0 / 500;
-
-    [[nodiscard]] scene::AskedValue asked(const formula::Exact& part) const {
-        const auto between = [&](const formula::Exact& one, const formula::Exact& other) {
-            return formula::Exact(one.expr() + (other.expr() - one.expr()) * part.expr());
-        };
-        scene::AskedValue value{quantity_};
-        value.in_body = {between(from_.x, to_.x), between(from_.z, to_.z), from_.body};
-        return value;
-    }
-    [[nodiscard]] Point at(const Rational& part) {
-        check_interruption();
-        try {
-            return {part, values_.value(asked(formula::Exact::of(part))).value.midpoint()};
-        } catch (const InputError&) {
-            throw;
-        } catch (const Error&) {
-            return {part, {}};
-        }
-    }
-    void add(const std::optional<Real>& value) {
-        if (value) {
-            range_ = range_ ? std::pair(std::min(range_->first, *value),
-                                        std::max(range_->second, *value))
-                            : std::pair(*value, *value);
-        }
-    }
-    void halve(const Point& one, const Point& other, int halvings, std::vector<Point>& all) {
-        const Point middle = at((one.part + other.part) / 2);
-        const bool straight_here = one.value && middle.value && other.value && range_ &&
-                                   abs(Real(*middle.value - (*one.value + *other.value) / 2)) <=
-                                       (range_->second - range_->first) * straight;
-        if (halvings > 1 && !straight_here) {
-            halve(one, middle, halvings - 1, all);
-        }
-        all.push_back(middle);
-        if (halvings > 1 && !straight_here) {
-            halve(middle, other, halvings - 1, all);
-        }
-    }
-
-    scene::Quantity quantity_;
-    scene::BodyPoint from_;
-    scene::BodyPoint to_;
-    scene::SceneValues values_;
-    std::optional<std::pair<Real, Real>> range_;
+/// A point of a line: its part, from 0 to 1, and the stress; none where that is infinite.
+struct LinePoint {
+    Rational part;
+    std::optional<Real> value;
 };
+using Range = std::optional<std::pair<Real, Real>>;
+
+Range range_of(const std::vector<LinePoint>& points) {
+    Range range;
+    for (const LinePoint& p : points) {
+        if (p.value) {
+            range = range ? std::pair(std::min(range->first, *p.value),
+                                      std::max(range->second, *p.value))
+                          : std::pair(*p.value, *p.value);
+        }
+    }
+    return range;
+}
 
 std::string point_text(const scene::BodyPoint& point) {
     return "(" + point.x.text() + ", " + point.z.text() + ")";
@@ -108,8 +49,8 @@ std::string point_text(const scene::BodyPoint& point) {
 
 } // namespace
 
-ScenePicture stress_along(const scene::Scene& scene, scene::Quantity quantity,
-                          const scene::BodyPoint& from, const scene::BodyPoint& to) {
+Plot stress_along(const scene::Scene& scene, scene::Quantity quantity, const scene::BodyPoint& from,
+                  const scene::BodyPoint& to) {
     const std::string name(row_of(quantity).name);
     const std::string body = from.body == scene::Body::A ? "A" : "B";
     if (from == to) {
@@ -139,35 +80,63 @@ ScenePicture stress_along(const scene::Scene& scene, scene::Quantity quantity,
     const Real dx = to.x.to<Real>() - x;
     const Real dz = to.z.to<Real>() - z;
     const Real length = sqrt(Real(dx * dx + dz * dz));
-    StressLine values(scene, quantity, from, to);
-    std::optional<std::pair<Real, Real>> all;
-    for (const StressLine::Point& point : values.points()) {
-        const Real part = formula::number_of<Real>(point.part);
-        auto& row = plot.add_row(along_x   ? Real(x + dx * part)
-                                 : along_z ? Real(z + dz * part)
-                                           : Real(length * part));
-        row.back() = point.value;
-        if (point.value) {
-            all = all ? std::pair(std::min(all->first, *point.value),
-                                  std::max(all->second, *point.value))
-                      : std::pair(*point.value, *point.value);
+    const auto asked = [&](const Rational& part) {
+        const auto between = [&](const formula::Exact& one, const formula::Exact& other) {
+            return formula::Exact(one.expr() +
+                                  (other.expr() - one.expr()) * formula::Exact::of(part).expr());
+        };
+        scene::AskedValue value{quantity};
+        value.in_body = {between(from.x, to.x), between(from.z, to.z), from.body};
+        return value;
+    };
+    scene::SceneValues values(scene, {asked(0)}, {line_digits, Rounding::nearest});
+    const auto at = [&](const Rational& part) -> LinePoint {
+        check_interruption();
+        try {
+            return {part, values.value(asked(part)).value.midpoint()};
+        } catch (const InputError&) {
+            throw;
+        } catch (const Error&) {
+            return {part, {}};
         }
+    };
+    std::vector<LinePoint> first;
+    for (int k = 0; k <= first_points; ++k) {
+        first.push_back(at(Rational(k, first_points)));
     }
+    const Range usual = range_of(first);
+    const std::vector<LinePoint> points = with_halved_steps(
+        first, line_halvings,
+        [&](const LinePoint& one, const LinePoint& other) {
+            return at((one.part + other.part) / 2);
+        },
+        [&](const LinePoint& one, const LinePoint& middle, const LinePoint& other) {
+            return one.value && middle.value && other.value && usual &&
+                   abs(Real(*middle.value - (*one.value + *other.value) / 2)) <=
+                       (usual->second - usual->first) * straight_enough;
+        });
+    for (const LinePoint& point : points) {
+        const Real part = formula::number_of<Real>(point.part);
+        plot.add_row(along_x   ? Real(x + dx * part)
+                     : along_z ? Real(z + dz * part)
+                               : Real(length * part))
+            .back() = point.value;
+    }
+    const Range all = range_of(points);
     if (!all) {
         throw InputError(name + " is not finite anywhere on the line", "give another line");
     }
     // Near a place where the stress is infinite the curve leaves the range of the other points.
-    const auto& [low, high] = values.range();
-    if (all->second - all->first > 2 * (high - low)) {
-        plot.y.range = {low.str(6), high.str(6)};
+    if (usual && all->second - all->first > 2 * (usual->second - usual->first)) {
+        plot.y.range = {usual->first.str(6), usual->second.str(6)};
     }
     if (along_x || along_z) {
         plot.sort_rows();
     }
-    return {{std::move(plot)}, {}};
+    return plot;
 }
 
-ScenePicture stress_picture(const scene::Scene& scene, scene::Quantity quantity, scene::Body body) {
+Plot stress_picture(const scene::Scene& scene, scene::Quantity quantity, scene::Body body) {
     using scene::Quantity;
     const auto end = [&](Quantity edge) {
         const scene::AskedValue asked{edge};
@@ -217,13 +186,10 @@ ScenePicture stress_picture(const scene::Scene& scene, scene::Quantity quantity,
     }
     field.is_signed = quantity != Quantity::mises && quantity != Quantity::tau_max;
     field.contact = {-b, a};
-    const auto unit = [&](const std::optional<scene::Unit>& u) {
-        return u ? " [" + u->name + "]" : std::string();
-    };
+    const scene::Units units = scene.units.value_or(scene::Units{});
     const std::string name(row_of(quantity).name);
     const std::string body_name = body == scene::Body::A ? "A" : "B";
-    field.title = name + (scene.units ? unit(scene.units->pressure) : "");
-    const std::string length = scene.units ? unit(scene.units->length) : "";
+    field.title = name + unit_label(units.pressure);
     Plot plot{};
     plot.id = "stress";
     plot.title = name + " in body " + body_name;
@@ -231,10 +197,10 @@ ScenePicture stress_picture(const scene::Scene& scene, scene::Quantity quantity,
         "Colours and contours of " + name + " in body " + body_name +
         " below the contact, which lies at z = 0. Every finite value is on the scale "
         "or beyond a marked end of it.";
-    plot.x.label = "x" + length;
-    plot.y.label = "z" + length;
+    plot.x.label = "x" + unit_label(units.length);
+    plot.y.label = "z" + unit_label(units.length);
     plot.field = std::move(field);
-    return {{std::move(plot)}, {}};
+    return plot;
 }
 
 } // namespace edgeproof::report

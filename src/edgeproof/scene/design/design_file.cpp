@@ -102,14 +102,6 @@ Exact tolerance_below_1(const std::string& text) {
     return tolerance;
 }
 
-std::size_t terms_in_range(long terms) {
-    if (terms < 1 || terms > most_design_terms) {
-        throw InputError("terms = " + std::to_string(terms) + " is out of range",
-                         "give a whole number from 1 to " + std::to_string(most_design_terms));
-    }
-    return static_cast<std::size_t>(terms);
-}
-
 /// Interprets the value of a key; errors get its file and line.
 template <class Meaning>
 auto meaning_at(const io::TomlSection& section, std::string_view key, const Meaning& meaning) {
@@ -117,27 +109,17 @@ auto meaning_at(const io::TomlSection& section, std::string_view key, const Mean
                         [&] { return meaning(section.written(key)); });
 }
 
-/// Sets the part of the question that `asked` can replace.
-void set_question(const DesignQuestion& asked, const io::TomlSection* section,
-                  DesignScene& design) {
-    design.objective = asked.maximise ? objective_named(*asked.maximise)
-                                      : meaning_at(*section, "maximise", objective_named);
-    design.tolerance = asked.tolerance ? tolerance_below_1(*asked.tolerance)
-                                       : meaning_at(*section, "tolerance", tolerance_below_1);
-    if (asked.terms) {
-        design.terms = terms_in_range(*asked.terms);
-    } else if (section != nullptr && section->has("terms")) {
-        design.terms = section->count("terms", 1, most_design_terms);
-    }
-    if (asked.edge) {
-        design.edges = edges_named(*asked.edge);
-    } else if (section != nullptr && section->has("edge")) {
-        design.edges = meaning_at(*section, "edge", edges_named);
-    }
-}
-
-/// Reads the keys that only [design] has.
 void read_design_section(const io::TomlSection& section, DesignScene& design) {
+    if (section.has("maximise")) {
+        design.objective = meaning_at(section, "maximise", objective_named);
+    }
+    design.tolerance = meaning_at(section, "tolerance", tolerance_below_1);
+    if (section.has("terms")) {
+        design.terms = section.count("terms", 1, most_design_terms);
+    }
+    if (section.has("edge")) {
+        design.edges = meaning_at(section, "edge", edges_named);
+    }
     if (section.has("of")) {
         const std::string of = section.text("of");
         if (of != "pressure" && of != "shear") {
@@ -225,27 +207,21 @@ Scene DesignScene::at(const Rational& value) const {
 }
 
 DesignScene parse_design(std::string_view text, const std::string& file,
-                         const DesignQuestion& asked) {
-    const io::TomlSection top = io::TomlSection::parse(text, file);
-    std::optional<io::TomlSection> section;
-    if (top.has("design")) {
-        section = top.section("design");
-        section->allow({"maximise", "of", "terms", "tolerance", "edge", "unit", "part", "printed"});
-    } else if (!asked.maximise || !asked.tolerance) {
+                         const std::vector<io::TomlTable>& instead) {
+    const io::TomlSection top = io::TomlSection::parse(text, file, instead);
+    if (!top.has("design")) {
         top.reject(top.line(), "there is no [design]",
-                   "add [design] with maximise and tolerance (docs/design.md)");
+                   "add [design] with a tolerance (docs/design.md)");
     }
+    const io::TomlSection section = top.section("design");
+    section.allow({"maximise", "of", "terms", "tolerance", "edge", "unit", "part", "printed"});
     top.allow({"title", "profile", "load", "shear", "ask", "parameters", "design"});
     DesignScene design;
     design.file = file;
     design.title = top.has("title") ? top.text("title") : std::string();
     design.top_ = top;
-    const std::size_t line = section ? section->line() : top.line();
-    read_parameter(top, line, design);
-    set_question(asked, section ? &*section : nullptr, design);
-    if (section) {
-        read_design_section(*section, design);
-    }
+    read_parameter(top, section.line(), design);
+    read_design_section(section, design);
     // Both ends must make valid scenes. Values between them are convex if the ends are, or are
     // refused when they are tried.
     const Scene one = design.at(design.range.from);
@@ -257,8 +233,8 @@ DesignScene parse_design(std::string_view text, const std::string& file,
                      [&] { read_ask(ask, top.section("profile"), asking); });
     }
     if (design.shear && !one.shear) {
-        top.reject(line, "shear is requested, but there is no [shear]",
-                   "add [shear] with Q or bulk_tension");
+        section.reject(section.line(), "shear is requested, but there is no [shear]",
+                       "add [shear] with Q or bulk_tension");
     }
     return design;
 }

@@ -19,14 +19,6 @@ enum class DesignObjective {
     measure     ///< the total length of the places where it is within the tolerance
 };
 
-/// Values that replace those of [design].
-struct DesignQuestion {
-    std::optional<std::string> maximise;
-    std::optional<std::string> tolerance;
-    std::optional<std::string> edge; ///< right, left or both
-    std::optional<long> terms;
-};
-
 /// A scene in which one number is a range; its best value is to be found (docs/design.md).
 class DesignScene {
 public:
@@ -53,15 +45,15 @@ public:
 
 private:
     friend DesignScene parse_design(std::string_view text, const std::string& file,
-                                    const DesignQuestion& asked);
+                                    const std::vector<io::TomlTable>& instead);
     std::optional<io::TomlSection> top_; ///< the file
 };
 
-/// Reads a design. If a scene has no [design], `asked` gives the question, including the tolerance.
-/// Throws InputError with file and line.
+/// Reads a design. `instead`: keys that replace those of the file. Throws InputError with file and
+/// line.
 [[nodiscard]] DesignScene read_design(const std::filesystem::path& file);
 [[nodiscard]] DesignScene parse_design(std::string_view text, const std::string& file,
-                                       const DesignQuestion& asked = {});
+                                       const std::vector<io::TomlTable>& instead = {});
 
 /// Replaces a name in a formula by its value in parentheses.
 [[nodiscard]] std::string with_name_replaced(std::string_view formula, std::string_view name,

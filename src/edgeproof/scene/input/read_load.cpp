@@ -2,6 +2,7 @@
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/scene/input/readers.hpp"
 
+#include <array>
 #include <string>
 #include <utility>
 
@@ -17,7 +18,9 @@ void check_poisson(const io::TomlSection& load, const char* key, const Exact& nu
     }
 }
 
-Exact modulus_of_bodies(const io::TomlSection& load, Scene& scene) {
+/// `keys`: of E and nu of the one body, then of the other.
+Exact modulus_of_bodies(const io::TomlSection& load, const std::array<const char*, 4>& keys,
+                        Scene& scene) {
     const auto body = [&](const char* E_key, const char* nu_key) {
         const Exact E = contact_constant(load, E_key);
         const Exact nu = contact_constant(load, nu_key);
@@ -25,13 +28,26 @@ Exact modulus_of_bodies(const io::TomlSection& load, Scene& scene) {
         check_poisson(load, nu_key, nu);
         return std::pair{E, nu};
     };
-    const auto [E1, nu1] = body("E1", "nu1");
-    const auto [E2, nu2] = body("E2", "nu2");
+    const auto [E1, nu1] = body(keys[0], keys[1]);
+    const auto [E2, nu2] = body(keys[2], keys[3]);
     scene.bodies = Bodies{E1, nu1, E2, nu2};
     return Exact(composite_modulus(E1.expr(), nu1.expr(), E2.expr(), nu2.expr()));
 }
 
 Exact read_modulus(const io::TomlSection& load, Scene& scene) {
+    if (load.has("E")) {
+        for (const char* const key : {"contact_modulus", "E1", "nu1", "E2", "nu2"}) {
+            if (load.has(key)) {
+                load.reject("E", std::string("E and ") + key + " are both given",
+                            "give E and nu for two equal bodies, or E1, nu1, E2 and nu2, or "
+                            "contact_modulus");
+            }
+        }
+        if (!load.has("nu")) {
+            load.reject("E", "E is given without nu", "add nu = \"0.3\", Poisson's ratio");
+        }
+        return modulus_of_bodies(load, {"E", "nu", "E", "nu"}, scene);
+    }
     const bool by_bodies = load.has("E1") || load.has("nu1") || load.has("E2") || load.has("nu2");
     if (load.has("contact_modulus")) {
         if (by_bodies) {
@@ -51,10 +67,12 @@ Exact read_modulus(const io::TomlSection& load, Scene& scene) {
                     "leave nu out; it belongs to a contact_modulus");
     }
     if (!by_bodies) {
-        load.reject(load.line(), "there is no contact_modulus",
-                    "add contact_modulus = \"...\" (E*), or E1, nu1, E2 and nu2");
+        load.reject(
+            load.line(), "there is no contact_modulus",
+            "add contact_modulus = \"...\" (E*), or E and nu of two equal bodies, or E1, nu1, "
+            "E2 and nu2");
     }
-    return modulus_of_bodies(load, scene);
+    return modulus_of_bodies(load, {"E1", "nu1", "E2", "nu2"}, scene);
 }
 
 void read_friction(const io::TomlSection& shear, ShearSpec& spec, Scene& scene) {
@@ -110,6 +128,22 @@ void check_materials(const io::TomlSection& shear, const ShearSpec& spec, const 
     }
 }
 
+/// Q = (Q/(f P)) f P.
+Exact force_of_ratio(const io::TomlSection& shear, const Scene& scene) {
+    const Load& load = scene.given_load();
+    if (shear.has("Q")) {
+        shear.reject("q_ratio", "q_ratio and Q are both given", "give one of the two");
+    }
+    if (!shear.has("friction") || load.kind != Load::Kind::force) {
+        shear.reject("q_ratio",
+                     std::string("q_ratio is given without ") +
+                         (shear.has("friction") ? "P" : "friction"),
+                     "add friction, and P to [load]: Q is the ratio times f P");
+    }
+    return Exact(contact_constant(shear, "q_ratio").expr() *
+                 contact_constant(shear, "friction").expr() * load.value.expr());
+}
+
 [[noreturn]] void refuse_round_shear(const io::TomlSection& section, std::size_t line,
                                      const char* instead) {
     section.reject(line, "of the shear of axisymmetric contacts only partial slip is computed",
@@ -120,7 +154,7 @@ void check_materials(const io::TomlSection& shear, const ShearSpec& spec, const 
 
 void read_load(const io::TomlSection& load, Scene& scene) {
     load.allow(
-        {"a", "width", "P", "delta", "M", "contact_modulus", "nu", "E1", "nu1", "E2", "nu2"});
+        {"a", "width", "P", "delta", "M", "contact_modulus", "E", "nu", "E1", "nu1", "E2", "nu2"});
     scene.load_line = load.line();
     scene.contact_modulus = read_modulus(load, scene);
     std::string given;
@@ -183,8 +217,8 @@ void check_reach(const io::TomlSection& load, const Scene& scene) {
 }
 
 void read_shear(const io::TomlSection& shear, Scene& scene) {
-    shear.allow({"Q", "bulk_tension", "bulk_A", "path", "friction"});
-    if (!shear.has("Q") && !shear.has("bulk_tension")) {
+    shear.allow({"Q", "q_ratio", "bulk_tension", "bulk_A", "path", "friction"});
+    if (!shear.has("Q") && !shear.has("q_ratio") && !shear.has("bulk_tension")) {
         shear.reject(shear.line(), "the shear section has no load",
                      "add Q = \"...\" or bulk_tension = \"...\", or leave [shear] out");
     }
@@ -192,7 +226,7 @@ void read_shear(const io::TomlSection& shear, Scene& scene) {
         return shear.has(key) ? contact_constant(shear, key) : Exact();
     };
     ShearSpec spec;
-    spec.Q = or_zero("Q");
+    spec.Q = shear.has("q_ratio") ? force_of_ratio(shear, scene) : or_zero("Q");
     spec.bulk_tension = or_zero("bulk_tension");
     spec.bulk_A = or_zero("bulk_A");
     if (sign_of(shear, "Q", spec.Q) == 0 &&

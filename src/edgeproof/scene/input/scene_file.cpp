@@ -82,25 +82,6 @@ void read_sections(const io::TomlSection& top, Scene& scene) {
     }
 }
 
-/// Errors in an [ask] given on the command line, and errors of its points, have no line numbers.
-void read_asked_instead(const std::vector<io::TomlEntry>& asked, const io::TomlSection& profile,
-                        Scene& scene) {
-    const std::vector<AskedPoint> points = std::exchange(scene.ask.u, {});
-    const std::size_t line = scene.ask_line;
-    try {
-        read_ask(io::TomlSection::made({{"ask", 0, asked}}, "").section("ask"), profile, scene);
-    } catch (const InputError& error) {
-        throw InputError(error.problem(), error.instead());
-    }
-    scene.ask_line = scene.ask.u.empty() ? line : 0;
-    if (scene.ask.u.empty()) {
-        scene.ask.u = points;
-    }
-    for (AskedPoint& point : scene.ask.u) {
-        point.line = scene.ask_line == 0 ? 0 : point.line;
-    }
-}
-
 std::string toml_string(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {
@@ -128,6 +109,9 @@ void check_characters(const std::string& key, const std::string& text) {
 std::string toml_entry(const io::TomlEntry& entry) {
     if (const auto* yes = std::get_if<bool>(&entry.value)) {
         return *yes ? "true" : "false";
+    }
+    if (const auto* range = std::get_if<io::TomlRange>(&entry.value)) {
+        return "{ from = " + toml_string(range->from) + ", to = " + toml_string(range->to) + " }";
     }
     std::string list;
     for (const std::string& text : texts_of(entry)) {
@@ -179,7 +163,7 @@ Scene read_contact(const io::TomlSection& top) {
     return scene;
 }
 
-Scene scene_of(const io::TomlSection& top, const std::vector<io::TomlEntry>& asked) {
+Scene scene_of(const io::TomlSection& top) {
     expect_file_kind(top, FileKind::scene);
     top.allow({"title", "units", "profile", "load", "shear", "step", "ask"});
     Scene scene;
@@ -193,21 +177,25 @@ Scene scene_of(const io::TomlSection& top, const std::vector<io::TomlEntry>& ask
         const io::TomlSection profile = top.section("profile");
         io::at_place(ask.file(), ask.line(), [&] { read_ask(ask, profile, scene); });
     }
-    if (!asked.empty()) {
-        read_asked_instead(asked, top.section("profile"), scene);
-    }
     default_quantities(scene.ask, scene.shear.has_value(), scene.slips());
     return scene;
 }
 
 Scene parse_scene(std::string_view text, const std::string& file,
-                  const std::vector<io::TomlEntry>& asked) {
-    return scene_of(io::TomlSection::parse(text, file), asked);
+                  const std::vector<io::TomlTable>& instead) {
+    try {
+        return scene_of(io::TomlSection::parse(text, file, instead));
+    } catch (const InputError& error) {
+        if (instead.empty() || error.line() != 0) {
+            throw;
+        }
+        throw InputError(error.problem(), error.instead());
+    }
 }
 
-Scene read_scene(const std::filesystem::path& file, const std::vector<io::TomlEntry>& asked) {
+Scene read_scene(const std::filesystem::path& file, const std::vector<io::TomlTable>& instead) {
     return parse_scene(io::read_text(file, "scene (TOML)", io::most_toml_bytes),
-                       io::input_name(file), asked);
+                       io::input_name(file), instead);
 }
 
 void require_no_history(const Scene& scene, const std::string& command) {
@@ -248,12 +236,9 @@ void refuse_tension(const Scene& scene, Edge edge, bool reached, const Real& lea
         .at(scene.file, scene.tension_line);
 }
 
-std::string scene_text(const SceneEntries& entries) {
+std::string scene_text(const std::vector<io::TomlTable>& tables) {
     std::string text;
-    if (!entries.title.empty()) {
-        text += "title = " + toml_string(entries.title) + "\n";
-    }
-    for (const io::TomlTable& table : tables_of(entries)) {
+    for (const io::TomlTable& table : tables) {
         const bool listed = table.name.starts_with("[[");
         text += (text.empty() ? "" : "\n") + (listed ? table.name : "[" + table.name + "]") + "\n";
         for (const io::TomlEntry& entry : table.entries) {
@@ -261,6 +246,12 @@ std::string scene_text(const SceneEntries& entries) {
         }
     }
     return text;
+}
+
+std::string scene_text(const SceneEntries& entries) {
+    const std::string title =
+        entries.title.empty() ? "" : "title = " + toml_string(entries.title) + "\n\n";
+    return title + scene_text(tables_of(entries));
 }
 
 Scene make_scene(const SceneEntries& entries) {

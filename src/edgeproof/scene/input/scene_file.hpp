@@ -174,15 +174,14 @@ struct Scene {
 
 /// Reads a scene (examples/README.md describes the format). Throws InputError with file and line
 /// for malformed input: unknown keys and kinds, a load given twice or not at all, malformed
-/// numbers. `asked`: keys of [ask] that replace those of the file; their errors name no file.
+/// numbers. `instead`: keys that replace those of the file; errors in them name no file.
 [[nodiscard]] Scene read_scene(const std::filesystem::path& file,
-                               const std::vector<io::TomlEntry>& asked = {});
+                               const std::vector<io::TomlTable>& instead = {});
 /// Like read_scene, but from text; errors name `file`.
 [[nodiscard]] Scene parse_scene(std::string_view text, const std::string& file,
-                                const std::vector<io::TomlEntry>& asked = {});
+                                const std::vector<io::TomlTable>& instead = {});
 /// Like parse_scene, but from the sections of a file.
-[[nodiscard]] Scene scene_of(const io::TomlSection& top,
-                             const std::vector<io::TomlEntry>& asked = {});
+[[nodiscard]] Scene scene_of(const io::TomlSection& top);
 
 /// Sets the state of a scene with steps, as it was read, to that after the first `count` of them;
 /// without a shear load until then, the friction and the questions about shear are left out. Throws
@@ -217,6 +216,7 @@ struct SceneEntries {
 /// Returns the text of the equivalent scene file, to be shown or saved. The entries are those of a
 /// scene that make_scene accepts.
 [[nodiscard]] std::string scene_text(const SceneEntries& entries);
+[[nodiscard]] std::string scene_text(const std::vector<io::TomlTable>& tables);
 
 /// Makes a scene axisymmetric whose profile and load are given: sets Scene::round, and replaces the
 /// profile and the load of a power law by those of the plane contact with the same pressure.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/commands/check/check_kinds.hpp"
 #include "edgeproof/cli/ledger_command.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/conformance/answers/program_driver.hpp"
@@ -213,17 +212,6 @@ int check(CheckOptions& o) {
     conformance::ReferenceOptions options;
     options.threads = threads_of(o.threads);
     refuse_recipe(o);
-    const auto print = [&](const report::ConformanceSummary& summary) {
-        const std::string text = o.json ? summary.json() : printable_lines(summary.text());
-        io::write_output(o.out.empty() ? "-" : o.out, text);
-        return summary.pass() ? 0 : 1;
-    };
-    if (o.command.empty() && o.recipe.empty() && o.junit.empty() && o.figure.empty() &&
-        o.only == "*") {
-        if (const auto summary = check_in_blocks(o.answers, result.target, errors, options)) {
-            return print(*summary);
-        }
-    }
     result.answers = answers_of(o);
     with_progress("references", options.progress, [&] {
         result.agreements = compare(result.answers, result.target, options);
@@ -235,7 +223,10 @@ int check(CheckOptions& o) {
     if (!o.figure.empty()) {
         write_agreement_figure(result, o.figure);
     }
-    return print(summary_of(result, errors));
+    const report::ConformanceSummary summary = summary_of(result, errors);
+    io::write_output(o.out.empty() ? "-" : o.out,
+                     o.json ? summary.json() : printable_lines(summary.text()));
+    return summary.pass() ? 0 : 1;
 }
 
 } // namespace

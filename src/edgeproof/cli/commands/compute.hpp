@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "edgeproof/cli/scene_command.hpp"
+
+#include <string>
+#include <vector>
+
+/// The commands that compute a table of a scene: sets of quantities.
+namespace edgeproof::cli {
+
+struct ComputeOptions : SceneOptions {
+    std::string body;                ///< empty: A
+    std::vector<std::string> points; ///< "X,Z"
+    std::string greatest;            ///< the stress whose greatest value is asked for
+    std::string reference;           ///< empty: the scene's
+    std::string angle;               ///< empty: the pressure, not the stresses along a ray
+};
+
+/// What is computed for one table. A set asks for its quantities, and makes the columns.
+class Computing {
+public:
+    explicit Computing(const ComputeOptions& options)
+        : o(options), body(options.body.empty() ? "A" : options.body), scene(asked_scene(options)) {
+    }
+
+    /// Computes the set's own quantities, and those of `others` that the scene names.
+    void run(scene::QuantityGroup own,
+             const std::vector<scene::QuantityGroup>& others = {scene::QuantityGroup::contact});
+    /// Adds, with friction, Q/(f P), the stick zone, and the allowed bulk tensions.
+    void add_slip_facts();
+    void note(std::string text) { table.notes.push_back(std::move(text)); }
+    /// Writes the table with a row for each line, and the picture if there is to be one.
+    int write(const Columns& columns, const std::vector<Line>& lines,
+              const std::vector<std::string>& remarks = {});
+    /// Writes the table as it is.
+    int write(const std::vector<std::string>& remarks = {});
+    /// Throws InputError with a line of the scene.
+    [[noreturn]] void reject(const std::string& problem, const std::string& instead,
+                             std::size_t line) const;
+
+    const ComputeOptions& o;
+    const std::string body;
+    scene::Scene scene;
+    scene::SceneResult result;
+    report::Table table;
+    std::string bounds = "bounds are proved, and every digit printed is right, unless the route "
+                         "says estimate"; ///< the remark
+};
+
+// stresses.cpp
+int stress(const ComputeOptions& options);
+int displacement(const ComputeOptions& options);
+/// The coefficients of the stresses along a ray: a row for each power of the distance.
+int expand_stresses(const ComputeOptions& options);
+
+} // namespace edgeproof::cli

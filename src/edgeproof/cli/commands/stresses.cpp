@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/commands/compute.hpp"
+#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/scene/input/readers.hpp"
+#include "edgeproof/scene/stress_near_edge.hpp"
+
+namespace edgeproof::cli {
+namespace {
+
+using scene::Quantity;
+using scene::QuantityGroup;
+
+/// Refuses a quantity that needs a Poisson's ratio which the scene does not have.
+bool is_known(const scene::Scene& scene, Quantity quantity, scene::Body body) {
+    return row_of(quantity).needs != scene::QuantityRow::Needs::poisson || scene.poisson(body);
+}
+
+Quantity greatest_of(const std::string& name) {
+    for (const Quantity quantity : {Quantity::mises, Quantity::tau_max, Quantity::sxx}) {
+        if (name == row_of(quantity).name) {
+            return quantity;
+        }
+    }
+    throw InputError("--greatest " + name + " is not searched for",
+                     "write mises, tau_max (for z >= 0) or sxx (on the surface)");
+}
+
+int greatest(Computing& c) {
+    const Quantity quantity = greatest_of(c.o.greatest);
+    const scene::Body body = body_of(c.body);
+    if (!c.o.points.empty()) {
+        throw InputError("--greatest and --point exclude each other", "leave out one of them");
+    }
+    if (!is_known(c.scene, quantity, body)) {
+        c.reject(c.o.greatest + " needs Poisson's ratio", "add nu = \"0.3\" to [load]",
+                 c.scene.load_line);
+    }
+    c.scene.ask.in_bodies.clear();
+    c.run(QuantityGroup::stress);
+    const scene::GreatestValue found = io::at_place(
+        c.scene.file, c.scene.load_line,
+        [&] { return scene::greatest_value(c.scene, quantity, body); },
+        "give --point X,Z for the stress at points");
+    const std::string name(row_of(quantity).name);
+    c.note("the greatest " + name +
+           (quantity == Quantity::sxx ? " on the surface of body " : " in body ") + c.body);
+    c.table.asked = c.table.notes.front() + ", and its place";
+    c.table.notes.insert(c.table.notes.end(), found.notes.begin(), found.notes.end());
+    c.add_slip_facts();
+    Columns columns(c.scene);
+    columns.text(
+        "body", [&](const Line&) { return c.body; }, "body {}");
+    const std::string length = unit_of(c.scene, Quantity::x);
+    columns.value("x", "", [&](const Line&) { return found.x; }).unit = length;
+    columns.value("z", "", [&](const Line&) { return found.z; }).unit = length;
+    columns.value(name, "route", [&](const Line&) { return found.value; }).unit =
+        unit_of(c.scene, quantity);
+    return c.write(columns, {Line{}});
+}
+
+/// Returns x of a place that depends on a or b.
+std::string x_of(const Computing& c, const scene::AskedPoint& point) {
+    if (const auto number = point.place->number()) {
+        return decimal_text(*number, c.scene.ask.digits);
+    }
+    const Ball& a = c.result.at(Quantity::a).value;
+    const Ball& b = c.result.at(Quantity::b).value;
+    const Ball x = point.distance(contact::Edge::right).x_enclosure(a, b, a.bits());
+    return printed({x, true, "", {}}, c.scene.ask.digits).text;
+}
+
+formula::Exact angle_of(const std::string& text) {
+    formula::Exact angle;
+    try {
+        angle = formula::Exact::parse(text);
+    } catch (const InputError& error) {
+        throw InputError("--angle " + text + ": " + error.problem(), error.instead());
+    }
+    if (angle.sign() < 0 ||
+        formula::Exact(angle.expr() - formula::Exact::of(Rational(180)).expr()).sign() > 0) {
+        throw InputError(
+            "--angle " + text + " does not lie in the body",
+            "write degrees from 0 (along the contact) to 180 (along the free surface)");
+    }
+    return angle;
+}
+
+} // namespace
+
+int stress(const ComputeOptions& o) {
+    refuse_words(o, {"edges", "terms", "process_zone", "u", "x"},
+                 "stresses are asked for at points of a body (--point X,Z)");
+    Computing c(o);
+    const scene::Body body = body_of(c.body);
+    std::vector<scene::BodyPoint>& points = c.scene.ask.in_bodies;
+    if (!o.greatest.empty()) {
+        return greatest(c);
+    }
+    if (!o.points.empty()) {
+        points.clear();
+        for (const std::string& text : o.points) {
+            points.push_back(point_of("--point", text, exact_names_of(c.scene)));
+        }
+    }
+    if (points.empty()) {
+        c.reject("no points are asked for",
+                 "add points = [[\"0\", \"1/2\"]] (x, z) to [ask], or give --point 0,1/2",
+                 c.scene.ask_line);
+    }
+    for (scene::BodyPoint& point : points) {
+        point.body = body;
+    }
+    c.run(QuantityGroup::stress);
+    c.note("sxx, szz, sxz: stresses at the depth z in body " + c.body +
+           ", tension positive; tau_max: the greatest shear stress" +
+           (c.scene.round ? "" : " in the plane"));
+    c.note(c.scene.round ? "x is the radius: sxx is the radial stress, syy the hoop stress"
+           : c.scene.poisson(body)
+               ? "in plane strain: mises, tresca: equivalent stresses; syy: the stress across the "
+                 "plane; s1 >= s2 >= s3: the principal stresses"
+               : "mises, syy, s1, s2, s3 and tresca are left out: the scene has no Poisson's ratio "
+                 "(nu in [load])");
+    c.add_slip_facts();
+    c.table.asked = "stresses at the place x and the depth z of a body";
+    Columns columns(c.scene);
+    columns.text(
+        "body", [&](const Line&) { return c.body; }, "body {}");
+    for (const auto& [name, part] :
+         {std::pair{"x", &scene::BodyPoint::x}, std::pair{"z", &scene::BodyPoint::z}}) {
+        columns
+            .add(name, Columns::Kind::number,
+                 [&points, &c, part = part](const Line& l) {
+                     return decimal_text(points[l.at.point()].*part, c.scene.ask.digits);
+                 })
+            .unit = unit_of(c.scene, Quantity::x);
+    }
+    for (const scene::QuantityRow& row : scene::quantity_rows()) {
+        if (row.group == QuantityGroup::stress && is_known(c.scene, row.quantity, body)) {
+            columns.value(std::string(row.name), "", row.quantity);
+        }
+    }
+    columns.route([](const Line& l) { return l.at.row(Quantity::sxx).value->how(); });
+    return c.write(columns, lines_of(c.result.at_places(scene::QuantityRow::Place::body)));
+}
+
+int displacement(const ComputeOptions& o) {
+    refuse_words(o, {"edges", "terms", "process_zone", "u"},
+                 "displacements are asked for at places (x=X)");
+    Computing c(o);
+    scene::Ask& ask = c.scene.ask;
+    for (const scene::AskedPoint& point : ask.u) {
+        if (!point.place || point.place->from() != scene::Place::From::origin) {
+            c.reject("displacements are asked for at distances u from an edge",
+                     "give places x, from the origin", c.scene.ask_line);
+        }
+    }
+    if (ask.u.empty()) {
+        c.reject("no places are asked for", "add x=0,2, or x = [\"0\", \"2\"] to [ask]",
+                 c.scene.ask_line);
+    }
+    ask.edges = {contact::Edge::right};
+    ask_for(c.scene, o, QuantityGroup::displacement, {QuantityGroup::contact});
+    if (!o.reference.empty()) {
+        ask.reference =
+            scene::Place::parse(o.reference, scene::Place::From::origin, names_of(c.scene))
+                .distance(contact::Edge::right);
+    }
+    ask.surface_of = body_of(c.body);
+    if (ask.reference) {
+        ask.quantities.insert(QuantityGroup::surface);
+    }
+    c.result = done(c.scene, o);
+    c.table = values_table(c.scene, c.result);
+    c.note(std::string("gap: the distance between the surfaces outside the contact; slip: "
+                       "u_A - u_B along the surface inside, ") +
+           (c.scene.round ? "the mean over the circle of radius |x|, " : "") +
+           (c.scene.history ? "since the place last came into contact"
+                            : "0 where the contact sticks"));
+    c.add_slip_facts();
+    c.table.asked = "gap between the surfaces outside the contact, slip inside";
+    Columns columns(c.scene);
+    columns
+        .add("x", Columns::Kind::number,
+             [&](const Line& l) { return x_of(c, ask.u[l.at.point()]); })
+        .unit = unit_of(c.scene, Quantity::x);
+    for (const Quantity quantity : {Quantity::gap, Quantity::slip_displacement, Quantity::ux,
+                                    Quantity::uz, Quantity::slope, Quantity::dissipation}) {
+        if (ask.reference || row_of(quantity).group == QuantityGroup::displacement) {
+            columns.value(std::string(row_of(quantity).name), "", quantity);
+        }
+    }
+    if (ask.reference) {
+        c.note("ux, uz: the displacement of the surface of body " + c.body +
+               " along x and into the body, less that of the reference; slope: duz/dx; "
+               "dissipation: the energy that friction takes, per area, in a cycle from -Q to Q and "
+               "back, P held");
+    }
+    columns.route([](const Line& l) { return l.at.begin()->value->how(); });
+    return c.write(columns, lines_of(c.result.at_places(scene::QuantityRow::Place::surface)));
+}
+
+int expand_stresses(const ComputeOptions& o) {
+    refuse_words(o, {"quantities"}, "with --angle only the stresses are computed");
+    if (!o.figure.empty()) {
+        throw InputError("--figure " + o.figure +
+                             " has no effect: with --angle only the stresses are computed",
+                         "leave --figure out");
+    }
+    const formula::Exact angle = angle_of(o.angle);
+    Computing c(o);
+    ask_at_edges(c.scene);
+    ask_terms(c.scene);
+    const std::vector<scene::RayTerm> terms = io::at_place(c.scene.file, c.scene.load_line, [&] {
+        return scene::ray_terms(c.scene, body_of(c.body), angle, c.scene.ask.most_terms());
+    });
+    c.scene.ask.quantities = {QuantityGroup::contact};
+    c.result = done(c.scene, o);
+    c.table = values_table(c.scene, c.result);
+    c.table.facts.push_back({"body", c.body});
+    c.table.facts.push_back({"angle", angle.text()});
+    c.note("stresses in body " + c.body +
+           ", tension positive, along the ray at this angle (degrees) to the surface of the "
+           "contact: x = a - r cos(angle) or -b + r cos(angle), z = r sin(angle)");
+    c.note("each stress is the sum of its coefficients times r^power; |value - exact| <= bound");
+    c.bounds = "bounds are proved, and every digit printed is right";
+    c.table.asked = "coefficients of the stresses near the edges";
+    Columns columns(c.scene);
+    const auto term = [&](const Line& l) -> const scene::RayTerm& { return terms[l.n]; };
+    columns.text(
+        "edge", [=](const Line& l) { return scene::edge_name(term(l).edge); }, "{} edge");
+    columns.text(
+        "power", [=](const Line& l) { return std::to_string(term(l).halves) + "/2"; }, "r^({}):");
+    for (std::size_t i = 0; i < scene::ray_stresses.size(); ++i) {
+        columns.value(std::string(row_of(scene::ray_stresses[i]).name),
+                      i + 1 == scene::ray_stresses.size() ? "route" : "",
+                      [=](const Line& l) { return std::optional(term(l).values[i]); });
+    }
+    std::vector<Line> lines(terms.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        lines[i].n = i;
+    }
+    return c.write(columns, lines);
+}
+
+scene::Body body_of(const std::string& name) {
+    if (name != "A" && name != "B") {
+        throw InputError("--body " + name + ": there is no such body",
+                         "write A (on which Q acts) or B");
+    }
+    return name == "A" ? scene::Body::A : scene::Body::B;
+}
+
+scene::BodyPoint point_of(const std::string& option, const std::string& text,
+                          const scene::Place::Names& names) {
+    const std::vector<std::string> parts = parts_of(text);
+    if (parts.size() != 2) {
+        throw InputError(option + " " + text + " is no point",
+                         "write X,Z, such as " + option + " 0,1/2");
+    }
+    const auto number = [&](const std::string& part) {
+        try {
+            return scene::exact_in(part, names);
+        } catch (const InputError& error) {
+            throw InputError(option + " " + text + ": " + error.problem(), error.instead());
+        }
+    };
+    scene::BodyPoint point{number(parts[0]), number(parts[1])};
+    if (point.z.sign() < 0) {
+        throw InputError(option + " " + text + ": the depth is negative",
+                         "give z >= 0, the depth into the body");
+    }
+    return point;
+}
+
+} // namespace edgeproof::cli

@@ -255,8 +255,6 @@ def compare(rng, library, command):
     return words
 
 
-
-
 def cost(rng, library, command):
     command.files["in.toml"] = library.drawn("scene", rng)
     words = ["in.toml", "--digits", value(rng, ["16", "5,10"]), "--points", count(rng, ["1", "2"])]

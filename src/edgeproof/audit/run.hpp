@@ -45,8 +45,8 @@ void add_later_results(AuditResult& result, const AuditContext& context);
 /// For a formula, the symbols get small numbers; `printed` and `correct` are the formulas,
 /// `printed_value` and `correct_value` their exact values (left out where there is no closed form),
 /// and decimals are added. For the reach of an approximation: a distance at which the error is on
-/// the other side of the tolerance. For a quantity stated to increase or decrease: two values of
-/// the parameter. Returns nothing for other kinds, or if no counterexample is found.
+/// the other side of the tolerance. Returns nothing for other kinds, or if no counterexample is
+/// found.
 [[nodiscard]] std::optional<Evidence> clearest_counterexample(const ClaimResult& result,
                                                               const AuditContext& context);
 

@@ -8,6 +8,55 @@ namespace edgeproof::audit {
 
 namespace {
 
+/// Tests candidates with random numbers for the symbols.
+Screening formal_screening(const Claim& claim, const SymbolicCase& under, const Expr& derived,
+                           const std::vector<std::string>& alphabet) {
+    const PrecisionScope scope(FormalValues::digits);
+    Screening screening(claim, FormalValues::digits, pow(Real(10), -30));
+    std::set<std::string> names = free_symbols(derived);
+    for (const std::string& name : alphabet) {
+        names.merge(free_symbols(expand_definitions(Expr::symbol(name), claim.vocabulary)));
+    }
+    for (std::size_t draw = 0; draw < 40 && screening.points() < 3; ++draw) {
+        try {
+            const FormalValues values(names, under, draw);
+            screening.add_point([values](const Expr& e) { return values.evaluate(e); },
+                                values.evaluate(derived));
+        } catch (const DomainError&) {
+            continue; // a drawn point outside the domain of a root
+        }
+    }
+    return screening;
+}
+
+/// Seeks a correction of a refuted formula; `derived`: the exact formula in symbols, if it is
+/// known.
+void correct(const FormulaComparison& comparison, const Claim& claim, const AuditContext& context,
+             const std::optional<Expr>& derived, Outcome& outcome) {
+    const SymbolicCase under = symbolic_case(claim, context);
+    const Expr& exact = claim.formula("of");
+    RefutedFormula refuted = comparison.refuted(outcome.evidence);
+    if (derived && !refuted.ratio) {
+        try {
+            outcome.evidence.add("ratio", to_text(derive(claim.formula("says") / *derived, under)));
+        } catch (const Error&) {
+            outcome.evidence.add("ratio", "no closed form");
+        }
+    }
+    refuted.derived = derived ? derived : refuted.derived;
+    refuted.passes_screening =
+        derived ? formal_screening(claim, under, *derived, refuted.alphabet.symbols)
+                : Screening(claim, context, exact);
+    refuted.verdict_of = [&](const Expr& e) -> std::optional<Verdict> {
+        const Expr full = expand_definitions(e, claim.vocabulary);
+        if (!comparison.confirms(full)) {
+            return std::nullopt;
+        }
+        return derived && proved_equal(full, exact, under) ? Verdict::proved : Verdict::confirmed;
+    };
+    diagnose(refuted, outcome);
+}
+
 /// Compares with the `digits` of the context, or fewer.
 Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned digits) {
     const FormulaComparison comparison(claim, context, digits);
@@ -19,14 +68,7 @@ Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned
     outcome.evidence.add("of", claim.text("of"));
     comparison.judge(outcome);
     if (comparison.needs_correction(outcome)) {
-        RefutedFormula refuted = comparison.refuted(outcome.evidence);
-        refuted.passes_screening = Screening(claim, context, claim.formula("of"));
-        refuted.verdict_of = [&](const Expr& e) {
-            return comparison.confirms(expand_definitions(e, claim.vocabulary))
-                       ? std::optional(Verdict::confirmed)
-                       : std::nullopt;
-        };
-        diagnose(refuted, outcome);
+        correct(comparison, claim, context, std::nullopt, outcome);
     }
     return outcome;
 }
@@ -54,34 +96,8 @@ Outcome check_value(const Claim& claim, const AuditContext& context) {
     return compare_values(claim, context, context.digits());
 }
 
-namespace {
-
-/// Tests candidates with random numbers for the symbols.
-Screening formal_screening(const Claim& claim, const SymbolicCase& under, const Expr& derived,
-                           const std::vector<std::string>& alphabet) {
-    const PrecisionScope scope(FormalValues::digits);
-    Screening screening(claim, FormalValues::digits, pow(Real(10), -30));
-    std::set<std::string> names = free_symbols(derived);
-    for (const std::string& name : alphabet) {
-        names.merge(free_symbols(expand_definitions(Expr::symbol(name), claim.vocabulary)));
-    }
-    for (std::size_t draw = 0; draw < 40 && screening.points() < 3; ++draw) {
-        try {
-            const FormalValues values(names, under, draw);
-            screening.add_point([values](const Expr& e) { return values.evaluate(e); },
-                                values.evaluate(derived));
-        } catch (const DomainError&) {
-            continue; // a drawn point outside the domain of a root
-        }
-    }
-    return screening;
-}
-
-} // namespace
-
 Outcome check_identity(const Claim& claim, const AuditContext& context) {
-    const Expr printed = claim.formula("says");
-    const Expr exact = claim.formula("of");
+    const Expr& exact = claim.formula("of");
     const SymbolicCase under = symbolic_case(claim, context);
     Outcome outcome;
     outcome.evidence.add("of", claim.text("of"));
@@ -89,12 +105,10 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
     bool proved = false;
     try {
         derived = derive(exact, under);
-        proved = proved_equal(printed, exact, under);
+        proved = proved_equal(claim.formula("says"), exact, under);
+        outcome.evidence.add("derived", to_text(*derived));
     } catch (const Error& error) {
         outcome.evidence.add("not_symbolic", error.what());
-    }
-    if (derived) {
-        outcome.evidence.add("derived", to_text(*derived)).add("derived_tex", to_tex(*derived));
     }
     // Compare at samples, too: there the exact value is computed from the contact, without symbols.
     const FormulaComparison comparison(claim, context, context.digits());
@@ -109,32 +123,9 @@ Outcome check_identity(const Claim& claim, const AuditContext& context) {
         if (!confirmed) {
             outcome.note = "equal in symbols but not at the samples";
         }
-        return outcome;
+    } else if (comparison.needs_correction(outcome)) {
+        correct(comparison, claim, context, derived, outcome);
     }
-    if (!comparison.needs_correction(outcome)) {
-        return outcome;
-    }
-    RefutedFormula refuted = comparison.refuted(outcome.evidence);
-    if (derived && !refuted.ratio) {
-        try {
-            const Expr ratio = derive(printed / *derived, under);
-            outcome.evidence.add("ratio", to_text(ratio)).add("ratio_tex", to_tex(ratio));
-        } catch (const Error&) {
-            outcome.evidence.add("ratio", "no closed form");
-        }
-    }
-    refuted.derived = derived;
-    refuted.passes_screening =
-        derived ? formal_screening(claim, under, *derived, refuted.alphabet.symbols)
-                : Screening(claim, context, exact);
-    refuted.verdict_of = [&](const Expr& e) -> std::optional<Verdict> {
-        const Expr full = expand_definitions(e, claim.vocabulary);
-        if (!comparison.confirms(full)) {
-            return std::nullopt;
-        }
-        return derived && proved_equal(full, exact, under) ? Verdict::proved : Verdict::confirmed;
-    };
-    diagnose(refuted, outcome);
     return outcome;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/diagnosis/diagnosis.hpp"
+#include "edgeproof/audit/symbolic/symbolic.hpp"
+#include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,62 +16,6 @@ using Kind = Expr::Kind;
 
 Expr whole(long n) { return Expr::number(Rational(n)); }
 Expr fraction(long n, long d) { return whole(n) / whole(d); }
-
-/// The derivative of a polynomial in `name`, or of a power with a constant exponent; nothing for
-/// other expressions and for constants.
-std::optional<Expr> derivative(const Expr& e, const std::string& name) {
-    if (e.kind() == Kind::symbol && e.name() == name) {
-        return whole(1);
-    }
-    if (!holds_symbol(e, name)) {
-        return {};
-    }
-    const auto inner = [&](std::size_t i) { return derivative(e.arg(i), name); };
-    const auto times = [](const Expr& factor, const Expr& x) {
-        return x.rational() != nullptr && *x.rational() == 1 ? factor : factor * x;
-    };
-    const bool first = e.args().empty() || holds_symbol(e.arg(0), name);
-    const bool second = e.args().size() == 2 && holds_symbol(e.arg(1), name);
-    switch (e.kind()) {
-    case Kind::neg: {
-        const auto x = inner(0);
-        return x ? std::optional(-*x) : std::nullopt;
-    }
-    case Kind::add:
-    case Kind::sub: {
-        const auto x = first ? inner(0) : std::nullopt;
-        const auto y = second ? inner(1) : std::nullopt;
-        const bool plus = e.kind() == Kind::add;
-        if ((first && !x) || (second && !y)) {
-            return {};
-        }
-        return !second ? x : !first ? (plus ? *y : -*y) : plus ? *x + *y : *x - *y;
-    }
-    case Kind::mul: {
-        const auto x = first ? inner(0) : inner(1);
-        return x && !(first && second) ? std::optional(times(e.arg(first ? 1 : 0), *x))
-                                       : std::nullopt;
-    }
-    case Kind::div: {
-        const auto x = inner(0);
-        return x && !second ? std::optional(*x / e.arg(1)) : std::nullopt;
-    }
-    case Kind::pow: {
-        const auto x = first ? inner(0) : std::nullopt;
-        if (!x || second) {
-            return {};
-        }
-        const Rational* n = e.arg(1).rational();
-        const Expr power =
-            n != nullptr && *n == 2
-                ? e.arg(0)
-                : pow(e.arg(0), n != nullptr ? formula::quotient_of(*n - 1) : e.arg(1) - whole(1));
-        return times(e.arg(1) * power, *x);
-    }
-    default:
-        return {};
-    }
-}
 
 class Editor {
 public:
@@ -236,8 +182,16 @@ private:
             }
         }
         for (const std::string& name : variables) {
-            if (const auto slope = derivative(node_, name)) {
-                put(*slope, "derivative", 3);
+            const auto in_call = [&](const Expr& part) {
+                return (part.kind() == Kind::call || part.is_binder()) && holds_symbol(part, name);
+            };
+            if (!holds_symbol(node_, name) || any_part(node_, in_call)) {
+                continue;
+            }
+            try {
+                put(derivative(node_, name), "derivative", 3);
+            } catch (const Error&) {
+                continue; // no derivative in symbols
             }
         }
     }

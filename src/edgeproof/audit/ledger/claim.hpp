@@ -56,24 +56,6 @@ struct Relation {
     Op op = Op::less;
     Expr rhs;
 };
-/// True if the relation holds between two values.
-template <class Number>
-[[nodiscard]] bool compare(Relation::Op op, const Number& lhs, const Number& rhs) {
-    switch (op) {
-    case Relation::Op::less:
-        return lhs < rhs;
-    case Relation::Op::less_equal:
-        return lhs <= rhs;
-    case Relation::Op::greater:
-        return lhs > rhs;
-    case Relation::Op::greater_equal:
-        return lhs >= rhs;
-    case Relation::Op::equal:
-        break;
-    }
-    return lhs == rhs;
-}
-
 /// A conjunction of relations: "0 < x and x < a". "0 < x < a" is read as two relations.
 using Condition = std::vector<Relation>;
 
@@ -167,7 +149,7 @@ struct Outcome;
 struct KeySpec {
     enum class Type {
         text,      ///< any text
-        formula,   ///< parsed, with its names checked, when the ledger is read; or one of `choices`
+        formula,   ///< parsed, with its names checked, when the ledger is read
         condition, ///< "x > 0 and x < a", parsed in the same way
         number,    ///< an exact constant: "1/100", not "1 %"
         integer,

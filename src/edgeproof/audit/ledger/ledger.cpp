@@ -247,9 +247,7 @@ private:
             static_cast<void>(claim.text(key.name));
             break;
         case Type::formula:
-            if (std::ranges::find(key.choices, claim.text(key.name)) == key.choices.end()) {
-                claim.read_formula(key.name);
-            }
+            claim.read_formula(key.name);
             break;
         case Type::condition:
             claim.read_condition(key.name);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <functional>
 #include <set>
 
 namespace edgeproof::audit {
@@ -96,26 +97,25 @@ void refuse_names(Vocabulary& v, const Friction& friction, const std::string& fa
     }
 }
 
-/// For a body of revolution, P is the total force, delta the approach, and p(x) the pressure. This
-/// refuses the other quantities of the plane contact with the same pressure, and the kinds of claim
+/// Refuses the names of a plane contact with a slope that are not `known`, and the kinds of claim
 /// that use them.
-void refuse_plane_names(Vocabulary& v, const Claim& claim, const std::string& family, bool slips) {
+void refuse_others(Vocabulary& v, const Claim& claim, const std::string& family,
+                   const std::string& what, const std::string& instead,
+                   const std::function<bool(const std::string&)>& known) {
     const std::set<std::string_view> kinds{"definition", "value", "condition", "figure"};
     if (!kinds.contains(claim.kind)) {
         claim.reject("over",
-                     "family " + family + " is axisymmetric, and claim " + claim.id +
+                     "family " + family + " is " + what + ", and claim " + claim.id +
                          " is of kind " + claim.kind,
-                     "write kind = \"value\", \"condition\" or \"figure\", or use a plane family");
+                     "write kind = \"value\", \"condition\" or \"figure\", or use another family");
     }
-    const std::set<std::string_view> known{"a", "Es", "P", "u", "x", "L", "p", "gap"};
     const auto refuse = [&](const std::string& name) {
-        if (!known.contains(name) && !(slips && name == "q") && !name.starts_with("right_c") &&
-            !name.starts_with("left_c")) {
-            v.refused[name] = {"'" + dotted(name) +
-                                   "' is not available in the axisymmetric family " + family,
-                               "use a, Es, P (the total force), delta (the approach), u, x, p(x), "
-                               "gap(x) or right.c0, right.c1, ...; with friction also q(x), "
-                               "right.d and stick_a"};
+        const bool of_all = name == "a" || name == "L" || name == "P" || name == "u" ||
+                            name == "x" || name == "p" || name == "given" || name == "next";
+        if (!of_all && !known(name)) {
+            v.refused[name] = {"'" + dotted(name) + "' is not available: family " + family +
+                                   " is " + what,
+                               instead};
         }
     };
     std::ranges::for_each(scene_symbols(), refuse);
@@ -124,30 +124,27 @@ void refuse_plane_names(Vocabulary& v, const Claim& claim, const std::string& fa
     }
 }
 
+/// For a body of revolution, P is the total force, delta the approach, and p(x) the pressure.
+void refuse_plane_names(Vocabulary& v, const Claim& claim, const std::string& family, bool slips) {
+    refuse_others(v, claim, family, "axisymmetric",
+                  "use a, Es, P (the total force), delta (the approach), u, x, p(x), gap(x) or "
+                  "right.c0, right.c1, ...; with friction also q(x), right.d and stick_a",
+                  [&](const std::string& name) {
+                      return name == "Es" || name == "gap" || (slips && name == "q") ||
+                             name.starts_with("right_c") || name.starts_with("left_c");
+                  });
+}
+
 /// The pressure of a flat punch is the traction of full stick under Q = P (SceneSpec::names()).
-/// Refuses what depends on a slope, and the kinds of claim that use it.
 void use_flat_punch(Vocabulary& v, const Claim& claim, const std::string& family,
                     const std::set<std::string>& parameters) {
-    const std::set<std::string_view> kinds{"definition", "value", "condition", "figure"};
-    if (!kinds.contains(claim.kind)) {
-        claim.reject("over",
-                     "family " + family + " is a flat punch, and claim " + claim.id +
-                         " is of kind " + claim.kind,
-                     "write kind = \"value\", \"condition\" or \"figure\"");
-    }
-    const std::set<std::string_view> known{"a", "b", "L", "P", "u", "x", "p", "q"};
-    const auto refuse = [&](const std::string& name) {
-        if (!known.contains(name) && !is_full_stick_symbol(name) && !parameters.contains(name)) {
-            v.refused[name] = {"'" + dotted(name) + "' is not available in the family " + family +
-                                   " of flat punches",
-                               "use a, b, L, P, u, x, p(x), or right.s0, right.s1, ..., the "
-                               "coefficients of u^(-1/2), u^(1/2), ..."};
-        }
-    };
-    std::ranges::for_each(scene_symbols(), refuse);
-    for (const auto& [name, arity] : scene_functions()) {
-        refuse(name);
-    }
+    refuse_others(v, claim, family, "a flat punch",
+                  "use a, b, L, P, u, x, p(x), or right.s0, right.s1, ..., the coefficients of "
+                  "u^(-1/2), u^(1/2), ...",
+                  [&](const std::string& name) {
+                      return name == "b" || name == "q" || is_full_stick_symbol(name) ||
+                             parameters.contains(name);
+                  });
     v.definitions.push_back({"p", "s", Expr::call("q", {Expr::symbol("s")})});
 }
 

@@ -57,19 +57,6 @@ public:
     /// `vary`.
     [[nodiscard]] std::vector<Sample> samples(const Claim& claim) const;
 
-    /// Returns an expensive result that several claims need. The first caller in a run computes it,
-    /// while the others wait. The key must contain everything on which the result depends.
-    template <class T>
-    [[nodiscard]] std::shared_ptr<const T> once(const std::string& key,
-                                                const std::function<T()>& make) const {
-        Slot& slot = slot_of(key);
-        const std::lock_guard lock(slot.mutex);
-        if (!slot.value) {
-            slot.value = std::make_shared<const T>(make());
-        }
-        return std::static_pointer_cast<const T>(slot.value);
-    }
-
     /// Returns an object that is expensive to make and that only one thread may use at a time: a
     /// kept one, or a new one. The context keeps it when the last pointer to it is destroyed, and
     /// must outlive it.
@@ -87,22 +74,12 @@ public:
     }
 
 private:
-    struct Slot {
-        std::mutex mutex;
-        std::shared_ptr<const void> value;
-    };
-    [[nodiscard]] Slot& slot_of(const std::string& key) const {
-        const std::lock_guard lock(slots_mutex_);
-        return slots_[key];
-    }
     [[nodiscard]] std::shared_ptr<void> take(const std::string& key) const;
     void give_back(const std::string& key, std::shared_ptr<void> object) const;
     const Ledger& ledger_;
     unsigned digits_;
     mutable std::mutex lent_mutex_;
     mutable std::map<std::string, std::vector<std::shared_ptr<void>>, std::less<>> idle_;
-    mutable std::mutex slots_mutex_;
-    mutable std::map<std::string, Slot, std::less<>> slots_;
 };
 
 } // namespace edgeproof::audit

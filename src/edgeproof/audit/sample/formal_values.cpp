@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/sample/formal_values.hpp"
 
-#include "edgeproof/precision/error.hpp"
+#include <algorithm>
 
 namespace edgeproof::audit {
 namespace {
@@ -36,49 +36,28 @@ FormalValues::FormalValues(const std::set<std::string>& names, const SymbolicCas
     const PrecisionScope scope(working_digits_);
     std::set<std::string> wanted = names;
     wanted.insert({"a", "b"});
+    const auto set_drawn = [&](const std::string& name) {
+        values_.set(name, from_rational<Real>(drawn(name, draw)));
+    };
+    std::map<std::string, Expr> meanings;
     for (const std::string& name : wanted) {
         const Expr meaning = derive(Expr::symbol(name), under);
         if (meaning == Expr::symbol(name)) {
-            drawn_.emplace(name, drawn(name, draw));
+            set_drawn(name);
         } else {
-            meanings_.emplace(name, meaning);
-            for (const std::string& other : free_symbols(meaning)) {
-                drawn_.emplace(other, drawn(other, draw));
-            }
+            meanings.emplace(name, meaning);
+            std::ranges::for_each(free_symbols(meaning), set_drawn);
         }
     }
-    for (const auto& [name, q] : drawn_) {
-        values_.set(name, from_rational<Real>(q));
-    }
-    const formula::Values<Real> drawn_values = values_;
-    for (const auto& [name, meaning] : meanings_) {
-        values_.set(name, formula::evaluate<Real>(meaning, drawn_values));
+    const formula::Values<Real> free = values_;
+    for (const auto& [name, meaning] : meanings) {
+        values_.set(name, formula::evaluate<Real>(meaning, free));
     }
 }
 
 Real FormalValues::evaluate(const Expr& e) const {
     const PrecisionScope scope(working_digits_);
     return formula::evaluate<Real>(e, values_);
-}
-
-Ball FormalValues::enclose(const Expr& e, long bits) const {
-    struct Balls {
-        const FormalValues& values;
-        long bits;
-        [[nodiscard]] Ball number(const Rational& q) const { return Ball(q, bits); }
-        [[nodiscard]] Ball pi() const { return Ball::pi(bits); }
-        [[nodiscard]] Ball symbol(std::string_view name) const {
-            if (const auto it = values.meanings_.find(name); it != values.meanings_.end()) {
-                return formula::evaluate<Ball>(it->second, *this);
-            }
-            const auto it = values.drawn_.find(name);
-            if (it == values.drawn_.end()) {
-                throw Error("'" + std::string(name) + "' has no value here");
-            }
-            return Ball(it->second, bits);
-        }
-    };
-    return formula::evaluate<Ball>(e, Balls{*this, bits});
 }
 
 } // namespace edgeproof::audit

@@ -2,7 +2,6 @@
 #pragma once
 #include "edgeproof/audit/symbolic/symbolic.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
-#include "edgeproof/precision/ball/ball.hpp"
 
 #include <cstddef>
 #include <map>
@@ -23,20 +22,14 @@ public:
     FormalValues(const std::set<std::string>& names, const SymbolicCase& under, std::size_t draw,
                  unsigned working_digits = digits);
 
-    [[nodiscard]] const Variables& values() const noexcept { return values_.all(); }
     void set(const std::string& name, const Real& value) { values_.set(name, value); }
     /// Throws Error for names without a value and for functions along the family of contacts.
     [[nodiscard]] Real evaluate(const Expr& e) const;
-    /// Evaluates in balls: the drawn numbers are exact, and values that depend on them are
-    /// enclosed.
-    [[nodiscard]] Ball enclose(const Expr& e, long bits) const;
 
     static constexpr unsigned digits = 40;
 
 private:
     formula::Values<Real> values_;
-    std::map<std::string, Rational, std::less<>> drawn_;
-    std::map<std::string, Expr, std::less<>> meanings_; ///< of names that depend on the drawn ones
     unsigned working_digits_;
 };
 

@@ -19,9 +19,8 @@ using audit::EvidenceItem;
 using audit::PrintedSource;
 
 bool shown_elsewhere(std::string_view key) {
-    static const std::set<std::string_view> keys{
-        "clearest",    "later_results",   "edit",        "correct_tex",    "ratio_tex",
-        "derived_tex", "correct_verdict", "edits_tried", "derived_instead"};
+    static const std::set<std::string_view> keys{"clearest", "later_results", "edit",
+                                                 "derived_instead"};
     return keys.contains(key);
 }
 

@@ -318,7 +318,7 @@ std::optional<Expr> FormulaComparison::ratio(Evidence& evidence) const {
     auto ratio = recognise_ratio(samples, 20);
     if (ratio) {
         ratio = substitute(*ratio, "L", Expr::symbol("a") + Expr::symbol("b"));
-        evidence.add("ratio", to_text(*ratio)).add("ratio_tex", to_tex(*ratio));
+        evidence.add("ratio", to_text(*ratio));
     }
     return ratio;
 }

@@ -127,8 +127,9 @@ scene::Scene scene_of(const Added& e, unsigned digits) {
     entries.load.push_back({"contact_modulus", "1"});
     entries.ask.push_back({"digits", std::to_string(digits)});
     const bool only_others = std::ranges::any_of(e.ask, [](const io::TomlEntry& entry) {
+        using List = std::vector<std::string>;
         return entry.key == "quantities" &&
-               std::get<Texts>(entry.value) != std::get<Texts>(tractions.value);
+               std::get<List>(entry.value) != std::get<List>(tractions.value);
     });
     if (!only_others) {
         entries.ask.push_back({"u", Texts{"1e-8", "1e-6", "1e-4", "1e-3", "0.01", "0.03", "0.1",

@@ -147,11 +147,14 @@ TEST_CASE("CSV: the header is the first line, facts and notes are behind the row
     CHECK_FALSE(has(run(folder, "pressure s.toml --format tex --no-notes").out, "program"));
 }
 
-TEST_CASE("a scene by its quantities: the equivalent scene file is printed, and gives the same") {
+TEST_CASE("a scene as words, in both spellings: its file is printed, and gives the same") {
     const std::string all[] = {
         "pressure --hertz --R 100 --P 120 --E1 115e3 --nu1 0.32 --E2 115e3 --nu2 0.32 --u 1e-3,a/2 "
         "--terms 1,2 --digits 20",
-        "pressure --cylinder-on-flat --R 1 --a 1 --contact-modulus 1 --x 0",
+        "pressure kind=cylinder-on-flat R=1 a=1 contact_modulus=1 x=0",
+        "slip kind=hertz R=100 P=120 E=115e3 nu=0.32 friction=0.5 q_ratio=0.6 --digits 8",
+        "pressure kind=piecewise symmetric=true knots=1/2 slopes=0,x-1/2 a=1 contact_modulus=1 "
+        "u=0.1 --digits 10",
         "pressure --sphere --R1 2 --R2 3 --P 1 --contact-modulus 1 --u 0.1",
         "pressure --wedge --phi 0.1 --a 1 --contact-modulus 1 --u 0.1",
         "pressure --cone --phi 0.1 --delta 1/100 --contact-modulus 1 --u 0.01",

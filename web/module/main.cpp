@@ -5,7 +5,5 @@
 int main(int argc, char** argv) {
     using namespace edgeproof;
     cli::take_aborts();
-    return cli::run_program(argc, argv,
-                            {cli::add_pressure, cli::add_expand, cli::add_extent, cli::add_slip,
-                             cli::add_stress, cli::add_displacement, cli::add_plot});
+    return cli::run_program(argc, argv, {cli::add_sets, cli::add_plot});
 }

@@ -28,7 +28,7 @@ namespace {
 
 constexpr int bad_input = 2;
 constexpr int signalled = 128;
-/// The time for the work to notice the interruption and to report what is kept.
+/// The time for the work to notice the interruption and to report it.
 constexpr std::chrono::seconds grace{1};
 /// The time for ending children and removing files; if a disk hangs, files remain.
 constexpr suseconds_t longest_cleanup_us = 500'000;
@@ -54,7 +54,7 @@ void write_error(const char* text) { (void)!::write(STDERR_FILENO, text, std::st
     sigemptyset(&alarm);
     sigaddset(&alarm, SIGALRM);
     pthread_sigmask(SIG_UNBLOCK, &alarm, nullptr);
-    const std::string kept = io::clean_up();
+    io::clean_up();
     if (reason_said.exchange(true)) {
         while (!reason_written) { // at the latest the alarm ends the process
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -64,12 +64,7 @@ void write_error(const char* text) { (void)!::write(STDERR_FILENO, text, std::st
     if (::isatty(STDERR_FILENO) == 1) {
         write_error("\r\033[K"); // clears the line of Progress
     }
-    if (*line != '\0') {
-        write_error(line);
-    } else {
-        write_error(kept.empty() ? "interrupted" : "interrupted: ");
-        write_error(kept.c_str());
-    }
+    write_error(*line != '\0' ? line : "interrupted");
     write_error("\n");
     ::_exit(status);
 }

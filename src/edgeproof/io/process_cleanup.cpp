@@ -31,7 +31,6 @@ struct Registered {
     std::timed_mutex mutex;
     std::multiset<std::filesystem::path> paths;
     std::map<pid_t, std::string> groups; ///< with their marks
-    std::string note;
 };
 
 /// Never destroyed: threads may still use it while the process ends.
@@ -201,17 +200,7 @@ int ChildGroup::wait(double* processor_seconds) {
     return status;
 }
 
-KeptNote::KeptNote(std::string text) {
-    const auto lock = hold_cleanup();
-    registered().note = std::move(text);
-}
-
-KeptNote::~KeptNote() {
-    const auto lock = hold_cleanup();
-    registered().note.clear();
-}
-
-std::string clean_up() noexcept {
+void clean_up() noexcept {
     try {
         Registered& all = registered();
         // Never unlocked. If another step hangs, the registered things are removed anyway.
@@ -225,9 +214,7 @@ std::string clean_up() noexcept {
             std::error_code ignored;
             std::filesystem::remove_all(path, ignored);
         }
-        return all.note;
     } catch (...) { // out of memory
-        return {};
     }
 }
 

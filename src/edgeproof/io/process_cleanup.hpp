@@ -68,18 +68,8 @@ private:
     std::string mark_;
 };
 
-/// A note for the user about stored work if the process ends early; empty: no note. It replaces the
-/// previous text during its lifetime.
-class KeptNote {
-public:
-    explicit KeptNote(std::string text);
-    ~KeptNote();
-    KeptNote(const KeptNote&) = delete;
-    KeptNote& operator=(const KeptNote&) = delete;
-};
-
 /// Kills the children and removes the temporary paths. For one call right before the process ends:
-/// later registrations block until then. Returns the text of the KeptNote.
-std::string clean_up() noexcept;
+/// later registrations block until then.
+void clean_up() noexcept;
 
 } // namespace edgeproof::io

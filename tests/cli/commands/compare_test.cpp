@@ -48,8 +48,8 @@ struct ComparedFiles {
 TEST_CASE("compare: right numbers pass, wrong ones fail") {
     const ComparedFiles c;
     const Outcome right =
-        run(c.folder, "compare scene.toml right.csv --tolerance 1e-9 --tolerance-a "
-                      "1e-6 --tolerance-P 1e-9 --tolerance-c0 1e-3");
+        run(c.folder, "compare scene.toml right.csv --tolerance p=1e-9,a=1e-6 --tolerance-P 1e-9 "
+                      "--tolerance-c0 1e-3");
     CHECK(right.code == 0);
     CHECK(right.err.empty());
     CHECK(lines(right.out).back() == "pass: 1 file");

@@ -106,7 +106,12 @@ TEST_SUITE("report: pictures") {
         CHECK(test::well_formed(svg) == "");
         // log10(1) is the middle of the axis; x = 0 is not drawn.
         CHECK(svg.find("<path d=\"M234.0 240.0M") != std::string::npos);
-        CHECK(svg.find("10<tspan dy=\"-5\" font-size=\"9\">-1</tspan>") != std::string::npos);
+        CHECK(svg.find("10<tspan dy=\"-5\" font-size=\"10\">-1</tspan>") != std::string::npos);
+        // Within a decade there are ticks, too.
+        plot.x.range = {"0.3", "0.6"};
+        const std::string narrow = draw_svg({plot});
+        CHECK(narrow.find(">0.5</text>") != std::string::npos);
+        CHECK(narrow.find(">0.2</text>") == std::string::npos);
     }
     TEST_CASE("a plot without data and without ranges is an error") {
         Plot plot = parabola();

@@ -2,16 +2,14 @@
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/comparison/comparison.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
-#include "edgeproof/io/process_cleanup.hpp"
 #include "edgeproof/io/staged_folder.hpp"
-#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/figures/comparison_figures.hpp"
 #include "edgeproof/report/tables/comparison_report.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 
-#include <cstdio>
-#include <functional>
+#include <algorithm>
+#include <map>
 #include <optional>
 
 namespace edgeproof::cli {
@@ -24,14 +22,10 @@ struct CompareOptions {
     std::string columns;
     std::string scale;
     std::string origin = "0";
-    std::string tolerance;
+    std::string tolerance;                         ///< "3%", or "p=3%,a=1%"
+    std::map<std::string, std::string> tolerances; ///< by the names of tolerance_names
     std::string of = "peak";
     std::string zone = "0";
-    std::string tolerance_a;
-    std::string tolerance_P;
-    std::string tolerance_c0;
-    std::string tolerance_q;
-    std::string tolerance_surface;
     bool partial = false;
     bool json = false;
     std::string format;
@@ -39,6 +33,16 @@ struct CompareOptions {
     std::string junit;
     std::string figures;
 };
+
+struct ToleranceRow {
+    std::string_view name;
+    std::optional<double> comparison::Tolerances::*field;
+};
+constexpr ToleranceRow tolerance_rows[] = {{"a", &comparison::Tolerances::edges},
+                                           {"P", &comparison::Tolerances::force},
+                                           {"c0", &comparison::Tolerances::c0},
+                                           {"q", &comparison::Tolerances::q},
+                                           {"surface", &comparison::Tolerances::surface}};
 
 double tolerance_value(const std::string& option, const std::string& text) {
     refuse_whole_tolerance(option, text);
@@ -50,15 +54,32 @@ double tolerance_value(const std::string& option, const std::string& text) {
     }
 }
 
-std::optional<double> optional_tolerance(const std::string& option, const std::string& text) {
-    return text.empty() ? std::nullopt : std::optional(tolerance_value(option, text));
-}
-
 comparison::Tolerances tolerances_of(const CompareOptions& o) {
     comparison::Tolerances t;
-    if (!o.tolerance.empty()) {
-        t.pressure = tolerance_value("--tolerance", o.tolerance);
-        t.stated = true;
+    std::map<std::string, std::string> given = o.tolerances;
+    for (const std::string& part :
+         o.tolerance.empty() ? std::vector<std::string>{} : parts_of(o.tolerance)) {
+        const std::size_t equals = part.find('=');
+        const std::string name = equals == std::string::npos ? "p" : part.substr(0, equals);
+        given[name] = equals == std::string::npos ? part : part.substr(equals + 1);
+    }
+    for (const auto& [name, text] : given) {
+        if (text.empty()) {
+            continue;
+        }
+        const std::string option = name == "p" ? "--tolerance" : "--tolerance-" + name;
+        const double value = tolerance_value(option, text);
+        if (name == "p") {
+            t.pressure = value;
+            t.stated = true;
+            continue;
+        }
+        const auto* const row = std::ranges::find(tolerance_rows, name, &ToleranceRow::name);
+        if (row == std::end(tolerance_rows)) {
+            throw InputError("--tolerance " + o.tolerance + ": there is no " + name,
+                             "write p, a, P, c0, q or surface, such as p=3%,a=1%");
+        }
+        t.*row->field = value;
     }
     if (o.of == "local") {
         t.of = comparison::Norm::local;
@@ -68,11 +89,6 @@ comparison::Tolerances tolerances_of(const CompareOptions& o) {
         throw InputError("--of " + o.of + " is no measure of an error", "write peak, local or L2");
     }
     t.zone = comparison::parse_edge_zone(o.zone);
-    t.edges = optional_tolerance("--tolerance-a", o.tolerance_a);
-    t.force = optional_tolerance("--tolerance-P", o.tolerance_P);
-    t.c0 = optional_tolerance("--tolerance-c0", o.tolerance_c0);
-    t.q = optional_tolerance("--tolerance-q", o.tolerance_q);
-    t.surface = optional_tolerance("--tolerance-surface", o.tolerance_surface);
     t.partial = o.partial;
     return t;
 }
@@ -89,41 +105,16 @@ std::optional<Rational> origin_of(const std::string& text) {
     return number.value;
 }
 
-/// The outputs that are already written, for the message of a process that is interrupted.
-class WrittenSoFar {
-public:
-    void add(const std::string& name) {
-        names_ += (names_.empty() ? "" : ", ") + name;
-        note_.reset();
-        note_.emplace("written: " + names_);
-    }
-    /// Runs `write`. If it is interrupted, the message names the outputs that are written.
-    void run(const std::function<void()>& write) const {
-        try {
-            write();
-        } catch (const Interrupted&) {
-            throw names_.empty() ? Interrupted() : Interrupted("interrupted: written: " + names_);
-        }
-    }
-
-private:
-    std::string names_;
-    std::optional<io::KeptNote> note_;
-};
-
 /// Writes all outputs except the text on standard output. All are made before the first is written.
 void write_outputs(const report::ComparisonReport& report, const CompareOptions& o) {
     const std::string junit = o.junit.empty() ? "" : comparison_junit(report);
-    WrittenSoFar written;
     if (!o.figures.empty()) {
         const report::DrawnComparison drawn = draw_comparison(report);
         io::write_folder(
             o.figures, [&](const std::filesystem::path& folder) { write_figures(drawn, folder); });
-        written.add(o.figures);
     }
     if (!o.junit.empty()) {
-        written.run([&] { io::write_output(o.junit, junit); });
-        written.add(o.junit);
+        io::write_output(o.junit, junit);
     }
 }
 
@@ -203,20 +194,19 @@ void add_compare(CLI::App& app, int& code) {
     sub.add_option("--origin", o.origin,
                    "x of the data at the scene's origin, or auto: fitted to the data")
         ->capture_default_str();
-    sub.add_option("--tolerance", o.tolerance, "pass with an error of p within this (default: 3%)");
+    sub.add_option("--tolerance", o.tolerance,
+                   "pass with an error of p within this (default: 3%), or p=3%,a=1%,P=...,c0=...,"
+                   "q=...,surface=...: also a and b, P, c_0, q, or gap, slip and sxx");
+    for (const ToleranceRow& row : tolerance_rows) { // the older spelling
+        const std::string name(row.name);
+        sub.add_option("--tolerance-" + name, o.tolerances[name])->group("");
+    }
     sub.add_option("--of", o.of, "what that error is relative to")
         ->capture_default_str()
         ->type_name("peak|local|L2");
     sub.add_option("--edge-zone", o.zone,
                    "leave out the nodes near the edges: 2e (elements), or a length")
         ->capture_default_str();
-    sub.add_option("--tolerance-a", o.tolerance_a, "pass with a and b within this");
-    sub.add_option("--tolerance-P", o.tolerance_P, "pass with P within this");
-    sub.add_option("--tolerance-c0", o.tolerance_c0, "pass with c_0 within this");
-    sub.add_option("--tolerance-q", o.tolerance_q,
-                   "pass with an error of q within this (default: as --tolerance)");
-    sub.add_option("--tolerance-surface", o.tolerance_surface,
-                   "pass with errors of gap, slip and sxx within this");
     sub.add_flag("--partial", o.partial,
                  "the data hold a part of the contact: compare p at their nodes, though they do "
                  "not determine a, b, P and the largest p");

@@ -234,8 +234,8 @@ int pressure(const ComputeOptions& o) {
             others.push_back(row.group);
         }
     }
-    const bool no_shear =
-        !c.scene.shear && !c.scene.steps.empty() && ask.quantities.erase(QuantityGroup::shear) > 0;
+    const bool no_shear = !c.scene.shear && !c.scene.steps.empty() &&
+                          o.word("quantities").find("shear") != std::string::npos;
     // Values of the whole contact are given alone if no pressures are requested with them.
     const auto of_contact = [](QuantityGroup group) {
         return group == QuantityGroup::contact || group == QuantityGroup::peak;

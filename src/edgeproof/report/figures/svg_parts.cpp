@@ -72,10 +72,21 @@ std::vector<Scale::Tick> Scale::ticks() const {
     if (logarithmic_) {
         const Real first = ceil(low_ - Real(1e-9));
         const Real last = floor(high_ + Real(1e-9));
+        if (last - first < 1) { // fewer than two powers of ten
+            for (Real k = floor(low_); k <= high_; k += 1) {
+                for (const int digit : {1, 2, 5}) {
+                    const Real value = digit * pow(Real(10), k);
+                    if (const Real at = part(value); at > Real(-1e-9) && at < 1 + Real(1e-9)) {
+                        all.push_back({at, value, fmt::format("{:g}", value.convert_to<double>())});
+                    }
+                }
+            }
+            return all;
+        }
         const int every = static_cast<int>(last - first) / most_decades + 1;
         for (Real k = first; k <= last; k += every) {
             all.push_back({Real((k - low_) / (high_ - low_)), Real(pow(Real(10), k)),
-                           fmt::format("10<tspan dy=\"-5\" font-size=\"9\">{}</tspan>",
+                           fmt::format("10<tspan dy=\"-5\" font-size=\"10\">{}</tspan>",
                                        static_cast<int>(k))});
         }
         return all;

@@ -3,11 +3,13 @@
 
 #include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/precision/message.hpp"
+#include "edgeproof/report/tables/table.hpp"
 #include "edgeproof/report/text/escape.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace edgeproof::report {
 namespace {
@@ -118,40 +120,38 @@ std::string unaccepted_line(const audit::AuditResult& result) {
                : fmt::format("{} of the certificates do not count (docs/certificates.md)\n", count);
 }
 
-/// Returns a row for each verdict that occurs: the number of claims, their bases (audit::Basis),
-/// and the number for which a theorem proves a part (`certificate`), in columns separated by
-/// spaces.
+/// A row for each verdict that occurs: the number of claims, their bases (audit::Basis), and the
+/// number for which a theorem proves a part.
 std::string bases_table(const audit::AuditResult& result) {
     using audit::ClaimResult;
-    std::string text = fmt::format("{:<14}  {:>6}", "verdict", "claims");
+    Table table;
+    table.columns = {{"verdict", Column::Kind::text}, {"claims"}};
     for (const audit::Basis basis : audit::all_bases) {
-        text += fmt::format("  {:>10}", name_of(basis));
+        table.columns.push_back({std::string(name_of(basis))});
     }
-    text += "  also a theorem of part\n";
+    table.columns.push_back({"also a theorem of part"});
     const auto row = [&](std::string_view name, const auto& counted) {
+        std::vector<std::string> cells{std::string(name)};
         const auto count = [&](const auto& holds) {
-            return std::count_if(result.claims.begin(), result.claims.end(),
-                                 [&](const ClaimResult& r) { return counted(r) && holds(r); });
+            cells.push_back(std::to_string(std::ranges::count_if(
+                result.claims, [&](const ClaimResult& r) { return counted(r) && holds(r); })));
         };
-        const auto all = count([](const ClaimResult&) { return true; });
-        if (all == 0) {
-            return;
-        }
-        text += fmt::format("{:<14}  {:>6}", name, all);
+        count([](const ClaimResult&) { return true; });
         for (const audit::Basis basis : audit::all_bases) {
-            text += fmt::format("  {:>10}",
-                                count([&](const ClaimResult& r) { return basis_of(r) == basis; }));
+            count([&](const ClaimResult& r) { return basis_of(r) == basis; });
         }
-        text += fmt::format("  {:>22}\n", count([](const ClaimResult& r) {
-                                return r.certificate && r.certificate->accepted &&
-                                       !r.certificate->whole_verdict;
-                            }));
+        count([](const ClaimResult& r) {
+            return r.certificate && r.certificate->accepted && !r.certificate->whole_verdict;
+        });
+        if (cells[1] != "0") {
+            table.rows.push_back(std::move(cells));
+        }
     };
     for (const audit::Verdict verdict : audit::all_verdicts) {
         row(name_of(verdict), [&](const ClaimResult& r) { return r.outcome.verdict == verdict; });
     }
     row("all", [](const ClaimResult&) { return true; });
-    return text;
+    return aligned_lines(table, 0, false);
 }
 
 } // namespace
@@ -240,25 +240,30 @@ std::string samples_text(const audit::ClaimResult& r, double most) {
 
 std::string profile_table(const audit::AuditResult& result) {
     std::vector<const audit::ClaimResult*> claims;
-    std::size_t widest = std::string_view("claim").size();
     double all = 0;
     for (const audit::ClaimResult& r : result.claims) {
         if (r.seconds) {
             claims.push_back(&r);
-            widest = std::max(widest, r.claim.id.size());
             all += *r.seconds;
         }
     }
-    std::stable_sort(claims.begin(), claims.end(),
-                     [](const auto* x, const auto* y) { return *x->seconds > *y->seconds; });
-    std::string text = fmt::format("{:<{}}  {:<14}  {:<14}  {:>8}  {:>6}  samples\n", "claim",
-                                   widest, "kind", "verdict", "seconds", "share");
+    std::ranges::stable_sort(claims, std::greater(), [](const auto* r) { return *r->seconds; });
+    using Kind = Column::Kind;
+    Table table;
+    table.columns = {{"claim", Kind::text},
+                     {"kind", Kind::text},
+                     {"verdict", Kind::text},
+                     {"seconds"},
+                     {"share"},
+                     {"samples", Kind::text}};
     for (const audit::ClaimResult* r : claims) {
-        text += fmt::format("{:<{}}  {:<14}  {:<14}  {:>8.3f}  {:>5.1f}%  {}\n", r->claim.id,
-                            widest, r->claim.kind, name_of(r->outcome.verdict), *r->seconds,
-                            all > 0 ? 100 * *r->seconds / all : 0, samples_text(*r, result.digits));
+        table.rows.push_back({r->claim.id, r->claim.kind, std::string(name_of(r->outcome.verdict)),
+                              fmt::format("{:.3f}", *r->seconds),
+                              fmt::format("{:.1f}%", all > 0 ? 100 * *r->seconds / all : 0),
+                              samples_text(*r, result.digits)});
     }
-    return text + fmt::format("{:<{}}  {:<14}  {:<14}  {:>8.3f}\n", "all", widest, "", "", all);
+    table.rows.push_back({"all", "", "", fmt::format("{:.3f}", all), "", ""});
+    return aligned_lines(table, 0, false);
 }
 
 } // namespace edgeproof::report

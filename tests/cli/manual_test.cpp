@@ -64,7 +64,7 @@ TEST_CASE("help of the keys of files, by their schemas") {
     const Folder folder;
     for (const auto& [kind, words] :
          {std::pair{"scene", "\n  contact_modulus"}, std::pair{"recipe", "\nscenes"},
-          std::pair{"ledger", "\nclaim"}, std::pair{"design", "\n  maximise"}}) {
+          std::pair{"ledger", "\nclaim"}}) {
         const Outcome o = run(folder, std::string("help ") + kind);
         CHECK(o.code == 0);
         CHECK_MESSAGE(has(o.out, words), o.out);

@@ -37,7 +37,7 @@ template <class Options> struct Command {
 
 /// Gives each command its group in the help, and its example. Called once, after all are added.
 void set_help(CLI::App& app);
-/// Returns the keys of a scene, a design, a recipe or a ledger, by its JSON schema.
+/// Returns the keys of a scene, a recipe or a ledger, by its JSON schema.
 [[nodiscard]] std::string help_of_keys(const std::string& kind);
 
 /// Adds a subcommand. If it is chosen, `run` is called with its options and returns the exit

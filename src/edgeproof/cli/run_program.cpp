@@ -45,8 +45,8 @@ int run_program(int argc, char** argv, std::initializer_list<AddCommand*> comman
     app.require_subcommand(1);
     app.set_version_flag("--version", report::program_lines());
     app.footer(
-        "edgeproof help COMMAND shows the help of a command, edgeproof help scene, design, recipe "
-        "or ledger the keys of such a file.\n"
+        "edgeproof help COMMAND shows the help of a command, edgeproof help scene, recipe or "
+        "ledger the keys of such a file.\n"
         "Exit status: 0 done, and nothing differs or fails; 1 something does; 2 the input was "
         "bad; 130, 143 interrupted (SIGINT, SIGTERM)");
     for (AddCommand* const add : commands) {
@@ -65,7 +65,7 @@ int run_program(int argc, char** argv, std::initializer_list<AddCommand*> comman
     }
     try {
         if (is(1, "help")) { // help COMMAND
-            if (is(2, "scene") || is(2, "design") || is(2, "recipe") || is(2, "ledger")) {
+            if (is(2, "scene") || is(2, "recipe") || is(2, "ledger")) {
                 io::write_output("-", help_of_keys(words[2]));
                 return 0;
             }

@@ -110,7 +110,11 @@ scene::Scene asked_scene(const SceneOptions& o) {
     const Rounding rounding = rounding_of(o.rounding);
     const GivenScene given = given_scene(o.words, shipped_scenes);
     if (given.file.empty()) {
-        o.as_file = scene::scene_text(given.instead);
+        std::vector<std::string> shown = o.words;
+        if (!o.digits.empty()) {
+            shown.push_back("digits=" + o.digits);
+        }
+        o.as_file = scene::scene_text(given_scene(shown, shipped_scenes).instead);
     }
     scene::Scene scene = given.file.empty() ? scene::parse_scene("", "command line", given.instead)
                                             : scene::read_scene(given.file, given.instead);

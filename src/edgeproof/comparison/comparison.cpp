@@ -155,22 +155,25 @@ private:
     static double off(double data, double of_exact, double exact) {
         return std::abs((data - of_exact) / exact);
     }
+    void hold_value(const std::string& data_text, double data, double of_exact, double exact,
+                    double tolerance) {
+        const double error = off(data, of_exact, exact);
+        if (!(error <= tolerance)) {
+            fail(fmt::format("{} is off by {} of the exact {:.6g}, more than {} (of the exact "
+                             "pressure at these nodes: {:.6g})",
+                             data_text, percent(error), exact, percent(tolerance), of_exact));
+        }
+    }
     void edge(contact::Edge at) {
         const char* const name = at == contact::Edge::right ? "a" : "b";
         const auto& data = file_.contact.at(at);
         const double exact = exact_.edge(at);
-        const double of_exact = file_.of_exact.at(at).value_or(exact);
         if (!data) {
             fail(fmt::format("{} is not known: no pressure of the data is greater than 0", name));
             return;
         }
-        const double error = off(*data, of_exact, exact);
-        if (!(error <= *tolerances_.edges)) {
-            fail(fmt::format("{} = {:.6g} by the data is off by {} of the exact {:.6g}, more than "
-                             "{} (of the exact pressure at these nodes: {:.6g})",
-                             name, *data, percent(error), exact, percent(*tolerances_.edges),
-                             of_exact));
-        }
+        hold_value(fmt::format("{} = {:.6g} by the data", name, *data), *data,
+                   file_.of_exact.at(at).value_or(exact), exact, *tolerances_.edges);
     }
     void force() {
         const auto missing = [this](contact::Edge at) {
@@ -180,15 +183,9 @@ private:
             fail("P is not known: the data end inside the contact");
             return;
         }
-        const double exact = exact_.force().value;
-        const double error = off(*file_.contact.force, *file_.of_exact.force, exact);
-        if (!(error <= *tolerances_.force)) {
-            fail(
-                fmt::format("P = {:.6g} by the data is off by {} of the exact {:.6g}, more than {} "
-                            "(of the exact pressure at these nodes: {:.6g})",
-                            *file_.contact.force, percent(error), exact,
-                            percent(*tolerances_.force), *file_.of_exact.force));
-        }
+        const double P = *file_.contact.force;
+        hold_value(fmt::format("P = {:.6g} by the data", P), P, *file_.of_exact.force,
+                   exact_.force().value, *tolerances_.force);
     }
     void coefficient(contact::Edge edge) {
         const auto& fit = file_.fits[index_of(edge)];
@@ -199,18 +196,14 @@ private:
             return;
         }
         const double of_exact = fit->own_edge ? exact : fit->c0.of_exact;
-        const double error = off(fit->c0.value, of_exact, exact);
         if (!fit->own_edge && !(off(of_exact, exact, exact) <= most_of_rule)) {
             fail(fmt::format("{} is not determined: the same fit of the exact pressure at these "
                              "nodes gives {:.6g}, but the exact value is {:.6g}",
                              name, of_exact, exact));
         }
-        if (!(error <= *tolerances_.c0)) {
-            fail(fmt::format("{} by the data, {:.6g} +- {:.2g}, is off by {} of the exact {:.6g}, "
-                             "more than {} (of the exact pressure at these nodes: {:.6g})",
-                             name, fit->c0.value, fit->c0.spread, percent(error), exact,
-                             percent(*tolerances_.c0), of_exact));
-        }
+        hold_value(
+            fmt::format("{} by the data, {:.6g} +- {:.2g},", name, fit->c0.value, fit->c0.spread),
+            fit->c0.value, of_exact, exact, *tolerances_.c0);
     }
 
     FileComparison& file_;
@@ -369,7 +362,8 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
         file.contact.mean_element > 0 ? exact.length() / file.contact.mean_element : 1,
         exact.scale().mean));
     if (suspects != nullptr && file.all.peak > least) {
-        file.diagnosis = diagnose(file.table, file.data, file.contact, *suspects, exact, own_error);
+        file.diagnosis =
+            diagnose_pressure(file.table, file.data, file.contact, *suspects, exact, own_error);
     }
     if (file.passes() && file.diagnosis && file.diagnosis->too_few &&
         file.diagnosis->causes.empty()) {

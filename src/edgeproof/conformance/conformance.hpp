@@ -9,7 +9,6 @@
 ///   answers/program_driver.hpp asks a program in batches
 ///   answers/agreement.hpp      correct digits, ulps, and the position in the contact
 ///   causes/convention.hpp      failures that another convention or interpretation explains
-///   causes/fit.hpp             how well a cause explains failures
 #include "edgeproof/conformance/answers/agreement.hpp"
 #include "edgeproof/conformance/answers/answers.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/io/csv.hpp"
 
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -11,13 +12,6 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r";
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t from = text.find_first_not_of(blanks);
-    return from == std::string_view::npos
-               ? std::string_view{}
-               : text.substr(from, text.find_last_not_of(blanks) - from + 1);
-}
 
 /// Returns the separator of a header line, outside its quotes: a comma, or else a tab, or else a
 /// semicolon.
@@ -57,35 +51,16 @@ void throw_fault(const Csv& csv, const Csv::Row& row) {
         .at(csv.file, row.line);
 }
 
-constexpr std::size_t block_bytes = 1U << 20U;
-
-} // namespace
-
-/// Parses rows of a text that may be given in parts.
-class CsvReader::Parser {
+/// Parses the rows of a text.
+class Parser {
 public:
-    enum class Got {
-        row,
-        end,
-        part ///< the text ends within a row or a note: more text is needed
-    };
+    explicit Parser(std::string_view text) : text_(text) {}
 
-    /// Sets the text from the current position on; `whole`: it is complete.
-    void go_on(std::string_view text, bool whole) {
-        text_ = text;
-        at_ = 0;
-        whole_ = whole;
-    }
-    [[nodiscard]] std::size_t at() const { return at_; }
-
-    /// Reads the next row that is neither a note nor blank. The first row determines the separator.
-    Got next(Csv& csv, Csv::Row& row) {
+    /// Reads the next row that is neither a note nor blank, with its fault if it breaks the rules;
+    /// returns false after the last. The first row determines the separator.
+    bool next(Csv& csv, Csv::Row& row) {
         while (at_ < text_.size()) {
-            const std::size_t found = text_.find('\n', at_);
-            const std::size_t end = std::min(found, text_.size());
-            if (found == std::string_view::npos && !whole_) {
-                return Got::part;
-            }
+            const std::size_t end = std::min(text_.find('\n', at_), text_.size());
             const std::string_view line = text_.substr(at_, end - at_);
             const std::size_t first = line.find_first_not_of(blanks);
             const bool blank = first == std::string_view::npos && !has_cells(line);
@@ -94,16 +69,17 @@ public:
                     separator_ = separator_of(line);
                     csv.separator = separator_;
                 }
-                return read(row) ? Got::row : Got::part;
+                read(row);
+                return true;
             }
             if (!blank) {
-                csv.notes.emplace_back(trimmed(line.substr(first + 1)));
+                csv.notes.emplace_back(trimmed(line.substr(first + 1), blanks));
                 csv.note_lines.push_back(line_);
             }
             at_ = std::min(end + 1, text_.size());
             ++line_;
         }
-        return whole_ ? Got::end : Got::part;
+        return false;
     }
     /// The row read was a note; the header is still to come.
     void again() { separator_ = '\0'; }
@@ -120,30 +96,15 @@ private:
         return at >= text_.size() || text_[at] == separator_ || text_[at] == '\n';
     }
 
-    /// Returns false, without reading, if the text ends within the row.
-    bool read(Csv::Row& row) {
-        const std::size_t begin = at_;
-        const std::size_t first_line = line_;
-        row.line = line_;
-        row.fault.clear();
-        std::size_t cells = 0;
-        for (bool more = true; more; ++cells) {
-            if (cells == row.cells.size()) {
-                row.cells.emplace_back();
-            }
-            cell(row.cells[cells], row.fault);
+    void read(Csv::Row& row) {
+        row = {line_, {}};
+        for (bool more = true; more;) {
+            cell(row.cells.emplace_back(), row.fault);
             more = at_ < text_.size() && text_[at_] == separator_;
             at_ += more ? 1 : 0;
         }
-        row.cells.resize(cells);
-        if (at_ >= text_.size() && !whole_) {
-            at_ = begin;
-            line_ = first_line;
-            return false;
-        }
         at_ = std::min(at_ + 1, text_.size()); // the line end
         ++line_;
-        return true;
     }
     /// Reads a cell up to the separator or the line end, which is not consumed.
     void cell(std::string& cell, std::string& fault) {
@@ -151,7 +112,6 @@ private:
         skip_blanks();
         if (at_ < text_.size() && text_[at_] == '"') {
             ++at_;
-            cell.clear();
             quoted(cell, fault);
             return;
         }
@@ -161,7 +121,7 @@ private:
             }
             ++at_;
         }
-        cell = trimmed(text_.substr(from, at_ - from));
+        cell = trimmed(text_.substr(from, at_ - from), blanks);
     }
     void quoted(std::string& cell, std::string& fault) {
         while (at_ < text_.size()) {
@@ -192,8 +152,9 @@ private:
     std::size_t at_ = 0;
     std::size_t line_ = 1;
     char separator_ = '\0';
-    bool whole_ = true;
 };
+
+} // namespace
 
 std::optional<std::size_t> Csv::column(std::string_view name) const {
     const auto at = std::find(header.cells.begin(), header.cells.end(), name);
@@ -202,88 +163,44 @@ std::optional<std::size_t> Csv::column(std::string_view name) const {
                : std::optional(static_cast<std::size_t>(at - header.cells.begin()));
 }
 
-CsvReader::CsvReader(std::string_view text, const std::string& file)
-    : parser_(std::make_unique<Parser>()) {
-    head_.file = file;
+Csv parse_csv(std::string_view text, const std::string& file, const CsvReading& reading) {
+    Csv csv;
+    csv.file = file;
+    std::string converted;
     if (is_utf16(text)) {
-        block_ = utf8_text(std::string(text), file);
-        text = block_;
+        converted = utf8_text(std::string(text), file);
+        text = converted;
     }
     check_encoding(text, file);
-    if (text.starts_with(byte_order_mark)) {
-        text.remove_prefix(byte_order_mark.size());
-    }
-    parser_->go_on(text, true);
-    begin();
-}
-
-CsvReader::CsvReader(const std::filesystem::path& file, const std::string& what)
-    : file_(std::make_unique<TextReader>(file, what)), parser_(std::make_unique<Parser>()) {
-    head_.file = input_name(file);
-    bool more = true;
-    // All of a text in UTF-16 is read at once, since it is converted as a whole.
-    while (more && (block_.find('\n') == std::string::npos || is_utf16(block_))) {
-        more = file_->read(block_, block_bytes);
-    }
-    block_ = utf8_text(std::move(block_), head_.file);
-    check_encoding(block_, head_.file);
-    if (block_.starts_with(byte_order_mark)) {
-        block_.erase(0, byte_order_mark.size());
-    }
-    parser_->go_on(block_, !more);
-    begin();
-}
-
-CsvReader::~CsvReader() = default;
-
-void CsvReader::begin() {
+    text.remove_prefix(text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
+    Parser parser(text);
     // A spreadsheet quotes a note that contains a separator.
     for (bool note = true; note;) {
-        if (!next(head_.header)) {
+        if (!parser.next(csv, csv.header)) {
             throw InputError("there is no header line", "write the names of the columns first")
-                .at(head_.file, 1);
+                .at(file, 1);
         }
-        const std::string& first = head_.header.cells.front();
+        const std::string& first = csv.header.cells.front();
         note = first.starts_with('#');
         if (note) {
-            head_.notes.emplace_back(trimmed(std::string_view(first).substr(1)));
-            head_.note_lines.push_back(head_.header.line);
-            parser_->again();
+            csv.notes.emplace_back(trimmed(std::string_view(first).substr(1), blanks));
+            csv.note_lines.push_back(csv.header.line);
+            parser.again();
         }
     }
-    if (!head_.header.fault.empty()) {
-        throw_fault(head_, head_.header);
+    if (!csv.header.fault.empty()) {
+        throw_fault(csv, csv.header);
     }
-}
-
-bool CsvReader::next(Csv::Row& row) {
-    Parser::Got got = Parser::Got::part;
-    while ((got = parser_->next(head_, row)) == Parser::Got::part) {
-        block_.erase(0, parser_->at());
-        const bool more = file_->read(block_, std::max(block_bytes, block_.size()));
-        parser_->go_on(block_, !more);
-    }
-    return got == Parser::Got::row;
-}
-
-Csv parse_csv(std::string_view text, const std::string& file, const CsvReading& reading) {
-    CsvReader reader(text, file);
-    std::vector<Csv::Row> rows;
-    bool cut = false;
-    for (Csv::Row row; reader.next(row);) {
-        if (rows.size() >= reading.most_rows) {
-            cut = true;
+    for (Csv::Row row; parser.next(csv, row);) {
+        if (csv.rows.size() >= reading.most_rows) {
+            csv.cut = true;
             break;
         }
         if (!row.fault.empty() && !reading.keep_faults) {
-            throw_fault(reader.head(), row);
+            throw_fault(csv, row);
         }
-        rows.push_back(std::move(row));
-        row = {};
+        csv.rows.push_back(std::move(row));
     }
-    Csv csv = reader.head();
-    csv.rows = std::move(rows);
-    csv.cut = cut;
     return csv;
 }
 

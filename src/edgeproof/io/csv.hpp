@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/io/text_file.hpp"
-
 #include <cstddef>
-#include <filesystem>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,39 +39,9 @@ struct CsvReading {
     std::size_t most_rows = std::numeric_limits<std::size_t>::max(); ///< the rest is not read
 };
 
-/// Reads rows one by one. A file is read as needed; only one block, or the longest row, is kept in
-/// memory, but all of a file in UTF-16.
-class CsvReader {
-public:
-    /// Throws InputError for a text without a header line, for a text in UTF-16 without a byte
-    /// order mark or with lines that end in CR alone, and as TextReader and utf8_text() do.
-    CsvReader(std::string_view text, const std::string& file);
-    CsvReader(const std::filesystem::path& file, const std::string& what);
-    ~CsvReader();
-    CsvReader(const CsvReader&) = delete;
-    CsvReader& operator=(const CsvReader&) = delete;
-
-    /// The header and the notes read so far; no rows.
-    [[nodiscard]] const Csv& head() const { return head_; }
-    /// The bytes of the file read so far.
-    [[nodiscard]] std::size_t bytes() const { return file_ ? file_->bytes() : 0; }
-    /// The bytes of the file in memory.
-    [[nodiscard]] std::size_t kept() const { return block_.size(); }
-    /// Reads the next row, with its fault if it breaks the rules; returns false after the last row.
-    [[nodiscard]] bool next(Csv::Row& row);
-
-private:
-    class Parser;
-    void begin();
-
-    Csv head_;
-    std::unique_ptr<TextReader> file_; ///< null: the source is a text
-    std::string block_;                ///< a part of the file
-    std::unique_ptr<Parser> parser_;
-};
-
-/// Throws InputError as CsvReader does, and for a row that breaks the rules unless such rows are
-/// kept.
+/// Throws InputError for a text without a header line, for a text in UTF-16 without a byte order
+/// mark or with lines that end in CR alone, as utf8_text() does, and for a row that breaks the
+/// rules unless such rows are kept.
 [[nodiscard]] Csv parse_csv(std::string_view text, const std::string& file,
                             const CsvReading& reading = {});
 

@@ -7,7 +7,9 @@
 
 #include <boost/locale/utf.hpp>
 
+#include <algorithm>
 #include <atomic>
+#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <optional>
@@ -56,69 +58,73 @@ std::string input_name(const std::filesystem::path& file) {
     return file == "-" ? "stdin" : file.string();
 }
 
-TextReader::TextReader(const std::filesystem::path& file, const std::string& what, std::size_t most)
-    : name_(input_name(file)), give_("give the path of a " + what), in_(&opened_), most_(most) {
+std::string read_text(const std::filesystem::path& file, const std::string& what,
+                      std::size_t most) {
+    const std::string name = input_name(file);
+    const std::string give = "give the path of a " + what;
+    const auto refuse = [&](const std::string& problem, const std::string& instead) {
+        throw InputError(problem, instead).at(name, 0);
+    };
     const bool standard = file == "-";
     static std::atomic<bool> taken = false;
     if (standard && taken.exchange(true)) {
-        refuse("standard input has been read already", give_ + " where - stands again");
+        refuse("standard input has been read already", give + " where - stands again");
     }
     std::error_code error;
     if (!standard && std::filesystem::is_directory(file, error)) {
-        refuse("this is a folder, not a file", give_);
+        refuse("this is a folder, not a file", give);
     }
     if (!standard && !std::filesystem::exists(file, error)) {
         refuse(std::filesystem::is_symlink(file, error)
                    ? "this is a link to a file that is not there"
                    : "there is no such file",
-               give_);
+               give);
     }
     // A pipe without a name (`<(command)`) has no canonical path. One with a name may never get a
     // writer, and opening it would wait for ever.
     if (!standard && std::filesystem::is_fifo(file, error) &&
         !std::filesystem::canonical(file, error).empty()) {
-        refuse("this is a named pipe, not a file", "read it as standard input: - < " + name_);
+        refuse("this is a named pipe, not a file", "read it as standard input: - < " + name);
     }
-    if (standard) {
-        in_ = &std::cin;
-    } else {
-        opened_.open(file, std::ios::binary);
+    std::ifstream opened;
+    if (!standard) {
+        opened.open(file, std::ios::binary);
         remember_input(file);
     }
-    if (!*in_) {
+    std::istream& in = standard ? std::cin : opened;
+    if (!in) {
         refuse("the file cannot be read", "check its permissions");
     }
-}
-
-bool TextReader::read(std::string& text, std::size_t bytes) {
-    const std::size_t had = text.size();
-    if (*in_) {
-        text.resize(had + bytes);
-        in_->read(text.data() + had, static_cast<std::streamsize>(bytes));
-        text.resize(had + static_cast<std::size_t>(in_->gcount()));
-    }
-    if (in_->bad()) {
-        refuse("the file cannot be read", "check its permissions");
-    }
-    done_ += text.size() - had;
-    if (done_ > most_) {
-        refuse("the file holds more than " + std::to_string(most_) + " bytes", give_);
-    }
-    return text.size() > had;
-}
-
-void TextReader::refuse(const std::string& problem, const std::string& instead) const {
-    throw InputError(problem, instead).at(name_, 0);
-}
-
-std::string read_text(const std::filesystem::path& file, const std::string& what,
-                      std::size_t most) {
     constexpr std::size_t block = 1U << 16U;
-    TextReader reader(file, what, most);
     std::string text;
-    while (reader.read(text, block)) {
+    while (in) {
+        const std::size_t had = text.size();
+        text.resize(had + block);
+        in.read(text.data() + had, block);
+        text.resize(had + static_cast<std::size_t>(in.gcount()));
+        if (text.size() > most) {
+            refuse("the file holds more than " + std::to_string(most) + " bytes", give);
+        }
+    }
+    if (in.bad()) {
+        refuse("the file cannot be read", "check its permissions");
     }
     return text;
+}
+
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    std::ranges::transform(lower, lower.begin(), [](char c) {
+        return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    });
+    return lower;
+}
+
+std::string_view trimmed(std::string_view text, std::string_view blanks) {
+    const std::size_t from = text.find_first_not_of(blanks);
+    return from == std::string_view::npos
+               ? std::string_view{}
+               : text.substr(from, text.find_last_not_of(blanks) - from + 1);
 }
 
 bool is_utf16(std::string_view text) {

@@ -134,24 +134,3 @@ TEST_CASE("check --exec: the standard error of a program is handed on, and is th
               "the program answers nothing; " + cause));
     CHECK_FALSE(has(check("echo no module named scipy >&2; sh hertz.sh").out, cause));
 }
-
-TEST_CASE("check: a file of thousands of answers") {
-    const Folder folder;
-    // 3-4-5 and 5-12-13 triangles, some values wrong; one id occurs twice, and a row is torn.
-    std::string text = "# questions: 6000\n" + header;
-    for (int k = 0; k < 5500; ++k) {
-        const bool wrong = k % 1100 == 7;
-        const char* const value = k % 2 == 0 ? wrong ? "0.31" : "0.3" : wrong ? "0.5" : "0.4";
-        text += k == 5200 ? std::string("torn\n")
-                          : "q" + std::to_string(k == 5300 ? 17 : k) + hertz_cells + "p," +
-                                (k % 3 == 0 ? "right," : "left,") + (k % 2 == 0 ? "0.2" : "0.4") +
-                                "," + value + "\n";
-    }
-    folder.write("a.csv", text);
-    const Outcome o = run(folder, "check a.csv --errors 4");
-    CHECK(o.code == 1);
-    CHECK(has(o.out, "a.csv:5303: q17 is answered twice, first in line 20"));
-    CHECK(lines(o.out).front() ==
-          "FAIL: 5498 answers, 5 failures, 3 faults of the rows or the "
-          "program");
-}

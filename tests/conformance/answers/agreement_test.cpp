@@ -242,21 +242,15 @@ TEST_CASE("inputs are repeated by value: 0.0 for 0, 0.001 for 1e-3; another numb
     CHECK(faults(row("0", "0.0011", "0")) == 1);
 }
 
-TEST_CASE("a bounded number of failing rows is kept, with their own contacts") {
-    const Answers answers =
-        answered("1" + hertz_cells + "p,right,0.2,0.6\n2" + hertz_cells + "p,right,0.4,0.4\n3" +
-                 hertz_cells + "p,left,0.4,0.8\n4" + hertz_cells + "p,left,0.3,0.7\n");
-    const Agreements agreements = held(answers);
-    FailingRows failing;
-    for (std::size_t k = 0; k < FailingRows::most / 3; ++k) {
-        failing.add(answers, agreements);
+TEST_CASE("of many failing rows the first are searched for causes") {
+    std::string rows;
+    for (std::size_t k = 0; k < most_failing + 100; ++k) {
+        rows +=
+            std::to_string(k) + hertz_cells + "p,right,0.2," + (k < most_failing ? "0.6\n" : "5\n");
     }
-    CHECK(failing.seen() == 3 * (FailingRows::most / 3));
-    CHECK_FALSE(failing.cut());
-    for (int k = 0; k < 100; ++k) {
-        failing.add(answers, agreements);
-    }
-    CHECK(failing.kept() == FailingRows::most);
-    CHECK(failing.seen() == 3 * (FailingRows::most / 3 + 100));
-    CHECK(failing.cut());
+    const Answers answers = answered(rows);
+    const auto found = infer_conventions(answers, held(answers), {});
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].name == "factor-2");
+    CHECK(found[0].rows == most_failing);
 }

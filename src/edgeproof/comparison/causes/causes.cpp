@@ -1,66 +1,92 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/causes/causes.hpp"
-#include "edgeproof/comparison/causes/fit.hpp"
+#include "edgeproof/comparison/causes/observed.hpp"
+#include "edgeproof/diagnose/choice.hpp"
+#include "edgeproof/roots/bracketed_root.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
 
 namespace edgeproof::comparison {
 namespace {
 
+using diagnose::Candidate;
+
 constexpr double right_as_a_mesh = 0.003; ///< of the largest pressure: data that need no cause
-constexpr double share_of_error = 0.05;   ///< the least allowance, of the error to be explained
 constexpr double most_of_a_mesh = 0.03;   ///< the largest allowance for a mesh's own error
-constexpr double most_scatters = 2;       ///< that the error of a mistake not excluded may be
-constexpr double as_little = 1.2;
-constexpr std::size_t most_nodes = 1000;
 constexpr double roundoff = 1e-12;
 
-Observed observed_in(const AlignedResult& data, const DataContact& contact,
-                     const ExactContact& exact) {
-    Observed observed{{data, {}}, {}, std::max(contact.element[0], contact.element[1]), {}};
-    const std::size_t step = (data.nodes.size() + most_nodes - 1) / most_nodes;
-    for (std::size_t i = 0; i < data.nodes.size(); i += std::max<std::size_t>(1, step)) {
-        observed.nodes.nodes.push_back(i);
-    }
-    for (const ContactKnot& knot : exact.knots()) {
-        if (knot.corner) {
-            observed.corners.push_back(knot.x);
-        }
-    }
-    return observed;
+double median_of(std::vector<double> list) {
+    return list.empty() ? 1 : diagnose::sorted_at(std::move(list), 0.5);
 }
 
-/// A mistake that may have led to the data.
-struct Candidate {
-    const Suspect* suspect = nullptr;
-    Fit fit;
+/// The mesh's own error that is allowed, and the error to be explained.
+struct Unexplained {
+    double allowance = 0;
+    double size = 0; ///< the root mean square
 };
 
-/// Returns the most likely first, without those that leave clearly more than the best one and that
-/// the data exclude.
-std::vector<Cause> ranked(std::vector<Candidate> candidates, const Observed& data, double factor) {
-    // Mistakes of the same effect stay in the order of the catalogue.
-    std::ranges::stable_sort(
-        candidates, {}, [](const Candidate& one) { return std::round(one.fit.left / roundoff); });
-    std::vector<Cause> causes;
-    for (const Candidate& one : candidates) {
-        const Candidate& best = candidates.front();
-        if (one.fit.left <= as_little * best.fit.left + roundoff ||
-            !is_excluded(data, *one.suspect, *best.suspect)) {
-            causes.push_back({one.suspect->name, one.suspect->what, factor, one.fit.left, {}});
+/// True if what a suspect leaves is a part of the error, in the mean over all nodes, too: a fit is
+/// judged by the nodes that the suspect changes.
+bool leaves_little(const Left& left, const Unexplained& error) {
+    return left.rms < share_left * error.size;
+}
+
+/// What a suspect leaves, if it explains the data.
+std::optional<Left> explained_by(const Observed& data, const Suspect& suspect,
+                                 const Unexplained& error) {
+    auto left = left_by(data, suspect);
+    return left && leaves_little(*left, error) && fit_of(left->rows, 0, error.allowance)
+               ? left
+               : std::nullopt;
+}
+
+/// The causes that the data do not distinguish, the most likely first.
+std::vector<Cause> causes_among(const std::vector<Suspect>& suspects, const Observed& data,
+                                const Unexplained& error) {
+    std::vector<Candidate> likely;
+    std::vector<Candidate> others;
+    std::vector<double> rms(suspects.size());
+    for (std::size_t i = 0; i < suspects.size(); ++i) {
+        const auto left = left_by(data, suspects[i]);
+        if (!left) {
+            continue;
         }
+        rms[i] = left->rms;
+        Candidate candidate{suspects[i].name, suspects[i].what, "", 1, Candidate::mistake, i};
+        auto fit = leaves_little(*left, error) ? fit_of(left->rows, 0, error.allowance)
+                                               : std::optional<diagnose::Fit>();
+        candidate.fit = fit ? std::move(*fit) : remainder_of(left->rows);
+        (fit ? likely : others).push_back(std::move(candidate));
     }
-    for (std::size_t i = 0; i < causes.size(); ++i) { // variants of one mistake
-        const auto rest = causes.begin() + static_cast<std::ptrdiff_t>(i) + 1;
-        causes.erase(std::remove_if(rest, causes.end(),
-                                    [&one = causes[i]](const Cause& other) {
-                                        return other.name == one.name && other.what == one.what;
-                                    }),
-                     causes.end());
+    if (likely.empty()) {
+        return {};
+    }
+    double noise = error.allowance / 3;
+    const double unit = unit_of(likely, noise);
+    const double most = most_misfit(likely, unit, likely.front().fit.off.size(),
+                                    [](const Candidate& c) { return c.fit; });
+    std::ranges::copy_if(others, std::back_inserter(likely),
+                         [&](const Candidate& c) { return misfit(c.fit, unit) <= most; });
+    keep_best(likely, noise);
+    // Mistakes of the same effect stay in the order of the catalogue.
+    std::ranges::sort(likely, {}, [&](const Candidate& c) {
+        return std::pair(std::round(rms[*c.source] / roundoff), *c.source);
+    });
+    const double factor = median_of(data.ratios());
+    std::vector<Cause> causes;
+    for (const Candidate& one : likely) {
+        const bool known = std::ranges::any_of(causes, [&](const Cause& other) {
+            return other.name == one.name && other.what == one.what;
+        });
+        if (!known) {
+            causes.push_back({one.name, one.what, factor, rms[*one.source], {}});
+        }
     }
     for (Cause& cause : causes) {
         for (const Cause& other : causes) {
@@ -75,59 +101,94 @@ std::vector<Cause> ranked(std::vector<Candidate> candidates, const Observed& dat
     return causes;
 }
 
+/// The ratio of the data to the exact values, if it explains the data as a cause would.
+std::optional<CommonFactor> common_factor(const Observed& data, const Unexplained& error,
+                                          double& noise) {
+    std::vector<double> ratios = data.ratios();
+    std::erase_if(ratios, [](double ratio) { return ratio == 0; });
+    const double factor = median_of(ratios);
+    Suspect scaled = data.right;
+    for (double& value : scaled.values) {
+        value *= factor;
+    }
+    const auto left = explained_by(data, scaled, error);
+    if (!left) {
+        return {};
+    }
+    noise = left->noise;
+    for (double& ratio : ratios) {
+        ratio = std::abs(ratio / factor - 1);
+    }
+    return CommonFactor{factor, diagnose::error_of_median(std::move(ratios)) * std::abs(factor)};
+}
+
+/// The factor of x, if the exact pressure at x over it explains the data. Its error follows from
+/// the scatter of the nodes and the slopes of p.
+std::optional<CommonFactor> stretch_of(const Observed& data, const ExactContact& exact,
+                                       const Unexplained& unexplained, double& noise) {
+    constexpr double most = 2;
+    constexpr int steps = 40;
+    constexpr double small = 1e-4;
+    const auto stretched = [&](double k) {
+        Suspect s{"", "", k * exact.a().value, k * exact.b().value, {}};
+        for (std::size_t i = 0; i < data.nodes.size(); ++i) {
+            s.values.push_back(exact.quick_pressure(data.nodes[i].x / k).value_or(std::nan("")));
+        }
+        return s;
+    };
+    const auto error = [&](double logarithm) {
+        const auto left = left_by(data, stretched(std::exp(logarithm)));
+        return left ? left->rms : std::numeric_limits<double>::infinity();
+    };
+    const double k =
+        std::exp(roots::place_of_minimum(error, -std::log(most), std::log(most), steps));
+    const auto left = explained_by(data, stretched(k), unexplained);
+    if (!left) {
+        return {};
+    }
+    const Suspect wider = stretched(k * (1 + small));
+    const Suspect narrower = stretched(k * (1 - small));
+    double squares = 0;
+    for (std::size_t i = 0; i < data.nodes.size(); ++i) {
+        const double slope = (wider.values[i] - narrower.values[i]) / (2 * small);
+        squares += data.inside(narrower, i) ? slope * slope : 0;
+    }
+    noise = left->noise;
+    return CommonFactor{k, k * noise * exact.scale().value / std::sqrt(squares), true};
+}
+
 /// Noise of some percent needs the floor: the scatter of a few hundred nodes is not known better.
 double allowance_for(double mesh_error, double unexplained) {
+    constexpr double share_of_error = 0.05; // of the error to be explained
     return std::max(std::min(mesh_error, most_of_a_mesh),
                     std::min(right_as_a_mesh, share_of_error * unexplained));
 }
 
-Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
-                            const std::vector<Suspect>& suspects, double mesh_error) {
+Diagnosis diagnose_observed(const Observed& data, const std::vector<Suspect>& suspects,
+                            double mesh_error) {
     Diagnosis diagnosis;
-    const auto as_it_is = fit_of(data, right); // empty if hardly any node lies in the exact contact
-    diagnosis.unexplained = as_it_is ? as_it_is->left : 1;
+    const auto as_it_is = left_by(data, data.right); // empty if hardly any node is in the contact
+    diagnosis.unexplained = as_it_is ? as_it_is->rms : 1;
     diagnosis.too_few = !as_it_is;
     if (as_it_is) {
         diagnosis.noise = as_it_is->noise;
         diagnosis.largest_inside = as_it_is->largest_counted;
         diagnosis.at_edges_only =
-            as_it_is->is_scatter(std::max(right_as_a_mesh, std::min(mesh_error, most_of_a_mesh)));
+            is_noise(remainder_of(as_it_is->rows),
+                     std::max(right_as_a_mesh, std::min(mesh_error, most_of_a_mesh)));
     }
-    const double allowance = allowance_for(mesh_error, diagnosis.unexplained);
-    const double factor = median_ratio(data, right.values);
-    // If one mistake explains the data, those are named with it that the data do not exclude: of
-    // some hundred sets of data, the scale of the right one is off by more than three standard
-    // errors in some.
-    bool explained = false;
-    std::vector<Candidate> candidates;
-    for (const Suspect& suspect : suspects) {
-        const auto fit = fit_of(data, suspect);
-        if (fit && fit->left < diagnosis.unexplained &&
-            fit->is_scatter(allowance, most_errors, most_scatters)) {
-            candidates.push_back({&suspect, *fit});
-            explained = explained || explains(*fit, allowance, diagnosis.unexplained);
-        }
-    }
-    if (explained) {
-        diagnosis.causes = ranked(std::move(candidates), data, factor);
-    }
+    const Unexplained error{allowance_for(mesh_error, diagnosis.unexplained),
+                            diagnosis.unexplained};
+    diagnosis.causes = causes_among(suspects, data, error);
     if (diagnosis.causes.empty() && as_it_is) {
-        if (auto cause = alternation(data, right, allowance, diagnosis.unexplained)) {
+        if (auto cause = alternation(data, error.allowance, error.size)) {
             diagnosis.causes.push_back(std::move(*cause));
         }
     }
     if (!diagnosis.causes.empty()) {
         diagnosis.noise = diagnosis.causes.front().scatter;
     } else if (as_it_is && !diagnosis.at_edges_only) {
-        Suspect scaled = right;
-        for (double& value : scaled.values) {
-            value *= as_it_is->scale;
-        }
-        const auto fit = fit_of(data, scaled);
-        if (fit && explains(*fit, allowance, diagnosis.unexplained)) {
-            diagnosis.factor = {as_it_is->scale, fit->scale_error * std::abs(as_it_is->scale)};
-            diagnosis.noise = fit->noise;
-        }
+        diagnosis.factor = common_factor(data, error, diagnosis.noise);
     }
     return diagnosis;
 }
@@ -135,7 +196,7 @@ Diagnosis diagnose_observed(const Observed& data, const Suspect& right,
 /// The scene under the force that the data carry. The rule for it is applied to its exact pressure,
 /// too, to correct the error of the rule.
 std::optional<Cause> own_force(const Observed& data, double force, SuspectContacts& suspects,
-                               double allowance, double unexplained) {
+                               const Unexplained& error) {
     const ExactContact* contact = nullptr;
     const auto solve = [&](double P) {
         contact = suspects.with(fmt::format("P = {:.17g}", P), [P](scene::Scene& other) {
@@ -163,40 +224,43 @@ std::optional<Cause> own_force(const Observed& data, double force, SuspectContac
     for (std::size_t i = 0; i < data.nodes.size(); ++i) {
         carried.values.push_back(contact->quick_pressure(data.nodes[i].x).value_or(std::nan("")));
     }
-    const auto fit = fit_of(data, carried);
-    if (!fit || !explains(*fit, allowance, unexplained)) {
+    const auto left = explained_by(data, carried, error);
+    if (!left) {
         return {};
     }
+    Observed by_carried = data;
+    by_carried.right = carried;
     return Cause{
         carried.name,
         fmt::format("the data carry P = {:.5g}; with that force they agree to {:.2g} %: "
                     "another load step{}?",
-                    force, 100 * fit->left,
+                    force, 100 * left->rms,
                     contact->axisymmetric() ? "" : ", or a total force for a force per length"),
-        median_ratio(data, carried.values),
-        fit->left,
+        median_of(by_carried.ratios()),
+        left->rms,
         {}};
 }
 
 } // namespace
 
-Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const DataContact& contact,
-                   SuspectContacts& suspects, const ExactContact& exact, double mesh_error) {
+Diagnosis diagnose_pressure(const ResultTable& table, const AlignedResult& data,
+                            const DataContact& contact, SuspectContacts& suspects,
+                            const ExactContact& exact, double mesh_error) {
     Observed observed = observed_in(data, contact, exact);
-    Suspect right{"", "", exact.a().value, exact.b().value, {}};
     for (std::size_t i = 0; i < observed.nodes.size(); ++i) {
-        const Node& node = observed.nodes[i];
-        observed.values.push_back(node.p);
-        right.values.push_back(node.exact.p.value_or(std::nan("")));
+        observed.values.push_back(observed.nodes[i].p);
+        observed.right.values.push_back(observed.nodes[i].exact.p.value_or(std::nan("")));
     }
-    Diagnosis diagnosis = diagnose_observed(
-        observed, right, pressure_suspects(observed.nodes, suspects, exact), mesh_error);
+    Diagnosis diagnosis =
+        diagnose_observed(observed, pressure_suspects(observed.nodes, suspects, exact), mesh_error);
     if (diagnosis.causes.empty() && !diagnosis.at_edges_only) {
-        const double allowance = allowance_for(mesh_error, diagnosis.unexplained);
-        if (auto cause = own_force(observed, contact.force.value_or(0), suspects, allowance,
-                                   diagnosis.unexplained)) {
+        const Unexplained error{allowance_for(mesh_error, diagnosis.unexplained),
+                                diagnosis.unexplained};
+        if (auto cause = own_force(observed, contact.force.value_or(0), suspects, error)) {
             diagnosis.causes.push_back(std::move(*cause));
             diagnosis.factor.reset();
+        } else if (!diagnosis.factor && !diagnosis.too_few) {
+            diagnosis.factor = stretch_of(observed, exact, error, diagnosis.noise);
         }
     }
     if (diagnosis.at_edges_only && diagnosis.causes.empty()) {
@@ -210,14 +274,12 @@ Diagnosis diagnose(const ResultTable& table, const AlignedResult& data, const Da
 Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
                          SuspectContacts& suspects, const ExactContact& exact, double mesh_error) {
     Observed observed = observed_in(data, contact, exact);
-    Suspect right{"", "", exact.a().value, exact.b().value, {}};
-    for (std::size_t i = 0; i < observed.nodes.size(); ++i) {
-        const auto& shear = observed.nodes[i].shear;
+    for (const std::size_t i : observed.nodes.nodes) {
+        const auto& shear = data.nodes[i].shear;
         observed.values.push_back(shear ? shear->q : 0);
-        right.values.push_back(shear ? shear->exact.value_or(std::nan("")) : std::nan(""));
+        observed.right.values.push_back(shear ? shear->exact.value_or(std::nan("")) : std::nan(""));
     }
-    return diagnose_observed(observed, right, shear_suspects(observed.nodes, suspects, exact),
-                             mesh_error);
+    return diagnose_observed(observed, shear_suspects(observed.nodes, suspects, exact), mesh_error);
 }
 
 namespace {
@@ -233,7 +295,8 @@ constexpr double largest_with_noise = 2;
 
 /// True if rounding by `allowed` at each node explains all errors that count.
 template <class Allowed>
-bool explains(const AlignedResult& data, const ExactContact& exact, const Allowed& allowed) {
+bool rounding_explains(const AlignedResult& data, const ExactContact& exact,
+                       const Allowed& allowed) {
     double largest = 0;
     double squares = 0;
     std::size_t n = 0;
@@ -267,16 +330,17 @@ std::optional<Cause> cause_in_digits(const ResultTable& table, const AlignedResu
         return Cause{name, what, 1, 0, {}};
     };
     const bool few = digits.significant <= most_rounded_digits;
-    if (few && explains(data, exact, significant_unit)) {
+    if (few && rounding_explains(data, exact, significant_unit)) {
         return cause(fmt::format("rounded-to-{}", digits.significant),
                      fmt::format("p is rounded to {} digits", digits.significant));
     }
-    if (few && !digits.exponents && explains(data, exact, decimal_unit)) {
+    if (few && !digits.exponents && rounding_explains(data, exact, decimal_unit)) {
         return cause(fmt::format("rounded-to-{}-decimals", digits.decimals),
                      fmt::format("p is rounded to {} decimals", digits.decimals));
     }
     const double single = units_of_binary32 * std::ldexp(exact.scale().value, -24);
-    if (digits.binary32 && explains(data, exact, [single](const Node&) { return single; })) {
+    if (digits.binary32 &&
+        rounding_explains(data, exact, [single](const Node&) { return single; })) {
         return cause("binary32", "p consists of binary32 numbers, about 7 digits");
     }
     return {};

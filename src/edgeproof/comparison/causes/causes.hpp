@@ -79,6 +79,7 @@ struct Cause {
 struct CommonFactor {
     double value = 1;
     double error = 0;
+    bool of_x = false; ///< of the places, not of the values
 };
 
 struct Diagnosis {
@@ -92,26 +93,20 @@ struct Diagnosis {
     bool too_few = false;        ///< fewer than eight of those nodes lie in the exact contact
     bool largest_inside = false; ///< the largest error is at one of those nodes, not near an edge
     std::vector<Cause> causes;   ///< the most likely first
-    /// If no cause is found: a factor that explains the data as a cause would.
+    /// If no cause is found: a factor of p, q or x that explains the data as a cause would.
     std::optional<CommonFactor> factor;
 };
 
 /// Compares data with the pressures that a program with each known mistake would compute
-/// (pressure_suspects()). A mistake explains the data if three conditions hold: the remaining error
-/// is within the data's own scatter (of second differences from node to node) plus an allowance for
-/// the mesh; the scale of the suspect's values is one within three standard errors (of constant
-/// noise or of noise proportional to the pressure, whichever is larger) plus the allowance; and the
-/// remaining error is less than three tenths of the original one. The allowance is `mesh_error`,
-/// the mesh's own error (measures/measures.hpp), and at most three hundredths of the largest
-/// pressure. Mistakes whose remaining error is
-/// within a fifth of the best are equally likely: the data do not distinguish them. Data that carry
-/// too few digits, or are binary32, and otherwise agree, have that cause. Data that none of these
-/// explains, but the scene under the force that they carry, have the cause another-force. No cause
-/// is proved.
+/// (pressure_suspects()), at nodes away from the edges, by diagnose/fit.hpp and choice.hpp. In
+/// addition to noise, the mesh's own error `mesh_error` (measures/measures.hpp) is allowed, at most
+/// three hundredths of the largest pressure. Data that carry too few digits, or are binary32, and
+/// otherwise agree, have that cause. Data that none of these explains, but the scene under the
+/// force that they carry, have the cause another-force. No cause is proved.
 /// Throws Interrupted.
-[[nodiscard]] Diagnosis diagnose(const ResultTable& table, const AlignedResult& data,
-                                 const DataContact& contact, SuspectContacts& suspects,
-                                 const ExactContact& exact, double mesh_error);
+[[nodiscard]] Diagnosis diagnose_pressure(const ResultTable& table, const AlignedResult& data,
+                                          const DataContact& contact, SuspectContacts& suspects,
+                                          const ExactContact& exact, double mesh_error);
 /// Diagnoses the shear traction, if the pressure is right.
 [[nodiscard]] Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
                                        SuspectContacts& suspects, const ExactContact& exact,

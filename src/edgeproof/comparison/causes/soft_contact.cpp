@@ -2,6 +2,7 @@
 #include "edgeproof/comparison/causes/soft_contact.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/roots/bracketed_root.hpp"
 
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
@@ -113,7 +114,6 @@ SoftContact::SoftContact(const scene::Scene& scene, const ExactContact& exact)
 // The best of the solutions, and then golden section between its neighbours.
 std::optional<SoftContact::Solution>
 SoftContact::fitted(const std::function<double(const Solution&)>& left) const {
-    constexpr double golden = 0.381966011250105;
     double best = left(rigid_) / 2;
     double softness = 0;
     for (const Solution& solution : soft_) {
@@ -125,19 +125,13 @@ SoftContact::fitted(const std::function<double(const Solution&)>& left) const {
     if (softness == 0) {
         return {};
     }
-    double lower = std::log(softness / softness_ratio);
-    double upper = std::log(softness * softness_ratio);
     const auto left_at = [&](double logarithm) {
         const auto solution = solve(std::exp(logarithm));
         return solution ? left(*solution) : std::numeric_limits<double>::infinity();
     };
-    for (int i = 0; i < golden_steps; ++i) {
-        const double one = lower + golden * (upper - lower);
-        const double other = upper - golden * (upper - lower);
-        const bool by_one = left_at(one) < left_at(other);
-        (by_one ? upper : lower) = by_one ? other : one;
-    }
-    return solve(std::exp((lower + upper) / 2));
+    const double ratio = std::log(softness_ratio);
+    return solve(std::exp(roots::place_of_minimum(left_at, std::log(softness) - ratio,
+                                                  std::log(softness) + ratio, golden_steps)));
 }
 
 void SoftContact::find_influences() {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/causes/causes.hpp"
+#include "edgeproof/diagnose/mistakes.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/scene/mistakes/scene_mistakes.hpp"
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ public:
 
     [[nodiscard]] std::vector<Suspect> of_pressure() && {
         factors();
-        for (const scene::SceneMistake& mistake : scene::contact_mistakes(contacts_.scene())) {
+        for (const diagnose::Mistake& mistake : diagnose::contact_mistakes(contacts_.scene())) {
             const auto change = [&](scene::Scene& other) {
                 other = other.without_shear();
                 mistake.change(other);
@@ -61,7 +61,7 @@ public:
         factor("factor-2", "q is half as large", 0.5);
         factor("factor-pi", "q is pi times too large", std::acos(-1));
         factor("factor-pi", "q is pi times too small", 1 / std::acos(-1));
-        for (const scene::SceneMistake& mistake : scene::shear_mistakes(scene)) {
+        for (const diagnose::Mistake& mistake : diagnose::shear_mistakes(scene)) {
             if (const ExactContact* const contact = changed(mistake, mistake.change)) {
                 add(mistake.name, mistake.what, [&](std::size_t i) {
                     return contact->traction(Real(nodes_[i].x), nodes_[i].exact).value_or(no_value);
@@ -99,7 +99,7 @@ private:
         add(name, what, exact_.a().value, exact_.b().value, value);
     }
     /// Null if the changed scene has no contact: if it slides, or slips in the other direction.
-    [[nodiscard]] const ExactContact* changed(const scene::SceneMistake& mistake,
+    [[nodiscard]] const ExactContact* changed(const diagnose::Mistake& mistake,
                                               const std::function<void(scene::Scene&)>& change) {
         return contacts_.with(std::string(mistake.name) + ": " + mistake.what, change);
     }
@@ -116,55 +116,38 @@ private:
     }
 
     void factors() {
-        const auto both_ways = [&](const char* name, const std::string& what, double k) {
-            add(name, "p is " + what + " times too large",
-                [&](std::size_t i) { return k * exact_pressure(i); });
-            add(name, "p is " + what + " times too small",
-                [&](std::size_t i) { return exact_pressure(i) / k; });
+        const double mean = exact_.force().value / exact_.area() / exact_.scale().value;
+        for (const diagnose::NamedFactor& factor : diagnose::named_factors()) {
+            const double named = factor.value.convert_to<double>();
+            constexpr double same = 1e-9;
+            const bool is_mean = factor.name == std::string_view("mean-for-peak");
+            if (named < 0 || (is_mean && std::abs(named / mean - 1) > same)) {
+                continue;
+            }
+            const bool psi = factor.name == std::string_view("unit-psi"); // of Pa, kPa or MPa
+            for (const double k :
+                 psi ? std::vector{named, 1e3 * named, 1e-3 * named} : std::vector{named}) {
+                add(factor.name,
+                    is_mean ? "the mean pressure, taken for the greatest"
+                            : fmt::format("p is {:.6g} times the exact one", k),
+                    [&](std::size_t i) { return k * exact_pressure(i); });
+            }
+        }
+        const double origin = nodes_.data.origin; // undoes the shift that was found
+        const auto scale = [&](const char* name, const std::string& what, double x, double p) {
+            add(name, what, exact_.a().value * x - origin, exact_.b().value * x + origin,
+                [&](std::size_t i) { return p * pressure(exact_, (nodes_[i].x + origin) / x); });
         };
-        const double pi = std::numbers::pi;
-        both_ways("factor-2", "2", 2);
-        both_ways("factor-pi", "pi", pi);
-        both_ways("factor-pi", "2 pi", 2 * pi);
-        both_ways("factor-sqrt-pi", "sqrt(pi)", std::sqrt(pi));
-        const double width = exact_.a().value + exact_.b().value;
-        const double mean =
-            exact_.force().value / (exact_.axisymmetric() ? pi * width * width / 4 : width);
-        const double hertz = exact_.axisymmetric() ? 2.0 / 3 : pi / 4;
-        constexpr double same = 1e-9;
-        if (std::abs(mean / exact_.scale().value / hertz - 1) < same) {
-            add("mean-for-peak", "the mean pressure, taken for the greatest",
-                [&](std::size_t i) { return hertz * exact_pressure(i); });
+        for (const auto& [name, k] : {std::pair{"power-of-ten", 10.0},
+                                      {"power-of-ten", 1e2},
+                                      {"power-of-ten", 1e3},
+                                      {"power-of-ten", 1e6},
+                                      {"unit-inch", 25.4},
+                                      {"full-width-for-half", 2.0}}) {
+            scale(name, fmt::format("x is {:g} times too large", k), k, 1);
+            scale(name, fmt::format("x is {:g} times too large", 1 / k), 1 / k, 1);
         }
-        // K = sqrt(2 pi) c_0: the stress intensity of fracture mechanics.
-        both_ways("factor-sqrt-2-pi", "sqrt(2 pi)", std::sqrt(2 * pi));
-        both_ways("unit-g", "9.80665", 9.80665);
-        // One psi is 6894.757 Pa; one MPa is 145.038 psi.
-        both_ways("unit-psi", "145.038", 1e6 / 6894.757293168);
-        for (const double ten : {1.0, 1e-3, 1e3}) {
-            both_ways("unit-psi", fmt::format("{:g}", 6894.757293168 * ten), 6894.757293168 * ten);
-        }
-        for (const int n : {1, 2, 3, 4, 5, 6, 9}) {
-            both_ways("power-of-ten", fmt::format("1e{}", n), std::pow(10.0, n));
-        }
-        const auto scale = [&](const char* name, double k) {
-            const double origin = nodes_.data.origin; // undoes the shift that was found
-            add(name, fmt::format("x is {:g} times too large", k), exact_.a().value * k - origin,
-                exact_.b().value * k + origin,
-                [&](std::size_t i) { return pressure(exact_, (nodes_[i].x + origin) / k); });
-        };
-        for (const int n : {1, 2, 3, 6}) {
-            scale("power-of-ten", std::pow(10.0, n));
-            scale("power-of-ten", std::pow(10.0, -n));
-        }
-        const double origin = nodes_.data.origin;
-        add("si-units", "x in m and p in Pa, for mm and MPa: --scale x=1e3,p=1e-6",
-            exact_.a().value / 1000 - origin, exact_.b().value / 1000 + origin,
-            [&](std::size_t i) { return 1e6 * pressure(exact_, 1000 * (nodes_[i].x + origin)); });
-        scale("unit-inch", 25.4);
-        scale("unit-inch", 1 / 25.4);
-        scale("full-width-for-half", 2);
-        scale("full-width-for-half", 0.5);
+        scale("si-units", "x in m and p in Pa, for mm and MPa: --scale x=1e3,p=1e-6", 1e-3, 1e6);
     }
 
     /// Finds the best small shift by the derivative of p. Returns nothing if the shift is not
@@ -180,10 +163,8 @@ private:
                 const double step = 1e-4 * length;
                 const double x = node.x - shift;
                 const double margin = 0.05 * length;
-                const bool by_corner = std::ranges::any_of(exact_.knots(), [=](const auto& knot) {
-                    return knot.corner && std::abs(x - knot.x) < margin;
-                });
-                if (by_corner || x > exact_.a().value - margin || x < -exact_.b().value + margin) {
+                if (by_corner(x, 0.05) || x > exact_.a().value - margin ||
+                    x < -exact_.b().value + margin) {
                     continue;
                 }
                 const double p = pressure(exact_, x);
@@ -217,8 +198,7 @@ private:
     void shifts() {
         const double origin = nodes_.data.origin;
         const auto large = large_shift();
-        const auto shift = large ? large : small_shift();
-        if (shift) {
+        if (const auto shift = large ? large : small_shift()) {
             add("shifted-origin",
                 fmt::format(
                     "x is shifted by {:.4g}: --origin {:.10g} if the data are measured from there",
@@ -228,14 +208,15 @@ private:
         }
     }
 
+    [[nodiscard]] bool by_corner(double x, double near) const {
+        return std::ranges::any_of(exact_.knots(), [&](const ContactKnot& knot) {
+            return knot.corner && std::abs(x - knot.x) < near * exact_.length();
+        });
+    }
     /// The exact pressure at the place x, which the data give another coordinate. NaN near a
     /// corner, where the least shift can explain the noise of a node.
     [[nodiscard]] double moved_pressure(double x) const {
-        const double near = 0.02 * exact_.length();
-        const bool by_corner = std::ranges::any_of(exact_.knots(), [=](const auto& knot) {
-            return knot.corner && std::abs(x - knot.x) < near;
-        });
-        return by_corner ? no_value : pressure(exact_, x);
+        return by_corner(x, 0.02) ? no_value : pressure(exact_, x);
     }
 
     /// Adds suspects in which a program confused the coordinate x, as in the data.

@@ -5,62 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 // The digits with which the numbers of a column are written.
 namespace edgeproof::comparison {
-namespace {
-
-struct DecimalForm {
-    bool exact = false; ///< hexadecimal
-    bool with_exponent = false;
-    bool zero = true;
-    int significant = 0; ///< digits from the first that is not 0
-    int carried = 0;     ///< digits from there to the last that is not 0
-    int leading = 0;     ///< the power of ten of the first digit that is not 0
-    int decimals = 0;    ///< after the point, if there is no exponent
-    int carried_decimals = 0;
-};
-
-DecimalForm form_of(std::string_view text) {
-    DecimalForm form;
-    if (text.find_first_of("xX") != std::string_view::npos) {
-        form.exact = true;
-        return form;
-    }
-    text.remove_prefix(text.starts_with('-') || text.starts_with('+') ? 1 : 0);
-    const std::size_t letter = text.find_first_of("eEdD");
-    int exponent = 0;
-    if (letter != std::string_view::npos) {
-        form.with_exponent = true;
-        std::string_view digits = text.substr(letter + 1);
-        digits.remove_prefix(digits.starts_with('+') ? 1 : 0);
-        std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
-        text = text.substr(0, letter);
-    }
-    const std::size_t point = std::min(text.find('.'), text.size());
-    int place = static_cast<int>(point) - 1; // power of ten of the current digit
-    for (const char c : text) {
-        if (c == '.') {
-            continue;
-        }
-        if (form.zero && c != '0') {
-            form.zero = false;
-            form.leading = place + exponent;
-        }
-        form.significant += form.zero ? 0 : 1;
-        if (c != '0') {
-            form.carried = form.significant;
-            form.carried_decimals = std::max(0, -place);
-        }
-        --place;
-    }
-    form.decimals = static_cast<int>(point < text.size() ? text.size() - point - 1 : 0);
-    return form;
-}
-
-} // namespace
+using conformance::DecimalForm;
+using conformance::form_of;
 
 std::vector<double> column_rounding(const std::vector<std::string_view>& column) {
     std::vector<DecimalForm> forms;

@@ -91,21 +91,6 @@ bool is_symbol(std::string_view word) {
 
 } // namespace
 
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](char c) {
-        return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    });
-    return lower;
-}
-
-std::string_view trimmed(std::string_view text, std::string_view blanks) {
-    const std::size_t from = text.find_first_not_of(blanks);
-    return from == std::string_view::npos
-               ? std::string_view{}
-               : text.substr(from, text.find_last_not_of(blanks) - from + 1);
-}
-
 ColumnName read_column_name(std::string_view written) {
     written = trimmed(written);
     ColumnName name;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/scene/input/units.hpp"
 
 #include <array>
@@ -15,10 +16,8 @@ enum class ColumnRole { place, pressure, shear, gap, slip, sxx };
 /// The roles that are compared if the data have them, in addition to p and q.
 inline constexpr std::array surface_roles{ColumnRole::gap, ColumnRole::slip, ColumnRole::sxx};
 
-/// The text with ASCII letters in lower case.
-[[nodiscard]] std::string lower_case(std::string_view text);
-/// The text without blanks at its ends.
-[[nodiscard]] std::string_view trimmed(std::string_view text, std::string_view blanks = " \t");
+using io::lower_case;
+using io::trimmed;
 
 /// The parts of a column's name, such as "CPRESS [MPa]", "x / mm", "x_mm".
 struct ColumnName {

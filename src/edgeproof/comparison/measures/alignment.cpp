@@ -3,6 +3,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rational.hpp"
+#include "edgeproof/roots/bracketed_root.hpp"
 
 #include <fmt/format.h>
 
@@ -227,31 +228,10 @@ double refined_origin(const std::vector<RoughPoint>& all, const ExactContact& ex
     for (std::size_t i = 0; i < all.size(); i += step) {
         points.push_back(all[i]);
     }
-    constexpr double golden = 0.381966011250105;
-    double lower = start - 0.1 * exact.length();
-    double upper = start + 0.1 * exact.length();
-    double s1 = lower + golden * (upper - lower);
-    double s2 = upper - golden * (upper - lower);
-    double f1 = mismatch(points, exact, s1);
-    double f2 = mismatch(points, exact, s2);
-    // Far from 0, doubles are further apart than the requested width.
-    constexpr int most_steps = 60;
-    for (int k = 0; k < most_steps && upper - lower > search_width * exact.length(); ++k) {
-        if (f1 < f2) {
-            upper = s2;
-            s2 = s1;
-            f2 = f1;
-            s1 = lower + golden * (upper - lower);
-            f1 = mismatch(points, exact, s1);
-        } else {
-            lower = s1;
-            s1 = s2;
-            f1 = f2;
-            s2 = upper - golden * (upper - lower);
-            f2 = mismatch(points, exact, s2);
-        }
-    }
-    return 0.5 * (lower + upper);
+    constexpr int steps = 40; // to `search_width`
+    return roots::place_of_minimum([&](double origin) { return mismatch(points, exact, origin); },
+                                   start - 0.1 * exact.length(), start + 0.1 * exact.length(),
+                                   steps);
 }
 
 /// Returns the power of ten between 10^-5 and 10^-4 of the length.

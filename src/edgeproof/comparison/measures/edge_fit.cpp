@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 namespace edgeproof::comparison {
 namespace {
@@ -55,83 +55,52 @@ std::optional<LeastSquares> least_squares(const std::vector<std::vector<double>>
     if (n == 0 || m <= n) {
         return {};
     }
-    std::vector<std::vector<double>> q = columns; // becomes R above, reflections below
-    std::vector<double> scale(n);
-    for (std::size_t k = 0; k < n; ++k) {
-        double sum = 0;
-        for (const double x : q[k]) {
-            sum += x * x;
-        }
-        scale[k] = std::sqrt(sum);
-        if (!(scale[k] > 0)) {
-            return {};
-        }
-        for (double& x : q[k]) {
-            x /= scale[k];
-        }
-    }
+    const auto product = [](const std::vector<double>& v, const std::vector<double>& w) {
+        return std::inner_product(v.begin(), v.end(), w.begin(), 0.0);
+    };
+    std::vector<std::vector<double>> q = columns;
     std::vector<double> right(y.begin(), y.end());
-    std::vector<double> diagonal(n);
+    std::vector<std::vector<double>> r(n, std::vector<double>(n + 1)); // R, and Q^T y
     for (std::size_t k = 0; k < n; ++k) {
-        double norm = 0;
-        for (std::size_t i = k; i < m; ++i) {
-            norm = std::hypot(norm, q[k][i]);
-        }
-        if (norm < 1e-12) {
+        const double norm = std::sqrt(product(q[k], q[k]));
+        if (!(norm > 1e-12 * std::sqrt(product(columns[k], columns[k])))) {
             return {};
         }
-        const double head = q[k][k] > 0 ? -norm : norm;
-        diagonal[k] = head;
-        q[k][k] -= head;
-        double square = 0;
-        for (std::size_t i = k; i < m; ++i) {
-            square += q[k][i] * q[k][i];
-        }
-        const auto reflect = [&](std::vector<double>& v) {
-            double dot = 0;
-            for (std::size_t i = k; i < m; ++i) {
-                dot += q[k][i] * v[i];
+        r[k][k] = norm;
+        std::ranges::transform(q[k], q[k].begin(), [=](double x) { return x / norm; });
+        for (std::size_t j = k + 1; j <= n; ++j) {
+            std::vector<double>& other = j < n ? q[j] : right;
+            r[k][j] = product(q[k], other);
+            for (std::size_t i = 0; i < m; ++i) {
+                other[i] -= r[k][j] * q[k][i];
             }
-            for (std::size_t i = k; i < m; ++i) {
-                v[i] -= 2 * dot / square * q[k][i];
-            }
-        };
-        for (std::size_t j = k + 1; j < n; ++j) {
-            reflect(q[j]);
         }
-        reflect(right);
     }
-    double residual = 0;
-    for (std::size_t i = n; i < m; ++i) {
-        residual += right[i] * right[i];
-    }
-    const double variance = residual / static_cast<double>(m - n);
-    const auto entry = [&](std::size_t i, std::size_t j) { return i == j ? diagonal[i] : q[j][i]; };
-    LeastSquares result;
-    result.coefficients.assign(n, 0);
-    result.standard_errors.assign(n, 0);
-    for (std::size_t k = n; k-- > 0;) {
-        double sum = right[k];
-        for (std::size_t j = k + 1; j < n; ++j) {
-            sum -= entry(k, j) * result.coefficients[j];
-        }
-        result.coefficients[k] = sum / entry(k, k);
-    }
-    // The variance of c_k is that of the data times the squared length of row k of R^-1.
-    for (std::size_t column = 0; column < n; ++column) {
-        std::vector<double> e(n, 0.0);
-        e[column] = 1;
+    const auto solved = [&](std::vector<double> v) { // R x = v
         for (std::size_t k = n; k-- > 0;) {
             for (std::size_t j = k + 1; j < n; ++j) {
-                e[k] -= entry(k, j) * e[j];
+                v[k] -= r[k][j] * v[j];
             }
-            e[k] /= entry(k, k);
-            result.standard_errors[k] += e[k] * e[k] * variance;
+            v[k] /= r[k][k];
         }
+        return v;
+    };
+    LeastSquares result;
+    for (const auto& row : r) {
+        result.coefficients.push_back(row[n]);
     }
-    for (std::size_t k = 0; k < n; ++k) {
-        result.coefficients[k] /= scale[k];
-        result.standard_errors[k] = std::sqrt(result.standard_errors[k]) / scale[k];
+    result.coefficients = solved(std::move(result.coefficients));
+    // The variance of c_k is that of the data times the squared length of row k of R^-1.
+    const double variance = product(right, right) / static_cast<double>(m - n);
+    result.standard_errors.assign(n, 0);
+    for (std::size_t column = 0; column < n; ++column) {
+        std::vector<double> unit(n, 0.0);
+        unit[column] = 1;
+        const std::vector<double> e = solved(std::move(unit));
+        for (std::size_t k = 0; k < n; ++k) {
+            result.standard_errors[k] =
+                std::hypot(result.standard_errors[k], e[k] * std::sqrt(variance));
+        }
     }
     return result;
 }
@@ -168,10 +137,6 @@ std::optional<EdgeFit> fit_window(const NearNodes& near, std::size_t terms) {
     fit.c1 = coefficient(1);
     return fit;
 }
-
-} // namespace
-
-namespace {
 
 /// Adds the effect of an edge that lies elsewhere in the data: all nodes share it, so that the
 /// residuals do not show it. sqrt(u + d) is sqrt(u) + d/2 u^(-1/2) + ..., so the fit is repeated

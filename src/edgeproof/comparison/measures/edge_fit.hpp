@@ -42,7 +42,7 @@ struct EdgeFit {
                                               const std::optional<double>& own_edge = {});
 
 /// The coefficients of least squares |y - sum of c_k column_k|^2, and their standard errors, by
-/// Householder's QR of columns scaled to unit length. Returns nothing if the columns are dependent
+/// modified Gram-Schmidt of columns and y. Returns nothing if the columns are dependent
 /// to double precision, or are not fewer than the rows.
 struct LeastSquares {
     std::vector<double> coefficients;

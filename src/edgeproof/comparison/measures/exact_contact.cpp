@@ -10,6 +10,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rational.hpp"
+#include "edgeproof/roots/bracketed_root.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>
@@ -224,24 +225,17 @@ void ExactContact::find_scale() const {
             best = i;
         }
     }
-    double lower = best > 0 ? samples[best - 1] : samples[best];
-    double upper = best + 1 < samples.size() ? samples[best + 1] : samples[best];
-    double x = samples[best];
-    constexpr double golden = 0.381966011250105;
-    for (int i = 0; i < 60 && upper - lower > 1e-12 * length(); ++i) {
-        check_interruption();
-        const double s1 = lower + golden * (upper - lower);
-        const double s2 = upper - golden * (upper - lower);
-        const double p1 = quick_pressure(s1).value_or(0);
-        const double p2 = quick_pressure(s2).value_or(0);
-        for (const auto& [place, p] : {std::pair{s1, p1}, std::pair{s2, p2}}) {
-            if (p > largest) {
-                largest = p;
-                x = place;
-            }
-        }
-        (p1 < p2 ? lower : upper) = p1 < p2 ? s1 : s2;
-    }
+    constexpr int steps = 60;
+    double x = roots::place_of_minimum(
+        [&](double place) {
+            check_interruption();
+            return -quick_pressure(place).value_or(0);
+        },
+        samples[best > 0 ? best - 1 : best], samples[std::min(best + 1, samples.size() - 1)],
+        steps);
+    const double p = quick_pressure(x).value_or(0);
+    x = p > largest ? x : samples[best];
+    largest = std::max(p, largest);
     scale_ = Scale{at(Real(x)).p.value_or(largest), x, false};
 }
 

@@ -264,12 +264,6 @@ Agreements compare(const Answers& answers, const Target& target, ReferenceOption
                         questions.list.size() <= most_conditioned);
 }
 
-Agreements compare_block(const Answers& answers, const Target& target, ReferenceOptions options) {
-    options.digits = {reference_digits(target), Rounding::nearest, false};
-    return held_against(references_or_why(answers.questions, options), answers, target, options,
-                        false);
-}
-
 Agreements compare_again(const Answers& answers, const Target& target, const Agreements& known) {
     const PrecisionScope scope(known.digits + 20);
     Agreements result = known;

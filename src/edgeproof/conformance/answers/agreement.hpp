@@ -83,11 +83,6 @@ inline constexpr std::size_t most_conditioned = 5000;
 [[nodiscard]] Agreements compare(const Answers& answers, const Target& target,
                                  ReferenceOptions options);
 
-/// Like compare, for a block of more answers: the conditioning is computed only for those that miss
-/// the target, and nothing is thrown if none has a reference.
-[[nodiscard]] Agreements compare_block(const Answers& answers, const Target& target,
-                                       ReferenceOptions options);
-
 /// Compares other answers to the same questions, with the references of an earlier comparison. The
 /// conditioning is that of the earlier one.
 [[nodiscard]] Agreements compare_again(const Answers& answers, const Target& target,

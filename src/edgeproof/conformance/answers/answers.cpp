@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -139,6 +138,11 @@ std::string place(const io::Csv& csv, std::size_t line) {
     return csv.file + ":" + std::to_string(line) + ": ";
 }
 
+struct AnswerColumns {
+    std::size_t id;
+    std::size_t value;
+};
+
 AnswerColumns columns_of(const io::Csv& csv) {
     const auto id = csv.column("id");
     const auto value = csv.column("value");
@@ -245,97 +249,42 @@ bool same_question(const Question& echoed, const Question& asked) {
 
 } // namespace
 
-AnswerReader::AnswerReader(const io::Csv& head, std::function<bool(io::Csv::Row&)> next_row,
-                           std::set<std::size_t> known_twice)
-    : head_(head), next_row_(std::move(next_row)), columns_(columns_of(head)),
-      known_twice_(std::move(known_twice)) {
-    Questions none;
-    if (!Echo(head, none).possible()) {
+Answers echoed_answers(const io::Csv& csv) {
+    const AnswerColumns columns = columns_of(csv);
+    Answers answers;
+    answers.questions.file = csv.file;
+    Echo echo(csv, answers.questions);
+    if (!echo.possible()) {
         throw InputError("the answers do not state the questions that they answer",
                          "keep the columns of `edgeproof points`, or give --recipe RECIPE.toml")
-            .at(head.file, head.header.line);
+            .at(csv.file, csv.header.line);
     }
-}
-
-bool AnswerReader::next(Answers& block, std::size_t most) {
-    block = {};
-    block.questions.file = head_.file;
-    Echo echo(head_, block.questions);
-    while (block.given.size() < most && block.faults.size() < most && !done_) {
-        if (!next_row_(row_)) {
-            done_ = true;
-            add_missing(block.faults);
-            break;
-        }
-        put_decimal_points(head_, columns_.id, row_);
-        if (!whole(head_, row_, block.faults)) {
+    std::map<std::string, std::size_t> lines;
+    for (io::Csv::Row row : csv.rows) {
+        put_decimal_points(csv, columns.id, row);
+        if (!whole(csv, row, answers.faults)) {
             continue;
         }
-        const std::string& id = row_.cells[columns_.id];
-        if (!is_first(id, row_.line, block.faults)) {
+        const std::string& id = row.cells[columns.id];
+        const auto [first, is_new] = lines.emplace(id, row.line);
+        if (!is_new) {
+            answers.faults.push_back(place(csv, row.line) + id +
+                                     " is answered twice, first in line " +
+                                     std::to_string(first->second));
             continue;
         }
-        block.questions.list.push_back(echo.read(row_, id));
-        block.given.push_back(read_answer(row_.cells[columns_.value]));
-        block.given.back().line = row_.line;
+        answers.questions.list.push_back(echo.read(row, id));
+        answers.given.push_back(read_answer(row.cells[columns.value]));
+        answers.given.back().line = row.line;
     }
-    return !block.given.empty() || !block.faults.empty();
-}
-
-bool AnswerReader::is_first(const std::string& id, std::size_t line,
-                            std::vector<std::string>& faults) {
-    if (!known_twice_.contains(line)) {
-        ids_.emplace_back(io::fnv1a(id), line);
-        ++answered_;
-        return true;
-    }
-    const auto [first, is_new] = lines_.emplace(id, line);
-    answered_ += is_new ? 1 : 0;
-    if (!is_new) {
-        faults.push_back(place(head_, line) + id + " is answered twice, first in line " +
-                         std::to_string(first->second));
-    }
-    return is_new;
-}
-
-std::set<std::size_t> AnswerReader::maybe_twice() {
-    std::sort(ids_.begin(), ids_.end());
-    std::set<std::size_t> lines;
-    for (std::size_t i = 1; i < ids_.size(); ++i) {
-        if (ids_[i].first == ids_[i - 1].first) {
-            lines.insert({ids_[i - 1].second, ids_[i].second});
+    for (std::size_t i = 0; i < csv.notes.size(); ++i) {
+        const auto asked = asked_by_note(csv, i);
+        if (asked && *asked > lines.size()) {
+            answers.faults.push_back(place(csv, csv.header.line) + std::to_string(*asked) +
+                                     " questions were asked and " + std::to_string(lines.size()) +
+                                     " are answered (--recipe lists those that are missing)");
         }
     }
-    return lines;
-}
-
-void AnswerReader::add_missing(std::vector<std::string>& faults) const {
-    for (std::size_t i = 0; i < head_.notes.size(); ++i) {
-        const auto asked = asked_by_note(head_, i);
-        if (asked && *asked > answered_) {
-            faults.push_back(place(head_, head_.header.line) + std::to_string(*asked) +
-                             " questions were asked and " + std::to_string(answered_) +
-                             " are answered (--recipe lists those that are missing)");
-        }
-    }
-}
-
-Answers echoed_answers(const io::Csv& csv) {
-    Answers answers;
-    std::set<std::size_t> twice;
-    do {
-        auto row = csv.rows.begin();
-        AnswerReader reader(
-            csv,
-            [&](io::Csv::Row& next) {
-                const bool more = row != csv.rows.end();
-                next = more ? *row++ : io::Csv::Row{};
-                return more;
-            },
-            twice);
-        (void)reader.next(answers, std::numeric_limits<std::size_t>::max());
-        twice = twice.empty() ? reader.maybe_twice() : std::set<std::size_t>();
-    } while (!twice.empty());
     return answers;
 }
 

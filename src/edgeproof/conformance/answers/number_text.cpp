@@ -2,6 +2,7 @@
 #include "edgeproof/conformance/answers/number_text.hpp"
 
 #include "edgeproof/conformance/answers/answers.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
@@ -67,10 +68,7 @@ bool is_payload(std::string_view text) {
 } // namespace
 
 WrittenNumber written_number(std::string_view text) {
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](char c) {
-        return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    });
+    const std::string lower = io::lower_case(text);
     std::string_view rest = lower;
     const bool negative = rest.starts_with('-');
     rest.remove_prefix(negative || rest.starts_with('+') ? 1 : 0);
@@ -84,6 +82,43 @@ WrittenNumber written_number(std::string_view text) {
                                               : decimal_value(std::string(rest));
     return value ? WrittenNumber{Kind::number, negative ? Rational(-*value) : *value}
                  : WrittenNumber{};
+}
+
+DecimalForm form_of(std::string_view text) {
+    DecimalForm form;
+    if (text.find_first_of("xX") != std::string_view::npos) {
+        form.exact = true;
+        return form;
+    }
+    text.remove_prefix(text.starts_with('-') || text.starts_with('+') ? 1 : 0);
+    const std::size_t letter = text.find_first_of("eEdD");
+    int exponent = 0;
+    if (letter != std::string_view::npos) {
+        form.with_exponent = true;
+        std::string_view digits = text.substr(letter + 1);
+        digits.remove_prefix(digits.starts_with('+') ? 1 : 0);
+        std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+        text = text.substr(0, letter);
+    }
+    const std::size_t point = std::min(text.find('.'), text.size());
+    int place = static_cast<int>(point) - 1 + exponent; // power of ten of the current digit
+    for (const char c : text) {
+        if (c == '.') {
+            continue;
+        }
+        if (form.zero && c != '0') {
+            form.zero = false;
+            form.leading = place;
+        }
+        form.significant += form.zero ? 0 : 1;
+        if (c != '0') {
+            form.carried = form.significant;
+            form.carried_decimals = std::max(0, -place);
+        }
+        --place;
+    }
+    form.decimals = static_cast<int>(point < text.size() ? text.size() - point - 1 : 0);
+    return form;
 }
 
 std::optional<std::string> with_decimal_point(std::string_view text) {

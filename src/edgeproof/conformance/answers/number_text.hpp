@@ -29,6 +29,19 @@ struct WrittenNumber {
 /// Kind::other. Never throws.
 [[nodiscard]] WrittenNumber written_number(std::string_view text);
 
+/// The digits of a number as it is written.
+struct DecimalForm {
+    bool exact = false; ///< hexadecimal
+    bool with_exponent = false;
+    bool zero = true;
+    int significant = 0;      ///< digits from the first that is not 0
+    int carried = 0;          ///< digits from there to the last that is not 0
+    int leading = 0;          ///< the power of ten of the first digit that is not 0
+    int decimals = 0;         ///< after the point, without regard to the exponent
+    int carried_decimals = 0; ///< of the value, to the last digit that is not 0
+};
+[[nodiscard]] DecimalForm form_of(std::string_view text);
+
 /// Replaces the comma by a point, if the text is then a decimal of the grammar.
 [[nodiscard]] std::optional<std::string> with_decimal_point(std::string_view text);
 

@@ -1,15 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/convention.hpp"
 
-#include "edgeproof/conformance/causes/cause_search.hpp"
+#include "edgeproof/conformance/causes/wrong_rows.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace edgeproof::conformance {
 namespace {
+
+constexpr double same_digits = 6; // as diagnose::same_value
+
+/// Returns the rows with wrong values, not only with too few digits, that none of `known` explains.
+std::vector<std::size_t> rows_that_fail(const Answers& answers, const Agreements& agreements,
+                                        const std::vector<Convention>& known) {
+    std::set<std::size_t> explained;
+    for (const Convention& c : known) {
+        explained.insert(c.which.begin(), c.which.end());
+    }
+    std::vector<std::size_t> failing;
+    for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
+        const CaseAgreement& held = agreements.cases[i];
+        if (has_value(answers, agreements, i) && !held.pass && held.digits < same_digits &&
+            !explained.contains(i)) {
+            failing.push_back(i);
+        }
+    }
+    return failing;
+}
+
+/// The first rows that fail.
+std::pair<Answers, Agreements> some_that_fail(const Answers& answers,
+                                              const Agreements& agreements) {
+    std::pair<Answers, Agreements> some;
+    some.first.questions = {answers.questions.file, answers.questions.contacts, {}};
+    some.second.digits = agreements.digits;
+    for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
+        if (!agreements.cases[i].pass && some.first.given.size() < most_failing) {
+            some.first.questions.list.push_back(answers.questions.list[i]);
+            some.first.given.push_back(answers.given[i]);
+            some.second.cases.push_back(agreements.cases[i]);
+            some.second.references.push_back(agreements.references[i]);
+        }
+    }
+    return some;
+}
 
 /// Merges equal conventions of several quantities.
 std::vector<Convention> merged(const std::vector<Convention>& found) {
@@ -42,11 +80,16 @@ std::vector<Convention> merged(const std::vector<Convention>& found) {
 std::vector<Convention> infer_conventions(const Answers& answers, const Agreements& agreements,
                                           const ReferenceOptions& options, KnownReadings& known) {
     const PrecisionScope scope(most_cause_digits + 20);
+    if (static_cast<std::size_t>(
+            std::ranges::count(agreements.cases, false, &CaseAgreement::pass)) > most_failing) {
+        const auto [some, of_some] = some_that_fail(answers, agreements);
+        return infer_conventions(some, of_some, options, known);
+    }
     std::vector<Convention> found = infer_precision_loss(answers, agreements);
     std::ranges::move(infer_cancellation(answers, agreements), std::back_inserter(found));
     const std::vector<std::size_t> failing = rows_that_fail(answers, agreements, found);
-    if (failing.size() >= least_rows) {
-        std::ranges::move(CauseSearch(answers, agreements, failing, options, known).causes(),
+    if (failing.size() >= diagnose::least_rows) {
+        std::ranges::move(causes_of(answers, agreements, failing, options, known),
                           std::back_inserter(found));
     }
     return merged(found);
@@ -76,42 +119,11 @@ std::vector<std::string> unexplained(const Answers& answers, const Agreements& a
     }
     std::vector<std::string> names;
     for (const auto& [family, rows] : families) {
-        if (rows.first >= least_rows && !rows.second) {
+        if (rows.first >= diagnose::least_rows && !rows.second) {
             names.push_back(family);
         }
     }
     return names;
-}
-
-void FailingRows::add(const Answers& answers, const Agreements& agreements) {
-    std::map<std::size_t, std::size_t> contacts; // from the block to those kept
-    answers_.questions.file = answers.questions.file;
-    agreements_.digits = agreements.digits;
-    for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
-        if (agreements.cases[i].pass || ++seen_ > most) {
-            continue;
-        }
-        Question q = answers.questions.list[i];
-        const auto [found, is_new] =
-            contacts.emplace(q.contact, answers_.questions.contacts.size());
-        if (is_new) {
-            answers_.questions.contacts.push_back(answers.questions.contacts[q.contact]);
-        }
-        q.contact = found->second;
-        answers_.questions.list.push_back(std::move(q));
-        answers_.given.push_back(answers.given[i]);
-        agreements_.cases.push_back(agreements.cases[i]);
-        agreements_.references.push_back(agreements.references[i]);
-    }
-}
-
-std::vector<Convention> FailingRows::conventions(const ReferenceOptions& options) const {
-    return infer_conventions(answers_, agreements_, options);
-}
-
-std::vector<std::string>
-FailingRows::unexplained_by(const std::vector<Convention>& conventions) const {
-    return unexplained(answers_, agreements_, conventions);
 }
 
 } // namespace edgeproof::conformance

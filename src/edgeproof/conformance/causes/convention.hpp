@@ -21,7 +21,7 @@ struct Convention {
     /// Other relations that fit equally well: the answers do not distinguish them.
     std::vector<std::string> also = {};
     double held = 0; ///< the digits of the relation in nine of ten rows
-    /// The name of the cause, as in `edgeproof compare` (scene_mistakes.hpp); "factor" for a
+    /// The name of the cause, as in `edgeproof compare` (diagnose/mistakes.hpp); "factor" for a
     /// constant without a name, "varying-factor" for one that is no constant, near named ones.
     std::string name = {};
     double factor = 1;                            ///< of the answers, where the relation has one
@@ -32,6 +32,8 @@ struct Convention {
     bool without_digits = false;         ///< `relation` holds for no number of digits
     std::vector<std::size_t> which = {}; ///< the questions explained, if they are not a whole group
 };
+
+inline constexpr std::size_t most_failing = 10'000;
 
 /// The values of questions (by index) under other interpretations, by the name of the
 /// interpretation; nothing where there is none.
@@ -49,6 +51,8 @@ using KnownReadings = std::map<std::string, std::map<std::size_t, std::optional<
 /// then it is constant to the accuracy of the answers. If a quantity has no cause, and its answers
 /// are a factor with a name times ours to a tenth, this interval of factors is reported.
 ///
+/// Of more than `most_failing` rows that fail, the first ones are used, and no others.
+///
 /// `known`: the values of other interpretations; those missing are added. It may be used again for
 /// other answers to the same questions.
 [[nodiscard]] std::vector<Convention> infer_conventions(const Answers& answers,
@@ -59,32 +63,21 @@ using KnownReadings = std::map<std::string, std::map<std::size_t, std::optional<
                                                         const Agreements& agreements,
                                                         const ReferenceOptions& options);
 
+/// Checks if answers that miss the target are in single precision, or were written with few digits.
+/// Each quantity is checked separately.
+[[nodiscard]] std::vector<Convention> infer_precision_loss(const Answers& answers,
+                                                           const Agreements& agreements);
+
+/// Checks if answers lose digits as a distance decreases: u, the distance from the other edge, from
+/// a knot, or of an edge from a knot. The digits of nearly all rows of a quantity must follow a
+/// line whose value at the distance a + b is the number of digits of binary64 or binary32, and the
+/// errors must scatter as those of rounding do. The rows explained are in `which`.
+[[nodiscard]] std::vector<Convention> infer_cancellation(const Answers& answers,
+                                                         const Agreements& agreements);
+
 /// Returns the quantities with three or more failing rows that none of the conventions explains.
 [[nodiscard]] std::vector<std::string> unexplained(const Answers& answers,
                                                    const Agreements& agreements,
                                                    const std::vector<Convention>& conventions);
-
-/// Collects the rows that fail, at most the first `most`, from answers in blocks; conventions are
-/// inferred from these rows.
-class FailingRows {
-public:
-    static constexpr std::size_t most = 10'000;
-
-    void add(const Answers& answers, const Agreements& agreements);
-    /// True if there are more than are kept.
-    [[nodiscard]] bool cut() const { return seen_ > answers_.given.size(); }
-    [[nodiscard]] std::size_t seen() const { return seen_; }
-    [[nodiscard]] std::size_t kept() const { return answers_.given.size(); }
-    /// Calls infer_conventions() for the rows kept.
-    [[nodiscard]] std::vector<Convention> conventions(const ReferenceOptions& options) const;
-    /// Calls unexplained() for the rows kept.
-    [[nodiscard]] std::vector<std::string>
-    unexplained_by(const std::vector<Convention>& conventions) const;
-
-private:
-    Answers answers_;
-    Agreements agreements_;
-    std::size_t seen_ = 0;
-};
 
 } // namespace edgeproof::conformance

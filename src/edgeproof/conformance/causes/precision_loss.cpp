@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/causes/fit.hpp"
-#include "edgeproof/conformance/causes/readings.hpp"
+#include "edgeproof/conformance/answers/number_text.hpp"
+#include "edgeproof/conformance/causes/convention.hpp"
+#include "edgeproof/diagnose/fit.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -18,57 +18,37 @@
 namespace edgeproof::conformance {
 namespace {
 
+using diagnose::enough;
+using diagnose::least_share;
+
 constexpr double least_digits_kept = 5.5;
 constexpr unsigned binary32_digits = 9;         // identify every binary32
 constexpr unsigned binary32_decimal_digits = 6; // every such decimal is identified by a binary32
 constexpr unsigned full_digits = 15;
 
-/// Counts the significant digits of a decimal as written; 0 for any other text.
-unsigned digits_written(const std::string& text) {
-    unsigned digits = 0;
-    for (const char c : text) {
-        if (c == 'e' || c == 'E' || c == 'd' || c == 'D') {
-            break;
-        }
-        if (c == 'x' || c == 'X') {
-            return 0;
-        }
-        digits += std::isdigit(static_cast<unsigned char>(c)) != 0 && (digits > 0 || c != '0');
-    }
-    return digits;
+/// The form of the shortest decimal that is the same binary64 (12300 has three digits, and no
+/// decimals): a program may round and then write all digits.
+DecimalForm shortest_form(const Answer& answer) {
+    return form_of(fmt::format("{}", answer.value.convert_to<double>()));
 }
 
-/// The significant digits of a decimal as written, or of the shortest decimal that is the same
-/// binary64 (12300 has three): a program may round and then write all digits.
+/// The significant digits as written; 0 for another text than a decimal.
+unsigned digits_written(const Answer& answer) {
+    return static_cast<unsigned>(form_of(answer.text).significant);
+}
+/// The significant digits of a decimal as written, or of the shortest one.
 unsigned digits_carried(const Answer& answer) {
-    std::string digits;
-    for (const char c : fmt::format("{}", answer.value.convert_to<double>())) {
-        if (c == 'e') {
-            break;
-        }
-        digits += std::isdigit(static_cast<unsigned char>(c)) != 0 ? std::string(1, c) : "";
-    }
-    const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
-    const std::size_t last = std::max(digits.find_last_not_of('0') + 1, first + 1);
-    return std::min(digits_written(answer.text), static_cast<unsigned>(last - first));
+    const auto shortest = static_cast<unsigned>(std::max(shortest_form(answer).carried, 1));
+    return std::min(digits_written(answer), shortest);
 }
-
-/// The decimals of the shortest decimal that is the same binary64 (12300 has none).
 unsigned decimals_carried(const Answer& answer) {
-    const std::string text = fmt::format("{}", answer.value.convert_to<double>());
-    const std::size_t end = std::min(text.find('e'), text.size());
-    const std::size_t point = text.substr(0, end).find('.');
-    const int written = point == std::string::npos ? 0 : static_cast<int>(end - point) - 1;
-    const int exponent = end < text.size() ? std::stoi(text.substr(end + 1)) : 0;
-    const bool whole =
-        answer.value.convert_to<double>() == std::round(answer.value.convert_to<double>());
-    return whole ? 0U : static_cast<unsigned>(std::max(0, written - exponent));
+    return static_cast<unsigned>(shortest_form(answer).carried_decimals);
 }
 
 /// True if the answer is a binary32, or one written with the few digits that identify it. A short
 /// decimal is no evidence: every one survives in binary32.
 bool is_single(const Answer& answer) {
-    const unsigned digits = digits_written(answer.text);
+    const unsigned digits = digits_written(answer);
     if (digits > 0 && digits_carried(answer) <= binary32_decimal_digits) {
         return false;
     }
@@ -88,7 +68,7 @@ bool is_cut(const Answer& answer, const Reference& reference, unsigned digits) {
     }
     const Rational value = read_answer(rounded.text).value;
     return value == answer.value ||
-           (digits_written(answer.text) >= full_digits &&
+           (digits_written(answer) >= full_digits &&
             value.convert_to<double>() == answer.value.convert_to<double>());
 }
 

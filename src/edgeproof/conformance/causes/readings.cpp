@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/readings.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/mistakes/scene_mistakes.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
-#include <map>
-#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -15,13 +11,16 @@
 namespace edgeproof::conformance {
 namespace {
 
+constexpr unsigned reading_digits = 30;
+constexpr std::size_t most_right_rows = 12; // of a quantity: enough to contradict a cause
+
 /// True if the radius is given by C, the curvature.
 bool is_circle(const scene::Scene& scene) {
     return scene.profile && scene.profile->kind() == contact::Profile::Kind::power_law;
 }
 
 /// C as the constant of the gap, g = C x^(m + 1).
-bool gap_for_slope(scene::Scene& scene) {
+bool gap_for_slope(scene::Scene& scene, const Reading::Mistakes&) {
     if (!is_circle(scene)) {
         return false;
     }
@@ -36,7 +35,7 @@ bool gap_for_slope(scene::Scene& scene) {
     return true;
 }
 
-bool reverse_shear(scene::Scene& scene) {
+bool reverse_shear(scene::Scene& scene, const Reading::Mistakes&) {
     if (!scene.shear) {
         return false;
     }
@@ -52,27 +51,17 @@ bool reverse_shear(scene::Scene& scene) {
     return true;
 }
 
-/// The mistakes in the data of a contact.
-std::vector<scene::SceneMistake> mistakes_in(const scene::Scene& scene) {
-    std::vector<scene::SceneMistake> all = contact_mistakes(scene);
-    if (scene.shear) {
-        std::ranges::move(shear_mistakes(scene), std::back_inserter(all));
-    }
-    return all;
-}
-
 /// The mistake, for all contacts or only for circles (or for other profiles).
-Reading reading_of(const scene::SceneMistake& mistake, std::optional<bool> circle) {
+Reading reading_of(const diagnose::Mistake& mistake, std::optional<bool> circle) {
     Reading reading{
         std::string(mistake.name), "ours with " + mistake.what, std::string(mistake.advice),
-        [what = mistake.what, circle](scene::Scene& scene) {
-            for (const scene::SceneMistake& m : mistakes_in(scene)) {
-                if (m.what == what && is_circle(scene) == circle.value_or(is_circle(scene))) {
-                    m.change(scene);
-                    return true;
-                }
+        [what = mistake.what, circle](scene::Scene& scene, const auto& mistakes) {
+            const auto same = std::ranges::find(mistakes, what, &diagnose::Mistake::what);
+            if (same == mistakes.end() || is_circle(scene) != circle.value_or(is_circle(scene))) {
+                return false;
             }
-            return false;
+            same->change(scene);
+            return true;
         }};
     reading.only = !circle ? "" : *circle ? "circles" : "others";
     return reading;
@@ -100,35 +89,44 @@ Value natural_logarithm(const Real& x) { return x > 0 ? Value(log(x)) : Value();
 Value one_minus(const Real& x) { return Value(1 - x); }
 Value reciprocal(const Real& x) { return Value(1 / x); }
 
-/// The references times a power of the length of the contact.
-std::vector<std::optional<Real>> times_lengths(const Answers& answers, const Agreements& agreements,
-                                               int power, const std::vector<std::size_t>& which,
-                                               const ReferenceOptions& options) {
-    Questions sizes{answers.questions.file, answers.questions.contacts, {}};
-    for (const std::size_t i : which) {
-        const Question& q = answers.questions.list[i];
-        for (const auto size : {scene::Quantity::a, scene::Quantity::b}) {
-            sizes.list.push_back({{size}, "", q.contact, q.line});
-        }
-    }
-    const auto found = references_where_any(sizes, options);
-    std::vector<std::optional<Real>> values(which.size());
-    for (std::size_t k = 0; k < which.size(); ++k) {
-        if (found[2 * k] && found[2 * k + 1]) {
-            const Real length =
-                found[2 * k]->value.value.midpoint() + found[2 * k + 1]->value.value.midpoint();
-            const Real ours = agreements.references[which[k]].value.value.midpoint();
-            values[k] = power < 0 ? Real(ours / length) : Real(ours * length);
-        }
-    }
-    return values;
-}
-
 } // namespace
 
-std::vector<Reading> readings_of(const Questions& questions,
-                                 const std::set<std::size_t>& contacts) {
-    std::vector<Reading> all{
+Readings::Readings(const Answers& answers, const Agreements& agreements,
+                   const std::vector<std::size_t>& failing, ReferenceOptions options,
+                   KnownReadings& known)
+    : answers_(answers), agreements_(agreements), options_(std::move(options)), known_(known) {
+    options_.digits = {reading_digits, Rounding::nearest, false};
+    options_.progress = {};
+    std::set<std::size_t> contacts;
+    for (const std::size_t i : failing) {
+        contacts.insert(answers.questions.list[i].contact);
+    }
+    find({contacts.begin(), contacts.end()});
+    std::map<std::string, std::vector<std::size_t>> right;
+    for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
+        if (has_value(answers, agreements, i) && agreements.cases[i].pass) {
+            right[family_of(answers.questions.list[i])].push_back(i);
+        }
+    }
+    for (const auto& [family, rows] : right) {
+        right_.push_back(evenly(rows, most_right_rows));
+    }
+}
+
+const Reading::Mistakes& Readings::mistakes_in(std::size_t contact) {
+    const auto [found, is_new] = mistakes_.try_emplace(contact);
+    if (is_new) {
+        const scene::Scene& scene = answers_.questions.contacts[contact].scene;
+        found->second = diagnose::contact_mistakes(scene);
+        if (scene.shear) {
+            std::ranges::move(diagnose::shear_mistakes(scene), std::back_inserter(found->second));
+        }
+    }
+    return found->second;
+}
+
+void Readings::find(const std::vector<std::size_t>& contacts) {
+    list_ = {
         {"sign", "ours with Q and the bulk tension in the other direction",
          "Q is positive towards +x on the body that it acts on", reverse_shear},
         {"x-for-u",
@@ -146,41 +144,40 @@ std::vector<Reading> readings_of(const Questions& questions,
              return q.at_edge() && (!scene.symmetric() || scene.shear);
          }}};
     const bool gives_C = std::ranges::any_of(contacts, [&](std::size_t contact) {
-        return std::ranges::find(questions.contacts[contact].parameters, "C", &Parameter::key) !=
-               questions.contacts[contact].parameters.end();
+        return std::ranges::find(answers_.questions.contacts[contact].parameters, "C",
+                                 &Parameter::key) !=
+               answers_.questions.contacts[contact].parameters.end();
     });
     if (gives_C) {
-        all.insert(all.begin(), Reading{"gap-for-slope",
-                                        "ours with C taken for the gap's constant, g = C x^(m + 1)",
-                                        "C is the slope's constant: g' = C x^m", gap_for_slope});
+        list_.insert(list_.begin(),
+                     Reading{"gap-for-slope",
+                             "ours with C taken for the gap's constant, g = C x^(m + 1)",
+                             "C is the slope's constant: g' = C x^m", gap_for_slope});
     }
     for (const auto& [name, words, n] : {std::tuple{"one-term", "the first term", 1U},
                                          std::tuple{"two-term", "the first two terms", 2U},
                                          std::tuple{"three-term", "the first three terms", 3U}}) {
-        all.push_back({name,
-                       std::string(words) + " of ours at the edge",
-                       "the pressure is asked for, not an approximation of it",
-                       {},
-                       [n = n](Question& q, const scene::Scene&) {
-                           const bool pressure = q.quantity == scene::Quantity::p;
-                           q.quantity = scene::Quantity::local;
-                           q.k = n;
-                           return pressure;
-                       }});
+        list_.push_back({name,
+                         std::string(words) + " of ours at the edge",
+                         "the pressure is asked for, not an approximation of it",
+                         {},
+                         [n = n](Question& q, const scene::Scene&) {
+                             const bool pressure = q.quantity == scene::Quantity::p;
+                             q.quantity = scene::Quantity::local;
+                             q.k = n;
+                             return pressure;
+                         }});
     }
     std::set<std::pair<std::string, std::optional<bool>>> known;
-    const auto add = [&](const scene::SceneMistake& mistake, std::optional<bool> circle) {
-        if (known.emplace(mistake.what, circle).second) {
-            all.push_back(reading_of(mistake, circle));
-        }
-    };
     for (const std::size_t contact : contacts) {
-        const scene::Scene& scene = questions.contacts[contact].scene;
-        for (const scene::SceneMistake& mistake : mistakes_in(scene)) {
-            add(mistake, {});
+        const bool circle = is_circle(answers_.questions.contacts[contact].scene);
+        for (const diagnose::Mistake& mistake : mistakes_in(contact)) {
             // A program may take C for 1/R, and yet read R as a diameter.
-            if (mistake.name == "radius-as-diameter") {
-                add(mistake, is_circle(scene));
+            for (const auto& only : {std::optional<bool>(), std::optional(circle)}) {
+                if ((!only || mistake.name == "radius-as-diameter") &&
+                    known.emplace(mistake.what, only).second) {
+                    list_.push_back(reading_of(mistake, only));
+                }
             }
         }
     }
@@ -189,43 +186,84 @@ std::vector<Reading> readings_of(const Questions& questions,
           std::tuple{"logarithm", "the natural logarithm of ours", &natural_logarithm},
           std::tuple{"one-minus", "1 minus ours", &one_minus},
           std::tuple{"reciprocal", "1 over ours", &reciprocal}}) {
-        all.push_back({name, words, "the value itself is asked for", {}, {}, 0, value});
+        list_.push_back({name, words, "the value itself is asked for", {}, {}, 0, value});
     }
-    all.push_back({"divided-by-length",
-                   "ours over a + b",
-                   "a mean pressure for a force per unit length? P is the force",
-                   {},
-                   {},
-                   -1});
-    all.push_back({"times-length",
-                   "ours times a + b",
-                   "a force per unit length for a pressure? p and q are tractions",
-                   {},
-                   {},
-                   1});
-    return all;
+    list_.push_back({"divided-by-length",
+                     "ours over a + b",
+                     "a mean pressure for a force per unit length? P is the force",
+                     {},
+                     {},
+                     -1});
+    list_.push_back({"times-length",
+                     "ours times a + b",
+                     "a force per unit length for a pressure? p and q are tractions",
+                     {},
+                     {},
+                     1});
 }
 
-std::string key_of(const Reading& reading) {
-    return reading.name + ": " + reading.relation + ": " + reading.only;
+Values Readings::values(std::size_t reading, const std::vector<std::size_t>& questions) {
+    const Reading& r = list_[reading];
+    auto& known = known_[r.name + ": " + r.relation + ": " + r.only];
+    std::vector<std::size_t> missing;
+    std::ranges::copy_if(questions, std::back_inserter(missing),
+                         [&](std::size_t i) { return !known.contains(i); });
+    const Values more =
+        r.length_power != 0 ? times_lengths(r.length_power, missing) : found(r, missing);
+    for (std::size_t k = 0; k < missing.size(); ++k) {
+        known.emplace(missing[k], more[k]);
+    }
+    Values values;
+    std::ranges::transform(questions, std::back_inserter(values),
+                           [&](std::size_t i) { return known.at(i); });
+    return values;
 }
 
-std::vector<std::optional<Real>>
-values_read_otherwise(const Answers& answers, const Agreements& agreements, const Reading& reading,
-                      const std::vector<std::size_t>& which, const ReferenceOptions& options) {
-    if (reading.length_power != 0) {
-        return times_lengths(answers, agreements, reading.length_power, which, options);
+bool Readings::contradicted(std::size_t reading, double most) {
+    return list_[reading].contact &&
+           std::ranges::any_of(right_, [&](const std::vector<std::size_t>& rows) {
+               const auto off =
+                   remainders(wrong_rows(answers_, agreements_, rows), values(reading, rows));
+               std::size_t wrong = 0;
+               for (std::size_t k = 0; k < rows.size(); ++k) {
+                   wrong += off.change[k] != 0 && std::abs(off.off[k]) > most ? 1 : 0;
+               }
+               return 2 * wrong > rows.size();
+           });
+}
+
+Values Readings::times_lengths(int power, const std::vector<std::size_t>& which) const {
+    Questions sizes{answers_.questions.file, answers_.questions.contacts, {}};
+    for (const std::size_t i : which) {
+        const Question& q = answers_.questions.list[i];
+        for (const auto size : {scene::Quantity::a, scene::Quantity::b}) {
+            sizes.list.push_back({{size}, "", q.contact, q.line});
+        }
     }
-    Questions otherwise{answers.questions.file, {}, {}};
+    const auto found = references_where_any(sizes, options_);
+    Values values(which.size());
+    for (std::size_t k = 0; k < which.size(); ++k) {
+        if (found[2 * k] && found[2 * k + 1]) {
+            const Real length =
+                found[2 * k]->value.value.midpoint() + found[2 * k + 1]->value.value.midpoint();
+            const Real ours = agreements_.references[which[k]].value.value.midpoint();
+            values[k] = power < 0 ? Real(ours / length) : Real(ours * length);
+        }
+    }
+    return values;
+}
+
+Values Readings::found(const Reading& reading, const std::vector<std::size_t>& which) {
+    Questions otherwise{answers_.questions.file, {}, {}};
     std::map<std::size_t, std::optional<std::size_t>> contacts;
     std::vector<std::size_t> of;
     for (std::size_t k = 0; k < which.size(); ++k) {
-        Question q = answers.questions.list[which[k]];
+        Question q = answers_.questions.list[which[k]];
         try {
             const auto [known, is_new] = contacts.try_emplace(q.contact);
             if (is_new) {
-                AskedContact contact = answers.questions.contacts[q.contact];
-                if (!reading.contact || reading.contact(contact.scene)) {
+                AskedContact contact = answers_.questions.contacts[q.contact];
+                if (!reading.contact || reading.contact(contact.scene, mistakes_in(q.contact))) {
                     known->second = otherwise.contacts.size();
                     otherwise.contacts.push_back(std::move(contact));
                 }
@@ -241,8 +279,8 @@ values_read_otherwise(const Answers& answers, const Agreements& agreements, cons
         otherwise.list.push_back(std::move(q));
         of.push_back(k);
     }
-    const auto found = references_where_any(otherwise, options);
-    std::vector<std::optional<Real>> values(which.size());
+    const auto found = references_where_any(otherwise, options_);
+    Values values(which.size());
     for (std::size_t k = 0; k < of.size(); ++k) {
         if (found[k] && !contains_zero(found[k]->value.value)) {
             const Real& value = found[k]->value.value.midpoint();

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/conformance/causes/convention.hpp"
+#include "edgeproof/conformance/causes/wrong_rows.hpp"
+#include "edgeproof/diagnose/mistakes.hpp"
 #include "edgeproof/precision/real.hpp"
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -14,12 +16,14 @@ namespace edgeproof::conformance {
 
 /// Another interpretation of questions.
 struct Reading {
-    std::string name; ///< of the cause (scene_mistakes.hpp)
+    using Mistakes = std::vector<diagnose::Mistake>; ///< of a contact
+
+    std::string name; ///< of the cause (diagnose/mistakes.hpp)
     std::string relation;
     std::string hint;
     /// Changes the contact to that interpretation; false if this does not change it. Null: the
     /// contact is as in the question.
-    std::function<bool(scene::Scene&)> contact = {};
+    std::function<bool(scene::Scene&, const Mistakes&)> contact = {};
     /// Changes the place of a question of that contact. Null: places are as in the question.
     std::function<bool(Question&, const scene::Scene&)> place = {};
     int length_power = 0; ///< the value is multiplied by this power of a + b
@@ -28,42 +32,37 @@ struct Reading {
     std::string only = {}; ///< the profiles that it is restricted to
 };
 
-/// Returns a name that no other reading of the same questions has.
-[[nodiscard]] std::string key_of(const Reading& reading);
+/// The interpretations that change a question about the contacts of failing rows: the mistakes of
+/// the catalogue, x for u, another edge, terms of the expansion for the pressure, the constant of
+/// the gap for that of the slope, and functions of the value. Each value is computed once.
+class Readings {
+public:
+    Readings(const Answers& answers, const Agreements& agreements,
+             const std::vector<std::size_t>& failing, ReferenceOptions options,
+             KnownReadings& known);
 
-/// Returns the references of the questions listed (by index) in that interpretation; nothing for
-/// those that it does not change or that have no value other than 0.
-[[nodiscard]] std::vector<std::optional<Real>>
-values_read_otherwise(const Answers& answers, const Agreements& agreements, const Reading& reading,
-                      const std::vector<std::size_t>& which, const ReferenceOptions& options);
+    [[nodiscard]] const std::vector<Reading>& list() const { return list_; }
+    /// The references of the questions in an interpretation; nothing for those that it does not
+    /// change or that have no value other than 0.
+    [[nodiscard]] Values values(std::size_t reading, const std::vector<std::size_t>& questions);
+    /// True if a reading of the contact would have made a quantity wrong that is right, by more
+    /// than `most`.
+    [[nodiscard]] bool contradicted(std::size_t reading, double most);
 
-/// Returns the interpretations of which at least one changes a question about one of these contacts
-/// (by index): the mistakes of the catalogue (scene/mistakes), x for u, another edge, terms of the
-/// expansion for the pressure, the constant of the gap for that of the slope, and functions of the
-/// value.
-[[nodiscard]] std::vector<Reading> readings_of(const Questions& questions,
-                                               const std::set<std::size_t>& contacts);
+private:
+    void find(const std::vector<std::size_t>& contacts);
+    [[nodiscard]] Values found(const Reading& reading, const std::vector<std::size_t>& which);
+    /// The references times a power of the length of the contact.
+    [[nodiscard]] Values times_lengths(int power, const std::vector<std::size_t>& which) const;
+    [[nodiscard]] const Reading::Mistakes& mistakes_in(std::size_t contact);
 
-/// Checks if answers that miss the target are in single precision, or were written with few digits.
-/// Each quantity is checked separately.
-[[nodiscard]] std::vector<Convention> infer_precision_loss(const Answers& answers,
-                                                           const Agreements& agreements);
-
-/// Checks if answers lose digits as a distance decreases: u, the distance from the other edge, from
-/// a knot, or of an edge from a knot. The digits of nearly all rows of a quantity must follow a
-/// line whose value at the distance a + b is the number of digits of binary64 or binary32, and the
-/// errors must scatter as those of rounding do. The rows explained are in `which`.
-[[nodiscard]] std::vector<Convention> infer_cancellation(const Answers& answers,
-                                                         const Agreements& agreements);
-
-/// A factor with a cause: 2, pi, units of other systems, -1, ...
-struct NamedFactor {
-    Real value;
-    std::string words; ///< "2 times ", "minus "
-    const char* hint;
-    const char* name;
-    bool common; ///< more likely than a mistake in the data of a scene
+    const Answers& answers_;
+    const Agreements& agreements_;
+    ReferenceOptions options_;
+    KnownReadings& known_;
+    std::vector<Reading> list_;
+    std::map<std::size_t, Reading::Mistakes> mistakes_;
+    std::vector<std::vector<std::size_t>> right_; ///< some right rows of each quantity
 };
-[[nodiscard]] std::vector<NamedFactor> named_factors();
 
 } // namespace edgeproof::conformance

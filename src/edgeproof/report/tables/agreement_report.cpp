@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace edgeproof::report {
@@ -322,6 +323,12 @@ ConformanceSummary summary_of(const Conformance& c, std::size_t errors) {
     ConformanceSummary summary(c.target, errors);
     summary.add(c.answers, c.agreements);
     summary.add(c.conventions, unexplained(c.answers, c.agreements, c.conventions));
+    const auto failing =
+        std::ranges::count(c.agreements.cases, false, &conformance::CaseAgreement::pass);
+    if (static_cast<std::size_t>(failing) > conformance::most_failing) {
+        summary.note(fmt::format("conventions are looked for in the first {} of {} rows that fail",
+                                 conformance::most_failing, failing));
+    }
     return summary;
 }
 

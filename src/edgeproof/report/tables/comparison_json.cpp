@@ -123,8 +123,8 @@ ordered_json file_json(const ComparisonReport& report, const comparison::FileCom
                           {"error", zone->error}};
     }
     if (file.diagnosis && file.diagnosis->factor) {
-        j["common_factor"] = {{"value", file.diagnosis->factor->value},
-                              {"error", file.diagnosis->factor->error}};
+        j[file.diagnosis->factor->of_x ? "common_factor_of_x" : "common_factor"] = {
+            {"value", file.diagnosis->factor->value}, {"error", file.diagnosis->factor->error}};
     }
     if (file.shear) {
         j["causes_of_q"] = causes_json(file.shear_diagnosis);

@@ -106,9 +106,9 @@ std::vector<std::string> lines_of(const std::optional<comparison::Diagnosis>& di
                                     symbol));
     } else if (d.factor) {
         lines.push_back(
-            fmt::format("away from the edges {} is {:.6g} +- {:.2g} times the exact {}, "
+            fmt::format("away from the edges {0} is {1:.6g} +- {2:.2g} times the exact {0}, "
                         "by a fit: no known cause explains that",
-                        symbol, d.factor->value, d.factor->error, symbol));
+                        d.factor->of_x ? "x" : symbol, d.factor->value, d.factor->error));
     } else {
         lines.push_back(fmt::format(
             "no known cause explains {}: errors of {} remain, and the nodes scatter by {}", symbol,

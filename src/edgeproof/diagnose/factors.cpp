@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/causes/readings.hpp"
-#include "edgeproof/formula/exact/exact.hpp"
+#include "edgeproof/diagnose/mistakes.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <string_view>
 
-namespace edgeproof::conformance {
+namespace edgeproof::diagnose {
 namespace {
 
 constexpr const char* modulus_hint =
@@ -64,10 +61,10 @@ constexpr NamedFactors factors_with_names[] = {
 
 std::string in_words(std::string formula, bool negative) {
     if (formula == "1") {
-        return negative ? "minus " : "";
+        return "minus ";
     }
     std::ranges::replace(formula, '*', ' ');
-    return fmt::format("{}{} times ", negative ? "-" : "", formula);
+    return (negative ? "-" : "") + formula + " times ";
 }
 
 } // namespace
@@ -89,4 +86,4 @@ std::vector<NamedFactor> named_factors() {
     return list;
 }
 
-} // namespace edgeproof::conformance
+} // namespace edgeproof::diagnose

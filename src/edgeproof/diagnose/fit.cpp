@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/diagnose/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace edgeproof::diagnose {
+namespace {
+
+/// A row follows a cause that nine of ten follow to `held` if it does so to three times that.
+constexpr double of_held = 3;
+constexpr double deviations_of_median = 4;
+constexpr double deviations_of_change = 3; ///< the least change of an answer by a cause
+constexpr std::size_t rows_for_scatter = 6;
+constexpr double rows_for_less_gain = 6;  // with this number of rows, twice the gain is needed
+constexpr double rows_for_less_error = 4; // the scatter of few rows is not well known
+constexpr double of_a_median = 1.25;      // the standard error of a median, over that of a mean
+constexpr double of_a_deviation = 1.483;  // a standard deviation over the median of absolute values
+constexpr std::size_t least_neighbours = 6;
+/// Half the mean square of the differences of neighbours, over the variance, is 1 for noise, with a
+/// standard deviation of 1 over the root of their number.
+constexpr double like_noise = 0.4;
+constexpr double deviations_of_noise = 3.5;
+constexpr double of_allowance = 2; // nine of ten values, over the root mean square
+constexpr double of_smooth = 3;    // the same of what a cause leaves
+constexpr double rounding = 1e-7;  // smaller scatter is not used to distinguish causes
+
+std::vector<double> absolute(std::vector<double> list) {
+    for (double& x : list) {
+        x = std::abs(x);
+    }
+    return list;
+}
+
+double root(std::size_t n) { return std::sqrt(static_cast<double>(std::max<std::size_t>(n, 1))); }
+
+/// Half the mean square of the differences of neighbours, over the mean square about the median.
+std::optional<bool> is_noise_like(const Remainders& rows, double held) {
+    const std::vector<double>& off = rows.off;
+    if (rows.neighbours.size() < least_neighbours) {
+        return {};
+    }
+    const double middle = sorted_at(off, 0.5);
+    const double most = of_held * held;
+    const auto limited = [&](std::size_t i) { return std::clamp(off[i] - middle, -most, most); };
+    double differences = 0;
+    double all = 0;
+    for (const auto& [i, k] : rows.neighbours) {
+        const double apart = limited(i) - limited(k);
+        differences += apart * apart / 2;
+        all += (limited(i) * limited(i) + limited(k) * limited(k)) / 2;
+    }
+    const double least =
+        std::max(like_noise, 1 - deviations_of_noise / root(rows.neighbours.size()));
+    // Roundoff of a constant remainder need not look like noise.
+    const double roundoff = rounding * rounding * static_cast<double>(rows.neighbours.size());
+    return all <= roundoff || differences > least * all;
+}
+
+/// True if the median differs from 0 by more than four standard errors, with a deviation of at
+/// least `noise`, and by more than is allowed.
+bool has_common_factor(const std::vector<double>& off, double noise, double allowed) {
+    const double middle = sorted_at(off, 0.5);
+    std::vector<double> about = off;
+    for (double& x : about) {
+        x = std::abs(x - middle);
+    }
+    const double deviation = std::max(of_a_deviation * sorted_at(std::move(about), 0.5), noise);
+    const double error =
+        of_a_median * deviation * uncertainty_of_scatter(off.size()) / root(off.size());
+    return std::abs(middle) > std::max({same_value, deviations_of_median * error, allowed});
+}
+
+} // namespace
+
+double sorted_at(std::vector<double> list, double share) {
+    const auto at =
+        list.begin() + static_cast<long>(share * static_cast<double>(list.size() - 1) + 0.5);
+    std::nth_element(list.begin(), at, list.end());
+    return *at;
+}
+
+bool enough(std::size_t rows, std::size_t failing) {
+    return rows >= least_rows &&
+           static_cast<double>(rows) >= least_share * static_cast<double>(failing);
+}
+
+double uncertainty_of_scatter(std::size_t rows) {
+    return 1 + rows_for_less_error / static_cast<double>(rows);
+}
+
+double error_of_median(std::vector<double> about) {
+    const double of_root = of_a_median * of_a_deviation / root(about.size());
+    return of_root * sorted_at(std::move(about), 0.5);
+}
+
+Fit remainder_of(Remainders rows) {
+    Fit fit;
+    fit.held = sorted_at(absolute(rows.off), least_share);
+    fit.scatter = of_a_deviation * sorted_at(absolute(rows.off), 0.5);
+    fit.noise_like = is_noise_like(rows, fit.held);
+    for (std::size_t k = 0; k < rows.off.size(); ++k) {
+        const bool changes =
+            rows.change[k] > std::max(same_value, deviations_of_change * fit.scatter);
+        const bool follows = std::abs(rows.off[k]) <= std::max(same_value, of_held * fit.held);
+        fit.changes.push_back(changes);
+        if (changes && follows) {
+            ++fit.rows;
+            fit.worst = std::max(fit.worst, std::abs(rows.off[k]));
+        }
+    }
+    fit.off = std::move(rows.off);
+    return fit;
+}
+
+std::optional<Fit> fit_of(const Remainders& rows, double noise,
+                          const std::optional<double>& allowance) {
+    const double most_smooth = allowance ? of_smooth * *allowance : most_remainder;
+    const std::size_t size = rows.off.size();
+    if (size < least_rows) {
+        return {};
+    }
+    Fit fit = remainder_of(rows);
+    // A few rows of much scatter agree with some named factor by chance.
+    if (!(fit.held <= (size < rows_for_scatter ? most_remainder : most_scatter))) {
+        return {};
+    }
+    std::vector<double> left;
+    std::vector<double> left_before;
+    std::vector<double> of_ratio; // as large for 1/2 as for 2
+    for (std::size_t k = 0; k < size; ++k) {
+        if (fit.changes[k]) {
+            left.push_back(rows.off[k]);
+            left_before.push_back(rows.before[k]);
+            of_ratio.push_back(rows.ratio[k]);
+        }
+    }
+    if (!enough(fit.rows, left.size())) {
+        return {};
+    }
+    // If it is noise, all rows show its size.
+    const std::vector<double>& of_size = fit.noise_like.value_or(false) ? fit.off : left;
+    const double left_half = sorted_at(absolute(of_size), 0.5);
+    const double gain = least_gain * (1 + rows_for_less_gain / static_cast<double>(of_size.size()));
+    fit.dominates = sorted_at(std::move(of_ratio), 0.5) >= dominant_gain * left_half;
+    if (sorted_at(std::move(left_before), 0.5) < gain * left_half ||
+        (fit.held > std::max(most_smooth, of_held * noise) && !fit.dominates &&
+         !fit.noise_like.value_or(false))) {
+        return {};
+    }
+    const double smooth =
+        fit.noise_like.value_or(!fit.dominates) ? 0 : fit.held / (fit.dominates ? 1 : 2);
+    return has_common_factor(left, noise, std::max(smooth, allowance.value_or(0)))
+               ? std::nullopt
+               : std::optional(std::move(fit));
+}
+
+bool is_noise(const Fit& fit, double allowance) {
+    return (fit.noise_like.value_or(false) || fit.held <= of_allowance * allowance) &&
+           !has_common_factor(fit.off, 0, allowance);
+}
+
+double misfit(const Fit& fit, double scatter) {
+    const double unit = std::max(scatter, rounding);
+    constexpr double most = 5;
+    double sum = 0;
+    for (const double off : fit.off) {
+        const double deviations = std::min(std::abs(off) / unit, most);
+        sum += deviations * deviations;
+    }
+    return sum / static_cast<double>(fit.off.size());
+}
+
+double indistinguishable_misfit(const Fit& best, std::size_t rows) {
+    constexpr double of_noise = 20;
+    constexpr double independent_values = 5;
+    const double of_one = of_noise / static_cast<double>(rows);
+    const auto size = static_cast<double>(best.off.size());
+    return best.noise_like.value_or(true) ? of_one
+                                          : of_one * std::max(1.0, size / independent_values);
+}
+
+} // namespace edgeproof::diagnose

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+/// Measures of how well a possible cause explains wrong numbers. The accuracy of the numbers is not
+/// known; it is estimated by the scatter of what remains after the cause.
+namespace edgeproof::diagnose {
+
+/// The relative errors of wrong numbers, before and after a cause is corrected.
+struct Remainders {
+    std::vector<double> off;    ///< the number over the value of the cause, minus 1
+    std::vector<double> before; ///< |number/right - 1|
+    std::vector<double> ratio;  ///< the larger of `before` and |right/number - 1|
+    std::vector<double> change; ///< |value of the cause/right - 1|; 0 without a value
+    /// Pairs at neighbouring points of one contact: a smooth remainder is nearly the same at both,
+    /// errors of rounding and noise are not.
+    std::vector<std::pair<std::size_t, std::size_t>> neighbours;
+};
+
+struct Fit {
+    std::vector<double> off;   ///< as in Remainders
+    std::vector<bool> changes; ///< the cause changes the number clearly
+    std::size_t rows = 0;      ///< those changed clearly that follow the cause
+    double worst = 0;          ///< the largest |off| of these
+    double held = 0;           ///< the |off| that nine of ten rows do not exceed
+    double scatter = 0;        ///< the standard deviation, from the median of the absolute values
+    /// The cause leaves less than a twenty-fifth of the error, |number/right - 1| or |right/number
+    /// - 1|, of the rows that it changes. Set by fit_of().
+    bool dominates = false;
+    /// True if the remaining error scatters from point to point, as errors of rounding and noise
+    /// do. Empty if there are too few neighbours to decide.
+    std::optional<bool> noise_like;
+};
+
+inline constexpr std::size_t least_rows = 3;
+inline constexpr double least_share = 0.9;
+/// Values that agree to this are regarded as equal.
+inline constexpr double same_value = 1e-6;
+/// Nine rows of ten must agree to this with a cause: larger scatter would hide it.
+inline constexpr double most_scatter = 0.12;
+/// The same for a remainder that is not known to be noise.
+inline constexpr double most_remainder = 0.03;
+inline constexpr double dominant_gain = 25;
+/// The least factor by which a cause must reduce the error.
+inline constexpr double least_gain = 4;
+
+/// The value that this share of a list does not exceed.
+[[nodiscard]] double sorted_at(std::vector<double> list, double share);
+
+/// True if this number of rows suffices to explain the failing ones.
+[[nodiscard]] bool enough(std::size_t rows, std::size_t failing);
+
+/// The factor by which the standard deviation of this number of rows may exceed their scatter.
+[[nodiscard]] double uncertainty_of_scatter(std::size_t rows);
+/// The relative standard error of the median of some numbers, from their |errors|.
+[[nodiscard]] double error_of_median(std::vector<double> about);
+
+/// Measures what remains; rows without a value of the cause are not changed by it. There must be
+/// one row or more.
+[[nodiscard]] Fit remainder_of(Remainders rows);
+/// Returns the remainder if nine of ten rows follow it, if it leaves less than a quarter of the
+/// error of the rows that it changes (less if they are few), and if these rows have no common
+/// factor other than 1 left, within four standard errors (more if they are few): another cause may
+/// have nearly the same effect. If the remainder is smooth and not noise, half its size is allowed
+/// for that, and all of it if the cause leaves less than a twenty-fifth of the error. `noise`: the
+/// least standard deviation of the numbers, as far as it is known; `allowance`: the root mean
+/// square of the error that the method of the numbers has by itself, if it is known.
+[[nodiscard]] std::optional<Fit> fit_of(const Remainders& rows, double noise,
+                                        const std::optional<double>& allowance = {});
+/// True if what remains is noise, or within the allowance, and has no common factor.
+[[nodiscard]] bool is_noise(const Fit& fit, double allowance);
+
+/// The mean square of what remains, relative to `scatter`; outliers are limited.
+[[nodiscard]] double misfit(const Fit& fit, double scatter);
+/// Causes whose misfit exceeds the least, of this number of rows, by no more than this are not
+/// distinguished: 4.5 standard deviations of one parameter. A smooth remainder has few independent
+/// values.
+[[nodiscard]] double indistinguishable_misfit(const Fit& best, std::size_t rows);
+
+} // namespace edgeproof::diagnose

@@ -226,19 +226,6 @@ def test_wrong_types(hertz):
             use()
 
 
-def test_whole_number_scalars(hertz):
-    np = pytest.importorskip("numpy")
-    two = np.int64(2)
-    assert len(hertz.coefficients(two, digits=np.array(9))) == 2
-    assert hertz.peak().rounded(two) == "0.50"
-    assert len(hertz.local_pressures([0.1], terms=two)) == 1
-    assert hertz.extent(terms=np.uint8(1), digits=two).terms == 1
-    found = edgeproof.relations(["left.c0", "right.c0"], degree=np.int32(1), symmetric=np.bool_(1))
-    assert len(found) == 1
-    edgeproof.Scene(edgeproof.hertz(1), contact_modulus=1, friction=1,
-                    steps=[{"P": 1}, {"Q": "0.1", "cycles": two}, {"Q": "-0.1"}])
-
-
 def test_no_code_of_the_current_folder_is_run(tmp_path):
     """The second Python, and the package's late imports, find modules as `python -P` does."""
     for name in ("pickle", "html", "json", "dataclasses", "numpy", "mpmath", "decimal"):

@@ -80,6 +80,10 @@ def test_whole_numbers_and_lists_of_them(hertz):
     assert hertz.pressure("0.1", digits=np.int64(20)).digits == 20
     assert [a.terms for a in hertz.approximation("0.1", terms=np.int64(2)).p_local] == [2]
     assert [a.terms for a in hertz.approximation("0.1", terms=np.array([1, 3])).p_local] == [1, 3]
+    assert len(hertz.coefficients(np.int64(2), digits=np.array(9))) == 2
+    assert hertz.peak().rounded(np.int64(2)) == "0.50"
+    assert len(edgeproof.relations(["left.c0", "right.c0"], degree=np.int32(1),
+                                   symmetric=np.bool_(1))) == 1
     for call in (lambda: hertz.pressure("0.1", digits="50"), lambda: hertz.pressure(b"0.1"),
                  lambda: hertz.pressure("0.1", digits=50.0), lambda: hertz.extent(terms="1"),
                  lambda: hertz.pressure("0.1", digits=True), lambda: hertz.coefficients(2.0),

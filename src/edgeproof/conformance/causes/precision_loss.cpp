@@ -341,7 +341,7 @@ std::optional<Convention> loss_of(const std::string& of, std::vector<LossRow> ro
     const auto distance = [&](double digits) {
         return std::min(1.0, std::pow(10, (digits - line->at_one) / line->rate));
     };
-    // If all rows fail, those without a loss may have been left out (FailingRows).
+    // If all rows fail, those without a loss may have been left out (most_failing).
     const bool all_fail = std::ranges::none_of(
         rows, [&](const LossRow& row) { return agreements.cases[row.question].pass; });
     const double full = all_fail ? format->full : std::min(line->plateau, format->full);

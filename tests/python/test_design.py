@@ -79,7 +79,7 @@ def test_other_threads_run_meanwhile():
 
 @pytest.mark.parametrize("asked, problem", [
     ({}, r"there is no \[design\]"),
-    ({"maximise": "first_exit"}, r"there is no \[design\]"),
+    ({"maximise": "first_exit"}, "there is no tolerance"),
     ({"maximise": "firstexit", "tolerance": "1%"}, "firstexit"),
     ({"maximise": "measure", "tolerance": "1%", "edge": "top"}, "no edge 'top'"),
     ({"maximise": "measure", "tolerance": 1}, "below 1"),

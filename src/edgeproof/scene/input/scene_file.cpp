@@ -183,6 +183,9 @@ Scene scene_of(const io::TomlSection& top) {
 
 Scene parse_scene(std::string_view text, const std::string& file,
                   const std::vector<io::TomlTable>& instead) {
+    if (!instead.empty() && !text.empty()) { // keys of [ask] would hide another kind of file
+        expect_file_kind(io::TomlSection::parse(text, file), FileKind::scene);
+    }
     try {
         return scene_of(io::TomlSection::parse(text, file, instead));
     } catch (const InputError& error) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/causes/readings.hpp"
-
+#include "edgeproof/diagnose/mistakes.hpp"
 #include "tests/cli/run_program.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -104,7 +103,7 @@ TEST_CASE("pack: factors.txt has the named factors of the catalogue") {
         }
     }
     std::vector<std::pair<std::string, double>> named;
-    for (const auto& factor : edgeproof::conformance::named_factors()) {
+    for (const auto& factor : edgeproof::diagnose::named_factors()) {
         named.emplace_back(factor.name, factor.value.convert_to<double>());
     }
     CHECK(there == named);

@@ -45,7 +45,7 @@ TEST_CASE("the manual names every command and option of the help") {
         CHECK(has(help, group));
     }
     const auto subcommands = matches_in(help.substr(help.find("\nCompute:")), a_subcommand);
-    REQUIRE(subcommands.size() == 15);
+    REQUIRE(subcommands.size() == 14);
     for (const std::string& sub : subcommands) {
         CAPTURE(sub);
         CHECK(has(whole, "\\fBedgeproof\\-" + in_roff(sub) + "\\fR(1)"));

@@ -19,8 +19,8 @@ bool in_text(const std::string& text, const std::string& part) {
 /// the pressure at u = v a, so that it is within 1 % up to v = 2 - 2/1.01^2 = 0.0394: 7 % is wrong.
 std::string errata_of_sentence(const std::string& printed, const std::string& quoted) {
     const AuditResult result = small_ledger::audit_of(
-        "kind = \"figure\"\nover = \"hertz\"\nof = \"exit(1, 1/100)/a\"\nquoted = \"" +
-        quoted + "\"\nprinted = '''" + printed + "'''\n");
+        "kind = \"figure\"\nover = \"hertz\"\nof = \"exit(1, 1/100)/a\"\nquoted = \"" + quoted +
+        "\"\nprinted = '''" + printed + "'''\n");
     REQUIRE(result.claims.front().outcome.verdict == audit::Verdict::refuted);
     return errata_tex(result, {});
 }

@@ -19,9 +19,10 @@ int main() {
     const Load load = Load::right_edge(Exact::parse("1"));
     constexpr unsigned digits = 30;
     constexpr std::size_t terms = 4;
+    const BallContact contact(wedge, modulus, load, 256); // more bits than 30 digits need
 
     for (const Edge edge : {Edge::right, Edge::left}) {
-        const std::vector<Ball> c = enclosed_expansion(wedge, modulus, load, edge, terms, digits);
+        const std::vector<Ball> c = contact.expansion(edge, terms);
         for (std::size_t k = 0; k < terms; ++k) {
             std::cout << (edge == Edge::right ? "right" : "left") << " c_" << k << ' '
                       << round_ball(c[k], digits).text << '\n';

@@ -85,23 +85,6 @@ TEST_CASE("the loading at which a coefficient vanishes, and at which edge") {
     }
 }
 
-TEST_CASE("equal signs at both edges, for both signs of Q and of the tension") {
-    const PrecisionScope scope(40);
-    const Real D = 3;
-    const Real limit = 8 / pi<Real>() / D;
-    for (const int Q : {1, -1}) {
-        for (const int sense : {1, -1}) {
-            for (const char* part : {"0.5", "0.999999", "1.000001", "3"}) {
-                const ShearLoad<Real> load{Real(Q), Real(limit * exact(part).to<Real>() * sense)};
-                const Real right = full_stick_expansion(D, load, Edge::right, 1)[0];
-                const Real left = full_stick_expansion(D, load, Edge::left, 1)[0];
-                CHECK(same_sign_at_both_edges(D, load) == (right * left > 0));
-            }
-        }
-    }
-    CHECK_FALSE(same_sign_at_both_edges(D, ShearLoad<Real>{Real(0), Real(1)}));
-}
-
 // The brackets of shear.hpp are exact over the rationals, and are compared with coefficients by
 // hand; here Q/pi is rational.
 TEST_CASE("balls of the shear's coefficients hold the exact ones, and are narrow") {

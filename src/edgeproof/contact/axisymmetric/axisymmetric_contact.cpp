@@ -5,7 +5,9 @@
 #include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/enclosure/isolate_zero.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
+#include "edgeproof/formula/evaluation/complex_taylor.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -17,31 +19,31 @@ constexpr const char* radius_sought = "the radius of the contact";
 
 class AxisymmetricZones : public ZoneSolver {
 public:
-    explicit AxisymmetricZones(const RoundContact& contact)
-        : ZoneSolver(contact), contact_(contact.resized(contact.a())) {}
+    explicit AxisymmetricZones(const AxisymmetricContact& contact)
+        : ZoneSolver(contact), contact_(contact) {}
     [[nodiscard]] ZoneValues values(const BallZone& zone) const override {
-        const auto c = contact_->resized(zone.a);
-        const Ball rate = c->force_rate();
-        return {c->force(), Ball(0, bits()), rate, rate};
+        const AxisymmetricContact c = contact_.with_radius(zone.a);
+        const Ball rate = c.force_rate();
+        return {c.force(), Ball(0, bits()), rate, rate};
     }
     [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const override {
-        return contact_->resized(zone.a)->pressure(edge, u);
+        return contact_.with_radius(zone.a).pressure(edge, u);
     }
     [[nodiscard]] BallZone zone(const Ball& force, const Ball& /*tilt*/,
                                 const BallZone& /*near*/) const override {
-        const Ball a = contact_->radius_for(force);
+        const Ball a = contact_.radius_for(force);
         return {a, a};
     }
     [[nodiscard]] std::vector<Ball> force_rates(const Ball& a, std::size_t terms) const override {
-        return contact_->resized(a)->force_rates(terms);
+        return contact_.with_radius(a).force_rates(terms);
     }
     [[nodiscard]] BallZone core() const override {
-        return {contact_->minimum_end(), contact_->minimum_end()};
+        return {contact_.minimum_end(), contact_.minimum_end()};
     }
-    [[nodiscard]] std::size_t cost() const override { return contact_->cost(); }
+    [[nodiscard]] std::size_t cost() const override { return contact_.cost(); }
 
 private:
-    std::unique_ptr<RoundContact> contact_;
+    AxisymmetricContact contact_;
 };
 
 /// P is proportional to a^(m + 2) (docs/axisymmetric.md, "Power laws").
@@ -80,7 +82,53 @@ private:
 
 } // namespace
 
-void RoundContact::carry(const Load& load) {
+std::optional<Exact> AxisymmetricContact::not_analytic_at(const Profile& profile) {
+    constexpr long bits = 128;
+    const auto finite = [&](std::size_t piece, const Ball& v) {
+        const Ball apart = up_to(power_of_two(-100, bits));
+        const Box near(v + apart, apart);
+        AcbPolyValue taylor;
+        formula::complex_taylor(taylor, profile.pieces()[piece].slope, near.get(), 2, bits);
+        Box curvature(bits);
+        acb_poly_get_coeff_acb(curvature.get(), taylor, 1);
+        return curvature.is_finite();
+    };
+    for (std::size_t i = profile.origin(); i < profile.knots().size(); ++i) {
+        const Ball v = formula::ball_of(profile.knots()[i], bits);
+        if (!finite(i + 1, v) || (i > profile.origin() && !finite(i, v))) {
+            return profile.knots()[i];
+        }
+    }
+    return {};
+}
+
+AxisymmetricContact::AxisymmetricContact(const Profile& profile, const Exact& contact_modulus,
+                                         const Load& load, long bits)
+    : ProvedContact(profile, enclosed_constant(contact_modulus, bits), bits),
+      linear_(profile.piecewise_linear()) {
+    for (std::size_t i = slope_.origin; i < slope_.knots.size(); ++i) {
+        const bool first = i == slope_.origin;
+        const Ball& v = slope_.knots[i];
+        Ball jump(0, bits);
+        Ball rate(0, bits);
+        if (linear_) {
+            jump = first ? slope_.pieces[i + 1].at_origin : slope_.jump(i);
+            rate = first ? slope_.rate(i + 1) : -slope_.rate_drop(i);
+            if (Field<Ball>::vanishes(jump) && Field<Ball>::vanishes(rate)) {
+                continue; // a flat begins at the origin without a bend
+            }
+        } else if (profile.has_corner(i)) {
+            jump = value(i, Box(v), Integrand::slope).real();
+            if (!first) {
+                jump -= value(i - 1, Box(v), Integrand::slope).real();
+            }
+        }
+        rings_.push_back({v, std::move(jump), std::move(rate), i});
+    }
+    find_radius(load);
+}
+
+void AxisymmetricContact::find_radius(const Load& load) {
     const Ball given = enclosed_constant(load.value, bits_);
     if (load.kind == Load::Kind::right_edge) {
         known_a_ = load.value;
@@ -89,64 +137,18 @@ void RoundContact::carry(const Load& load) {
     } else if (load.kind == Load::Kind::force) {
         a_ = radius_for(given);
     } else {
-        const Start start = start_for(load.kind, given);
         a_ = isolate_zero([&](const Ball& s) { return given - approach_at(s); },
-                          [&](const Ball& s) { return -approach_rate_at(s); }, start.radius,
-                          radius_sought, {.near = start.near});
+                          [&](const Ball& s) { return -approach_rate_at(s); },
+                          near_radius(given, Integrand::slope), radius_sought, {.near = !linear_});
     }
     b_ = a_;
 }
 
-Ball RoundContact::radius_for(const Ball& P) const {
-    const Start start = start_for(Load::Kind::force, P);
+Ball AxisymmetricContact::radius_for(const Ball& P) const {
     return isolate_zero([&](const Ball& s) { return P - force_at(s); },
                         [&](const Ball& s) { return -(modulus_ * s * approach_rate_at(s) * 2); },
-                        start.radius, radius_sought, {.near = start.near});
-}
-
-bool RoundContact::inside(std::size_t knot) const {
-    return !on_edge_[knot] && !certainly_less(a_, abs(slope_.knots[knot]));
-}
-
-std::vector<Ball> RoundContact::expansion(Edge /*edge*/, std::size_t terms) const {
-    if (terms == 0) {
-        return {};
-    }
-    std::vector<Ball> rates = approach_rates(terms);
-    std::vector<Ball> radii;
-    for (std::size_t k = 0; k < terms; ++k) {
-        rates[k] *= modulus_;
-        radii.push_back(k == 0 ? a_ : Ball(k == 1 ? 1 : 0, bits_));
-    }
-    // The plane contact with P'(s) = E* h'(s) has the same pressure.
-    const LawSeries<Ball> law{series::Series<Ball>(std::move(rates)),
-                              series::Series<Ball>(std::move(radii))};
-    return coefficients_of(right_edge_brackets(law, a_), Ball(a_ * 2));
-}
-
-AxisymmetricContact::AxisymmetricContact(const Profile& profile, const Exact& contact_modulus,
-                                         const Load& load, long bits)
-    : RoundContact(profile, enclosed_constant(contact_modulus, bits), bits) {
-    const std::size_t origin = slope_.origin;
-    for (std::size_t i = origin; i < slope_.knots.size(); ++i) {
-        const bool first = i == origin;
-        Ball jump = first ? slope_.pieces[i + 1].at_origin : slope_.jump(i);
-        Ball rate = first ? slope_.rate(i + 1) : -slope_.rate_drop(i);
-        const bool none = arb_is_zero(jump.data()) != 0 && arb_is_zero(rate.data()) != 0;
-        if (!none) { // a flat begins at the origin without a bend
-            bends_.push_back({slope_.knots[i], std::move(jump), std::move(rate), first, i});
-        }
-    }
-    carry(load);
-}
-
-AxisymmetricContact::Start AxisymmetricContact::start_for(Load::Kind kind,
-                                                          const Ball& given) const {
-    const Bend& last = bends_.back();
-    return {kind == Load::Kind::approach ? max(last.v * 2, given)
-            : last.at_origin             ? Ball(1, bits_)
-                                         : last.v * 2,
-            false};
+                        near_radius(P / (modulus_ * 2), Integrand::moment), radius_sought,
+                        {.near = !linear_});
 }
 
 AxisymmetricContact AxisymmetricContact::with_radius(const Ball& a) const {
@@ -155,123 +157,41 @@ AxisymmetricContact AxisymmetricContact::with_radius(const Ball& a) const {
     return c;
 }
 
-/// The sum of f(bend, y, A) over the bends inside the radius s: y = sqrt(s^2 - v^2),
-/// A = arccos(v/s).
-template <class F> Ball AxisymmetricContact::over_bends(const Ball& s, const F& f) const {
-    Ball sum(0, bits_);
-    for (const Bend& bend : bends_) {
-        if (bend.at_origin) {
-            sum += f(bend, s, Ball::pi(bits_) / 2);
-        } else if (on_edge_[bend.knot] != Edge::right && !certainly_less(s, bend.v)) {
-            const Ball y = Field<Ball>::root(clamped(s - bend.v) * (s + bend.v));
-            sum += f(bend, y, atan2(y, bend.v));
-        }
-    }
-    return sum;
+bool AxisymmetricContact::inside(std::size_t knot) const {
+    return !on_edge_[knot] && !certainly_less(a_, abs(slope_.knots[knot]));
 }
 
-// docs/axisymmetric.md, "Piecewise linear slopes"
-Ball AxisymmetricContact::approach_at(const Ball& s) const {
-    return s * over_bends(s, [](const Bend& bend, const Ball& y, const Ball& A) {
-               return bend.jump * A + bend.rate * (y - bend.v * A);
-           });
-}
-
-Ball AxisymmetricContact::approach_rate_at(const Ball& s) const {
-    return over_bends(s, [](const Bend& bend, const Ball& y, const Ball& A) {
-        Ball rate = bend.rate * (y * 2 - bend.v * A);
-        if (!contains_zero(bend.jump)) {
-            rate += bend.jump * (A + bend.v / y);
-        }
-        return rate;
-    });
-}
-
-Ball AxisymmetricContact::force_at(const Ball& a) const {
-    return modulus_ * over_bends(a, [&](const Bend& bend, const Ball& y, const Ball& A) {
-               const Ball& v = bend.v;
-               return bend.jump * (a * a * A + v * y) +
-                      bend.rate * (y * y * y * 4 / 3 - v * (a * a * A - v * y));
-           });
+bool AxisymmetricContact::begins_flat(const Ring& ring) const {
+    const SlopePiece& piece = profile_.pieces()[ring.knot + 1];
+    return piece.linear && certainly_zero(piece.linear->rate) && !profile_.has_corner(ring.knot);
 }
 
 Ball AxisymmetricContact::minimum_end() const {
-    for (const Bend& bend : bends_) {
-        if (!contains_zero(bend.jump) || !contains_zero(bend.rate)) {
-            return bend.v;
+    const auto rises = std::find_if(rings_.begin(), rings_.end(),
+                                    [&](const Ring& ring) { return !begins_flat(ring); });
+    return rises == rings_.end() ? Ball(0, bits_) : rises->v;
+}
+
+Ball AxisymmetricContact::near_radius(const Ball& given, Integrand of) const {
+    constexpr long few_bits = 40;
+    constexpr int most_halvings = 200;
+    Ball lo(0, bits_);
+    std::optional<Ball> hi;
+    Ball s(1, bits_);
+    for (int k = 0; k < most_halvings && !(hi && certainly_less(*hi * 63, lo * 64)); ++k) {
+        const Ball found = over_rings(radius(s), of, few_bits).real();
+        // Beyond the largest radius at which g' is defined, the integral is not finite.
+        if (certainly_less(of == Integrand::slope ? found * s : found, given)) {
+            lo = s;
+        } else {
+            hi = s;
         }
+        s = middle(!hi ? s * 2 : certainly_positive(lo) ? (lo + *hi) / 2 : *hi / 2);
     }
-    return {0, bits_};
+    return s;
 }
 
-// docs/axisymmetric.md, "The expansion": p/sqrt(u) is a power series up to the next bend.
-Ball AxisymmetricContact::reach(Edge /*edge*/) const {
-    Ball least = a_;
-    for (const Bend& bend : bends_) {
-        if (!bend.at_origin && inside(bend.knot)) {
-            least = min(least, a_ - bend.v);
-        }
-    }
-    return least;
-}
-
-// p/sqrt(u) = (E*/pi) times the integral of h'(a - u t) (1 - t)^(-1/2) (2a - u (1 + t))^(-1/2) over
-// 0 < t < 1: |h'| is bounded over the disk |s - a| <= rho. There v < |s|, so that the angle
-// A = arccos(v/s) has |A| <= pi/2 + arcsin(v/|s|) <= pi (the series of arcsin has no negative
-// coefficient), and y^2 = (s - v) (s + v).
-Ball AxisymmetricContact::majorant(Edge /*edge*/, const Ball& rho) const {
-    const Ball pi = Ball::pi(bits_);
-    const Ball least = a_ - rho;
-    const Ball greatest = a_ + rho;
-    Ball most(0, bits_);
-    for (const Bend& bend : bends_) {
-        const Ball& v = bend.v;
-        if (bend.at_origin) {
-            most += abs(bend.jump) * pi / 2 + abs(bend.rate) * greatest * 2;
-        } else if (inside(bend.knot)) {
-            most += abs(bend.rate) * (sqrt((greatest - v) * (greatest + v)) * 2 + v * pi);
-            if (!contains_zero(bend.jump)) {
-                most += abs(bend.jump) * (pi + v / sqrt((least - v) * (least + v)));
-            }
-        }
-    }
-    return modulus_ / pi * most * 2 / sqrt(least * 2);
-}
-
-BallSeries AxisymmetricContact::approach_rate_series(std::size_t terms) const {
-    const BallSeries s = BallSeries::variable(a_, terms);
-    BallSeries rate(Ball(0, bits_), terms);
-    for (const Bend& bend : bends_) {
-        if (bend.at_origin) {
-            rate = rate + s * (bend.rate * 2) + bend.jump * Ball::pi(bits_) / 2;
-        } else if (!on_edge_[bend.knot] && !certainly_less(a_, bend.v)) {
-            if (!certainly_less(bend.v, a_)) {
-                return unknown_series(terms, bits_);
-            }
-            BallSeries y2 = s * s + -(bend.v * bend.v);
-            y2.set(0, (a_ - bend.v) * (a_ + bend.v));
-            const BallSeries y = sqrt(y2);
-            const BallSeries A = atan(y * (1 / bend.v));
-            rate = rate + (y * Ball(2, bits_) - A * bend.v) * bend.rate;
-            if (!contains_zero(bend.jump)) {
-                rate = rate + (A + BallSeries(bend.v, terms) / y) * bend.jump;
-            }
-        }
-    }
-    return rate;
-}
-
-std::vector<Ball> AxisymmetricContact::force_rates(std::size_t terms) const {
-    const BallSeries rate =
-        approach_rate_series(terms) * BallSeries::variable(a_, terms) * (modulus_ * 2);
-    std::vector<Ball> rates;
-    for (std::size_t k = 0; k < terms; ++k) {
-        rates.push_back(k % 2 == 0 ? rate[k] : -rate[k]);
-    }
-    return rates;
-}
-
-std::unique_ptr<ZoneSolver> axisymmetric_zones(const RoundContact& contact) {
+std::unique_ptr<ZoneSolver> axisymmetric_zones(const AxisymmetricContact& contact) {
     return std::make_unique<AxisymmetricZones>(contact);
 }
 

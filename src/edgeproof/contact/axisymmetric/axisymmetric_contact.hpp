@@ -8,15 +8,34 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace edgeproof::contact {
 
-/// An axisymmetric contact that is integrated, in ball arithmetic.
-class RoundContact : public ProvedContact {
+/// An axisymmetric contact that is integrated, in ball arithmetic (docs/axisymmetric.md): x is the
+/// radius r, a the radius of the contact, u = a - r; the left edge is the mirror image of the right
+/// one. delta, P and h' are integrals of g' over r: of piecewise linear slopes elementary functions
+/// (`sneddon1965`), else found by Arb's rigorous integration (`johansson2018`), as the pressure is,
+/// an integral of h'. Of curved slopes the pressure is enclosed at points only: over a wide ball,
+/// and its series, are not finite. g' must then be analytic on each piece, ends included; otherwise
+/// the values are not finite. The proofs need a g' that does not decrease (curved_slope.hpp).
+class AxisymmetricContact : public ProvedContact {
 public:
-    using ProvedContact::ProvedContact;
+    /// The radius r >= 0 (length) of a knot at which g' is not analytic on a piece, so that no
+    /// value is enclosed; nothing if there is none.
+    [[nodiscard]] static std::optional<Exact> not_analytic_at(const Profile& profile);
+
+    /// Throws BudgetError where `bits` do not suffice to enclose the radius.
+    /// @param profile g'(r), symmetric
+    /// @param contact_modulus E* (stress)
+    /// @param load the radius a (length), the total force P (force) or the approach delta (length)
+    /// @param bits working precision
+    AxisymmetricContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
+                        long bits);
+
     /// The total force P (force).
     [[nodiscard]] Ball force() const override { return force_at(a_); }
     [[nodiscard]] Ball moment() const override { return {0, bits_}; }
@@ -25,53 +44,17 @@ public:
     /// dP/da (force/length).
     [[nodiscard]] Ball force_rate() const { return modulus_ * a_ * approach_rate_at(a_) * 2; }
     /// Returns the coefficients of dP/da (force/length) at the radius a - d in powers of d.
-    [[nodiscard]] virtual std::vector<Ball> force_rates(std::size_t terms) const = 0;
+    [[nodiscard]] std::vector<Ball> force_rates(std::size_t terms) const;
     /// The radius (length) of the contact of the same profile under the total force P.
     [[nodiscard]] Ball radius_for(const Ball& P) const;
     /// The contact of the same profile with the radius `a` (length).
-    [[nodiscard]] virtual std::unique_ptr<RoundContact> resized(const Ball& a) const = 0;
+    [[nodiscard]] AxisymmetricContact with_radius(const Ball& a) const;
     /// The radius (length) at which g' begins to rise.
-    [[nodiscard]] virtual Ball minimum_end() const = 0;
-    /// The gap (length) between the bodies at the distance `beyond` >= 0 (length) outside the edge.
-    [[nodiscard]] virtual Ball gap_beyond(const Ball& beyond) const = 0;
-    /// Returns the integral of (1 - tau/2) P - L over the approach (force x length), where the
-    /// force L grows from (1 - tau) P, at the radius `from` (length), to P.
-    [[nodiscard]] virtual Ball loop_integral(const Ball& from, const Ball& tau) const = 0;
-    [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
-
-protected:
-    /// Finds the radius: a (length), or that of the total force P (force) or of the approach delta
-    /// (length).
-    void carry(const Load& load);
-    /// A radius from which the search for that of a force, or of an approach, starts.
-    struct Start {
-        Ball radius;
-        bool near; ///< ZeroSearch::near
-    };
-    [[nodiscard]] virtual Start start_for(Load::Kind kind, const Ball& given) const = 0;
-    /// The force, the approach h and its rate h' for the radius s (length).
-    [[nodiscard]] virtual Ball force_at(const Ball& s) const = 0;
-    [[nodiscard]] virtual Ball approach_at(const Ball& s) const = 0;
-    [[nodiscard]] virtual Ball approach_rate_at(const Ball& s) const = 0;
-    /// The coefficients of h'(a + z) in powers of z; not finite if g' may jump or bend at the edge.
-    [[nodiscard]] virtual std::vector<Ball> approach_rates(std::size_t terms) const = 0;
-    [[nodiscard]] bool inside(std::size_t knot) const override;
-};
-
-/// An axisymmetric contact whose slope g'(r) is piecewise linear, in ball arithmetic
-/// (docs/axisymmetric.md). x is the radius r, a the radius of the contact, u = a - r; the left edge
-/// is the mirror image of the right one. The radius, the force and the approach are elementary
-/// functions (`sneddon1965`); the pressure is found by Arb's rigorous integration
-/// (`johansson2018`).
-class AxisymmetricContact : public RoundContact {
-public:
-    /// Throws BudgetError where `bits` do not suffice to enclose the radius.
-    /// @param profile g'(r), symmetric and piecewise linear
-    /// @param contact_modulus E* (stress)
-    /// @param load the radius a (length), the total force P (force) or the approach delta (length)
-    /// @param bits working precision
-    AxisymmetricContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
-                        long bits);
+    [[nodiscard]] Ball minimum_end() const;
+    /// True if g' jumps on the axis, where the pressure is then infinite.
+    [[nodiscard]] bool has_apex() const {
+        return on_axis(0) && !contains_zero(rings_.front().jump);
+    }
 
     [[nodiscard]] Ball pressure(Edge edge, const Exact& u) const override;
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
@@ -80,62 +63,108 @@ public:
                                              std::size_t order) const override;
     [[nodiscard]] Ball reach(Edge edge) const override;
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
-    [[nodiscard]] std::size_t cost() const override { return 10; }
+    [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
+    [[nodiscard]] std::size_t cost() const override { return linear_ ? 10 : 100; }
 
     /// The pressure (stress) at the radius r >= 0 (length). Not finite at a corner.
     [[nodiscard]] Ball pressure_at(const Exact& r) const;
     /// The integral of h'(s) sqrt(s^2 - r^2) over r < s < a (length^2), for r > 0.
     [[nodiscard]] Ball outer_moment(const Exact& r) const;
-    /// The integral of h'(s) s/(s^2 + w)^n over 0 < s < a, for w > 0 (length^2) and n > 0.
-    [[nodiscard]] Ball approach_moment(const Ball& w, long n) const;
-
+    /// The gap (length) between the bodies at the distance `beyond` >= 0 (length) outside the edge.
+    [[nodiscard]] Ball gap_beyond(const Ball& beyond) const;
+    /// Returns the integral of (1 - tau/2) P - L over the approach (force x length), where the
+    /// force L grows from (1 - tau) P, at the radius `from` (length), to P.
+    [[nodiscard]] Ball loop_integral(const Ball& from, const Ball& tau) const;
     /// The real part of the integral of h'(s) f(s) over 0 < s < a, for f as in `integral_of`
-    /// (abel_integral.hpp).
-    [[nodiscard]] Ball over_approach(const std::function<Box(const Box& s)>& f) const;
-
-    [[nodiscard]] Ball gap_beyond(const Ball& beyond) const override;
-    /// Returns the contact of the same body with another radius of contact (length).
-    [[nodiscard]] AxisymmetricContact with_radius(const Ball& a) const;
-    [[nodiscard]] std::unique_ptr<RoundContact> resized(const Ball& a) const override {
-        return std::make_unique<AxisymmetricContact>(with_radius(a));
-    }
-    [[nodiscard]] std::vector<Ball> force_rates(std::size_t terms) const override;
-    [[nodiscard]] Ball loop_integral(const Ball& from, const Ball& tau) const override;
-    /// True if g' jumps on the axis, where the pressure is then infinite.
-    [[nodiscard]] bool has_apex() const {
-        return bends_.front().at_origin && !contains_zero(bends_.front().jump);
-    }
-    [[nodiscard]] Ball minimum_end() const override;
+    /// (rigorous_integral.hpp), of `known` bits.
+    [[nodiscard]] Ball over_approach(const std::function<Box(const Box& s)>& f,
+                                     long known = std::numeric_limits<long>::max()) const;
+    /// The integral of f(L) ds/s over from < s < to, where L (force/length) is the force of the
+    /// plane contact of the same profile with the half width s: both have the same integrals of g'.
+    [[nodiscard]] Ball over_plane_widths(const Ball& from, const Ball& to,
+                                         const std::function<Box(const Box& L)>& f) const;
 
 private:
-    /// g' rises by `jump` at the radius v, and its rate by `rate` (1/length).
-    struct Bend {
+    /// At the radius v g' rises by `jump`, and a piece begins; of a linear slope also the rate of
+    /// g' grows, by `rate` (1/length). On the axis the jump is g'(0).
+    struct Ring {
         Ball v;
         Ball jump;
         Ball rate;
-        bool at_origin;
         std::size_t knot;
     };
+    enum class Integrand { slope, first_moment, moment, rate }; ///< g', r g', r^2 g', (r g')'
+    /// A radius s, perhaps complex, that lies beyond the first rings.
+    struct Radius {
+        Box s;
+        std::vector<Box> y; ///< sqrt(s^2 - v^2) of each of these rings
+    };
     struct Place;
-    [[nodiscard]] Start start_for(Load::Kind kind, const Ball& given) const override;
-    [[nodiscard]] Ball force_at(const Ball& a) const override;
-    [[nodiscard]] Ball approach_at(const Ball& s) const override;
-    /// docs/axisymmetric.md, "Piecewise linear slopes".
-    [[nodiscard]] Ball approach_rate_at(const Ball& s) const override;
-    [[nodiscard]] BallSeries approach_rate_series(std::size_t terms) const;
-    [[nodiscard]] std::vector<Ball> approach_rates(std::size_t terms) const override {
-        return approach_rate_series(terms).coefficients();
+    [[nodiscard]] bool on_axis(std::size_t ring) const {
+        return arb_is_zero(rings_[ring].v.data()) != 0;
     }
+    [[nodiscard]] bool inside(std::size_t knot) const override;
+    /// Finds the radius of a load.
+    void find_radius(const Load& load);
+    /// A radius near the one at which the integral, times s for the slope, is `given`. It proves
+    /// nothing.
+    [[nodiscard]] Ball near_radius(const Ball& given, Integrand of) const;
+    [[nodiscard]] Radius radius(const Ball& s) const;
+    /// s^2 = A^2 + w^2 beyond the rings that are not beyond A; `on` is the ring at A itself.
+    [[nodiscard]] Radius radius(const Ball& A, std::optional<std::size_t> on, const Box& w) const;
+    /// s = a + z.
+    [[nodiscard]] Radius radius_near_edge(const Box& z) const;
+    /// arccos(v/s) of a ring.
+    [[nodiscard]] Box angle(const Radius& at, std::size_t ring) const;
+    /// The piece that begins at a knot, at the radius r.
+    [[nodiscard]] Box value(std::size_t knot, const Box& r, Integrand of) const;
+    /// (r g')'/r near the axis, for g'(0) = 0.
+    [[nodiscard]] Box rate_over_radius(const Box& r) const;
+    /// The integral of f/sqrt(s^2 - r^2) over 0 < r < s to `accuracy` bits. A wide s gives a coarse
+    /// enclosure.
+    [[nodiscard]] Box over_rings(const Radius& at, Integrand of, long accuracy) const;
+    /// h'(s)/s before the second ring, for g'(0) = 0.
+    [[nodiscard]] Box rate_over_radius_at(const Box& s) const;
+    /// h'(s) without the jump of the ring `except`.
+    [[nodiscard]] Box approach_rate(const Radius& at, std::optional<std::size_t> except) const;
+    /// The force, the approach h and its rate h' for the radius s (length).
+    [[nodiscard]] Ball force_at(const Ball& s) const;
+    [[nodiscard]] Ball approach_at(const Ball& s) const;
+    [[nodiscard]] Ball approach_rate_at(const Ball& s) const;
+    /// True if g' does not change at a ring nor in the piece after it.
+    [[nodiscard]] bool begins_flat(const Ring& ring) const;
+    [[nodiscard]] Place place_of(Edge edge, const Ball& u) const;
     [[nodiscard]] Place place_at(const Exact& r) const;
-    template <class F> [[nodiscard]] Ball over_bends(const Ball& s, const F& f) const;
     [[nodiscard]] Ball pressure(const Place& at, bool least) const;
+    /// The same of a linear slope, ring by ring; and the integral of h' by parts between the rings,
+    /// with (s^2 - r^2)^(-1/2), or with its inverse.
+    [[nodiscard]] Ball over_bends(const Place& at, bool least) const;
+    [[nodiscard]] Ball over_widths(const Place& at, bool moment) const;
+    /// A part of it, over A < s < sqrt(A^2 + W^2), A >= r.
+    [[nodiscard]] Ball over_width(const Place& at, const Ball& A, std::optional<std::size_t> on,
+                                  bool from_r, const Ball& W, bool moment) const;
+    /// The same from s = r up to sqrt(r^2 + W^2), before the second ring, for a ball of r that
+    /// contains the axis.
+    [[nodiscard]] Ball over_axis(const Ball& r, const Ball& W) const;
+    /// The integral of h'(s) f(s, sqrt(to^2 - s^2)) over from < s < to = from + beyond; `on` is the
+    /// ring at `from`. A ring in the ball of `to` is left out.
+    [[nodiscard]] Ball
+    over_approach(const Ball& from, std::optional<std::size_t> on, const Ball& beyond,
+                  const std::function<Box(const Radius& at, const Box& depth)>& f,
+                  const Ball& scale, long known = std::numeric_limits<long>::max()) const;
+    /// The coefficients of h'(a + z) in powers of z; not finite if g' may jump or bend at the edge.
+    [[nodiscard]] std::vector<Ball> approach_rates(std::size_t terms) const;
+    [[nodiscard]] BallSeries linear_approach_rates(std::size_t terms) const;
+    /// A bound of |h'(s)| for |s - a| <= rho; not finite if none is found.
+    [[nodiscard]] Ball most_rate(const Ball& rho) const;
 
-    std::vector<Bend> bends_; ///< ascending
+    bool linear_;
+    std::vector<Ring> rings_; ///< ascending; of a linear slope those where g' changes
 };
 
 /// The zones of an axisymmetric contact under smaller forces, which bound its stick zone in partial
 /// slip (docs/axisymmetric.md, "Partial slip"). The solver keeps a copy of `contact`.
-[[nodiscard]] std::unique_ptr<ZoneSolver> axisymmetric_zones(const RoundContact& contact);
+[[nodiscard]] std::unique_ptr<ZoneSolver> axisymmetric_zones(const AxisymmetricContact& contact);
 /// The same for an axisymmetric power law: `plane` is the plane contact that has the same pressure,
 /// `force` the total force.
 [[nodiscard]] std::unique_ptr<ZoneSolver> axisymmetric_zones(const BallContact& plane,

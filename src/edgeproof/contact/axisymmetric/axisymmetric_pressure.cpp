@@ -20,100 +20,72 @@ constexpr long bits_of_searches = 48;
 
 /// The radius by its distances from the edge, r = a - u, and from the opposite edge.
 struct AxisymmetricContact::Place {
-    Ball u;                    ///< from the nearer edge
-    Ball other;                ///< 2a - u
-    Ball r;                    ///< not negative
-    std::vector<bool> on_knot; ///< r is known to be exactly on the bend
+    Ball u;                        ///< from the nearer edge
+    Ball other;                    ///< 2a - u
+    Ball r;                        ///< not negative
+    std::optional<std::size_t> on; ///< the ring on which r is known to be exactly
     [[nodiscard]] Ball W() const { return Field<Ball>::root(clamped(u) * clamped(other)); }
 };
 
+AxisymmetricContact::Place AxisymmetricContact::place_of(Edge /*edge*/, const Ball& u) const {
+    return {u, a_ * 2 - u, abs(a_ - u), {}};
+}
+
+AxisymmetricContact::Place AxisymmetricContact::place_at(const Exact& r) const {
+    const Ball x = enclosed_constant(r, bits_);
+    Place at{a_ - x, a_ + x, x, {}};
+    for (std::size_t i = 0; i < rings_.size(); ++i) {
+        if (overlaps(x, rings_[i].v) &&
+            certainly_zero(profile_.knots()[rings_[i].knot].expr() - r.expr())) {
+            at.on = i;
+        }
+    }
+    return at;
+}
+
 Ball AxisymmetricContact::pressure(Edge edge, const Exact& u) const {
-    const Ball from = enclosed_constant(u, bits_);
-    const Ball other = a_ * 2 - from;
-    Place at{from, other, abs(a_ - from), std::vector<bool>(bends_.size())};
+    Place at = place_of(edge, enclosed_constant(u, bits_));
     if (const auto a = known(edge)) {
-        for (std::size_t i = 0; i < bends_.size(); ++i) {
-            const Expr v = profile_.knots()[bends_[i].knot].expr();
-            const Expr x = a->expr() - u.expr();
-            at.on_knot[i] =
-                overlaps(at.r, bends_[i].v) && (certainly_zero(x - v) || certainly_zero(x + v));
+        const Expr x = a->expr() - u.expr();
+        for (std::size_t i = 0; i < rings_.size(); ++i) {
+            const Expr v = profile_.knots()[rings_[i].knot].expr();
+            if (overlaps(at.r, rings_[i].v) && (certainly_zero(x - v) || certainly_zero(x + v))) {
+                at.on = i;
+            }
         }
     }
     return pressure(at, false);
 }
 
-AxisymmetricContact::Place AxisymmetricContact::place_at(const Exact& r) const {
-    const Ball x = enclosed_constant(r, bits_);
-    Place at{a_ - x, a_ + x, x, std::vector<bool>(bends_.size())};
-    for (std::size_t i = 0; i < bends_.size(); ++i) {
-        at.on_knot[i] = overlaps(x, bends_[i].v) &&
-                        certainly_zero(profile_.knots()[bends_[i].knot].expr() - r.expr());
-    }
-    return at;
-}
-
 Ball AxisymmetricContact::pressure_at(const Exact& r) const { return pressure(place_at(r), false); }
 
 Ball AxisymmetricContact::outer_moment(const Exact& r) const {
-    const Place at = place_at(r);
-    const Ball W = at.W();
-    const Ball W3 = W * W * W;
-    const auto series = [](const Ball& x) { return BallSeries(x, 1); };
-    Ball sum(0, bits_);
-    for (std::size_t i = 0; i < bends_.size(); ++i) {
-        const Bend& bend = bends_[i];
-        const Ball& v = bend.v;
-        const bool corner = !contains_zero(bend.jump);
-        if (bend.at_origin) {
-            sum += bend.rate * W3 * 2 / 3;
-            if (corner) {
-                sum += bend.jump * Ball::pi(bits_) / 4 * (a_ * W - at.r * at.r * asinh(W / at.r));
-            }
-            continue;
-        }
-        if (!inside(bend.knot)) {
-            continue;
-        }
-        const Ball beyond = at.r - v;
-        const bool on = at.on_knot[i];
-        const long known =
-            std::min(on ? bits_ : beyond.relative_accuracy_bits(), W.relative_accuracy_bits());
-        const long accuracy = useful_accuracy(known, bits_);
-        const IntegralGoal goal{std::min(bits_, accuracy + 64), accuracy, Ball(0, bits_),
-                                abs(beyond)};
-        const RingBend of{v, bend.jump, bend.rate};
-        if ((on && !corner) || certainly_positive(beyond)) {
-            const Ball d2 = on ? Ball(0, bits_) : beyond * (at.r + v);
-            sum += outside_bend(of, series(at.r * at.r), series(d2), series(W), goal, true)[0] * W3;
-        } else if (certainly_negative(beyond)) {
-            const Ball Y = Field<Ball>::root(clamped(a_ - v) * (a_ + v));
-            sum += inside_bend(of, series(-beyond * (at.r + v)), Y, goal, true)[0] * Y;
-        } else {
-            return unknown_ball(bits_);
-        }
-    }
-    return sum;
+    return over_widths(place_at(r), true);
 }
 
-Ball AxisymmetricContact::pressure(Edge /*edge*/, const Ball& u) const {
-    return pressure(Place{u, a_ * 2 - u, abs(a_ - u), std::vector<bool>(bends_.size())}, false);
+Ball AxisymmetricContact::pressure(Edge edge, const Ball& u) const {
+    return pressure(place_of(edge, u), false);
 }
 
-Ball AxisymmetricContact::least_pressure(Edge /*edge*/, const Ball& u) const {
-    return pressure(Place{u, a_ * 2 - u, abs(a_ - u), std::vector<bool>(bends_.size())}, true);
+Ball AxisymmetricContact::least_pressure(Edge edge, const Ball& u) const {
+    return pressure(place_of(edge, u), true);
 }
 
-// docs/axisymmetric.md, "What is integrated"
 Ball AxisymmetricContact::pressure(const Place& at, bool least) const {
     if (certainly_negative(at.u) || certainly_negative(at.other)) {
         throw DomainError("a point lies outside the contact");
     }
+    return modulus_ / Ball::pi(bits_) * (linear_ ? over_bends(at, least) : over_widths(at, false));
+}
+
+// docs/axisymmetric.md, "What is integrated"
+Ball AxisymmetricContact::over_bends(const Place& at, bool least) const {
     const Ball W = at.W();
     Ball sum(0, bits_);
     const auto series = [](const Ball& x) { return BallSeries(x, 1); };
-    for (std::size_t i = 0; i < bends_.size(); ++i) {
-        const Bend& bend = bends_[i];
-        if (bend.at_origin) { // h' = (pi/2) jump + 2 rate s
+    for (std::size_t i = 0; i < rings_.size(); ++i) {
+        const Ring& bend = rings_[i];
+        if (on_axis(i)) { // h' = (pi/2) jump + 2 rate s
             sum += bend.rate * W * 2;
             if (!contains_zero(bend.jump)) {
                 // p is infinite at the apex; the least one in the ball is that of its far end
@@ -127,7 +99,7 @@ Ball AxisymmetricContact::pressure(const Place& at, bool least) const {
         }
         const Ball& v = bend.v;
         const Ball beyond = at.r - v;
-        const long known = std::min(at.on_knot[i] ? bits_ : beyond.relative_accuracy_bits(),
+        const long known = std::min(at.on == i ? bits_ : beyond.relative_accuracy_bits(),
                                     W.relative_accuracy_bits());
         const long accuracy = useful_accuracy(known, bits_);
         const IntegralGoal goal{std::min(bits_, accuracy + 64), accuracy,
@@ -142,11 +114,11 @@ Ball AxisymmetricContact::pressure(const Place& at, bool least) const {
         };
         const RingBend whole{v, bend.jump, bend.rate};
         const bool corner = !contains_zero(bend.jump);
-        if (at.on_knot[i] && corner) {
+        if (at.on == i && corner) {
             return unknown_ball(bits_);
         }
-        if (at.on_knot[i] || certainly_positive(beyond)) {
-            sum += outside(whole, at.on_knot[i] ? v : at.r, W, at.on_knot[i]);
+        if (at.on == i || certainly_positive(beyond)) {
+            sum += outside(whole, at.on == i ? v : at.r, W, at.on == i);
         } else if (certainly_negative(beyond)) {
             sum += within(whole, at.r);
         } else if (corner && !least) {
@@ -177,7 +149,91 @@ Ball AxisymmetricContact::pressure(const Place& at, bool least) const {
             }
         }
     }
-    return modulus_ / Ball::pi(bits_) * sum;
+    return sum;
+}
+
+Ball AxisymmetricContact::over_width(const Place& from, const Ball& A,
+                                     std::optional<std::size_t> on, bool from_r, const Ball& W,
+                                     bool moment) const {
+    const Ball& r = from.r;
+    const Ball apart = (A - r) * (A + r);
+    const long known = std::min({W.relative_accuracy_bits(), A.relative_accuracy_bits(),
+                                 (from_r ? r : apart).relative_accuracy_bits()});
+    const long accuracy = useful_accuracy(known, bits_);
+    const IntegralGoal goal{bits_, accuracy, Ball(0, bits_), Ball(1, bits_)};
+    const bool axis = from_r && on && on_axis(*on);
+    return W * integral_of(
+                   [&](const Box& t) {
+                       const Box w = t * W;
+                       if (axis && contains_zero(rings_[0].jump)) {
+                           return rate_over_radius_at(w);
+                       }
+                       const Radius at = radius(A, on, w);
+                       if (from_r) {
+                           const Box rate = approach_rate(at, {}) / at.s;
+                           return moment ? rate * w * w : rate;
+                       }
+                       const Box rate =
+                           (approach_rate(at, on) * w + rings_[*on].jump * rings_[*on].v) / at.s;
+                       const Box root = principal_root(w * w + apart);
+                       return moment ? rate * root : rate / root;
+                   },
+                   goal);
+}
+
+// p near the axis, for g'(0) = 0: pi/E* times p is the integral of h'(s)/s over 0 < w < W. For the
+// first w the integrand is enclosed over all s.
+Ball AxisymmetricContact::over_axis(const Ball& r, const Ball& W) const {
+    const Ball most = upper_end(abs(r));
+    const Ball first =
+        middle(sqrt(most * W)) + most * 2 + middle(W) * power_of_two(-bits_ / 2, bits_);
+    const Ball begin =
+        first * rate_over_radius_at(Box(Ball::hull(Ball(0, bits_), first + most))).real();
+    const Ball width = W - first;
+    const IntegralGoal goal{bits_, useful_accuracy(W.relative_accuracy_bits(), bits_),
+                            Ball(0, bits_), Ball(1, bits_)};
+    return begin + width * integral_of(
+                               [&](const Box& t) {
+                                   const Box w = t * width + first;
+                                   return rate_over_radius_at(principal_root(w * w + r * r));
+                               },
+                               goal);
+}
+
+Ball AxisymmetricContact::over_widths(const Place& at, bool moment) const {
+    const Ball& r = at.r;
+    std::optional<std::size_t> on = at.on;
+    Ball sum(0, bits_);
+    Ball A = on ? rings_[*on].v : r;
+    bool from_r = true;
+    for (std::size_t i = on ? *on + 1 : 0;; ++i) {
+        const bool last = i == rings_.size() || !inside(rings_[i].knot);
+        if (!last && !certainly_less(A, rings_[i].v)) {
+            if (certainly_less(rings_[i].v, A) || (i == 0 && contains_zero(rings_[0].jump))) {
+                continue; // before r
+            }
+            return unknown_ball(bits_);
+        }
+        const Ball W = last && from_r ? Field<Ball>::root(clamped(at.u) * clamped(at.other))
+                       : last         ? Field<Ball>::root(clamped(a_ - A) * (a_ + A))
+                                      : sqrt((rings_[i].v - A) * (rings_[i].v + A));
+        if (on && !contains_zero(rings_[*on].jump) && from_r) {
+            return unknown_ball(bits_); // infinite at a corner
+        }
+        const bool flat =
+            std::all_of(rings_.begin(), rings_.begin() + static_cast<std::ptrdiff_t>(i),
+                        [&](const Ring& ring) { return begins_flat(ring); });
+        if (!flat) { // h' is 0 up to the end of a flat
+            sum += from_r && !on && contains_zero(r) ? over_axis(r, W)
+                                                     : over_width(at, A, on, from_r, W, moment);
+        }
+        if (last) {
+            return sum;
+        }
+        A = rings_[i].v;
+        on = i;
+        from_r = false;
+    }
 }
 
 namespace {
@@ -218,6 +274,9 @@ std::optional<BallSeries> series_near_edge(const AxisymmetricContact& contact, c
 
 BallSeries AxisymmetricContact::pressure_series(Edge /*edge*/, const Ball& u,
                                                 std::size_t order) const {
+    if (!linear_) {
+        return unknown_series(order, bits_);
+    }
     if (auto near = series_near_edge(*this, u.with_bits(bits_), order)) {
         return *near;
     }
@@ -236,8 +295,8 @@ BallSeries AxisymmetricContact::pressure_series(Edge /*edge*/, const Ball& u,
     const BallSeries r2 = r * r;
     const BallSeries W = sqrt(from * other);
     BallSeries sum(Ball(0, bits_), order);
-    for (const Bend& bend : bends_) {
-        if (bend.at_origin) {
+    for (const Ring& bend : rings_) {
+        if (arb_is_zero(bend.v.data()) != 0) {
             sum = sum + W * (bend.rate * 2);
             if (contains_zero(bend.jump)) {
                 continue;

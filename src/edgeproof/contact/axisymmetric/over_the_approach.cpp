@@ -46,35 +46,6 @@ Ball gap_integral(const Ball& v, const Ball& r, const Ball& beyond, const Ball& 
 
 } // namespace
 
-Ball AxisymmetricContact::gap_beyond(const Ball& beyond) const {
-    const Ball r = a_ + beyond;
-    Ball sum(0, bits_);
-    for (const Bend& bend : bends_) {
-        if (bend.at_origin) {
-            sum += gap_integral(bend.v, r, beyond, a_, [&](const Box& s, const Box& cosine) {
-                return (s * (bend.rate * 2) + bend.jump * Ball::pi(bits_) / 2) * cosine;
-            });
-        } else if (certainly_less(bend.v, r)) {
-            const Ball from = min(beyond, r - bend.v);
-            const Ball before = clamped(a_ - bend.v);
-            sum += gap_integral(bend.v, r, from, before, [&](const Box& s, const Box& cosine) {
-                const Box root = principal_root((s + bend.v) * (r - bend.v)); // y/cos(psi)
-                const Box y = root * cosine;
-                const Box A = principal_arctangent(y / bend.v);
-                return (y * Ball(2, bits_) - A * bend.v) * bend.rate * cosine +
-                       (A * cosine + Box(bend.v) / root) * bend.jump;
-            });
-        } else if (!certainly_less(r, bend.v)) {
-            // At most the greatest arccos times h(r).
-            const Ball y = Field<Ball>::root(clamped(r - bend.v) * (r + bend.v));
-            const Ball A = atan2(y, bend.v);
-            const Ball most = r * A * (abs(bend.jump) * A + abs(bend.rate) * y);
-            sum += Ball::hull(-most, most) * 2 / Ball::pi(bits_);
-        }
-    }
-    return sum;
-}
-
 Ball axisymmetric_gap(const BallContact& plane, const Ball& beyond) {
     const long bits = plane.bits();
     const Ball& a = plane.a();
@@ -89,94 +60,6 @@ Ball axisymmetric_gap(const BallContact& plane, const Ball& beyond) {
         acb_pow(grown.get(), (s / a).get(), exponent.get(), bits);
         return grown * rate * cosine;
     });
-}
-
-namespace {
-
-/// The integrals of s/(s^2 + w)^n and of s^2/(s^2 + w)^n over 0 < s < a.
-struct OriginMoments {
-    Ball first;
-    Ball second;
-};
-OriginMoments origin_moments(const Ball& a, const Ball& w, long n) {
-    const Ball root = sqrt(w);
-    const Ball end = a * a + w;
-    Ball even = atan2(a, root) / root; // the integral of 1/(s^2 + w)^n, by parts from n = 1 on
-    if (n == 1) {
-        return {log(end / w) / 2, a - w * even};
-    }
-    for (long k = 1; k + 1 < n; ++k) {
-        even = (a / pow_int(end, k) + even * (2 * k - 1)) / (w * (2 * k));
-    }
-    const long twice = 2 * (n - 1);
-    return {(1 / pow_int(w, n - 1) - 1 / pow_int(end, n - 1)) / twice,
-            (even - a / pow_int(end, n - 1)) / twice};
-}
-
-} // namespace
-
-// docs/axisymmetric.md, "Stresses", with s^2 = v^2 + Y^2 t^2
-Ball AxisymmetricContact::approach_moment(const Ball& w, long n) const {
-    Ball sum(0, bits_);
-    for (const Bend& bend : bends_) {
-        if (bend.at_origin) {
-            const OriginMoments of = origin_moments(a_, w, n);
-            sum += bend.jump * Ball::pi(bits_) / 2 * of.first + bend.rate * 2 * of.second;
-        } else if (inside(bend.knot)) {
-            const Ball& v = bend.v;
-            const Ball Y = Field<Ball>::root(clamped(a_ - v) * (a_ + v));
-            const Ball from = v * v + w;
-            const long known = std::min(w.relative_accuracy_bits(), Y.relative_accuracy_bits());
-            const long accuracy = useful_accuracy(known, bits_);
-            const IntegralGoal goal{std::min(bits_, accuracy + 64), accuracy, Ball(0, bits_),
-                                    Ball(1, bits_)};
-            sum += Y * Y *
-                   integral_of(
-                       [&](const Box& t) {
-                           const Box y = t * Y;
-                           const Box A = principal_arctangent(y / v);
-                           const Box rate = (A * t + Box(v / Y)) * bend.jump +
-                                            (y * Ball(2, bits_) - A * v) * t * bend.rate;
-                           Box power = y * y + from;
-                           acb_pow_si(power.get(), power.get(), n, bits_);
-                           return rate / power;
-                       },
-                       goal);
-        }
-    }
-    return sum;
-}
-
-// docs/axisymmetric.md, "Stresses", with s^2 = v^2 + Y^2 t^2
-Ball AxisymmetricContact::over_approach(const std::function<Box(const Box& s)>& f) const {
-    const IntegralGoal goal{bits_, useful_accuracy(a_.relative_accuracy_bits(), bits_),
-                            Ball(0, bits_), Ball(1, bits_)};
-    Ball sum(0, bits_);
-    for (const Bend& bend : bends_) {
-        const Ball& v = bend.v;
-        if (bend.at_origin) {
-            sum +=
-                a_ * integral_of(
-                         [&](const Box& t) {
-                             const Box s = t * a_;
-                             return f(s) * (s * (bend.rate * 2) + bend.jump * Ball::pi(bits_) / 2);
-                         },
-                         goal);
-        } else if (inside(bend.knot)) {
-            const Ball Y = Field<Ball>::root(clamped(a_ - v) * (a_ + v));
-            sum += Y * integral_of(
-                           [&](const Box& t) {
-                               const Box y = t * Y;
-                               const Box s = principal_root(y * y + v * v);
-                               const Box A = principal_arctangent(y / v);
-                               const Box rate = (A * y + v) * bend.jump +
-                                                (y * Ball(2, bits_) - A * v) * y * bend.rate;
-                               return f(s) * rate / s; // ds = y dy/s
-                           },
-                           goal);
-        }
-    }
-    return sum;
 }
 
 // With s = a exp(-x) the power is an exponential. Beyond x = X the integrand is bounded by its
@@ -207,68 +90,140 @@ Ball over_approach(const BallContact& plane, const std::function<Box(const Box& 
     return scale * (whole + up_to(end * upper_end(abs(f(Box(Ball::hull(Ball(0, bits), rest)))))));
 }
 
-// docs/axisymmetric.md, "The energy of a cycle"
-Ball AxisymmetricContact::loop_integral(const Ball& from, const Ball& tau) const {
-    // Between two bends h' is analytic, and with s = s0 + t^2 (s1 - s0) also at a bend at s0.
-    std::vector<Ball> ends{from};
-    std::vector<std::size_t> begins{bends_.size()}; // the bend at which a part begins
-    for (std::size_t i = 0; i < bends_.size(); ++i) {
-        const Ball& v = bends_[i].v;
-        if (bends_[i].at_origin || !inside(bends_[i].knot) || certainly_less(v, from)) {
-            continue;
-        }
-        if (!certainly_less(from, v)) {
+// With w = sqrt(s^2 - A^2) = D cos(psi) between two knots, D^2 = to^2 - A^2, both roots are
+// analytic.
+Ball AxisymmetricContact::over_approach(
+    const Ball& from, std::optional<std::size_t> on, const Ball& beyond,
+    const std::function<Box(const Radius& at, const Box& depth)>& f, const Ball& scale,
+    long known) const {
+    const Ball to = from + beyond;
+    const Ball quarter = Ball::pi(bits_) / 2;
+    const IntegralGoal goal{
+        bits_, useful_accuracy(std::min(known, beyond.relative_accuracy_bits()), bits_), scale,
+        Ball(1, bits_)};
+    Ball sum(0, bits_);
+    Ball A = from;
+    Ball left = beyond; // to - A
+    for (std::size_t i = on ? *on + 1 : 0;; ++i) {
+        const bool last = i == rings_.size() || !certainly_less(rings_[i].v, to);
+        if (!last && !certainly_less(A, rings_[i].v)) {
+            if (certainly_less(rings_[i].v, A)) {
+                continue;
+            }
             return unknown_ball(bits_);
         }
-        ends.push_back(v);
-        begins.push_back(i);
+        if (!on && i == 0) { // a flat: h' is 0 before the first ring
+            if (last) {
+                return sum;
+            }
+            A = rings_[i].v;
+            left = to - A;
+            on = i;
+            continue;
+        }
+        const Ball D = Field<Ball>::root(left * (to + A));
+        const Ball first = last ? Ball(0, bits_)
+                                : atan2(sqrt((to - rings_[i].v) * (to + rings_[i].v)),
+                                        sqrt((rings_[i].v - A) * (rings_[i].v + A)));
+        const Ball width = quarter - first;
+        sum += width * integral_of(
+                           [&](const Box& t) {
+                               const Box psi = t * width + first;
+                               const Box w = cos(psi) * D;
+                               const Box depth = cos(Box(quarter) - psi) * D;
+                               const Radius at = radius(A, on, w);
+                               Box rate = approach_rate(at, on); // ds/dw
+                               if (!on || !on_axis(*on)) {
+                                   rate = rate * w;
+                                   rate =
+                                       (on ? rate + rings_[*on].jump * rings_[*on].v : rate) / at.s;
+                               }
+                               return f(at, depth) * rate * depth;
+                           },
+                           goal);
+        if (last) {
+            return sum;
+        }
+        A = rings_[i].v;
+        left = to - A;
+        on = i;
     }
-    ends.push_back(a_);
-    const Ball whole = force();
-    const Ball mean = whole * (1 - tau / 2);
-    const Ball scale = whole * tau * (approach() - approach_at(from)) / (a_ - from);
-    const long known = std::min((a_ - from).relative_accuracy_bits(), tau.relative_accuracy_bits());
-    const IntegralGoal goal{bits_, useful_accuracy(known, bits_), scale, a_ - from};
+}
+
+Ball AxisymmetricContact::over_approach(const std::function<Box(const Box& s)>& f,
+                                        long known) const {
+    return over_approach(
+        Ball(0, bits_), on_axis(0) ? std::optional<std::size_t>(0) : std::nullopt, a_,
+        [&](const Radius& at, const Box& /*depth*/) { return f(at.s); }, Ball(0, bits_), known);
+}
+
+// docs/axisymmetric.md, "The gap"
+Ball AxisymmetricContact::gap_beyond(const Ball& beyond) const {
+    const Ball r = a_ + beyond;
+    std::optional<std::size_t> on;
+    Ball rest(0, bits_); // of rings that r may lie on
+    for (std::size_t i = 0; i < rings_.size(); ++i) {
+        const Ball& v = rings_[i].v;
+        if (on_edge_[rings_[i].knot]) {
+            on = i;
+        } else if (!on_axis(i) && overlaps(v, r)) {
+            // At most the greatest arccos times the part of the ring in h(r).
+            const Box near(Ball::hull(v, r));
+            const std::size_t knot = rings_[i].knot;
+            const Ball bend = abs(value(knot, near, Integrand::slope).real() -
+                                  value(knot - 1, near, Integrand::slope).real());
+            const Ball A = atan2(Field<Ball>::root(clamped(r - v) * (r + v)), v);
+            rest += up_to(upper_end(r * A * A * bend));
+        }
+    }
+    const auto arc = [&](const Radius& /*at*/, const Box& depth) {
+        Box x = depth / r;
+        if (!certainly_less(abs(x), Ball(1, bits_))) {
+            return unknown_box(bits_); // near a cut
+        }
+        acb_asin(x.get(), x.get(), bits_);
+        return x;
+    };
+    return (over_approach(a_, on, beyond, arc, Ball(0, bits_)) + rest) * 2 / Ball::pi(bits_);
+}
+
+// docs/axisymmetric.md, "The energy of a cycle"
+Ball AxisymmetricContact::loop_integral(const Ball& from, const Ball& tau) const {
+    const Ball P = force();
+    const Ball mean = P * (1 - tau / 2);
+    const auto loop = [&](const Radius& at, const Box& /*depth*/) {
+        return Box(mean) - over_rings(at, Integrand::moment, bits_) * (modulus_ * 2);
+    };
+    return over_approach(from, {}, a_ - from, loop, P * tau * (approach() - approach_at(from)));
+}
+
+// Between two knots L is analytic in w = sqrt(s^2 - v^2), where v is the knot before
+// (docs/histories.md, "The energy"); ds/s = w dw/s^2.
+Ball AxisymmetricContact::over_plane_widths(const Ball& from, const Ball& to,
+                                            const std::function<Box(const Box& L)>& f) const {
     Ball sum(0, bits_);
-    for (std::size_t part = 0; part + 1 < ends.size(); ++part) {
-        const Ball& begin = ends[part];
-        const Ball width = ends[part + 1] - begin;
-        sum += width * 2 *
-               integral_of(
-                   [&](const Box& t) {
-                       const Box beyond = t * t * width; // s - s0
-                       const Box s = beyond + begin;
-                       Box rate(bits_);    // t h'(s)
-                       Box carried(bits_); // L/E*
-                       for (std::size_t i = 0; i < bends_.size(); ++i) {
-                           const Bend& bend = bends_[i];
-                           const Ball& v = bend.v;
-                           const bool begun =
-                               bend.at_origin || i == begins[part] || certainly_less(v, begin);
-                           if (!begun) {
-                               break;
-                           }
-                           const bool here = i == begins[part];
-                           const Box root = bend.at_origin ? s
-                                            : here         ? principal_root((s + v) * width)
-                                                           : principal_root(beyond + (begin - v)) *
-                                                         principal_root(s + v);
-                           const Box y = here ? root * t : root;
-                           const Box A = bend.at_origin ? Box(Ball::pi(bits_) / 2)
-                                                        : principal_arctangent(y / v);
-                           const Box slope = bend.at_origin ? A * t
-                                             : here         ? A * t + Box(v) / root
-                                                            : (A + Box(v) / y) * t;
-                           rate = rate + (y * Ball(2, bits_) - A * v) * t * bend.rate +
-                                  slope * bend.jump;
-                           const Box s2A = s * s * A;
-                           carried =
-                               carried + (s2A + y * v) * bend.jump +
-                               (y * y * y * (Ball(4, bits_) / 3) - (s2A - y * v) * v) * bend.rate;
-                       }
-                       return (Box(mean) - carried * modulus_) * rate;
-                   },
-                   goal);
+    for (std::size_t i = 0; i < rings_.size(); ++i) {
+        const Ball& v = rings_[i].v;
+        const bool last = i + 1 == rings_.size();
+        if (certainly_less(to, v) || (!last && certainly_less(rings_[i + 1].v, from))) {
+            continue;
+        }
+        const Ball begin = max(from, v);
+        const Ball end = last ? to : min(to, rings_[i + 1].v);
+        const Ball first = Field<Ball>::root(clamped(begin - v) * (begin + v));
+        const Ball final = Field<Ball>::root(clamped(end - v) * (end + v));
+        const Ball both = first + final; // it may be 0 where an edge is on the knot
+        const Ball width = certainly_positive(both) ? (end - begin) * (end + begin) / both : both;
+        const IntegralGoal goal{bits_, useful_accuracy(width.relative_accuracy_bits(), bits_),
+                                Ball(0, bits_), Ball(1, bits_)};
+        sum += width * integral_of(
+                           [&](const Box& t) {
+                               const Box w = t * width + first;
+                               const Radius at = radius(v, i, w);
+                               const Box L = over_rings(at, Integrand::first_moment, bits_);
+                               return f(L * modulus_) * w / (at.s * at.s);
+                           },
+                           goal);
     }
     return sum;
 }

@@ -5,6 +5,7 @@
 #include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/ball/acb_values.hpp"
 #include "edgeproof/precision/ball/interval.hpp"
 #include "edgeproof/precision/interruption.hpp"

@@ -2,7 +2,6 @@
 #include "edgeproof/contact/curved/proved_slip.hpp"
 
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
-#include "edgeproof/contact/curved/curved_body.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 
 #include <utility>
@@ -25,9 +24,6 @@ std::unique_ptr<ProvedContact> proved_contact(const Profile& profile, const Exac
                                               const Load& load, long bits) {
     if (BallContact::has_closed_form(profile)) {
         return std::make_unique<BallContact>(profile, contact_modulus, load, bits);
-    }
-    if (profile.axisymmetric() && !profile.piecewise_linear()) {
-        return std::make_unique<CurvedBody>(profile, contact_modulus, load, bits);
     }
     if (profile.axisymmetric()) {
         return std::make_unique<AxisymmetricContact>(profile, contact_modulus, load, bits);
@@ -178,7 +174,7 @@ std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact, const Prof
                                         const Exact& contact_modulus, bool tilted) {
     const BallContact* closed = contact.closed_form();
     if (profile.axisymmetric()) {
-        return axisymmetric_zones(dynamic_cast<const RoundContact&>(contact));
+        return axisymmetric_zones(dynamic_cast<const AxisymmetricContact&>(contact));
     }
     if (closed == nullptr) {
         return integrated_zones(dynamic_cast<const IntegratedContact&>(contact));

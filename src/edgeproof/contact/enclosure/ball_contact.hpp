@@ -139,13 +139,6 @@ private:
     Fixed fixed_;
 };
 
-/// c_0 ... c_{terms-1} to `digits` correct digits each. A coefficient that vanishes is correct to
-/// that many digits of its natural size |c_0|/length^k. Throws BudgetError as enclosed_pressure
-/// does.
-[[nodiscard]] std::vector<Ball> enclosed_expansion(const Profile& profile,
-                                                   const Exact& contact_modulus, const Load& load,
-                                                   Edge edge, std::size_t terms, unsigned digits);
-
 /// The pressure to `digits` correct digits: the precision doubles until the relative radius of the
 /// enclosure is below 10^-(digits + 2). `u` is the distance from the edge (length); the pressure is
 /// in the unit of contact_modulus. Throws BudgetError if the budget of bits is not enough.

@@ -349,39 +349,4 @@ Ball BallContact::majorant(Edge edge, const Ball& rho) const {
     return modulus_ / (pi * 2) * (sum + abs(fixed_.arc) * sqrt(D) * 2);
 }
 
-std::vector<Ball> enclosed_expansion(const Profile& profile, const Exact& contact_modulus,
-                                     const Load& load, Edge edge, std::size_t terms,
-                                     unsigned digits) {
-    const long wanted = static_cast<long>(static_cast<double>(digits + 2) * 3.3219281) + 2;
-    for (long bits = wanted + 64 + 4 * static_cast<long>(terms);; bits *= 2) {
-        try {
-            const BallContact contact(profile, contact_modulus, load, bits);
-            std::vector<Ball> c = contact.expansion(edge, terms);
-            const Ball length = contact.a() + contact.b();
-            Ball natural = terms > 0 ? abs(c[0]) : Ball(0, bits);
-            bool enough = true;
-            for (const Ball& coefficient : c) {
-                const bool relative = coefficient.relative_accuracy_bits() >= wanted;
-                // A coefficient that vanishes is compared with the natural size of its neighbours.
-                const Ball small =
-                    natural /
-                    Ball(Rational(Integer(Integer(1) << static_cast<unsigned>(wanted))), bits);
-                const bool vanishing =
-                    contains_zero(coefficient) && certainly_less(abs(coefficient), small);
-                enough = enough && coefficient.is_finite() && (relative || vanishing);
-                natural /= length;
-            }
-            if (enough) {
-                return c;
-            }
-        } catch (const BudgetError&) {
-            // too few bits to isolate an edge
-        }
-        if (bits > (1L << 17)) {
-            throw BudgetError("the enclosures of the expansion are still too wide at " +
-                              std::to_string(bits) + " bits");
-        }
-    }
-}
-
 } // namespace edgeproof::contact

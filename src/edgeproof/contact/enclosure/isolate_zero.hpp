@@ -19,19 +19,15 @@ struct ZeroSearch {
     int most_stalls = 400; ///< number of small steps without progress after which the search ends
 };
 
-/// The zero of f, which is monotone on the positive axis, by the interval form of Newton's method
-/// (`moore-kearfott-cloud2009`): if middle - f(middle)/f'(X) lies inside X, there is exactly one
-/// zero in X, and it lies in this image.
-/// f(x) > 0 must mean that the zero lies beyond x; `rate` encloses f' (of one sign) over a ball.
-/// Throws a BudgetError that names `what` if the bits do not isolate the zero, a DomainError if
-/// f > 0 however far out.
+/// Returns a place near the zero of f, which is monotone on the positive axis; it proves nothing.
+/// f(x) > 0 must mean that the zero lies beyond x; `rate` is f' (of one sign). Throws a DomainError
+/// that names `what` if f > 0 however far out.
 template <class F, class Rate>
-Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* what,
-                  const ZeroSearch& search) {
+Ball approximate_zero(const F& f, const Rate& rate, const Ball& start, const char* what,
+                      const ZeroSearch& search = {}) {
     const long bits = start.bits();
     Ball x = middle(start);
-    // First search for a certain change of sign, then Newton's method on midpoints; this part
-    // proves nothing.
+    // First a search for a certain change of sign, then Newton's method on midpoints.
     std::optional<Ball> lo;
     std::optional<Ball> hi;
     long factor = 2;
@@ -53,10 +49,10 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
     if (lo && hi) {
         x = middle(sqrt(*lo * *hi));
     } else if (doublings == most_doublings && lo) {
-        throw DomainError(std::string("no position of ") + what +
-                          " closes this contact: the profile does not rise on that side");
+        throw DomainError(std::string("no value of ") + what +
+                          " satisfies the equations of this contact: the profile does not rise on "
+                          "that side");
     }
-    Ball step(0, bits);
     const long wanted = search.nested && !search.prove ? bits / 2 : bits - 12;
     const Ball tiny = power_of_two(-wanted, bits);
     const Ball noise = power_of_two(-(bits / 8 * 3), bits);
@@ -69,7 +65,7 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
         } else if (certainly_negative(value)) {
             hi = x;
         }
-        step = middle(value / rate(x));
+        const Ball step = middle(value / rate(x));
         // Halve instead of a step where the rate may be zero (an edge on the end of a flat), and
         // where steps do not shrink: near a corner f behaves like a root, and Newton's method
         // oscillates.
@@ -77,8 +73,7 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
         const bool inside = step.is_finite() && (!lo || certainly_less(*lo, next)) &&
                             (!hi || certainly_less(next, *hi)) && certainly_positive(next);
         if (inside && !certainly_less(tiny * abs(x), abs(step))) {
-            x = next;
-            break;
+            return next;
         }
         const bool slow = inside && previous && !certainly_less(abs(step) * 2, *previous);
         // Near a knot f has half the bits, or fewer if it needs another search.
@@ -96,17 +91,23 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
         }
         x = next;
     }
-    if (!search.prove) {
-        return x;
-    }
-    // The proof: the Newton image of the candidate lies inside it.
-    Ball radius = abs(x) * tiny;
-    if (step.is_finite()) {
-        radius += abs(step) * 4;
-    }
+    return x;
+}
+
+/// Encloses the only zero of f near x, by the interval form of Newton's method
+/// (`moore-kearfott-cloud2009`): if x - f(x)/f'(X) lies inside X, there is exactly one zero in X,
+/// and it lies in this image. `rate` encloses f' over a ball. Throws a BudgetError that names
+/// `what` if the bits do not isolate the zero.
+template <class F, class Rate>
+Ball prove_zero(const F& f, const Rate& rate, const Ball& x, const char* what) {
+    const long bits = x.bits();
+    const Ball value = f(x);
+    const Ball off = upper_end(abs(value / rate(x))) * 2;
+    Ball radius = abs(x) * power_of_two(12 - bits, bits);
+    radius = off.is_finite() ? radius + off : radius;
     for (long k = 0; 5 * k < bits; ++k) {
         const Ball candidate = Ball::around(x.midpoint(), radius.upper(), bits);
-        const Ball image = x - f(x) / rate(candidate);
+        const Ball image = x - value / rate(candidate);
         if (image.is_finite() && certainly_positive(image) && contains(candidate, image)) {
             return image;
         }
@@ -114,6 +115,14 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
     }
     throw BudgetError(std::string("ball arithmetic at ") + std::to_string(bits) +
                       " bits does not isolate " + what);
+}
+
+/// The zero of f, found and, if that is wanted, proved.
+template <class F, class Rate>
+Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* what,
+                  const ZeroSearch& search) {
+    const Ball x = approximate_zero(f, rate, start, what, search);
+    return search.prove ? prove_zero(f, rate, x, what) : x;
 }
 
 /// A place between lo and hi at which a function crosses zero; between them it is monotone.

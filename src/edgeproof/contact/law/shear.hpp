@@ -109,13 +109,4 @@ template <class T>
                             terms, T(sqrt(length)));
 }
 
-/// True if the singular tractions at both edges have the same sign: |sigma_0 (a + b)/Q| < 8/pi, for
-/// either sign of Q and of sigma_0 (moore-hills EQ35, which omits the absolute value). At equality
-/// one of them vanishes; the result then depends on the rounding of T.
-template <Arithmetic T>
-[[nodiscard]] bool same_sign_at_both_edges(const T& length, const ShearLoad<T>& load) {
-    using std::abs;
-    return abs(T(load.bulk_tension * length)) * pi<T>() < T(8) * abs(load.Q);
-}
-
 } // namespace edgeproof::contact

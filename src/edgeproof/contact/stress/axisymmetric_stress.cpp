@@ -35,7 +35,13 @@ AxisymmetricStress::AxisymmetricStress(const ProvedContact& contact, const Ball&
 
 Ball AxisymmetricStress::moment(const Ball& w, long n) const {
     if (of_revolution_ != nullptr) {
-        return of_revolution_->approach_moment(w, n);
+        return of_revolution_->over_approach( // docs/axisymmetric.md, "Stresses"
+            [&](const Box& s) {
+                Box power = s * s + w;
+                acb_pow_si(power.get(), power.get(), n, w.bits());
+                return s / power;
+            },
+            w.relative_accuracy_bits());
     }
     const Ball& a = contact_.a();
     const Ball half = exponent_ / 2;

@@ -56,12 +56,6 @@ Real arc_tangent(const Real& x) {
     return nearest(x, arb_atan, mpfr_atan, [](mpfr_srcptr, mpfr_prec_t) { return false; });
 }
 
-Real hyperbolic_sine(const Real& x) {
-    return nearest(x, arb_sinh, mpfr_sinh, [](mpfr_srcptr from, mpfr_prec_t) {
-        return mpfr_get_exp(from) > largest_exponent;
-    });
-}
-
 Real exp_less_one(const Real& x) {
     // For x below -bits the result is too close to -1 for both of Arb's precisions.
     return nearest(x, arb_expm1, mpfr_expm1, [](mpfr_srcptr from, mpfr_prec_t bits) {

@@ -13,8 +13,6 @@ namespace edgeproof {
 
 /// Returns atan x.
 [[nodiscard]] Real arc_tangent(const Real& x);
-/// Returns sinh x.
-[[nodiscard]] Real hyperbolic_sine(const Real& x);
 /// Returns e^x - 1.
 [[nodiscard]] Real exp_less_one(const Real& x);
 

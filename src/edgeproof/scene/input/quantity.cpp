@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/input/quantity.hpp"
 
-#include "edgeproof/contact/curved/curved_body.hpp"
+#include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
@@ -187,7 +187,7 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
         if (!scene.profile->symmetric()) {
             return lack("is not computed for curved slopes that are not symmetric", "");
         }
-        if (contact::CurvedBody::not_analytic_at(*scene.profile)) {
+        if (contact::AxisymmetricContact::not_analytic_at(*scene.profile)) {
             return lack("is not computed where g' is not analytic at the end of a piece", "");
         }
     }

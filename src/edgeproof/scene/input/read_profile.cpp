@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/curved/curved_body.hpp"
+#include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/io/error_place.hpp"
@@ -314,7 +314,7 @@ void require_axisymmetric(const io::TomlSection& profile, const Scene& scene) {
     if (scene.profile->kind() == Profile::Kind::power_law || scene.profile->piecewise_linear()) {
         return;
     }
-    if (const auto v = contact::CurvedBody::not_analytic_at(*scene.profile)) {
+    if (const auto v = contact::AxisymmetricContact::not_analytic_at(*scene.profile)) {
         profile.reject("geometry",
                        "g' is not analytic at r = " + v->text() +
                            ", so that the axisymmetric contact is not computed",

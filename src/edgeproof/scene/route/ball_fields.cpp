@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/curved/curved_body.hpp"
+#include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/stress/surface_gap.hpp"
@@ -273,7 +273,7 @@ Ball BallLevel::round_slip(const Ball& r) {
            (form != nullptr
                 ? axisymmetric_gap(form->between(part.zone.a, part.zone.b),
                                    contact::clamped(beyond))
-                : of_revolution().resized(part.zone.a)->gap_beyond(contact::clamped(beyond)));
+                : of_revolution().with_radius(part.zone.a).gap_beyond(contact::clamped(beyond)));
 }
 
 std::optional<Ball> BallLevel::power_of_growth() const {
@@ -296,7 +296,7 @@ contact::GrowthIntegral BallLevel::growth(const ProvedContact& widest) const {
         return growth_of(*form);
     }
     // Only its integrals of g' are used, and not its radius.
-    const auto body = std::make_shared<const contact::CurvedBody>(
+    const auto body = std::make_shared<const contact::AxisymmetricContact>(
         *scene_.profile, scene_.contact_modulus, Load::right_edge(Exact::of(1)), bits_);
     return [body](const contact::PhaseWeight& weight, const contact::SlipPhase::Cut& from,
                   const contact::SlipPhase::Cut& to) {

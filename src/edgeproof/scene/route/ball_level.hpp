@@ -338,8 +338,8 @@ private:
                 most, L};
     }
     /// The contact of an axisymmetric scene whose profile is no power law.
-    [[nodiscard]] const contact::RoundContact& of_revolution() const {
-        return dynamic_cast<const contact::RoundContact&>(*contact_);
+    [[nodiscard]] const contact::AxisymmetricContact& of_revolution() const {
+        return dynamic_cast<const contact::AxisymmetricContact&>(*contact_);
     }
     void make_slip(const std::optional<contact::BallZone>& stick) {
         const ShearSpec& shear = *scene_.shear;

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The approach of an axisymmetric contact as a function of its radius, and what follows from it at
+// the edge.
+#include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
+#include "edgeproof/contact/enclosure/rigorous_integral.hpp"
+#include "edgeproof/contact/law/edge_expansion.hpp"
+#include "edgeproof/formula/evaluation/complex_taylor.hpp"
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr long narrow_bits_of_radius = 48; ///< a radius with fewer bits is a range
+constexpr long parts_of_range = 8;         ///< into which a coarse enclosure is divided
+
+bool is_narrow(const Box& s) { return acb_rel_accuracy_bits(s.get()) >= narrow_bits_of_radius; }
+
+/// The integral of f over 0 < t < 1, or a coarse enclosure of it.
+Box integral_or_range(const std::function<Box(const Box& t)>& f, bool narrow, long accuracy,
+                      long bits) {
+    if (narrow) {
+        return inner_integral_of(f, {bits, accuracy, Ball(0, bits), Ball(1, bits)});
+    }
+    Box sum(bits);
+    for (long i = 0; i < parts_of_range; ++i) {
+        const Ball lo(Rational(i, parts_of_range), bits);
+        const Ball hi(Rational(i + 1, parts_of_range), bits);
+        sum = sum + f(Box(Ball::hull(lo, hi)));
+    }
+    return sum / Ball(parts_of_range, bits);
+}
+
+} // namespace
+
+AxisymmetricContact::Radius AxisymmetricContact::radius(const Ball& s) const {
+    Radius at{Box(s), {}};
+    for (const Ring& ring : rings_) {
+        if (on_edge_[ring.knot] || certainly_less(s, ring.v)) {
+            break;
+        }
+        at.y.emplace_back(Field<Ball>::root(clamped(s - ring.v) * (s + ring.v)));
+    }
+    return at;
+}
+
+AxisymmetricContact::Radius
+AxisymmetricContact::radius(const Ball& A, std::optional<std::size_t> on, const Box& w) const {
+    const Box w2 = w * w;
+    Radius at{on && on_axis(*on) ? w : principal_root(w2 + A * A), {}};
+    for (std::size_t i = 0; i < rings_.size(); ++i) {
+        const Ball& v = rings_[i].v;
+        if (on == i) {
+            at.y.push_back(w);
+            break;
+        }
+        if (!certainly_less(v, A)) {
+            break;
+        }
+        at.y.push_back(principal_root(w2 + (A - v) * (A + v)));
+    }
+    return at;
+}
+
+AxisymmetricContact::Radius AxisymmetricContact::radius_near_edge(const Box& z) const {
+    Radius at{z + a_, {}};
+    for (const Ring& ring : rings_) {
+        if (!inside(ring.knot)) {
+            break;
+        }
+        at.y.push_back(principal_root((z + (a_ - ring.v)) * (z + (a_ + ring.v))));
+    }
+    return at;
+}
+
+Box AxisymmetricContact::value(std::size_t knot, const Box& r, Integrand of) const {
+    const SlopePiece& piece = profile_.pieces()[knot + 1];
+    AcbPolyValue taylor;
+    formula::complex_taylor(taylor, piece.slope, r.get(), of == Integrand::rate ? 2 : 1, bits_);
+    Box slope(bits_);
+    acb_poly_get_coeff_acb(slope.get(), taylor, 0);
+    if (of == Integrand::slope) {
+        return slope;
+    }
+    if (of == Integrand::first_moment) {
+        return slope * r;
+    }
+    if (of == Integrand::moment) {
+        return slope * r * r;
+    }
+    Box curvature(bits_);
+    acb_poly_get_coeff_acb(curvature.get(), taylor, 1);
+    return slope + curvature * r;
+}
+
+Box AxisymmetricContact::rate_over_radius(const Box& r) const {
+    if (!r.contains_zero()) {
+        return value(rings_[0].knot, r, Integrand::rate) / r;
+    }
+    // A mean of the derivative, 2 g'' + r g''', over the way from the axis.
+    const Box all = Box::hull(r, Box(Ball(0, bits_)));
+    AcbPolyValue taylor;
+    formula::complex_taylor(taylor, profile_.pieces()[rings_[0].knot + 1].slope, all.get(), 3,
+                            bits_);
+    Box second(bits_);
+    Box third(bits_);
+    acb_poly_get_coeff_acb(second.get(), taylor, 1);
+    acb_poly_get_coeff_acb(third.get(), taylor, 2);
+    return (second + third * all) * Ball(2, bits_);
+}
+
+// docs/axisymmetric.md, "Curved slopes": r = s cos(psi)
+Box AxisymmetricContact::over_rings(const Radius& at, Integrand of, long accuracy) const {
+    Box sum(bits_);
+    if (linear_) { // docs/axisymmetric.md, "Piecewise linear slopes"
+        for (std::size_t i = 0; i < at.y.size(); ++i) {
+            const auto& [v, jump, rate, knot] = rings_[i];
+            const Box& y = at.y[i];
+            const Box A = angle(at, i);
+            if (of == Integrand::slope) {
+                sum = sum + A * jump + (y - A * v) * rate;
+            } else {
+                const Box s2A = at.s * at.s * A;
+                sum = sum + ((s2A + y * v) * jump +
+                             (y * y * y * (Ball(4, bits_) / 3) - (s2A - y * v) * v) * rate) /
+                                Ball(2, bits_);
+            }
+        }
+        return sum;
+    }
+    const bool narrow = is_narrow(at.s);
+    Box outer(Ball::pi(bits_) / 2);
+    for (std::size_t i = 0; i < at.y.size(); ++i) {
+        const bool last = i + 1 == at.y.size();
+        const Box inner = last ? Box(bits_) : principal_arctangent(at.y[i + 1] / rings_[i + 1].v);
+        const Box width = outer - inner;
+        sum = sum + width * integral_or_range(
+                                [&](const Box& t) {
+                                    return value(rings_[i].knot, at.s * cos(inner + width * t), of);
+                                },
+                                narrow, accuracy, bits_);
+        outer = inner;
+    }
+    return sum;
+}
+
+Box AxisymmetricContact::rate_over_radius_at(const Box& s) const {
+    const Ball quarter = Ball::pi(bits_) / 2;
+    return integral_or_range(
+               [&](const Box& t) {
+                   const Box part = cos(t * quarter); // r/s
+                   return rate_over_radius(s * part) * part;
+               },
+               is_narrow(s), bits_, bits_) *
+           quarter;
+}
+
+Box AxisymmetricContact::angle(const Radius& at, std::size_t ring) const {
+    return on_axis(ring) ? Box(Ball::pi(bits_) / 2)
+                         : principal_arctangent(at.y[ring] / rings_[ring].v);
+}
+
+Box AxisymmetricContact::approach_rate(const Radius& at, std::optional<std::size_t> except) const {
+    Box sum = linear_ ? Box(bits_) : over_rings(at, Integrand::rate, bits_);
+    for (std::size_t i = 0; i < at.y.size(); ++i) {
+        const auto& [v, jump, rate, knot] = rings_[i];
+        const bool corner = !contains_zero(jump);
+        if (linear_) {
+            const Box A = angle(at, i);
+            sum = sum + (at.y[i] * Ball(2, bits_) - A * v) * rate;
+            sum = corner ? sum + A * jump : sum;
+        }
+        if (corner && i != except && !on_axis(i)) {
+            sum = sum + Box(jump * v) / at.y[i];
+        }
+    }
+    return sum;
+}
+
+Ball AxisymmetricContact::approach_rate_at(const Ball& s) const {
+    return approach_rate(radius(s), {}).real();
+}
+
+Ball AxisymmetricContact::approach_at(const Ball& s) const {
+    return s * over_rings(radius(s), Integrand::slope, bits_).real();
+}
+
+Ball AxisymmetricContact::force_at(const Ball& s) const {
+    return modulus_ * 2 * over_rings(radius(s), Integrand::moment, bits_).real();
+}
+
+std::vector<Ball> AxisymmetricContact::expansion(Edge /*edge*/, std::size_t terms) const {
+    if (terms == 0) {
+        return {};
+    }
+    std::vector<Ball> rates = approach_rates(terms);
+    std::vector<Ball> radii;
+    for (std::size_t k = 0; k < terms; ++k) {
+        rates[k] *= modulus_;
+        radii.push_back(k == 0 ? a_ : Ball(k == 1 ? 1 : 0, bits_));
+    }
+    // The plane contact with P'(s) = E* h'(s) has the same pressure.
+    const LawSeries<Ball> law{series::Series<Ball>(std::move(rates)),
+                              series::Series<Ball>(std::move(radii))};
+    return coefficients_of(right_edge_brackets(law, a_), Ball(a_ * 2));
+}
+
+// p/sqrt(u) = (E*/pi) times the integral of h'(a - u t) (1 - t)^(-1/2) (2a - u (1 + t))^(-1/2) over
+// 0 < t < 1 (docs/axisymmetric.md, "The expansion").
+Ball AxisymmetricContact::most_rate(const Ball& rho) const {
+    constexpr long across = 6; // boxes from -rho to rho
+    const Ball half = rho / across;
+    Ball most(0, bits_);
+    for (long i = 0; i < across; ++i) {
+        for (long j = 0; 2 * j < across; ++j) { // h' is real on the real axis
+            const Box z(half * (2 * i + 1 - across) + up_to(half),
+                        half * (2 * j + 1) + up_to(half));
+            const Ball here = abs(approach_rate(radius_near_edge(z), {}));
+            if (!here.is_finite()) {
+                return unknown_ball(bits_);
+            }
+            most = max(most, upper_end(here));
+        }
+    }
+    return most;
+}
+
+Ball AxisymmetricContact::reach(Edge /*edge*/) const {
+    Ball rho = a_;
+    for (const Ring& ring : rings_) {
+        if (inside(ring.knot)) {
+            rho = min(rho, a_ - ring.v);
+        }
+    }
+    if (linear_) {
+        return rho;
+    }
+    rho = lower_end(rho) * 3 / 4;
+    for (int k = 0; k < 40 && certainly_positive(rho); ++k, rho = rho / 2) {
+        if (most_rate(rho).is_finite()) {
+            return lower_end(rho);
+        }
+    }
+    return {0, bits_};
+}
+
+// Of a linear slope |h'| is bounded over the disk |s - a| <= rho in closed form. There v < |s|, so
+// that the angle A = arccos(v/s) has |A| <= pi/2 + arcsin(v/|s|) <= pi (the series of arcsin has no
+// negative coefficient), and y^2 = (s - v) (s + v).
+Ball AxisymmetricContact::majorant(Edge /*edge*/, const Ball& rho) const {
+    const Ball pi = Ball::pi(bits_);
+    const Ball least = a_ - rho;
+    const Ball greatest = a_ + rho;
+    Ball most = linear_ ? Ball(0, bits_) : most_rate(rho);
+    for (const Ring& bend : linear_ ? rings_ : std::vector<Ring>{}) {
+        const Ball& v = bend.v;
+        if (arb_is_zero(v.data()) != 0) {
+            most += abs(bend.jump) * pi / 2 + abs(bend.rate) * greatest * 2;
+        } else if (inside(bend.knot)) {
+            most += abs(bend.rate) * (sqrt((greatest - v) * (greatest + v)) * 2 + v * pi);
+            if (!contains_zero(bend.jump)) {
+                most += abs(bend.jump) * (pi + v / sqrt((least - v) * (least + v)));
+            }
+        }
+    }
+    return modulus_ / pi * most * 2 / sqrt(least * 2);
+}
+
+BallSeries AxisymmetricContact::linear_approach_rates(std::size_t terms) const {
+    const BallSeries s = BallSeries::variable(a_, terms);
+    BallSeries rate(Ball(0, bits_), terms);
+    for (const Ring& bend : rings_) {
+        if (arb_is_zero(bend.v.data()) != 0) {
+            rate = rate + s * (bend.rate * 2) + bend.jump * Ball::pi(bits_) / 2;
+        } else if (!on_edge_[bend.knot] && !certainly_less(a_, bend.v)) {
+            if (!certainly_less(bend.v, a_)) {
+                return unknown_series(terms, bits_);
+            }
+            BallSeries y2 = s * s + -(bend.v * bend.v);
+            y2.set(0, (a_ - bend.v) * (a_ + bend.v));
+            const BallSeries y = sqrt(y2);
+            const BallSeries A = atan(y * (1 / bend.v));
+            rate = rate + (y * Ball(2, bits_) - A * bend.v) * bend.rate;
+            if (!contains_zero(bend.jump)) {
+                rate = rate + (A + BallSeries(bend.v, terms) / y) * bend.jump;
+            }
+        }
+    }
+    return rate;
+}
+
+// The Taylor coefficients of h' at a by Cauchy's formula over a circle of a sixteenth of the disk
+// on which h' is bounded by M. The mean over N points adds the coefficients k + N, k + 2N, ...
+// (`trefethen-weideman2014`), which are at most M/reach^(k + lN).
+std::vector<Ball> AxisymmetricContact::approach_rates(std::size_t terms) const {
+    if (linear_) {
+        return linear_approach_rates(terms).coefficients();
+    }
+    constexpr long bits_of_ratio = 4;
+    const Ball rho = reach(Edge::right);
+    if (!certainly_positive(rho)) {
+        return std::vector<Ball>(terms, unknown_ball(bits_));
+    }
+    const Ball most = upper_end(most_rate(rho));
+    const Ball circle = rho / (1L << bits_of_ratio);
+    const auto points = bits_ / bits_of_ratio + static_cast<long>(terms) + 2;
+    std::vector<Box> sums(terms, Box(bits_));
+    for (long j = 0; 2 * j <= points; ++j) { // h' is real on the real axis
+        const Ball angle = Ball::pi(bits_) * (2 * j) / points;
+        const Box turn(cos(angle), sin(angle));
+        const Box z = turn * circle;
+        const Box h =
+            approach_rate(radius_near_edge(z), {}) * Ball(j == 0 || 2 * j == points ? 1 : 2, bits_);
+        Box power(Ball(1, bits_));
+        for (std::size_t k = 0; k < terms; ++k) {
+            sums[k] = sums[k] + h * power;
+            power = power * conj(turn);
+        }
+    }
+    std::vector<Ball> rates;
+    Ball scale(1, bits_);
+    Ball bound = most * power_of_two(-bits_of_ratio * points, bits_) * 2;
+    for (std::size_t k = 0; k < terms; ++k) {
+        rates.push_back(sums[k].real() / points / scale + up_to(bound));
+        scale *= circle;
+        bound /= rho;
+    }
+    return rates;
+}
+
+std::vector<Ball> AxisymmetricContact::force_rates(std::size_t terms) const {
+    const std::vector<Ball> h = approach_rates(terms);
+    std::vector<Ball> rates;
+    for (std::size_t k = 0; k < terms; ++k) {
+        const Ball rate = (k == 0 ? h[k] * a_ : h[k] * a_ + h[k - 1]) * modulus_ * 2;
+        rates.push_back(k % 2 == 0 ? rate : -rate);
+    }
+    return rates;
+}
+
+} // namespace edgeproof::contact

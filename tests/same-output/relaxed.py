@@ -7,7 +7,7 @@ import re
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 INLINE = re.compile(rf"((?:\+-|±|\\pm)\s*|_?bound\"?[:=] *\"?){NUMBER}")
 SEPARATORS = (",", "|", "&")
-RATIO = 2  # a new bound is at most so many times the old one
+RATIO = 2  # a new bound is at most twice the old one
 
 
 def without_bounds(text):

@@ -46,98 +46,91 @@ constexpr std::string_view history_advice =
     "the traction depends on all loads before, and is asked for after the step that counts";
 constexpr std::size_t most_other_steps = 12;
 
-/// A line: what is wrong and when, the name, words, and the formula of the wrong number. In it x is
-/// the right number, and E1, nu1, E2, nu2, R1 and R2 are those of the scene.
-constexpr std::string_view table = R"(
-bodies | e-for-e-star     | E of body 1 instead of E* | E1
-bodies | one-body-modulus | E/(1 - nu^2) of body 1 instead of E* | E1/(1 - nu1^2)
-bodies | shear-modulus    | 2G of body 1 instead of E* | E1/(1 + nu1)
-bodies | shear-modulus    | G of body 1 instead of E* | E1/(2*(1 + nu1))
-unlike | e-for-e-star     | E of body 2 instead of E* | E2
-unlike | one-body-modulus | E/(1 - nu^2) of body 2 instead of E* | E2/(1 - nu2^2)
-unlike | one-body-modulus | the constants of body 1 for both bodies | E1/(2*(1 - nu1^2))
-unlike | one-body-modulus | the constants of body 2 for both bodies | E2/(2*(1 - nu2^2))
-bodies | nu-not-squared   | 1 - nu instead of 1 - nu^2 | 1/((1 - nu1)/E1 + (1 - nu2)/E2)
-bodies | plane-stress     | plane stress, 1/E* = 1/E1 + 1/E2 | 1/(1/E1 + 1/E2)
-bodies | sum-of-moduli    | the sum of the moduli E/(1 - nu^2) instead of E* | E1/(1 - nu1^2) + E2/(1 - nu2^2)
-bodies | sum-of-moduli    | the sum of E1 and E2 instead of E* | E1 + E2
-bodies | sum-of-moduli    | the mean of E1 and E2 instead of E* | (E1 + E2)/2
-bodies | shear-modulus    | 2G of the bodies instead of E/(1 - nu^2) | 1/((1 + nu1)/E1 + (1 + nu2)/E2)
-bodies | factor-2         | half of E* | x/2
-unlike | factor-2         | twice E* | 2*x
-bodies | shear-modulus    | G of the bodies instead of E | 1/(2*(1 + nu1)*(1 - nu1^2)/E1 + 2*(1 + nu2)*(1 - nu2^2)/E2)
-modulus | factor-2        | twice E* | 2*x
-modulus | factor-2        | half of E* | x/2
-modulus | factor-pi       | pi times E* | Pi*x
-modulus | factor-pi       | E* divided by pi | x/Pi
-modulus | plane-stress    | plane stress, E instead of E/(1 - nu^2), if nu is 1/4 | x*(1 - (1/4)^2)
-modulus | plane-stress    | plane stress, E instead of E/(1 - nu^2), if nu is 0.28 | x*(1 - 0.28^2)
-modulus | plane-stress    | plane stress, E instead of E/(1 - nu^2), if nu is 3/10 | x*(1 - 0.3^2)
-modulus | plane-stress    | plane stress, E instead of E/(1 - nu^2), if nu is 0.32 | x*(1 - 0.32^2)
-modulus | plane-stress    | plane stress, E instead of E/(1 - nu^2), if nu is 1/3 | x*(1 - (1/3)^2)
-modulus | plane-stress    | plane stress, E instead of E/(1 - nu^2), if nu is 0.35 | x*(1 - 0.35^2)
-modulus | plane-stress    | plane stress, E instead of E/(1 - nu^2), if nu is 1/2 | x*(1 - (1/2)^2)
-circle | radius-as-diameter | half the radius | 2*x
-circle | radius-as-diameter | the diameter instead of the radius | x/2
-C      | factor-2           | twice C | 2*x
-C      | factor-2           | half of C | x/2
-R      | radius-as-diameter | the diameter instead of the radius | 2*x
-R      | radius-as-diameter | half the radius | x/2
-t      | flat-as-full-width | the length of the flat instead of its half-length | 2*x
-t      | flat-as-full-width | half of the flat's half-length | x/2
-radii  | one-body-radius    | R1 instead of R, 1/R = 1/R1 + 1/R2 | 1/R1
-radii  | one-body-radius    | R2 instead of R, 1/R = 1/R1 + 1/R2 | 1/R2
-radii  | one-body-radius    | R1 + R2 instead of R | 1/(R1 + R2)
-radii  | one-body-radius    | the mean of R1 and R2 instead of R | 2/(R1 + R2)
-radii  | one-body-radius    | 1/R1 - 1/R2 instead of 1/R1 + 1/R2 | 1/R1 - 1/R2
-radii  | one-body-radius    | 1/R2 - 1/R1 instead of 1/R1 + 1/R2 | 1/R2 - 1/R1
-tangent | tangent-of-angle  | the tangent instead of the angle | tan(x)
-sine    | tangent-of-angle  | the sine instead of the angle | sin(x)
-degrees | degrees           | the angle in degrees instead of radians | x*180/Pi
-radians | degrees           | the angle converted from degrees to radians twice | x*Pi/180
-alpha  | mirrored           | the tilt of the wrong sign | -x
-alpha  | no-tilt            | no tilt | 0
-P      | half-force         | half of P | x/2
-P      | half-force         | twice P | 2*x
-radian | force-per-radian   | P divided by 2 pi | x/(2*Pi)
-radian | force-per-radian   | 2 pi P | 2*Pi*x
-delta  | half-approach      | half of delta | x/2
-delta  | half-approach      | twice delta | 2*x
-a      | full-width-for-half | the width of the contact instead of a | 2*x
-a      | full-width-for-half | a quarter of the width instead of a | x/2
-M      | sign-of-moment     | M with the wrong sign | -x
-M      | half-moment        | half of M | x/2
-M      | half-moment        | twice M | 2*x
-Q      | half-shear-force   | half of Q | x/2
-Q      | half-shear-force   | twice Q | 2*x
-bulk_tension | half-tension | half of the bulk tension | x/2
-bulk_tension | half-tension | twice the bulk tension | 2*x
-bulk_tension | no-tension   | no bulk tension | 0
-bulk_tension | sign-of-tension | the bulk tension of the wrong sign relative to Q | -x
-)";
-
+/// What is wrong and when, and the formula of the wrong number. In it x is the right number, and
+/// E1, nu1, E2, nu2, R1 and R2 are those of the scene.
 struct Row {
-    std::string_view when, name, what, formula;
+    std::string_view when;
+    std::string_view name;
+    std::string_view what;
+    std::string_view formula;
 };
-
-std::vector<Row> rows_of_table() {
-    const auto trimmed = [](std::string_view text) {
-        const std::size_t from = text.find_first_not_of(' ');
-        return text.substr(from, text.find_last_not_of(' ') - from + 1);
-    };
-    std::vector<Row> rows;
-    for (std::string_view rest = table.substr(1); !rest.empty();
-         rest.remove_prefix(rest.find('\n') + 1)) {
-        std::string_view line = rest.substr(0, rest.find('\n'));
-        Row& row = rows.emplace_back();
-        for (std::string_view* cell : {&row.when, &row.name, &row.what, &row.formula}) {
-            const std::size_t bar = std::min(line.find(" | "), line.size());
-            *cell = trimmed(line.substr(0, bar));
-            line.remove_prefix(std::min(bar + 3, line.size()));
-        }
-    }
-    return rows;
-}
+constexpr Row table[] = {
+    {"bodies", "e-for-e-star", "E of body 1 instead of E*", "E1"},
+    {"bodies", "one-body-modulus", "E/(1 - nu^2) of body 1 instead of E*", "E1/(1 - nu1^2)"},
+    {"bodies", "shear-modulus", "2G of body 1 instead of E*", "E1/(1 + nu1)"},
+    {"bodies", "shear-modulus", "G of body 1 instead of E*", "E1/(2*(1 + nu1))"},
+    {"unlike", "e-for-e-star", "E of body 2 instead of E*", "E2"},
+    {"unlike", "one-body-modulus", "E/(1 - nu^2) of body 2 instead of E*", "E2/(1 - nu2^2)"},
+    {"unlike", "one-body-modulus", "the constants of body 1 for both bodies", "E1/(2*(1 - nu1^2))"},
+    {"unlike", "one-body-modulus", "the constants of body 2 for both bodies", "E2/(2*(1 - nu2^2))"},
+    {"bodies", "nu-not-squared", "1 - nu instead of 1 - nu^2", "1/((1 - nu1)/E1 + (1 - nu2)/E2)"},
+    {"bodies", "plane-stress", "plane stress, 1/E* = 1/E1 + 1/E2", "1/(1/E1 + 1/E2)"},
+    {"bodies", "sum-of-moduli", "the sum of the moduli E/(1 - nu^2) instead of E*",
+     "E1/(1 - nu1^2) + E2/(1 - nu2^2)"},
+    {"bodies", "sum-of-moduli", "the sum of E1 and E2 instead of E*", "E1 + E2"},
+    {"bodies", "sum-of-moduli", "the mean of E1 and E2 instead of E*", "(E1 + E2)/2"},
+    {"bodies", "shear-modulus", "2G of the bodies instead of E/(1 - nu^2)",
+     "1/((1 + nu1)/E1 + (1 + nu2)/E2)"},
+    {"bodies", "factor-2", "half of E*", "x/2"},
+    {"unlike", "factor-2", "twice E*", "2*x"},
+    {"bodies", "shear-modulus", "G of the bodies instead of E",
+     "1/(2*(1 + nu1)*(1 - nu1^2)/E1 + 2*(1 + nu2)*(1 - nu2^2)/E2)"},
+    {"modulus", "factor-2", "twice E*", "2*x"},
+    {"modulus", "factor-2", "half of E*", "x/2"},
+    {"modulus", "factor-pi", "pi times E*", "Pi*x"},
+    {"modulus", "factor-pi", "E* divided by pi", "x/Pi"},
+    {"modulus", "plane-stress", "plane stress, E instead of E/(1 - nu^2), if nu is 1/4",
+     "x*(1 - (1/4)^2)"},
+    {"modulus", "plane-stress", "plane stress, E instead of E/(1 - nu^2), if nu is 0.28",
+     "x*(1 - 0.28^2)"},
+    {"modulus", "plane-stress", "plane stress, E instead of E/(1 - nu^2), if nu is 3/10",
+     "x*(1 - 0.3^2)"},
+    {"modulus", "plane-stress", "plane stress, E instead of E/(1 - nu^2), if nu is 0.32",
+     "x*(1 - 0.32^2)"},
+    {"modulus", "plane-stress", "plane stress, E instead of E/(1 - nu^2), if nu is 1/3",
+     "x*(1 - (1/3)^2)"},
+    {"modulus", "plane-stress", "plane stress, E instead of E/(1 - nu^2), if nu is 0.35",
+     "x*(1 - 0.35^2)"},
+    {"modulus", "plane-stress", "plane stress, E instead of E/(1 - nu^2), if nu is 1/2",
+     "x*(1 - (1/2)^2)"},
+    {"circle", "radius-as-diameter", "half the radius", "2*x"},
+    {"circle", "radius-as-diameter", "the diameter instead of the radius", "x/2"},
+    {"C", "factor-2", "twice C", "2*x"},
+    {"C", "factor-2", "half of C", "x/2"},
+    {"R", "radius-as-diameter", "the diameter instead of the radius", "2*x"},
+    {"R", "radius-as-diameter", "half the radius", "x/2"},
+    {"t", "flat-as-full-width", "the length of the flat instead of its half-length", "2*x"},
+    {"t", "flat-as-full-width", "half of the flat's half-length", "x/2"},
+    {"radii", "one-body-radius", "R1 instead of R, 1/R = 1/R1 + 1/R2", "1/R1"},
+    {"radii", "one-body-radius", "R2 instead of R, 1/R = 1/R1 + 1/R2", "1/R2"},
+    {"radii", "one-body-radius", "R1 + R2 instead of R", "1/(R1 + R2)"},
+    {"radii", "one-body-radius", "the mean of R1 and R2 instead of R", "2/(R1 + R2)"},
+    {"radii", "one-body-radius", "1/R1 - 1/R2 instead of 1/R1 + 1/R2", "1/R1 - 1/R2"},
+    {"radii", "one-body-radius", "1/R2 - 1/R1 instead of 1/R1 + 1/R2", "1/R2 - 1/R1"},
+    {"tangent", "tangent-of-angle", "the tangent instead of the angle", "tan(x)"},
+    {"sine", "tangent-of-angle", "the sine instead of the angle", "sin(x)"},
+    {"degrees", "degrees", "the angle in degrees instead of radians", "x*180/Pi"},
+    {"radians", "degrees", "the angle converted from degrees to radians twice", "x*Pi/180"},
+    {"alpha", "mirrored", "the tilt of the wrong sign", "-x"},
+    {"alpha", "no-tilt", "no tilt", "0"},
+    {"P", "half-force", "half of P", "x/2"},
+    {"P", "half-force", "twice P", "2*x"},
+    {"radian", "force-per-radian", "P divided by 2 pi", "x/(2*Pi)"},
+    {"radian", "force-per-radian", "2 pi P", "2*Pi*x"},
+    {"delta", "half-approach", "half of delta", "x/2"},
+    {"delta", "half-approach", "twice delta", "2*x"},
+    {"a", "full-width-for-half", "the width of the contact instead of a", "2*x"},
+    {"a", "full-width-for-half", "a quarter of the width instead of a", "x/2"},
+    {"M", "sign-of-moment", "M with the wrong sign", "-x"},
+    {"M", "half-moment", "half of M", "x/2"},
+    {"M", "half-moment", "twice M", "2*x"},
+    {"Q", "half-shear-force", "half of Q", "x/2"},
+    {"Q", "half-shear-force", "twice Q", "2*x"},
+    {"bulk_tension", "half-tension", "half of the bulk tension", "x/2"},
+    {"bulk_tension", "half-tension", "twice the bulk tension", "2*x"},
+    {"bulk_tension", "no-tension", "no bulk tension", "0"},
+    {"bulk_tension", "sign-of-tension", "the bulk tension of the wrong sign relative to Q", "-x"},
+};
 
 using Wrong = std::function<Exact(const Exact&)>;
 using Keys = std::set<std::string>;
@@ -274,8 +267,7 @@ private:
     /// Adds the rows of the table; `set` puts the wrong number into a scene.
     void add(const Keys& when, std::string_view advice,
              const std::function<void(Scene&, const Wrong&)>& set, const std::string& of = "") {
-        static const std::vector<Row> rows = rows_of_table();
-        for (const Row& row : rows) {
+        for (const Row& row : table) {
             if (when.contains(std::string(row.when))) {
                 add(row.name, std::string(row.what) + of, advice,
                     [set, wrong = wrong_number(row.formula, scene_)](Scene& s) { set(s, wrong); });

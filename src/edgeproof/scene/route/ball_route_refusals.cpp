@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/route/ball_route.hpp"
+
+#include "edgeproof/contact/curved/curved_slope.hpp"
+#include "edgeproof/contact/profile/slope.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+
+namespace edgeproof::scene {
+
+void BallRoute::refuse_contact() const {
+    if (no_contact_) {
+        throw InputError(*no_contact_, "give a load that a contact of this profile can carry");
+    }
+    throw BudgetError("no number of bits encloses the edges of the contact");
+}
+
+void BallRoute::check_slope() {
+    if (closed()) {
+        return; // decided exactly
+    }
+    const BallLevel* level = at_level(length_->bits());
+    check_reach(*scene_.profile, level->a(), level->b());
+    const contact::SlopeMonotonicity monotonicity =
+        monotonicity_of_slope(*scene_.profile, level->a(), level->b());
+    if (monotonicity.kind == contact::SlopeMonotonicity::Kind::falls) {
+        throw InputError("g' decreases near x = " + monotonicity.where->midpoint().str(8),
+                         "give a convex profile: g' must not decrease")
+            .at(scene_.file, scene_.profile_line);
+    }
+    if (monotonicity.kind != contact::SlopeMonotonicity::Kind::rises) {
+        throw InputError("g' could not be proved to rise in the contact",
+                         "write the slope in another form, such as (x - 3/10)^3 + 27/1000 for its "
+                         "expanded polynomial, or in more pieces")
+            .at(scene_.file, scene_.profile_line);
+    }
+}
+
+void BallRoute::refuse_unknown(const QuantityRow& row, const AskedValue& asked) {
+    if (row.of_bodies()) {
+        throw BudgetError(std::string("no number of bits encloses the value") +
+                          (row.place == QuantityRow::Place::body
+                               ? ", which may be infinite there: at an edge under full stick, or "
+                                 "at a corner"
+                               : ""));
+    }
+    if (row.at_point()) {
+        const Distance u = asked.distance();
+        refuse_outside(asked.edge, u);
+        if (u.number() && u.number()->sign() == 0) {
+            throw DomainError("the point is on an edge");
+        }
+        refuse_corner_at(u);
+        refuse_known_corner(asked.edge, u);
+        const BallLevel& level = *at_level(length_->bits());
+        if (std::ranges::any_of(level.contact().corners(asked.edge), [&](const Ball& corner) {
+                return overlaps(corner, level.distance(u));
+            })) {
+            throw DomainError("the point is on a corner, or cannot be distinguished from it");
+        }
+    }
+    throw BudgetError("no number of bits encloses " + text_of(asked) +
+                      (at_level(length_->bits())->contact().edge_may_be_on_knot()
+                           ? ": an edge may lie on a knot of g', which balls do not decide"
+                           : ""));
+}
+
+void BallRoute::refuse_outside(Edge edge, const Distance& u) {
+    if (!u.number()) {
+        if (length_) {
+            refuse_outside_by_edges(edge, u);
+        }
+        return;
+    }
+    const Rational* distance = u.number()->expr().rational();
+    const bool inside =
+        known_length_ && distance != nullptr
+            ? *distance < *known_length_
+            : !length_ || certainly_less(u.enclosure({}, {}, length_->bits()), *length_);
+    const bool outside =
+        u.number()->sign() < 0 ||
+        (known_length_ && distance != nullptr
+             ? *distance > *known_length_
+             : length_ && certainly_less(*length_, u.enclosure({}, {}, length_->bits())));
+    if (outside) {
+        throw OutsideContact();
+    }
+    if (!inside) {
+        throw DomainError("the point is on an edge, or cannot be distinguished from it");
+    }
+}
+
+void BallRoute::refuse_outside_by_edges(Edge edge, const Distance& u) {
+    refuse_corner_at(u);
+    bool outside = false;
+    for (long bits = plan_.bits; bits <= 8 * plan_.bits; bits *= 2) {
+        const BallLevel* level = at_level(bits);
+        if (level == nullptr) {
+            continue;
+        }
+        const Ball from = level->distance(u);
+        if (certainly_negative(from) || certainly_less(level->length(), from)) {
+            throw OutsideContact();
+        }
+        outside = !certainly_positive(from) || !certainly_less(from, level->length());
+        if (!outside &&
+            std::ranges::none_of(level->contact().corners(edge),
+                                 [&](const Ball& corner) { return overlaps(corner, from); })) {
+            return;
+        }
+    }
+    throw DomainError(outside ? "the point is on an edge, or cannot be distinguished from it"
+                              : "the point is on a corner, or cannot be distinguished from it");
+}
+
+void BallRoute::refuse_corner_at(const Distance& u) const {
+    if (!u.x() || !scene_.profile) {
+        return;
+    }
+    const auto& knots = scene_.profile->knots();
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+        if (scene_.profile->has_corner(i) &&
+            contact::certainly_zero(knots[i].expr() - u.x()->expr())) {
+            throw DomainError("the point is on a corner, where the pressure is infinite");
+        }
+    }
+}
+
+void BallRoute::refuse_known_corner(Edge edge, const Distance& u) {
+    const auto from = length_ ? at_level(length_->bits())->contact().known(edge) : std::nullopt;
+    for (std::size_t i = 0; from && u.number() && i < scene_.profile->knots().size(); ++i) {
+        const Expr inside = from->expr() - u.number()->expr();
+        const Expr& v = scene_.profile->knots()[i].expr();
+        if (scene_.profile->has_corner(i) &&
+            contact::certainly_zero(edge == Edge::right ? inside - v : inside + v)) {
+            throw DomainError("the pressure is infinite at a corner of the profile");
+        }
+    }
+}
+
+} // namespace edgeproof::scene

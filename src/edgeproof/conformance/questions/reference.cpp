@@ -197,6 +197,10 @@ std::vector<std::optional<Reference>> references_where_any(const Questions& ques
                                                            const ReferenceOptions& options) {
     std::vector<std::optional<Reference>> results(questions.list.size());
     answer_all(questions, options, [&](std::size_t i, const auto& answering) {
+        const Question& q = questions.list[i];
+        if (lack_of(questions.contacts[q.contact].scene, q)) {
+            return; // the approach of a plane contact, q without shear
+        }
         try {
             results[i] = answering().answer(i);
         } catch (const Error&) { // there is no answer

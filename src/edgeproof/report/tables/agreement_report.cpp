@@ -88,7 +88,7 @@ std::string complaint(const conformance::Answer& answer, const conformance::Case
     }
     std::string why;
     if (held.conditioning) {
-        why = fmt::format(" (condition number {:.2g}: {})", held.conditioning->number(),
+        why = fmt::format(" (condition number {:.3g}: {})", held.conditioning->number(),
                           held.explained ? "which explains it" : "which does not explain it");
     }
     return fmt::format("{} digits, {} ulps: {} for {}{}", digits_text(held.digits, digits),

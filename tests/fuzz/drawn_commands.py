@@ -19,21 +19,20 @@ class Command:
 
 FORMATS = ["csv", "json", "md", "tex"]
 DIGITS = ["2", "3", "5", "8", "10", "15", "16", "17", "20", "30", "34"]
+# Keys of a scene: a word key=value, or in the old spelling --key value.
 SCENE_VALUES = {
-    "--m": ["0", "1/2", "5/8", "1", "3", "10", "7/3"], "--C": ["1", "0.3", "1e-6"], "--R": ["1", "100", "1e-3"],
-    "--R1": ["100"], "--R2": ["300", "-200"], "--t": ["0", "0.4", "1/3"], "--flat-width": ["1", "0.2"],
-    "--phi": ["pi/16", "0.1", "pi/3"], "--alpha": ["0.01", "pi/64", "-0.01"], "--a": ["1", "3/2", "1e-3"],
-    "--width": ["2", "1e-2"], "--P": ["1", "120", "1e-6"], "--M": ["0", "0.1", "-1e-3"],
-    "--contact-modulus": ["1", "64500"], "--E1": ["115e3"], "--nu1": ["0.33"], "--E2": ["2.1e5"], "--nu2": ["0.3"],
-    "--Q": ["0", "0.1", "-0.3"], "--bulk-tension": ["0", "0.1", "-1e-3"], "--friction": ["0.3", "0.85"],
-    "--path": ["normal-first", "together"],
+    "m": ["0", "1/2", "5/8", "1", "3", "10", "7/3"], "C": ["1", "0.3", "1e-6"], "R": ["1", "100", "1e-3"],
+    "R1": ["100"], "R2": ["300", "-200"], "t": ["0", "0.4", "1/3"], "flat_width": ["1", "0.2"],
+    "phi": ["pi/16", "0.1", "pi/3"], "alpha": ["0.01", "pi/64", "-0.01"], "a": ["1", "3/2", "1e-3"],
+    "width": ["2", "1e-2"], "P": ["1", "120", "1e-6"], "M": ["0", "0.1", "-1e-3"], "delta": ["0.1", "1e-4"],
+    "contact_modulus": ["1", "64500"], "E": ["115e3"], "nu": ["0.32"], "E1": ["115e3"], "nu1": ["0.33"], "E2": ["2.1e5"],
+    "nu2": ["0.3"], "Q": ["0.1", "0.1", "-0.3", "1e-3", "0"], "q_ratio": ["0.5", "-0.9"], "bulk_tension": ["0", "0.1", "0.01", "-1e-3"],
+    "friction": ["0.3", "0.85"], "path": ["normal-first", "together"],
 }
-KINDS = {"--power-law": ["--m", "--C"], "--hertz": ["--R"], "--cylinder-on-flat": ["--R"], "--sphere": ["--R"],
-         "--wedge": ["--phi"], "--cone": ["--phi"],
-         "--flat-and-rounded": ["--t", "--R"], "--tilted-wedge": ["--phi", "--alpha"],
-         "--tilted-flat-and-rounded": ["--alpha", "--t", "--R"]}
-ASKED = {"--u": ["0.1", "1e-3,a/2", "1e-30", "a", "1e-12,1e-6,0.3"], "--x": ["0,a/2", "0.3", "-a/3"],
-         "--process-zone": ["0.01", "1e-6"]}
+KINDS = {"power-law": ["m", "C"], "hertz": ["R"], "cylinder-on-flat": ["R"], "sphere": ["R"], "wedge": ["phi"], "cone": ["phi"],
+         "flat-and-rounded": ["t", "R"], "tilted-wedge": ["phi", "alpha"], "tilted-flat-and-rounded": ["alpha", "t", "R"]}
+ASKED = {"u": ["0.1", "1e-3,a/2", "1e-30", "a", "1e-12,1e-6,0.3"], "x": ["0,a/2", "0.3", "-a/3"],
+         "process_zone": ["0.01", "1e-6"]}
 QUANTITIES = ["pressure", "shear", "coefficients", "extent", "slip", "contact", "pressure,peak", "pressure,shear"]
 TERMS = ["1", "1,2,3", "2", "3", "5", "12", "1,1"]
 TOLERANCES = ["1%", "5%", "0.01", "1/100", "50%"]
@@ -84,40 +83,54 @@ def format_of(rng, command, default="csv"):
     return []
 
 
+def key(rng, name, usual):
+    """A key of a scene with its value."""
+    if rng.random() < 0.1:
+        return ["--" + name.replace("_", "-"), value(rng, usual)]
+    return [f"{name}={value(rng, usual)}"]
+
+
 def stated_scene(rng, slips):
     kind = rng.choice(list(KINDS))
-    names = KINDS[kind] + rng.choice([["--a"], ["--P"], ["--P"], ["--a"] if "tilted" in kind else ["--width"]])
+    axisymmetric = kind in ("sphere", "cone")
+    names = KINDS[kind] + rng.choice([["a"], ["P"], ["P"], ["delta"] if axisymmetric else ["a"] if "tilted" in kind else ["width"]])
     if "tilted" in kind and rng.random() < 0.3:
-        names = [name for name in names if name not in ("--alpha", "--a", "--P")] + ["--P", "--M"]
-    names += rng.choice([["--contact-modulus"]] * 9 + [["--E1", "--nu1", "--E2", "--nu2"], []])
-    names += rng.choice([["--Q", "--friction"], ["--Q", "--bulk-tension", "--friction"]] if slips else [
-        [], [], [], ["--Q"], ["--Q", "--bulk-tension"], ["--Q", "--friction"], ["--Q", "--path"]])
+        names = [name for name in names if name not in ("alpha", "a", "P")] + ["P", "M"]
+    names += rng.choice([["contact_modulus"]] * 8 + [["E1", "nu1", "E2", "nu2"], ["E", "nu"], []])
+    names += rng.choice([["Q", "friction"], ["Q", "bulk_tension", "friction"], ["q_ratio", "friction"]] if slips else [
+        [], [], [], ["Q"], ["Q", "bulk_tension"], ["Q", "friction"], ["Q", "path"]])
+    if axisymmetric:
+        names = [name for name in names if name != "bulk_tension"]
     if rng.random() < 0.08:
         names.append(rng.choice(list(SCENE_VALUES)))
-    words = [kind]
+    words = ["--" + kind] if rng.random() < 0.1 else ["kind=" + kind]
     for name in names:
         if rng.random() > 0.01:
-            words += [name, value(rng, SCENE_VALUES[name])]
+            words += key(rng, name, SCENE_VALUES[name])
     return words
 
 
 def given_scene(rng, library, command, slips=False):
-    """A scene: a file, standard input or quantities."""
+    """A scene: a file, standard input or words, and words that replace keys of a file."""
     draw = rng.random()
     kind = "slip" if slips else "scene"
-    if draw < 0.4:
+    if draw < 0.5:
         words = stated_scene(rng, slips)
-    elif draw < 0.5:
+    elif draw < 0.6:
         command.stdin = library.drawn(kind, rng)
         words = ["-"]
     else:
         command.files["in.toml"] = library.drawn(kind if rng.random() < 0.97 else "ledger", rng)
         words = ["in.toml"]
     for name, usual in ASKED.items():
-        words += maybe(rng, 0.12 if draw >= 0.4 else 0.6 if name == "--u" else 0.15, name, value(rng, usual))
-    words += maybe(rng, 0.2, "--edge", value(rng, ["right", "left", "both"]))
-    words += maybe(rng, 0.3, "--terms", value(rng, TERMS))
-    words += maybe(rng, 0.06, "--quantity", value(rng, QUANTITIES))
+        if rng.random() < (0.08 if draw >= 0.5 else 0.9 if name == "u" else 0.15):
+            words += key(rng, name, usual)
+    if draw >= 0.5 and rng.random() < 0.15:
+        name = rng.choice(["P", "a", "contact_modulus", "Q", "C", "R"])
+        words += key(rng, name, SCENE_VALUES[name])
+    words += [f"edges={value(rng, ['right', 'left', 'both'])}"] if rng.random() < 0.2 else []
+    words += [f"terms={value(rng, TERMS)}"] if rng.random() < 0.3 else []
+    words += [f"quantities={value(rng, QUANTITIES)}"] if rng.random() < 0.06 else []
     return words
 
 
@@ -139,12 +152,12 @@ def expand(rng, library, command):
 
 
 def extent(rng, library, command):
-    words = tabled_scene(rng, library, command, DIGITS[:7]) + maybe(rng, 0.9, "--tolerance", value(rng, TOLERANCES))
+    words = tabled_scene(rng, library, command, DIGITS[:7]) + (key(rng, "tolerance", TOLERANCES) if rng.random() < 0.9 else [])
     return words + figure(rng, command, "--figure", 0.04)
 
 
 def slip(rng, library, command):
-    return tabled_scene(rng, library, command, DIGITS[:7], slips=True) + maybe(rng, 0.1, "--tolerance", value(rng, TOLERANCES))
+    return tabled_scene(rng, library, command, DIGITS[:7], slips=True)
 
 
 def figure(rng, command, option, chance):
@@ -158,8 +171,8 @@ def figure(rng, command, option, chance):
 
 
 def plot(rng, library, command):
-    words = given_scene(rng, library, command) + maybe(rng, 0.4, "--tolerance", value(rng, TOLERANCES))
-    if rng.random() < 0.4:
+    words = given_scene(rng, library, command) + (key(rng, "tolerance", TOLERANCES) if rng.random() < 0.4 else [])
+    if rng.random() < 0.95:
         words += figure(rng, command, "--out", 1)
         command.printed = "any"
     return words
@@ -234,7 +247,7 @@ def check(rng, library, command):
 def compare(rng, library, command):
     command.files["in.toml"] = library.drawn("scene", rng) if rng.random() < 0.4 else next(
         t for t in library.texts["scene"] if "Two cylinders of Ti" in t).encode()
-    results = [f"mesh{i}.csv" for i in range(rng.choice([1, 1, 1, 1, 1, 2, 2, 3, 0]))]
+    results = [f"mesh{i}.csv" for i in range(rng.choice([1] * 20 + [2] * 8 + [3] * 4 + [0]))]
     for name in results:
         command.files[name] = library.drawn("mesh", rng)
     words = ["in.toml", *results]
@@ -300,7 +313,8 @@ def drawn_command(rng, library):
     elif draw < 0.03:
         words.insert(rng.randrange(len(words) + 1), rng.choice(HOSTILE + WORDS))
         command.printed = "any"
-    if draw < 0.03:
+    if draw < 0.03:  # the words may have another meaning, and still be right
+        command.kept += tuple(command.written)
         command.written = {}
     command.arguments = [w.replace("\0", "") for w in words]
     return command

@@ -118,12 +118,12 @@ class Library:
         return short_lists(text, rng) if kind in ("scene", "slip") else text
 
     def drawn(self, kind, rng):
-        """The bytes of a file of that kind: three in ten are unchanged, the others are changed in
+        """The bytes of a file of that kind: half of them are unchanged, the others are changed in
         one to three places."""
         text = self.plain(kind, rng)
-        if rng.random() < 0.3:
+        if rng.random() < 0.5:
             return text.encode()
-        for _ in range(rng.choice([1, 1, 1, 2, 3])):
+        for _ in range(rng.choice([1, 1, 1, 1, 2, 3])):
             change = rng.choice(TABLE_CHANGES if kind in ("answers", "mesh") else TOML_CHANGES)
             text = change(text, rng, self, kind)
         data = text.encode("utf-8", "surrogatepass")
@@ -168,7 +168,7 @@ def near(text, rng):
 def toml_value(value, rng):
     if rng.random() < 0.12:
         return rng.choice(["[]", "{}", "true", "1e400", "nan", "-1", "0", "99999999999999999999", "1979-05-27", "''",
-                           '["1", "2"]', '{ from = "0", to = "1" }', '{ from = "1e-9", to = "1", per_decade = 3 }'])
+                           '["1", "2"]', '{ from = "0", to = "1" }', '{ from = "1e-9", to = "1", points = 4 }'])
     return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
@@ -179,7 +179,7 @@ def change_value(text, rng, _library, _kind):
         return text
     place = rng.choice(places)
     old = place.group(1) if place.group(1) is not None else place.group(0)
-    new = near(old, rng) if rng.random() < 0.5 else hostile(rng)
+    new = near(old, rng) if rng.random() < 0.75 else hostile(rng)
     return text[:place.start()] + toml_value(new, rng) + text[place.end():]
 
 

@@ -97,8 +97,8 @@ void refuse_slip(const SceneSpec& scene, const contact::ProvedSlip& found) {
                              shown(Ball(slip.friction() * slip.force()).midpoint()),
                          "give a smaller Q, or a greater friction, so that |Q| < friction*P");
     }
-    if (!found.admissible()) {
-        const bool right = certainly_negative(slip.size(Edge::right));
+    if (slip.beyond()) {
+        const bool right = *slip.beyond() == Edge::right;
         const Real one = slip.tension_limit(Edge::right).midpoint();
         const Real other = slip.tension_limit(Edge::left).midpoint();
         throw InputError("sig0 draws the stick zone beyond the " +

@@ -32,8 +32,7 @@ std::unique_ptr<ProvedContact> proved_contact(const Profile& profile, const Exac
 }
 
 bool ProvedSlip::admissible() const {
-    return !slip_->sliding() && !certainly_negative(slip_->size(Edge::right)) &&
-           !certainly_negative(slip_->size(Edge::left));
+    return !slip_->sliding() && !slip_->beyond();
 }
 
 IntegratedContact::IntegratedContact(const Profile& profile, const Exact& contact_modulus,

@@ -9,6 +9,7 @@
 #include "edgeproof/precision/ball/ball.hpp"
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -37,8 +38,8 @@ struct ShearLayer {
 class BallSlip {
 public:
     /// Keeps references to the contact and the zones, which have one precision. Throws BudgetError
-    /// where the bits do not isolate the stick zone. If the contact slides, there is no stick zone:
-    /// see sliding().
+    /// where the bits do not isolate the stick zone. There is none if the contact slides, or if
+    /// the bulk tension moves it beyond an edge: see sliding() and beyond().
     /// @param contact the contact
     /// @param zones the solver of its stick zone
     /// @param force P (force/length)
@@ -66,7 +67,9 @@ public:
     [[nodiscard]] const Ball& force() const { return force_; } ///< P
     [[nodiscard]] const Ball& friction() const { return friction_; }
     /// |Q| >= f P: nothing sticks.
-    [[nodiscard]] bool sliding() const { return !stick_; }
+    [[nodiscard]] bool sliding() const { return !stick_ && !beyond_; }
+    /// The edge beyond which the bulk tension moves the stick zone: it would slip against Q.
+    [[nodiscard]] std::optional<Edge> beyond() const { return beyond_; }
     [[nodiscard]] const BallZone& stick() const { return *stick_; }
     /// q is the sum of these parts and of whole_ratio() times p. Empty if the contact slides.
     [[nodiscard]] const std::vector<ShearPart>& parts() const { return parts_; }
@@ -104,6 +107,8 @@ public:
 private:
     /// Returns the tilt (slope) for the load ratio `tau`.
     [[nodiscard]] Ball tilt_at(const Ball& tau) const;
+    /// Finds the edge beyond which the tension moves the stick zone.
+    void look_beyond(const Ball& tension);
 
     const ProvedContact& contact_;
     const ZoneSolver& zones_;
@@ -114,8 +119,10 @@ private:
     Ball over_Q_;    ///< sigma_0/Q
     Ball ratio_;
     std::optional<BallZone> stick_;
-    bool sticks_ = false; ///< nothing slipped in the last step of a history
-    Ball whole_ratio_;    ///< of the whole contact
+    std::optional<Edge> beyond_;
+    std::map<Edge, Ball> limits_; ///< of the bulk tension, where they are known
+    bool sticks_ = false;         ///< nothing slipped in the last step of a history
+    Ball whole_ratio_;            ///< of the whole contact
     std::vector<ShearPart> parts_;
 };
 

@@ -162,11 +162,11 @@ void BallRoute::check_slip() {
         if (slip->sliding()) {
             refuse_sliding(scene_, level->whole_force().midpoint());
         }
+        if (slip->beyond()) {
+            refuse(*slip, *slip->beyond(), false);
+        }
         const Ball right = slip->size(Edge::right);
         const Ball left = slip->size(Edge::left);
-        if (certainly_negative(right) || certainly_negative(left)) {
-            refuse(*slip, certainly_negative(right) ? Edge::right : Edge::left, false);
-        }
         slip_level_ = level;
         lost_bits_ = lost_by(0);
         if (scene_.history && !scene_.history->stick) {

@@ -75,9 +75,11 @@ public:
     /// Returns the integral of (1 - tau/2) P - L over the approach (force x length), where the
     /// force L grows from (1 - tau) P, at the radius `from` (length), to P.
     [[nodiscard]] Ball loop_integral(const Ball& from, const Ball& tau) const;
-    /// The real part of the integral of h'(s) f(s) over 0 < s < a, for f as in `integral_of`
-    /// (rigorous_integral.hpp), of `known` bits.
-    [[nodiscard]] Ball over_approach(const std::function<Box(const Box& s)>& f,
+    /// The real part of the integral of h'(s) f(s, s^2) over 0 < s < a, for f as in `integral_of`
+    /// (rigorous_integral.hpp), of `known` bits. `of_power(k)` is the integral of s^k f, where it
+    /// is known in closed form.
+    [[nodiscard]] Ball over_approach(const std::function<Box(const Box& s, const Box& s2)>& f,
+                                     const std::function<Ball(long power)>& of_power = {},
                                      long known = std::numeric_limits<long>::max()) const;
     /// The integral of f(L) ds/s over from < s < to, where L (force/length) is the force of the
     /// plane contact of the same profile with the half width s: both have the same integrals of g'.

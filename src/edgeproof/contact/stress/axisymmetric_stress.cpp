@@ -33,20 +33,24 @@ AxisymmetricStress::AxisymmetricStress(const ProvedContact& contact, const Ball&
     }
 }
 
+// docs/axisymmetric.md, "Stresses"
 Ball AxisymmetricStress::moment(const Ball& w, long n) const {
-    if (of_revolution_ != nullptr) {
-        return of_revolution_->over_approach( // docs/axisymmetric.md, "Stresses"
-            [&](const Box& s) {
-                Box power = s * s + w;
-                acb_pow_si(power.get(), power.get(), n, w.bits());
-                return s / power;
-            },
-            w.relative_accuracy_bits());
-    }
     const Ball& a = contact_.a();
-    const Ball half = exponent_ / 2;
-    return rate_ * a * a / ((exponent_ + 2) * pow_int(w, n)) *
-           hypergeometric_2f1(Ball(n, w.bits()), half + 1, half + 2, -(a * a) / w);
+    const auto of_power = [&](const Ball& m) { // h'(s) = (s/a)^m
+        return a * a / ((m + 2) * pow_int(w, n)) *
+               hypergeometric_2f1(Ball(n, w.bits()), m / 2 + 1, m / 2 + 2, -(a * a) / w);
+    };
+    if (of_revolution_ == nullptr) {
+        return rate_ * of_power(exponent_);
+    }
+    return of_revolution_->over_approach(
+        [&](const Box& s, const Box& s2) {
+            Box power = s2 + w;
+            acb_pow_si(power.get(), power.get(), n, w.bits());
+            return s / power;
+        },
+        [&](long k) { return pow_int(a, k) * of_power(Ball(k, w.bits())); },
+        w.relative_accuracy_bits());
 }
 
 Ball AxisymmetricStress::moment_between(const Ball& lo, const Ball& hi, long n) const {
@@ -91,8 +95,10 @@ StressState AxisymmetricStress::inside(const Exact& r, const Exact& z) const {
                           principal_root(times_i(s - radius) + depth);
             return -times_i(f(tau, R));
         };
-        return of_revolution_ != nullptr ? of_revolution_->over_approach(integrand)
-                                         : over_approach(*contact_.closed_form(), integrand);
+        return of_revolution_ != nullptr
+                   ? of_revolution_->over_approach(
+                         [&](const Box& s, const Box&) { return integrand(s); })
+                   : over_approach(*contact_.closed_form(), integrand);
     };
     const Box one(Ball(1, bits));
     const Ball I = imaginary_part([&](const Box&, const Box& R) { return one / R; });

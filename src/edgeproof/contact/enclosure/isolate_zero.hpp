@@ -13,9 +13,10 @@ namespace edgeproof::contact {
 
 /// Options of a search for a zero.
 struct ZeroSearch {
-    bool prove = true;     ///< false: the result is the place found, without a proof
-    bool nested = false;   ///< the function needs another search, so that it has fewer correct bits
-    bool near = false;     ///< the start is near the zero, and f need not be finite far from it
+    bool prove = true;   ///< false: the result is the place found, without a proof
+    bool nested = false; ///< the function needs another search, so that it has fewer correct bits
+    bool near = false;   ///< the start is near the zero, and f need not be finite far from it
+    bool to_roundoff = false; ///< the search also ends where the ball of f contains 0
     int most_stalls = 400; ///< number of small steps without progress after which the search ends
 };
 
@@ -59,7 +60,11 @@ Ball approximate_zero(const F& f, const Rate& rate, const Ball& start, const cha
     int stalls = 0;
     std::optional<Ball> previous;
     for (int k = 0; k < 400; ++k) {
-        const Ball value = middle(f(x));
+        const Ball enclosed = f(x);
+        if (search.to_roundoff && contains_zero(enclosed)) {
+            return x;
+        }
+        const Ball value = middle(enclosed);
         if (certainly_positive(value)) {
             lo = x;
         } else if (certainly_negative(value)) {

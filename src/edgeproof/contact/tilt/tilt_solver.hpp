@@ -4,9 +4,6 @@
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
-#include <cstddef>
-#include <functional>
-
 namespace edgeproof::contact {
 
 /// A punch whose tilt is not given. phi: slope; t, R: lengths.
@@ -20,20 +17,15 @@ struct TiltedPunch {
     [[nodiscard]] Profile at(const Exact& alpha) const;
 };
 
-/// The tilt found, as an exact constant: a decimal, or the largest tilt less a decimal. The contact
-/// of `profile` under P has the given moment to the given digits.
-struct SolvedTilt {
-    Exact alpha;
-    Profile profile;
-    std::size_t contacts = 0; ///< number of contacts solved
-    /// Returns the tilt with its distance from the nearer end of its range changed by the factor
-    /// 1 + sense 10^-k. Empty for the exact tilt 0.
-    std::function<Exact(unsigned k, int sense)> neighbour = {};
-    bool certain = true; ///< false: the tilt is 0 only as far as the digits show
+/// A tilt enclosed by a ball (a slope, dimensionless), and the profile of a tilt in or near it.
+struct EnclosedTilt {
+    Ball alpha;
+    Profile near;
+    bool exactly_zero = false; ///< the tilt is 0, and `near` is its profile
 };
 
-/// The tilt (a slope) at which a punch carries the normal force P > 0 and the moment M, both per
-/// unit length; contact_modulus is a stress, `digits` the correct digits of the tilt.
+/// The proved tilt at which a punch carries the normal force P > 0 and the moment M, both per unit
+/// length; contact_modulus is a stress.
 ///
 /// M is the integral of x p (moore-hills EQ22): positive where it presses the right side down. It
 /// is taken about the origin, which is the minimum of the tilted punch. For the wedge this is its
@@ -47,24 +39,10 @@ struct SolvedTilt {
 /// is dx/R less a part inside the contact, so that P < pi E* c^2/(4R) while a part of the flat is
 /// in contact, and dM/dalpha > 0.
 ///
-/// For a wedge there is a tilt for every M. A flat-and-rounded punch needs -t P <= M < 0: at -t P
-/// it is upright, and from alpha = sqrt(4P/(pi E* R)) on the contact lies within one arc, where
-/// M = 0 for every tilt. Throws InputError otherwise, for P <= 0, and for t = 0; BudgetError for an
-/// M within 1e-1000 of the ends of its range.
-[[nodiscard]] SolvedTilt solve_tilt(const TiltedPunch& punch, const Exact& contact_modulus,
-                                    const Exact& P, const Exact& M, unsigned digits);
-
-/// A tilt enclosed by a ball (a slope, dimensionless), and the profile of a tilt in or near it.
-struct EnclosedTilt {
-    Ball alpha;
-    Profile near;
-    bool exactly_zero = false; ///< the tilt is 0, and `near` is its profile
-};
-
-/// The proved tilt at which a punch carries P and M: M - M(alpha) has opposite signs, in balls, at
-/// two exact tilts, and M(alpha) is monotone, since dM/dalpha > 0 (tilt_solver.hpp). The trial
-/// tilts come from solve_tilt, which proves nothing. The units are those of solve_tilt. Throws
-/// InputError as solve_tilt does, and BudgetError if these bits do not decide the signs.
+/// For a wedge there is a tilt for every M, in closed form. A flat-and-rounded punch needs
+/// -t P <= M < 0: at -t P it is upright, and from alpha = sqrt(4P/(pi E* R)) on the contact lies
+/// within one arc, where M = 0 for every tilt. Throws InputError otherwise, for P <= 0, and for
+/// t = 0; BudgetError if these bits do not isolate the tilt.
 [[nodiscard]] EnclosedTilt enclose_tilt(const TiltedPunch& punch, const Exact& contact_modulus,
                                         const Exact& P, const Exact& M, long bits);
 

@@ -6,8 +6,8 @@
 ///   points.hpp       exact grids of points
 ///   plan.hpp         Plan: the effects that a scene needs, and their counts
 ///   quantity.hpp     the table of quantities: names, places, units, evaluators
-///   value_route.hpp  Row: one asked value with its result
-///                    ValueRoute: one interface for all ways to compute values
+///   rows.hpp         Row: one asked value with its result
+///   value_route.hpp  ValueRoute: computes the values
 ///   enclosure.hpp    exact constants as balls
 ///   bounded_value.hpp  BoundedValue: a value, its error, its route; printing
 ///   run_scene.hpp    run_scene: carries out the plan and counts the work

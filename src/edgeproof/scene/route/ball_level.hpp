@@ -5,6 +5,7 @@
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/stress/axisymmetric_stress.hpp"
 #include "edgeproof/contact/stress/dissipation.hpp"
@@ -12,10 +13,13 @@
 #include "edgeproof/contact/stress/surface_gap.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/precision/ball/magnitude.hpp"
 #include "edgeproof/scene/route/plan.hpp"
-#include "edgeproof/scene/route/value_route.hpp"
+#include "edgeproof/scene/route/rows.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -27,6 +31,36 @@ namespace edgeproof::scene {
 using contact::BallContact;
 using contact::BallSlip;
 using contact::ProvedContact;
+
+/// A power series in u whose coefficients are enclosed, with |c_k| <= most/radius^k for all k.
+struct BoundedSeries {
+    std::function<std::vector<Ball>(std::size_t)> coefficients; ///< the first n coefficients
+    Ball most;
+    Ball radius;
+};
+
+/// Returns the sum of c_k u^k over all k >= n, without a difference of nearly equal numbers: enough
+/// terms for the bits of u, and a bound of the others. The result is not finite unless u is less
+/// than a 16th of the radius.
+[[nodiscard]] inline Ball omitted_terms(const BoundedSeries& series, std::size_t n, const Ball& u) {
+    const long bits = u.bits();
+    const Ball part = u / series.radius;
+    const Ball limit(Rational(1, 16), bits);
+    if (!series.most.is_finite() || !part.is_finite() || !certainly_less(abs(part), limit)) {
+        return contact::unknown_ball(bits);
+    }
+    // Each term is at most a 16th of the term before.
+    const std::size_t smallness = static_cast<std::size_t>(
+        std::max<slong>(4, -arf_abs_bound_lt_2exp_si(arb_midref(part.data()))));
+    const std::size_t count = n + static_cast<std::size_t>(bits) / smallness + 2;
+    const std::vector<Ball> c = series.coefficients(count);
+    Ball sum =
+        Magnitude(series.most * pow_int(part, static_cast<long>(count)) / (1 - part)).ball(bits);
+    for (std::size_t k = count; k-- > n;) {
+        sum += c[k] * pow_int(u, static_cast<long>(k));
+    }
+    return sum;
+}
 
 /// True if BallLevel::cycle_energy encloses the energy: the tilt of the profile is given.
 [[nodiscard]] inline bool encloses_cycle_energy(const Scene& scene) {
@@ -195,11 +229,7 @@ public:
         }
         return edge == Edge::right ? slip_series_->right : slip_series_->left;
     }
-    [[nodiscard]] Ball not_known() const {
-        Ball x(0, bits_);
-        arb_indeterminate(x.data());
-        return x;
-    }
+    [[nodiscard]] Ball not_known() const { return contact::unknown_ball(bits_); }
     /// 1 - (the sum of n terms)/p, or the same for q. If that cancels completely, the error is
     /// computed from the omitted terms.
     [[nodiscard]] Ball relative_error(Edge edge, const Distance& u, std::size_t n, bool shear) {

@@ -4,9 +4,10 @@
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
-#include "edgeproof/scene/route/ball_route.hpp"
+#include "edgeproof/scene/route/value_route.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace edgeproof::scene {
@@ -18,9 +19,40 @@ ExactNumber exact_number(const Exact& x) { return ExactNumber::of(x.expr()); }
 /// The most bits used to separate a place from an edge of the stick zone.
 constexpr long most_state_bits = 1330;
 
+Row row_with(const AskedValue& asked, Quantity quantity, std::optional<BoundedValue> value) {
+    Row row{asked, std::move(value)};
+    row.asked.quantity = quantity;
+    return row;
+}
+
+/// The rows of an extent. `asked`: the edge, the number of terms and the tolerance; `values`: the
+/// first exit and the measure, each followed by the same as a fraction of a + b; `leaves`:
+/// Row::reached of the first exit.
+std::vector<Row> extent_rows(const AskedValue& asked, const std::array<BoundedValue, 4>& values,
+                             const std::vector<BoundedValue>& crossings, bool leaves) {
+    std::vector<Row> rows{row_with(asked, Quantity::extent, values[0]),
+                          row_with(asked, Quantity::extent_fraction, values[1]),
+                          row_with(asked, Quantity::measure, values[2]),
+                          row_with(asked, Quantity::measure_fraction, values[3])};
+    rows[0].reached = rows[1].reached = leaves;
+    for (std::size_t j = 0; j < crossings.size(); ++j) {
+        rows.push_back(row_with(asked, Quantity::crossing, crossings[j]));
+        rows.back().asked.j = j;
+    }
+    return rows;
+}
+
+/// The rows of a slip zone by the first terms: its size, its error, and a slip load without a
+/// value.
+std::vector<Row> slip_rows(const AskedValue& asked, BoundedValue size, BoundedValue error) {
+    return {row_with(asked, Quantity::slip_terms, std::move(size)),
+            row_with(asked, Quantity::slip_rel, std::move(error)),
+            row_with(asked, Quantity::slip_load, {})};
+}
+
 } // namespace
 
-std::vector<Row> BallRoute::extent(const AskedValue& asked) {
+std::vector<Row> ValueRoute::extent(const AskedValue& asked) {
     contact::BallExtentSearch search(
         [&](long bits) -> const ProvedContact& {
             BallLevel* level = at_level(bits);
@@ -72,9 +104,9 @@ std::vector<Row> BallRoute::extent(const AskedValue& asked) {
         crossings, best->leaves);
 }
 
-BallRoute::ExactExtents BallRoute::exact_extents(const AskedValue& asked,
-                                                 const contact::EnclosedExtents& found,
-                                                 const BallLevel& level) {
+ValueRoute::ExactExtents ValueRoute::exact_extents(const AskedValue& asked,
+                                                   const contact::EnclosedExtents& found,
+                                                   const BallLevel& level) {
     ExactExtents result;
     result.crossings.resize(found.crossings.size());
     const auto part = [&](const Exact& fraction) {
@@ -114,8 +146,8 @@ BallRoute::ExactExtents BallRoute::exact_extents(const AskedValue& asked,
     return result;
 }
 
-std::optional<Rational> BallRoute::exact_crossing(const AskedValue& asked, const Ball& u,
-                                                  const BallLevel& level) {
+std::optional<Rational> ValueRoute::exact_crossing(const AskedValue& asked, const Ball& u,
+                                                   const BallLevel& level) {
     const auto q = may_be_a_limit(u, plan_.digits, has_digits(u, plan_.digits))
                        ? contact::simplest_rational(u)
                        : std::nullopt;
@@ -130,7 +162,7 @@ std::optional<Rational> BallRoute::exact_crossing(const AskedValue& asked, const
     return exact_value(off, level, u);
 }
 
-void BallRoute::check_slip() {
+void ValueRoute::check_slip() {
     if (std::exchange(slip_checked_, true)) {
         return;
     }
@@ -184,7 +216,7 @@ void BallRoute::check_slip() {
     }
 }
 
-void BallRoute::refuse_exactly_sliding(const BallLevel& level) {
+void ValueRoute::refuse_exactly_sliding(const BallLevel& level) {
     const ShearSpec& shear = *scene_.shear;
     const auto left = [&](ExactValues& exact) {
         const ExactNumber Q = ExactNumber::of(shear.Q.expr());
@@ -199,7 +231,7 @@ void BallRoute::refuse_exactly_sliding(const BallLevel& level) {
     }
 }
 
-long BallRoute::lost_by(std::size_t n) const {
+long ValueRoute::lost_by(std::size_t n) const {
     if (slip_level_ == nullptr) {
         return 0;
     }
@@ -208,7 +240,7 @@ long BallRoute::lost_by(std::size_t n) const {
            std::max<long>(0, -arf_abs_bound_lt_2exp_si(arb_midref(ratio.data())));
 }
 
-contact::SlipState BallRoute::state(Edge edge, const Distance& u) {
+contact::SlipState ValueRoute::state(Edge edge, const Distance& u) {
     std::optional<contact::SlipState> found;
     for (long bits = plan_.bits; bits <= last_bits(); bits *= 2) {
         BallLevel* level = at_level(bits);
@@ -223,12 +255,12 @@ contact::SlipState BallRoute::state(Edge edge, const Distance& u) {
     return found.value_or(contact::SlipState::undecided);
 }
 
-bool BallRoute::in_proportion() {
+bool ValueRoute::in_proportion() {
     return slip_level_ == nullptr || (slip_level_->slip()->slips_from_the_first(Edge::right) &&
                                       slip_level_->slip()->slips_from_the_first(Edge::left));
 }
 
-std::vector<Row> BallRoute::slip_terms(const AskedValue& asked) {
+std::vector<Row> ValueRoute::slip_terms(const AskedValue& asked) {
     const auto of_series = [&](BallLevel& level) {
         const std::vector<Ball>& series = level.slip_series(asked.edge, scene_.ask.most_terms());
         return level.slip() == nullptr
@@ -253,7 +285,7 @@ std::vector<Row> BallRoute::slip_terms(const AskedValue& asked) {
     return rows;
 }
 
-void BallRoute::find_reach(Row& row) {
+void ValueRoute::find_reach(Row& row) {
     contact::SlipReachSearch search(
         [&](long bits) -> const BallSlip& {
             BallLevel* level = at_level(bits);

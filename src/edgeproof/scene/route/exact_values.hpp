@@ -4,7 +4,7 @@
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 #include "edgeproof/scene/route/plan.hpp"
-#include "edgeproof/scene/route/value_route.hpp"
+#include "edgeproof/scene/route/rows.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,146 +1,166 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/slip/ball_slip.hpp"
-#include "edgeproof/precision/ball/ball.hpp"
-#include "edgeproof/precision/ball/magnitude.hpp"
-#include "edgeproof/precision/error.hpp"
-#include "edgeproof/scene/input/bounded_value.hpp"
-#include "edgeproof/scene/input/quantity.hpp"
-#include "edgeproof/scene/route/plan.hpp"
+#include "edgeproof/contact/enclosure/ball_extent.hpp"
+#include "edgeproof/contact/witness/witness.hpp"
+#include "edgeproof/scene/route/ball_level.hpp"
+#include "edgeproof/scene/route/exact_values.hpp"
+#include "edgeproof/scene/route/rows.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
-#include <span>
+#include <set>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace edgeproof::scene {
 
-/// The place lies outside the contact, where p and q are 0.
-class OutsideContact : public DomainError {
-public:
-    OutsideContact() : DomainError("the point lies outside the contact") {}
-};
-
-/// The sum of the first n terms of an expansion at the distance u from its edge, by Horner's rule.
-/// The first term is c_0 sqrt(u), or c_0/sqrt(u) if it is `singular`.
-template <class T, class C>
-[[nodiscard]] T sum_of_terms(const C& c, std::size_t n, const T& u, bool singular) {
-    T total = c[n - 1];
-    for (std::size_t k = n - 1; k-- > 0;) {
-        total = total * u + c[k];
-    }
-    return singular ? T(total / sqrt(u)) : T(total * sqrt(u));
-}
-
-/// A power series in u whose coefficients are enclosed, with |c_k| <= most/radius^k for all k.
-struct BoundedSeries {
-    std::function<std::vector<Ball>(std::size_t)> coefficients; ///< the first n coefficients
-    Ball most;
-    Ball radius;
-};
-
-/// Returns the sum of c_k u^k over all k >= n, without a difference of nearly equal numbers: enough
-/// terms for the bits of u, and a bound of the others. The result is not finite unless u is less
-/// than a 16th of the radius.
-[[nodiscard]] inline Ball omitted_terms(const BoundedSeries& series, std::size_t n, const Ball& u) {
-    const long bits = u.bits();
-    const Ball part = u / series.radius;
-    const Ball limit(Rational(1, 16), bits);
-    if (!series.most.is_finite() || !part.is_finite() || !certainly_less(abs(part), limit)) {
-        Ball unknown(0, bits);
-        arb_indeterminate(unknown.data());
-        return unknown;
-    }
-    // Each term is at most a 16th of the term before.
-    const std::size_t smallness = static_cast<std::size_t>(
-        std::max<slong>(4, -arf_abs_bound_lt_2exp_si(arb_midref(part.data()))));
-    const std::size_t count = n + static_cast<std::size_t>(bits) / smallness + 2;
-    const std::vector<Ball> c = series.coefficients(count);
-    Ball sum =
-        Magnitude(series.most * pow_int(part, static_cast<long>(count)) / (1 - part)).ball(bits);
-    for (std::size_t k = count; k-- > n;) {
-        sum += c[k] * pow_int(u, static_cast<long>(k));
-    }
-    return sum;
-}
-
-/// One asked value with its result.
-struct Row {
-    AskedValue asked;
-    /// The value; empty if it exists but no route found it.
-    std::optional<BoundedValue> value = {};
-    std::size_t point = 0; ///< for a value at a point: its index in Ask::u
-    /// For the first exit of an extent and for a slip load: false if the error stays within the
-    /// tolerance; the value is then the end of the part considered.
-    bool reached = true;
-    std::optional<contact::SlipState> state = {}; ///< for q, if there is friction
-};
-
-/// The rows of one place: of the contact, of an edge, or of a point. It refers to the rows of a
-/// SceneResult, which must exist longer.
-class RowsAt {
-public:
-    RowsAt() = default;
-    explicit RowsAt(std::span<const Row> rows) : rows_(rows) {}
-
-    [[nodiscard]] auto begin() const { return rows_.begin(); }
-    [[nodiscard]] auto end() const { return rows_.end(); }
-    [[nodiscard]] Edge edge() const { return rows_.front().asked.edge; }
-    [[nodiscard]] std::size_t point() const { return rows_.front().point; }
-    /// Null if there is no such row.
-    [[nodiscard]] const Row* find(Quantity quantity, std::size_t k = 0, std::size_t j = 0) const;
-    /// Throws Error if there is no such row.
-    [[nodiscard]] const Row& row(Quantity quantity, std::size_t k = 0) const;
-    /// Throws Error if there is no such row, or if its value was not found.
-    [[nodiscard]] const BoundedValue& at(Quantity quantity, std::size_t k = 0) const;
-
-private:
-    std::span<const Row> rows_;
-};
-
-/// The rows of an extent. `asked`: the edge, the number of terms and the tolerance; `values`: the
-/// first exit and the measure, each followed by the same as a fraction of a + b; `leaves`:
-/// Row::reached of the first exit.
-[[nodiscard]] std::vector<Row> extent_rows(const AskedValue& asked,
-                                           const std::array<BoundedValue, 4>& values,
-                                           const std::vector<BoundedValue>& crossings, bool leaves);
-/// The rows of a slip zone by the first terms: its size, its error, and a slip load without a
-/// value.
-[[nodiscard]] std::vector<Row> slip_rows(const AskedValue& asked, BoundedValue size,
-                                         BoundedValue error);
-
-/// Computes the values of a scene, each with its error and the name of the route, and counts the
-/// work. One object belongs to one thread.
+/// Computes a scene's values in balls of more and more bits until they can be printed, each with
+/// its error and the name of the route, and counts the work. One object belongs to one thread. Its
+/// parts:
+///   value_route.cpp    single values, the places of edges and points, the work; the levels of
+///                      bits, and the exact forms
+///   ball_searches.cpp  extents, partial slip
+///   refusals.cpp       the reasons why there is no value
 class ValueRoute {
 public:
-    virtual ~ValueRoute() = default;
+    /// Keeps references to all three arguments.
+    ValueRoute(const Scene& scene, const Plan& plan, Work& work);
+
+    /// Throws the reason why no contact is enclosed.
+    [[noreturn]] void refuse_contact() const;
+    /// Throws InputError unless g' is proved not to decrease in the contact; all proofs for a
+    /// curved profile depend on this.
+    void check_slope();
 
     /// One number, by the evaluators of its row (quantity.hpp); the plan must contain it. Throws
     /// DomainError if there is no value (outside the contact, on a corner); InputError, with the
     /// line of the friction, for a value of the slip if the contact slides or if the stick zone
     /// would extend beyond it.
-    [[nodiscard]] virtual BoundedValue value(const AskedValue& asked) = 0;
+    [[nodiscard]] BoundedValue value(const AskedValue& asked);
     /// For a scene with friction.
-    [[nodiscard]] virtual contact::SlipState state(Edge edge, const Distance& u) = 0;
+    [[nodiscard]] contact::SlipState state(Edge edge, const Distance& u);
     /// The rows of a search for a quantity with `searched`, with the edge and the number of terms
     /// of `asked`. Extents: the first exit, the measure, both as fractions of a + b, and all
     /// crossings, for the tolerance of the scene. Slip zones: the size by these terms, the error,
     /// and with a tolerance the load ratio up to which the error stays within it.
-    [[nodiscard]] virtual std::vector<Row> search(const AskedValue& asked) = 0;
+    [[nodiscard]] std::vector<Row> search(const AskedValue& asked);
     /// True if |sigma_0 (a + b)/Q| < 8/pi: both edges slip in the direction of Q from the beginning
     /// of loading if Q and sigma_0 grow in proportion.
-    [[nodiscard]] virtual bool in_proportion() = 0;
-
+    [[nodiscard]] bool in_proportion();
     /// The row of a quantity with `searched`. The search at each place is made once.
     [[nodiscard]] const Row& searched(const AskedValue& asked);
 
 private:
+    using InBalls = std::function<Ball(BallLevel&)>;
+    using Exactly = std::function<ExactNumber(ExactValues&)>;
+
+    /// A value, and its exact value if that is a rational number and was searched for.
+    struct Found {
+        Ball value;
+        std::optional<Rational> exactly = {};
+    };
+    /// Evaluates f at more and more bits (starting from `first`) until the value has its digits, or
+    /// is zero to 1e-400 and `lost` more bits (at least lost_bits_), or the bits are used up.
+    /// Returns nothing if the value is not finite. If the ball is narrow enough but does not round
+    /// to one number, more bits cannot help when the value lies exactly on the limit, so the exact
+    /// form (if there is one) is tried first.
+    [[nodiscard]] std::optional<Found> refine(const InBalls& f, const Exactly& exactly,
+                                              const Digits& digits, long first, long lost = 0);
+    /// The rational number given by the exact form of the value, if it is known to be rational.
+    [[nodiscard]] std::optional<Rational> exact_value(const Exactly& exactly,
+                                                      const BallLevel& level, const Ball& near);
+    /// Made on first use. Null under a tilt that was solved for and is not zero.
+    [[nodiscard]] ExactValues* exact_values(const BallLevel& level);
+    /// Null if these bits do not isolate the edges.
+    [[nodiscard]] BallLevel* at_level(long bits);
+    [[nodiscard]] long last_bits() const;
+    [[nodiscard]] bool closed() const { return plan_.closed; }
+
+    /// The distance of an edge from the origin, if it is known to be a rational number.
+    [[nodiscard]] std::optional<Rational> known(Edge edge) const;
+    /// Stores that distance.
+    void know(Edge edge);
+    /// True if a value is proved to be 0 by its definition, where a ball would only contain 0.
+    [[nodiscard]] bool exactly_zero(const AskedValue& asked);
+    /// True if a place, by its distance from the right edge, is proved to be an edge.
+    [[nodiscard]] bool on_edge(const Distance& from_right);
+    /// Throws OutsideContact for a point outside the contact, and DomainError for one on an edge or
+    /// a place given by the edges that many bits do not separate from a corner.
+    void refuse_outside(Edge edge, const Distance& u);
+    void refuse_outside_by_edges(Edge edge, const Distance& u);
+    /// If x is a number, exact algebra decides.
+    void refuse_corner_at(const Distance& u) const;
+    /// The same for a distance from an edge that is known exactly.
+    void refuse_known_corner(Edge edge, const Distance& u);
+    /// Throws an Error with the reason why no number of bits encloses a value.
+    [[noreturn]] void refuse_unknown(const QuantityRow& row, const AskedValue& asked);
+    /// p by the second route of the scene, with its estimated error.
+    [[nodiscard]] BoundedValue by_witness(const AskedValue& asked);
+    /// The coordinate x of the point u, which is inside the contact, if it is known to be a
+    /// rational number.
+    [[nodiscard]] std::optional<Rational> known_x(Edge edge, const Distance& u) const;
+
+    /// Counts the work of a value.
+    void count(const AskedValue& asked);
+    void count_pressure() {
+        ++(closed() && !scene_.ask.route ? work_.counts.closed_forms : work_.counts.quadratures);
+    }
+
+    /// The rows of an extent, proved by the signs of the error between the crossings. Throws
+    /// BudgetError if the budget does not decide.
+    [[nodiscard]] std::vector<Row> extent(const AskedValue& asked);
+    /// The exact values of those results of an extent that are rational numbers.
+    struct ExactExtents {
+        std::optional<Rational> length;
+        std::optional<Rational> first_exit;
+        std::optional<Rational> measure;
+        std::vector<std::optional<Rational>> crossings;
+    };
+    [[nodiscard]] ExactExtents exact_extents(const AskedValue& asked,
+                                             const contact::EnclosedExtents& found,
+                                             const BallLevel& level);
+    /// Returns the crossing in a ball that contains one, if the error there is exactly the
+    /// tolerance.
+    [[nodiscard]] std::optional<Rational> exact_crossing(const AskedValue& asked, const Ball& u,
+                                                         const BallLevel& level);
+
+    /// Throws InputError, with the line of its cause, if the contact slides or the stick zone would
+    /// extend beyond it.
+    void check_slip();
+    /// Refuses |Q| = f P, decided by the exact form of P.
+    void refuse_exactly_sliding(const BallLevel& level);
+    /// The rows of a slip zone by the first terms. Throws BudgetError if no number of bits encloses
+    /// the slip.
+    [[nodiscard]] std::vector<Row> slip_terms(const AskedValue& asked);
+    /// The bits lost by cancellation when n + 1 powers of the load ratio are compared with 1.
+    [[nodiscard]] long lost_by(std::size_t n) const;
+    /// Sets the value of the row of a slip load, if it is found.
+    void find_reach(Row& row);
+
+    const Scene& scene_;
+    const Plan& plan_;
+    Work& work_;
+    std::map<long, std::unique_ptr<BallLevel>> levels_;
+    std::optional<contact::ExactEdges> edges_; ///< if a level proved them
+    std::optional<ExactValues> exact_;
+    long lost_bits_ = 0; ///< by the cancellation in values of the slip
+
+    std::optional<Ball> length_; ///< a + b; empty if no number of bits isolates the edges
+    std::optional<Rational> known_length_;
+    std::map<Edge, Rational> known_;
+
+    bool slip_checked_ = false;
+    BallLevel* slip_level_ = nullptr; ///< a level that encloses the slip
+
+    std::set<std::pair<Edge, bool>> expanded_;
+    bool ratio_counted_ = false;
+    /// The place of the last pressure, for q.
+    std::optional<std::pair<Edge, Distance>> pressed_;
+    std::optional<contact::Witness> witness_;
+    std::optional<std::string> no_contact_; ///< why a level found no contact
     std::map<std::tuple<QuantityGroup, Edge, std::size_t>, std::vector<Row>> searched_;
 };
 

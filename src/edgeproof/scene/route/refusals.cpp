@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/scene/route/ball_route.hpp"
+#include "edgeproof/scene/route/value_route.hpp"
 
 #include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
@@ -9,14 +9,14 @@
 
 namespace edgeproof::scene {
 
-void BallRoute::refuse_contact() const {
+void ValueRoute::refuse_contact() const {
     if (no_contact_) {
         throw InputError(*no_contact_, "give a load that a contact of this profile can carry");
     }
     throw BudgetError("no number of bits encloses the edges of the contact");
 }
 
-void BallRoute::check_slope() {
+void ValueRoute::check_slope() {
     if (closed()) {
         return; // decided exactly
     }
@@ -37,7 +37,7 @@ void BallRoute::check_slope() {
     }
 }
 
-void BallRoute::refuse_unknown(const QuantityRow& row, const AskedValue& asked) {
+void ValueRoute::refuse_unknown(const QuantityRow& row, const AskedValue& asked) {
     if (row.of_bodies()) {
         throw BudgetError(std::string("no number of bits encloses the value") +
                           (row.place == QuantityRow::Place::body
@@ -66,7 +66,7 @@ void BallRoute::refuse_unknown(const QuantityRow& row, const AskedValue& asked) 
                            : ""));
 }
 
-void BallRoute::refuse_outside(Edge edge, const Distance& u) {
+void ValueRoute::refuse_outside(Edge edge, const Distance& u) {
     if (!u.number()) {
         if (length_) {
             refuse_outside_by_edges(edge, u);
@@ -91,7 +91,7 @@ void BallRoute::refuse_outside(Edge edge, const Distance& u) {
     }
 }
 
-void BallRoute::refuse_outside_by_edges(Edge edge, const Distance& u) {
+void ValueRoute::refuse_outside_by_edges(Edge edge, const Distance& u) {
     refuse_corner_at(u);
     bool outside = false;
     for (long bits = plan_.bits; bits <= 8 * plan_.bits; bits *= 2) {
@@ -114,7 +114,7 @@ void BallRoute::refuse_outside_by_edges(Edge edge, const Distance& u) {
                               : "the point is on a corner, or cannot be distinguished from it");
 }
 
-void BallRoute::refuse_corner_at(const Distance& u) const {
+void ValueRoute::refuse_corner_at(const Distance& u) const {
     if (!u.x() || !scene_.profile) {
         return;
     }
@@ -127,7 +127,7 @@ void BallRoute::refuse_corner_at(const Distance& u) const {
     }
 }
 
-void BallRoute::refuse_known_corner(Edge edge, const Distance& u) {
+void ValueRoute::refuse_known_corner(Edge edge, const Distance& u) {
     const auto from = length_ ? at_level(length_->bits())->contact().known(edge) : std::nullopt;
     for (std::size_t i = 0; from && u.number() && i < scene_.profile->knots().size(); ++i) {
         const Expr inside = from->expr() - u.number()->expr();

@@ -24,17 +24,6 @@ using contact::Binary64Stress;
 constexpr double most_error = 1e-12; ///< of the mean pressure
 constexpr std::size_t points_of_a_piece = 4096;
 
-/// The shear load on a body under full stick.
-std::optional<contact::ShearLoad<Ball>> full_stick(const Scene& scene, Body body) {
-    if (!scene.shear || scene.slips() || scene.together()) {
-        return {};
-    }
-    const Ball side(body == Body::A ? 1 : -1, Binary64Stress::field_bits);
-    return contact::ShearLoad<Ball>{
-        side * ball_of(scene.shear->Q, Binary64Stress::field_bits),
-        side * ball_of(scene.shear->bulk_tension, Binary64Stress::field_bits)};
-}
-
 class Stresses {
 public:
     Stresses(const Scene& scene, Body body, std::span<const double> x, std::span<const double> z,
@@ -56,7 +45,7 @@ public:
                     ? level.stress_field(body)
                     : std::nullopt;
             if (field) {
-                fast_.emplace(*field, full_stick(scene, body));
+                fast_.emplace(*field, full_stick_load(scene, body, Binary64Stress::field_bits));
             }
         } catch (const BudgetError&) { // run_scene has more bits
         } catch (const DomainError&) { // run_scene refuses it

@@ -2,7 +2,7 @@
 #include "edgeproof/cli/commands/compute.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/scene/input/readers.hpp"
-#include "edgeproof/scene/stress_near_edge.hpp"
+#include "edgeproof/scene/run_scene.hpp"
 
 namespace edgeproof::cli {
 namespace {

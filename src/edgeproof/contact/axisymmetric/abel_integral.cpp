@@ -148,10 +148,6 @@ BallSeries integrals_of(const std::function<BoxSeries(const Box& t)>& f, std::si
     return BallSeries(quadrature::integrate_cells(integrand, span, none, none, wanted, goal.bits));
 }
 
-} // namespace
-
-namespace {
-
 // docs/axisymmetric.md, "What is integrated"
 /// h'(s)/s for r > v, in boxes or in series of them: `d2` = r^2 - v^2 (exactly 0: `on_the_bend`).
 template <class T>
@@ -176,12 +172,10 @@ template <class T> T inside_value(const RingBend& bend, const T& d2, const T& y,
     return rate / (principal_root(v * v + y2) * principal_root(d2 + y2));
 }
 
-BallSeries constant_series(const Ball& x) { return BallSeries(x, 1); }
-
 } // namespace
 
 BallSeries outside_bend(const RingBend& bend, const BallSeries& r2, const BallSeries& d2,
-                        const BallSeries& W, const IntegralGoal& goal, bool moment) {
+                        const BallSeries& W, const IntegralGoal& goal) {
     const Box v(bend.v.with_bits(goal.bits));
     const auto box = [&](const Ball& x) { return Box(x.with_bits(goal.bits)); };
     if (r2.order() == 1) {
@@ -189,12 +183,12 @@ BallSeries outside_bend(const RingBend& bend, const BallSeries& r2, const BallSe
         const Box of_d2 = box(d2[0]);
         const Box of_W = box(W[0]);
         const bool on_the_bend = d2[0].is_exact() && contains_zero(d2[0]);
-        return constant_series(integral_of(
-            [&](const Box& t) {
-                const Box value = outside_value(bend, of_r2, of_d2, of_W, v, on_the_bend, t);
-                return moment ? value * t * t : value;
-            },
-            goal));
+        return BallSeries(integral_of(
+                              [&](const Box& t) {
+                                  return outside_value(bend, of_r2, of_d2, of_W, v, on_the_bend, t);
+                              },
+                              goal),
+                          1);
     }
     const BoxSeries of_r2(r2, goal.bits);
     const BoxSeries of_d2(d2, goal.bits);
@@ -207,17 +201,13 @@ BallSeries outside_bend(const RingBend& bend, const BallSeries& r2, const BallSe
 }
 
 BallSeries inside_bend(const RingBend& bend, const BallSeries& d2, const Ball& Y,
-                       const IntegralGoal& goal, bool moment) {
+                       const IntegralGoal& goal) {
     const Box v(bend.v.with_bits(goal.bits));
     if (d2.order() == 1) {
         const Box of_d2(d2[0].with_bits(goal.bits));
-        return constant_series(integral_of(
-            [&](const Box& t) {
-                const Box y = t * Y;
-                const Box value = inside_value(bend, of_d2, y, v);
-                return moment ? value * (of_d2 + y * y) : value;
-            },
-            goal));
+        return BallSeries(
+            integral_of([&](const Box& t) { return inside_value(bend, of_d2, t * Y, v); }, goal),
+            1);
     }
     const BoxSeries of_d2(d2, goal.bits);
     return integrals_of(

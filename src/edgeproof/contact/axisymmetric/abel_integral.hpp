@@ -22,11 +22,9 @@ struct RingBend {
 /// @param r2 r^2 (length^2)
 /// @param d2 r^2 - v^2 (length^2), positive; 0 exactly for r = v
 /// @param W sqrt(a^2 - r^2) (length)
-/// @param moment true: a series of one term, whose integrand has the factor t^2; times W^3 it is
-/// the part of the bend in the integral of h'(s) sqrt(s^2 - r^2)
 [[nodiscard]] BallSeries outside_bend(const RingBend& bend, const BallSeries& r2,
                                       const BallSeries& d2, const BallSeries& W,
-                                      const IntegralGoal& goal, bool moment = false);
+                                      const IntegralGoal& goal);
 
 /// For r < v: the integral of h'(s) y/(s sqrt(y^2 + v^2 - r^2)) over 0 < t < 1, y = Y t,
 /// s^2 = v^2 + y^2; times Y it is the part of the bend in pi p/E*.
@@ -34,8 +32,7 @@ struct RingBend {
 /// @param goal the accuracy
 /// @param d2 v^2 - r^2 (length^2), positive
 /// @param Y sqrt(a^2 - v^2) (length)
-/// @param moment true: a series of one term, whose integrand has the factor y^2 + v^2 - r^2
 [[nodiscard]] BallSeries inside_bend(const RingBend& bend, const BallSeries& d2, const Ball& Y,
-                                     const IntegralGoal& goal, bool moment = false);
+                                     const IntegralGoal& goal);
 
 } // namespace edgeproof::contact

@@ -214,26 +214,18 @@ Ball IntegratedContact::pressure(Edge edge, const Exact& u) const {
         throw DomainError("a point lies outside the contact");
     }
     const Ball x = edge == Edge::right ? a_ - from_edge : from_edge - b_;
-    // The piece that contains x. On a knot where g' only bends, both pieces give the same value.
-    std::size_t piece = 0;
-    std::optional<std::size_t> on_knot;
-    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
-        if (certainly_less(slope_.knots[i], x)) {
-            piece = i + 1;
-        } else if (!certainly_less(x, slope_.knots[i])) {
-            const auto a = known(edge);
-            const auto exactly = [&] {
-                return edge == Edge::right ? a->expr() - u.expr() : u.expr() - a->expr();
-            };
-            if (profile_.has_corner(i) || !a ||
-                !certainly_zero(exactly() - profile_.knots()[i].expr())) {
-                return unknown_ball(bits_);
-            }
-            on_knot = i;
-            piece = i;
+    if (const auto piece = piece_of(x)) {
+        return pressure_at(from_edge, x, *piece, {});
+    }
+    const auto a = known(edge);
+    for (std::size_t i = 0; a && i < slope_.knots.size(); ++i) {
+        const Expr exactly = edge == Edge::right ? a->expr() - u.expr() : u.expr() - a->expr();
+        if (inside(i) && overlaps(x, slope_.knots[i]) && !profile_.has_corner(i) &&
+            certainly_zero(exactly - profile_.knots()[i].expr())) {
+            return pressure_at(from_edge, x, i, i);
         }
     }
-    return pressure_at(from_edge, x, piece, on_knot);
+    return unknown_ball(bits_);
 }
 
 Ball IntegratedContact::pressure_at_knot(Edge edge, std::size_t knot) const {

@@ -67,6 +67,18 @@ struct BoundedSeries {
     return scene.round || scene.profile;
 }
 
+/// The shear load on a body under full stick; nothing in a scene without one.
+[[nodiscard]] inline std::optional<contact::ShearLoad<Ball>> full_stick_load(const Scene& scene,
+                                                                             Body body, long bits) {
+    if (!scene.shear || scene.slips() || scene.together() ||
+        (scene.shear->Q.sign() == 0 && scene.shear->bulk_tension.sign() == 0)) {
+        return {};
+    }
+    const Ball side(body == Body::A ? 1 : -1, bits); // B carries -q
+    return contact::ShearLoad<Ball>{side * ball_of(scene.shear->Q, bits),
+                                    side * ball_of(scene.shear->bulk_tension, bits)};
+}
+
 /// A scene's contact at one number of bits; the route in balls uses levels of more and more bits.
 class BallLevel {
 public:

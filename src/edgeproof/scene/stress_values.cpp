@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The greatest stresses of a body, and the stresses near an edge.
 #include "edgeproof/scene/run_scene.hpp"
 
+#include "edgeproof/contact/stress/edge_stress.hpp"
 #include "edgeproof/contact/stress/greatest_stress.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/scene/route/ball_level.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <utility>
 
@@ -15,6 +18,10 @@ namespace {
 
 using contact::StressField;
 
+constexpr std::array components{contact::StressComponent::sxx, contact::StressComponent::szz,
+                                contact::StressComponent::sxz};
+/// Bits a digit, with which a coefficient is accepted that may be zero or on a limit of rounding.
+constexpr long many_bits = 12;
 constexpr std::size_t most_boxes = 60'000;
 constexpr long search_bits = 128;
 /// The most bits, as a multiple of those of the plan.
@@ -38,15 +45,20 @@ bool rises_outwards(const LoadHistory& history) {
            });
 }
 
+/// True if the zones of all parts of the traction have closed forms.
+bool has_closed_form(const Scene& scene) {
+    const bool tilted = scene.slips() && scene.shear->bulk_tension.sign() != 0;
+    return !scene.profile ||
+           (tilted ? scene.profile->piecewise_linear() : scene.profile->has_closed_form());
+}
+
 /// Refuses stresses that are infinite, or that have no greatest value.
 void check(const Scene& scene, Quantity quantity) {
     if (quantity != Quantity::mises && quantity != Quantity::tau_max && quantity != Quantity::sxx) {
         refuse(scene, "this stress has no search for its greatest value",
                "ask for mises, tau_max (for z >= 0) or sxx (on the surface)");
     }
-    const bool tilted_power_law = scene.slips() && scene.shear->bulk_tension.sign() != 0 &&
-                                  scene.profile && !scene.profile->piecewise_linear();
-    if ((scene.profile && !scene.profile->has_closed_form()) || tilted_power_law) {
+    if (!has_closed_form(scene)) {
         refuse(scene,
                "the greatest stress is computed for power laws without a bulk tension and for "
                "piecewise linear g'",
@@ -74,7 +86,7 @@ void check(const Scene& scene, Quantity quantity) {
 class Fields {
 public:
     Fields(const Scene& scene, Quantity quantity, Body body)
-        : scene_(asking(scene, {AskedValue{quantity}}, scene.ask.digits)), plan_(plan(scene_)),
+        : scene_(asking(scene, {AskedValue{quantity}}, scene.ask.digits)), plan_(make_plan(scene_)),
           body_(body) {}
 
     [[nodiscard]] const Plan& plan() const { return plan_; }
@@ -97,17 +109,27 @@ public:
                 return;
             }
         }
-        throw BudgetError("no number of bits tried encloses the greatest value to these digits");
+        throw BudgetError("no number of bits tried encloses the stress to these digits");
     }
 
 private:
-    static Plan plan(const Scene& scene) { return make_plan(scene); }
     Scene scene_;
     Plan plan_;
     Body body_;
 };
 
-BoundedValue proved(const Ball& x, const std::string& route) { return {x, true, route}; }
+BoundedValue proved(const Ball& x, const std::string& route) {
+    const bool zero = arb_is_zero(x.data()) != 0;
+    return {x, true, route, zero ? std::optional(Rational(0)) : std::nullopt};
+}
+
+/// True if the ball has the digits, is exactly zero, or if perhaps no number of bits decides its
+/// last digit: a coefficient may vanish at an angle, or be a number of few digits.
+bool decided(const Ball& x, const Digits& digits) {
+    const bool has = has_digits(x, digits) || arb_is_zero(x.data()) != 0;
+    return has || (x.bits() > many_bits * static_cast<long>(digits.count) &&
+                   may_be_a_limit(x, digits, has));
+}
 
 /// The coordinate of an edge of the contact, or of the stick zone.
 BoundedValue place_of_edge(const Scene& scene, bool stick, Edge edge) {
@@ -279,6 +301,45 @@ GreatestValue greatest_value(const Scene& scene, Quantity quantity, Body body) {
     return quantity == Quantity::sxx && (!scene.history || rises_outwards(*scene.history))
                ? greatest_tension(scene, fields)
                : greatest_inside(scene, fields, quantity, body);
+}
+
+std::vector<RayTerm> ray_terms(const Scene& scene, Body body, const Exact& angle,
+                               std::size_t terms) {
+    if (scene.round || !has_closed_form(scene)) {
+        refuse(scene,
+               "the stresses near an edge are expanded for plane power laws without a bulk "
+               "tension and for piecewise linear g', by closed forms",
+               "give such a profile, or ask for stresses at points");
+    }
+    const Fields fields(scene, Quantity::sxx, body);
+    const long first = fields.plan().bits + static_cast<long>(terms); // a term loses about a bit
+    std::vector<RayTerm> all;
+    for (const Edge edge : scene.ask.edges) {
+        std::vector<RayTerm> found;
+        fields.raise(first, [&](const StressField& field) {
+            found.clear();
+            bool enough = true;
+            try {
+                const contact::EdgeStress near(field, full_stick_load(scene, body, field.bits()),
+                                               edge, terms);
+                for (std::size_t i = 0; i < components.size(); ++i) {
+                    const std::vector<Ball> K = near.along(components[i], angle);
+                    found.resize(K.size());
+                    for (std::size_t j = 0; j < K.size(); ++j) {
+                        found[j].edge = edge;
+                        found[j].halves = static_cast<int>(j) + near.first();
+                        found[j].values[i] = proved(K[j], "series");
+                        enough = enough && decided(K[j], scene.ask.digits);
+                    }
+                }
+            } catch (const BudgetError&) {
+                return false;
+            }
+            return enough;
+        });
+        all.insert(all.end(), found.begin(), found.end());
+    }
+    return all;
 }
 
 } // namespace edgeproof::scene

@@ -39,7 +39,7 @@ std::vector<formula::Exact> listed(const std::vector<const char*>& texts) {
     return u;
 }
 
-using Section = scene::SceneEntries::Section;
+using Section = std::vector<io::TomlEntry>;
 
 } // namespace
 
@@ -57,8 +57,8 @@ std::vector<CostCase> usual_cases() {
     std::vector<CostCase> cases;
     const auto add = [&](const std::string& name, const Section& profile,
                          std::vector<formula::Exact> u) {
-        scene::Scene scene =
-            scene::make_scene({"", profile, {{"a", "1"}, {"contact_modulus", "1"}}});
+        scene::Scene scene = scene::make_scene(
+            {{"profile", 0, profile}, {"load", 0, {{"a", "1"}, {"contact_modulus", "1"}}}});
         scene.file = name;
         cases.push_back({name, std::move(scene), contact::Edge::right, std::move(u)});
     };

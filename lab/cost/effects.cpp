@@ -13,7 +13,7 @@ constexpr double enough_seconds_of_an_effect = 0.05;
 constexpr std::size_t fewest_runs = 3;
 constexpr std::size_t most_runs = 9;
 
-using Section = scene::SceneEntries::Section;
+using Section = std::vector<io::TomlEntry>;
 using Texts = std::vector<std::string>;
 
 struct Added {
@@ -123,19 +123,21 @@ const Added effects[] = {
 };
 
 scene::Scene scene_of(const Added& e, unsigned digits) {
-    scene::SceneEntries entries{"", e.profile, e.load, e.shear, e.ask};
-    entries.load.push_back({"contact_modulus", "1"});
-    entries.ask.push_back({"digits", std::to_string(digits)});
+    Section load = e.load;
+    Section ask = e.ask;
+    load.push_back({"contact_modulus", "1"});
+    ask.push_back({"digits", std::to_string(digits)});
     const bool only_others = std::ranges::any_of(e.ask, [](const io::TomlEntry& entry) {
         using List = std::vector<std::string>;
         return entry.key == "quantities" &&
                std::get<List>(entry.value) != std::get<List>(tractions.value);
     });
     if (!only_others) {
-        entries.ask.push_back({"u", Texts{"1e-8", "1e-6", "1e-4", "1e-3", "0.01", "0.03", "0.1",
-                                          "0.2", "0.3", "0.45"}});
+        ask.push_back({"u", Texts{"1e-8", "1e-6", "1e-4", "1e-3", "0.01", "0.03", "0.1", "0.2",
+                                  "0.3", "0.45"}});
     }
-    scene::Scene scene = scene::make_scene(entries);
+    scene::Scene scene = scene::make_scene(
+        {{"profile", 0, e.profile}, {"load", 0, load}, {"shear", 0, e.shear}, {"ask", 0, ask}});
     scene.file = e.name;
     if (e.more != nullptr) {
         e.more(scene);

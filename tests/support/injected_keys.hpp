@@ -151,16 +151,13 @@ inline SceneKeys keys_of(const std::string& text) {
 }
 
 inline scene::Scene scene_of(const SceneKeys& keys) {
-    scene::SceneEntries entries;
+    std::vector<io::TomlTable> tables{{"profile", 0, {}}, {"load", 0, {}}, {"shear", 0, {}}};
     for (const auto& [key, value] : keys) {
         const std::size_t dot = key.find('.');
-        const std::string section = key.substr(0, dot);
-        (section == "profile" ? entries.profile
-         : section == "load"  ? entries.load
-                              : entries.shear)
-            .push_back({key.substr(dot + 1), value});
+        std::ranges::find(tables, key.substr(0, dot), &io::TomlTable::name)
+            ->entries.push_back({key.substr(dot + 1), value});
     }
-    return scene::make_scene(entries);
+    return scene::make_scene(tables);
 }
 
 struct InjectedKeys {

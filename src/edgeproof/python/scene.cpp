@@ -32,21 +32,24 @@ namespace {
 
 using Keys = std::vector<std::pair<std::string, std::variant<bool, std::string, Texts>>>;
 
-scene::SceneEntries::Section entries_of(const Keys& keys) {
-    scene::SceneEntries::Section entries;
-    for (const auto& [key, value] : keys) {
-        std::visit([&](const auto& v) { entries.push_back({key, v}); }, value);
-    }
-    return entries;
-}
-
 NativeScene from_entries(const std::string& title, const Keys& profile, const Keys& load,
                          const Keys& shear, const std::vector<Keys>& steps) {
-    scene::SceneEntries entries{title, entries_of(profile), entries_of(load), entries_of(shear)};
-    std::ranges::transform(steps, std::back_inserter(entries.steps), entries_of);
+    std::vector<io::TomlTable> tables;
+    const auto add = [&](const char* name, const Keys& keys) {
+        io::TomlTable& table = tables.emplace_back(io::TomlTable{name, 0, {}});
+        for (const auto& [key, value] : keys) {
+            std::visit([&](const auto& v) { table.entries.push_back({key, v}); }, value);
+        }
+    };
+    add("profile", profile);
+    add("load", load);
+    add("shear", shear);
+    for (const Keys& step : steps) {
+        add("[[step]]", step);
+    }
     return without_gil([&] {
-        scene::Scene scene = make_scene(entries);
-        return NativeScene(scene_text(entries), std::move(scene));
+        scene::Scene scene = scene::make_scene(tables, title);
+        return NativeScene(scene::scene_text(tables, title), std::move(scene));
     });
 }
 

@@ -3,7 +3,6 @@
 /// A TOML file becomes a Scene, a Plan and a SceneResult:
 ///   scene_file.hpp   Scene, read_scene: exact numbers, errors with file and line
 ///   units.hpp        Units: labels of a scene's numbers
-///   points.hpp       exact grids of points
 ///   plan.hpp         Plan: the effects that a scene needs, and their counts
 ///   quantity.hpp     the table of quantities: names, places, units, evaluators
 ///   rows.hpp         Row: one asked value with its result
@@ -16,7 +15,6 @@
 ///   binary64_values.hpp  many values, rounded to binary64
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
-#include "edgeproof/scene/input/points.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 #include "edgeproof/scene/input/units.hpp"

@@ -8,11 +8,10 @@ using namespace edgeproof::scenes;
 
 namespace {
 
-SceneEntries wedge_entries() {
-    return {"A wedge",
-            {{"kind", "tilted-wedge"}, {"phi", "0.1"}, {"alpha", "0.02"}},
-            {{"a", "2"}, {"contact_modulus", "1"}},
-            {}};
+std::vector<edgeproof::io::TomlTable> wedge_tables() {
+    return {{"profile", 0, {{"kind", "tilted-wedge"}, {"phi", "0.1"}, {"alpha", "0.02"}}},
+            {"load", 0, {{"a", "2"}, {"contact_modulus", "1"}}},
+            {"shear", 0, {}}};
 }
 
 } // namespace
@@ -63,7 +62,7 @@ TEST_CASE("tolerances: 1%, 0.01 and 1/100 are one") {
 }
 
 TEST_CASE("a scene from entries is the one that a file with the same text gives") {
-    Scene made = make_scene(wedge_entries());
+    Scene made = make_scene(wedge_tables(), "A wedge");
     Scene read = scenes::made("tilted-wedge phi=0.1 alpha=0.02 a=2 u=1/3");
     CHECK(made.title == "A wedge");
     CHECK(made.file.empty());
@@ -76,13 +75,15 @@ TEST_CASE("a scene from entries is the one that a file with the same text gives"
 }
 
 TEST_CASE("every kind of entry is written as TOML") {
-    SceneEntries entries{"",
-                         {{"kind", "piecewise"},
-                          {"symmetric", true},
-                          {"knots", std::vector<std::string>{"1/2"}},
-                          {"slopes", std::vector<std::string>{"x", "x + (x - 1/2)^2"}}},
-                         {{"P", "1/10"}, {"contact_modulus", "1"}},
-                         {{"Q", "1/100"}, {"path", "together"}}};
+    const std::vector<edgeproof::io::TomlTable> entries{
+        {"profile",
+         0,
+         {{"kind", "piecewise"},
+          {"symmetric", true},
+          {"knots", std::vector<std::string>{"1/2"}},
+          {"slopes", std::vector<std::string>{"x", "x + (x - 1/2)^2"}}}},
+        {"load", 0, {{"P", "1/10"}, {"contact_modulus", "1"}}},
+        {"shear", 0, {{"Q", "1/100"}, {"path", "together"}}}};
     CHECK(scene_text(entries) == "[profile]\nkind = \"piecewise\"\nsymmetric = true\n"
                                  "knots = [\"1/2\"]\nslopes = [\"x\", \"x + (x - 1/2)^2\"]\n\n"
                                  "[load]\nP = \"1/10\"\ncontact_modulus = \"1\"\n\n"
@@ -90,13 +91,13 @@ TEST_CASE("every kind of entry is written as TOML") {
     const Scene scene = make_scene(entries);
     CHECK(scene.symmetric());
     CHECK(scene.shear.has_value());
-    entries.title = "a \"b\" \\ c";
-    CHECK(make_scene(entries).title == "a \"b\" \\ c");
+    const std::string title = "a \"b\" \\ c";
+    CHECK(make_scene(entries, title).title == title);
 }
 
 TEST_CASE("a refusal names no file and no line") {
-    SceneEntries bad = wedge_entries();
-    bad.load[0].value = "-2";
+    auto bad = wedge_tables();
+    bad[1].entries[0].value = "-2";
     try {
         (void)make_scene(bad);
         FAIL("a = -2 is taken");
@@ -105,11 +106,11 @@ TEST_CASE("a refusal names no file and no line") {
         CHECK(error.line() == 0);
         CHECK(error.problem() == "a = -2 is not positive");
     }
-    bad = wedge_entries();
-    bad.load[0].value = "2\"\nP = \"3";
+    bad = wedge_tables();
+    bad[1].entries[0].value = "2\"\nP = \"3";
     CHECK_THROWS_WITH_AS((void)make_scene(bad),
                          "a holds a control character; write a number or a word", InputError);
-    bad = wedge_entries();
-    bad.profile[1].key = "psi";
+    bad = wedge_tables();
+    bad[0].entries[1].key = "psi";
     CHECK_THROWS_AS((void)make_scene(bad), InputError);
 }

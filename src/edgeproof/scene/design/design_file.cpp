@@ -195,8 +195,17 @@ Scene DesignScene::at(const Rational& value) const {
         scene.round->load.kind == Load::Kind::right_edge) {
         scene.round.reset(); // the plane contact has the same pressure (docs/axisymmetric.md)
     }
-    require_plane(scene, "design");
-    require_no_history(scene, "design");
+    if (scene.round) {
+        throw InputError("design computes plane contacts only",
+                         "leave geometry out of [profile], or use edgeproof pressure, expand or "
+                         "extent")
+            .at(scene.file, scene.profile_line);
+    }
+    if (!scene.steps.empty()) {
+        throw InputError("design computes no load histories",
+                         "give P and Q in [load] and [shear] instead of steps")
+            .at(scene.file, scene.steps.front().line);
+    }
     scene.ask = {};
     scene.ask.edges = edges;
     scene.ask.terms = {terms};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/scene/input/points.hpp"
-
+#include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/scene/input/readers.hpp"
 
 #include <string>
 #include <utility>
@@ -18,94 +18,88 @@ Rational power_of_ten(std::size_t k) {
     return Rational(boost::multiprecision::pow(Integer(10), static_cast<unsigned>(k)));
 }
 
-} // namespace
-
-PointRange::PointRange(Exact from, Exact to, std::size_t per_decade)
-    : from_(std::move(from)), to_(std::move(to)), per_decade_(per_decade) {
-    if (Exact(to_.expr() - from_.expr()).sign() <= 0) {
-        throw InputError("the points from " + from_.text() + " to " + to_.text() + " do not ascend",
+void require_ascent(const Exact& from, const Exact& to) {
+    if (Exact(to.expr() - from.expr()).sign() <= 0) {
+        throw InputError("the points from " + from.text() + " to " + to.text() + " do not ascend",
                          "give from < to");
     }
 }
 
-PointRange PointRange::geometric(const Exact& from, const Exact& to, std::size_t per_decade) {
+/// Returns the points in equal ratios, `per_decade` per factor of 10: `from` times a power of 10 if
+/// that is rational, else the nearest decimal of 12 significant digits, the same on every machine.
+std::vector<Exact> geometric_points(const Exact& from, const Exact& to, std::size_t per_decade) {
     if (from.sign() <= 0) {
         throw InputError("the points begin at " + from.text() + ", which is not positive",
                          "give from > 0");
     }
-    PointRange range(from, to, per_decade);
+    require_ascent(from, to);
     const PrecisionScope scope(digits_of_ratios);
-    range.first_ = from.to<Real>();
+    const Real first = from.to<Real>();
     const Real last = to.to<Real>();
-    const Real count = log10(Real(last / range.first_)) * static_cast<unsigned>(per_decade);
-    if (count >= most_points) {
+    const auto decade = static_cast<unsigned>(per_decade);
+    if (log10(Real(last / first)) * decade >= most_points) {
         throw InputError("more than 100,000 points from " + from.text() + " to " + to.text(),
                          "give a smaller per_decade");
     }
     // The last point of the sweep is replaced by `to` if the two nearly coincide.
     const Real end = last * (1 - pow(Real(10), 1 - static_cast<int>(point_digits)));
-    auto k = count.convert_to<std::size_t>() + 1;
-    while (k > 0 && !(range.between(k) < end)) {
-        --k;
+    std::vector<Exact> points{from};
+    for (unsigned k = 1;; ++k) {
+        const Real between = first * pow(Real(10), Real(k) / decade);
+        if (!(between < end)) {
+            break;
+        }
+        points.push_back(k % decade == 0 && from.is_rational()
+                             ? Exact::of(from.rational() * power_of_ten(k / decade))
+                             : Exact::parse(to_decimal(between, point_digits)));
     }
-    range.size_ = k + 2;
-    return range;
+    points.push_back(to);
+    return points;
 }
 
-PointRange PointRange::even(const Exact& from, const Exact& to, std::size_t count) {
-    PointRange range(from, to, 0);
+/// Returns `count` points at equal distances, exact.
+std::vector<Exact> even_points(const Exact& from, const Exact& to, std::size_t count) {
+    require_ascent(from, to);
     if (count < 2 || count > most_points) {
         throw InputError(std::to_string(count) + " evenly spaced points",
                          "give points = 2 ... 100000");
     }
-    range.size_ = count;
-    if (from.is_rational() && to.is_rational()) {
-        const Integer below_from = denominator(from.rational());
-        const Integer below_to = denominator(to.rational());
-        range.whole_ = Whole{numerator(from.rational()) * below_to,
-                             numerator(to.rational()) * below_from, below_from * below_to};
+    std::vector<Exact> points{from};
+    for (std::size_t k = 1; k + 1 < count; ++k) {
+        const Rational part(static_cast<long>(k), static_cast<long>(count - 1));
+        points.push_back(
+            from.is_rational() && to.is_rational()
+                ? Exact::of(Rational(from.rational() + (to.rational() - from.rational()) * part))
+                : Exact(from.expr() + (to.expr() - from.expr()) * formula::Expr::number(part)));
     }
-    return range;
-}
-
-Real PointRange::between(std::size_t k) const {
-    return first_ *
-           pow(Real(10), Real(static_cast<unsigned>(k)) / static_cast<unsigned>(per_decade_));
-}
-
-Exact PointRange::at(std::size_t k) const {
-    if (k == 0 || k + 1 == size_) {
-        return k == 0 ? from_ : to_;
-    }
-    if (per_decade_ > 0) {
-        if (k % per_decade_ == 0 && from_.is_rational()) {
-            return Exact::of(from_.rational() * power_of_ten(k / per_decade_));
-        }
-        const PrecisionScope scope(digits_of_ratios);
-        return Exact::parse(to_decimal(between(k), point_digits));
-    }
-    const std::size_t n = size_ - 1;
-    if (whole_) { // a single fraction to reduce
-        return Exact::of(Rational(Integer(whole_->lower * (n - k) + whole_->upper * k),
-                                  Integer(whole_->under * n)));
-    }
-    return Exact(from_.expr() +
-                 (to_.expr() - from_.expr()) *
-                     formula::Expr::number(Rational(static_cast<long>(k), static_cast<long>(n))));
-}
-
-std::string PointRange::text() const {
-    return from_.text() + " " + to_.text() + " " + std::to_string(per_decade_) + " " +
-           std::to_string(size_);
-}
-
-std::vector<Exact> PointRange::all() const {
-    std::vector<Exact> points;
-    points.reserve(size_);
-    for (std::size_t k = 0; k < size_; ++k) {
-        points.push_back(at(k));
-    }
+    points.push_back(to);
     return points;
+}
+
+} // namespace
+
+std::vector<Exact> points_of_range(const io::TomlSection& section, std::string_view key, bool even,
+                                   const EndOfRange& end) {
+    const std::size_t line = section.line(key);
+    const io::TomlSection range = section.section(key);
+    const std::string name(key);
+    range.allow(even ? std::vector<std::string_view>{"from", "to", "points"}
+                     : std::vector<std::string_view>{"from", "to", "per_decade", "points"});
+    if (range.has("per_decade") == range.has("points")) {
+        section.reject(line,
+                       "a range of " + name +
+                           (even ? " needs points" : " needs one of per_decade and points"),
+                       "write " + name +
+                           (even ? " = { from = \"-0.5\", to = \"0.5\", points = 11 }"
+                                 : " = { from = \"1\", to = \"20\", points = 20 }"));
+    }
+    return io::at_place(section.file(), line, [&] {
+        const Exact from = end(range, "from");
+        const Exact to = end(range, "to");
+        return range.has("per_decade")
+                   ? geometric_points(from, to, range.count("per_decade", 1, 10'000))
+                   : even_points(from, to, range.count("points", 2, 100'000));
+    });
 }
 
 } // namespace edgeproof::scene

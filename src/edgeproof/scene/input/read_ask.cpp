@@ -5,7 +5,6 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
-#include "edgeproof/scene/input/points.hpp"
 #include "edgeproof/scene/input/readers.hpp"
 
 #include <algorithm>
@@ -33,24 +32,6 @@ const GroupRow& group_of(const io::TomlSection& ask, const std::string& name) {
 /// Runs f; its errors get the line of a key.
 template <class F> auto at_key(const io::TomlSection& ask, std::string_view key, const F& f) {
     return io::at_place(ask.file(), ask.line(key), f);
-}
-
-void read_edges(const io::TomlSection& ask, Ask& result) {
-    result.edges.clear();
-    result.edges_given = true;
-    for (const std::string& name : ask.texts("edges")) {
-        const auto edge = edge_named(name);
-        if (!edge) {
-            ask.reject("edges", "there is no edge '" + name + "'", "write \"right\" or \"left\"");
-        }
-        if (std::find(result.edges.begin(), result.edges.end(), *edge) != result.edges.end()) {
-            ask.reject("edges", "the edge '" + name + "' is asked for twice", "name each once");
-        }
-        result.edges.push_back(*edge);
-    }
-    if (result.edges.empty()) {
-        ask.reject("edges", "no edge is asked for", "write \"right\" or \"left\"");
-    }
 }
 
 /// Nothing for the proved routes, "automatic" and "closed-form".
@@ -162,37 +143,19 @@ private:
 
 void read_range(const io::TomlSection& ask, std::string_view key, Place::From from,
                 const Place::Names& names, std::vector<AskedPoint>& points) {
-    const io::TomlSection range = ask.section(key);
     const bool by_x = from == Place::From::origin;
     const std::size_t line = ask.line(key);
-    range.allow(by_x ? std::vector<std::string_view>{"from", "to", "points"}
-                     : std::vector<std::string_view>{"from", "to", "per_decade", "points"});
-    if (range.has("per_decade") == range.has("points")) {
-        ask.reject(line,
-                   by_x ? "a range of x needs points"
-                        : "a range of u needs one of per_decade and points",
-                   by_x ? "write x = { from = \"-0.5\", to = \"0.5\", points = 11 }"
-                        : "write u = { from = \"1e-12\", to = \"0.9\", per_decade = 5 }");
+    const std::vector<Exact> all =
+        points_of_range(ask, key, by_x, [&](const io::TomlSection& range, std::string_view end) {
+            const PlaceReader reader(range, by_x ? "x" : "from", from, names);
+            const Exact number = reader.number(end);
+            return by_x || end == "to" ? number : reader.inside({number, line}).u;
+        });
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        points.push_back(by_x ? AskedPoint{Exact(), line, Place::parse(all[i].text(), from, names)}
+                              : AskedPoint{all[i], line});
+        points.back().computed = i > 0 && i + 1 < all.size();
     }
-    const PlaceReader reader(range, by_x ? "x" : "from", from, names);
-    io::at_place(ask.file(), line, [&] {
-        const Exact begin = reader.number("from");
-        const Exact end = reader.number("to");
-        if (!by_x) {
-            (void)reader.inside({begin, line});
-        }
-        const PointRange points_between =
-            range.has("per_decade")
-                ? PointRange::geometric(begin, end, range.count("per_decade", 1, 10'000))
-                : PointRange::even(begin, end, range.count("points", 2, 100'000));
-        const std::vector<Exact> all = points_between.all();
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            const Exact& u = all[i];
-            points.push_back(by_x ? AskedPoint{Exact(), line, Place::parse(u.text(), from, names)}
-                                  : AskedPoint{u, line});
-            points.back().computed = i > 0 && i + 1 < all.size();
-        }
-    });
 }
 
 /// The same with the keys of the section of the profile.
@@ -228,6 +191,25 @@ std::vector<AskedPoint> read_places(const io::TomlSection& ask, const Place::Nam
 }
 
 } // namespace
+
+std::vector<Edge> read_edges(const io::TomlSection& section) {
+    std::vector<Edge> edges;
+    for (const std::string& name : section.texts("edges")) {
+        const auto edge = edge_named(name);
+        if (!edge) {
+            section.reject("edges", "there is no edge '" + name + "'",
+                           "write \"right\" or \"left\"");
+        }
+        if (std::ranges::find(edges, *edge) != edges.end()) {
+            section.reject("edges", "the edge '" + name + "' is asked for twice", "name each once");
+        }
+        edges.push_back(*edge);
+    }
+    if (edges.empty()) {
+        section.reject("edges", "no edge is asked for", "write \"right\" or \"left\"");
+    }
+    return edges;
+}
 
 Place::Names names_of(const Scene& scene) {
     Place::Names names;
@@ -302,7 +284,8 @@ void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene&
     Ask& result = scene.ask;
     scene.ask_line = ask.line();
     if (ask.has("edges")) {
-        read_edges(ask, result);
+        result.edges = read_edges(ask);
+        result.edges_given = true;
     }
     if (ask.has("terms")) {
         result.terms = ask.counts("terms", 1, most_terms_allowed);

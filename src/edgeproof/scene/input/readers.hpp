@@ -33,6 +33,15 @@ void read_steps(const io::TomlSection& top, Scene& scene);
 /// `profile` as names, in addition to a and b.
 void read_ask(const io::TomlSection& section, const io::TomlSection& profile, Scene& scene);
 
+/// Reads `edges`, each at most once.
+[[nodiscard]] std::vector<Edge> read_edges(const io::TomlSection& section);
+/// Returns the ascending points of { from, to, per_decade } or { from, to, points }, at most
+/// 100,000; with `even`, only the latter. `end` reads from and to.
+using EndOfRange = std::function<Exact(const io::TomlSection& range, std::string_view end)>;
+[[nodiscard]] std::vector<Exact> points_of_range(const io::TomlSection& section,
+                                                 std::string_view key, bool even,
+                                                 const EndOfRange& end);
+
 /// The names that places of a scene may use in addition to a and b: the parameters of its profile,
 /// a and b themselves if they are given, and b as a if the two are equal.
 [[nodiscard]] Place::Names names_of(const Scene& scene);

@@ -120,18 +120,6 @@ std::string toml_entry(const io::TomlEntry& entry) {
     return std::holds_alternative<std::string>(entry.value) ? list : "[" + list + "]";
 }
 
-/// Returns the tables that are not empty, with their headers.
-std::vector<io::TomlTable> tables_of(const SceneEntries& entries) {
-    std::vector<io::TomlTable> tables{
-        {"profile", 0, entries.profile}, {"load", 0, entries.load}, {"shear", 0, entries.shear}};
-    for (const SceneEntries::Section& step : entries.steps) {
-        tables.push_back({"[[step]]", 0, step});
-    }
-    tables.push_back({"ask", 0, entries.ask});
-    std::erase_if(tables, [](const io::TomlTable& table) { return table.entries.empty(); });
-    return tables;
-}
-
 } // namespace
 
 std::optional<FileKind> file_kind(const io::TomlSection& top) {
@@ -201,23 +189,6 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<io::TomlTa
                        io::input_name(file), instead);
 }
 
-void require_no_history(const Scene& scene, const std::string& command) {
-    if (!scene.steps.empty()) {
-        throw InputError(command + " computes no load histories",
-                         "give P and Q in [load] and [shear] instead of steps")
-            .at(scene.file, scene.steps.front().line);
-    }
-}
-
-void require_plane(const Scene& scene, const std::string& command) {
-    if (scene.round) {
-        throw InputError(command + " computes plane contacts only",
-                         "leave geometry out of [profile], or use edgeproof pressure, expand or "
-                         "extent")
-            .at(scene.file, scene.profile_line);
-    }
-}
-
 void refuse_sliding(const Scene& scene, const Real& force) {
     const ShearSpec& shear = *scene.shear;
     const Real most = force * shear.friction->to<Real>();
@@ -239,9 +210,12 @@ void refuse_tension(const Scene& scene, Edge edge, bool reached, const Real& lea
         .at(scene.file, scene.tension_line);
 }
 
-std::string scene_text(const std::vector<io::TomlTable>& tables) {
-    std::string text;
+std::string scene_text(const std::vector<io::TomlTable>& tables, const std::string& title) {
+    std::string text = title.empty() ? "" : "title = " + toml_string(title) + "\n";
     for (const io::TomlTable& table : tables) {
+        if (table.entries.empty()) {
+            continue;
+        }
         const bool listed = table.name.starts_with("[[");
         text += (text.empty() ? "" : "\n") + (listed ? table.name : "[" + table.name + "]") + "\n";
         for (const io::TomlEntry& entry : table.entries) {
@@ -251,25 +225,22 @@ std::string scene_text(const std::vector<io::TomlTable>& tables) {
     return text;
 }
 
-std::string scene_text(const SceneEntries& entries) {
-    const std::string title =
-        entries.title.empty() ? "" : "title = " + toml_string(entries.title) + "\n\n";
-    return title + scene_text(tables_of(entries));
-}
-
-Scene make_scene(const SceneEntries& entries) {
-    check_characters("title", entries.title);
-    const std::vector<io::TomlTable> tables = tables_of(entries);
+Scene make_scene(const std::vector<io::TomlTable>& tables, const std::string& title) {
+    check_characters("title", title);
+    std::vector<io::TomlTable> given;
     for (const io::TomlTable& table : tables) {
         for (const io::TomlEntry& entry : table.entries) {
             for (const std::string& text : texts_of(entry)) {
                 check_characters(entry.key, text);
             }
         }
+        if (!table.entries.empty()) {
+            given.push_back(table);
+        }
     }
     try {
-        Scene scene = scene_of(io::TomlSection::made(tables, ""));
-        scene.title = entries.title;
+        Scene scene = scene_of(io::TomlSection::made(given, ""));
+        scene.title = title;
         return scene;
     } catch (const InputError& error) {
         throw InputError(error.problem(), error.instead()); // without the line 0

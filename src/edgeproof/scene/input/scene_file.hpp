@@ -29,7 +29,7 @@ using contact::Route;
 using contact::ShearSpec;
 
 /// The kinds of TOML files that the program reads.
-enum class FileKind { scene, recipe, ledger, hard_cases };
+enum class FileKind { scene, recipe, ledger };
 
 /// Returns the kind of a file by its sections; nothing if they do not decide.
 [[nodiscard]] std::optional<FileKind> file_kind(const io::TomlSection& top);
@@ -197,26 +197,15 @@ void change_steps(Scene& scene, const std::function<void(LoadStep&)>& change);
 /// Reads a tolerance exactly: "1%", "0.01", "1/100". Throws InputError unless it is positive.
 [[nodiscard]] Exact parse_tolerance(std::string_view text);
 
-/// A scene that is not read from a file: the keys of a scene file (docs/file-formats.md), section
-/// by section. A section without entries is left out.
-struct SceneEntries {
-    using Section = std::vector<io::TomlEntry>;
-    std::string title;
-    Section profile;
-    Section load;
-    Section shear = {};
-    Section ask = {};
-    std::vector<Section> steps = {}; ///< of a load history
-};
+/// Returns the scene with the keys of a scene file (docs/file-formats.md), checked as if it was
+/// read from a file; tables without entries are left out. Throws InputError, without file and line,
+/// in the same cases as read_scene. All lines of the scene are 0.
+[[nodiscard]] Scene make_scene(const std::vector<io::TomlTable>& tables,
+                               const std::string& title = "");
 
-/// Returns the scene, checked as if it was read from a file. Throws InputError, without file and
-/// line, in the same cases as read_scene. All lines of the scene are 0.
-[[nodiscard]] Scene make_scene(const SceneEntries& entries);
-
-/// Returns the text of the equivalent scene file, to be shown or saved. The entries are those of a
-/// scene that make_scene accepts.
-[[nodiscard]] std::string scene_text(const SceneEntries& entries);
-[[nodiscard]] std::string scene_text(const std::vector<io::TomlTable>& tables);
+/// Returns the text of the equivalent scene file, to be shown or saved.
+[[nodiscard]] std::string scene_text(const std::vector<io::TomlTable>& tables,
+                                     const std::string& title = "");
 
 /// Makes a scene axisymmetric whose profile and load are given: sets Scene::round, and replaces the
 /// profile and the load of a power law by those of the plane contact with the same pressure.
@@ -225,10 +214,6 @@ void revolve(Scene& scene);
 /// those of an axisymmetric scene from them again.
 void change_given(Scene& scene, const std::function<void(Scene&)>& change);
 
-/// Refuses a load history for a command that does not compute one.
-void require_no_history(const Scene& scene, const std::string& command);
-/// Refuses an axisymmetric scene.
-void require_plane(const Scene& scene, const std::string& command);
 /// Refuses a scene with |Q| >= f P, with the line of the friction; `force` is P.
 [[noreturn]] void refuse_sliding(const Scene& scene, const Real& force);
 /// Refuses a scene whose stick zone would extend beyond an edge (or reaches it: `reached`), with

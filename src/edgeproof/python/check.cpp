@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/answers/program_driver.hpp"
+#include "edgeproof/conformance/answers/answers.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/python/bindings.hpp"

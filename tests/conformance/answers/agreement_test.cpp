@@ -31,28 +31,6 @@ Agreements held(const Answers& answers, const Target& target = {}) {
 
 } // namespace
 
-TEST_CASE("marks between thousands are no part of a number; what they may mean is proposed") {
-    using Readings = std::vector<std::string>;
-    for (const char* text : {"1,234.5", "1.234,5", "1 234.5", "1 234,5", "1'234.5", "1_234.5",
-                             "1\xC2\xA0"
-                             "234,5",
-                             "1\xE2\x80\xAF"
-                             "234.5"}) {
-        CAPTURE(text);
-        CHECK(read_answer(text).state == Answer::State::garbage);
-        CHECK(without_thousands(text) == Readings{"1234.5"});
-    }
-    CHECK(without_thousands("-12,345,678") == Readings{"-12345678"});
-    CHECK(without_thousands("1.234.567E-3") == Readings{"1234567E-3"});
-    CHECK(without_thousands("1,234") == Readings{"1234", "1.234"});
-    CHECK(without_thousands("-1,234e5") == Readings{"-1234e5", "-1.234e5"});
-    for (const char* text : {"1,23", "1234,567", "1,2345", "1,234,56", "1,234,567.8.9", "1,234x",
-                             ",123", "1 234 kPa", "nan", "", "1234", "1,234,5.6"}) {
-        CAPTURE(text);
-        CHECK(without_thousands(text).empty());
-    }
-}
-
 TEST_CASE("digits and ulps by hand") {
     const Answers answers = answered("exact" + hertz_cells +
                                      "p,right,0.2,0.3\n"
@@ -145,25 +123,6 @@ TEST_CASE("a decimal comma is none if commas separate the cells; a column occurs
         InputError);
 }
 
-TEST_CASE("a row with a contact, u or tolerance other than that of the question is a fault") {
-    const Questions asked =
-        answered("1" + hertz_cells + "p,right,0.2,0.3\n2" + hertz_cells + "P,,,1\n").questions;
-    const auto faults = [&](const std::string& rows) {
-        return answers_to(asked, parse_csv(agreement_header + rows, "a.csv")).faults.size();
-    };
-    CHECK(faults("1" + hertz_cells + "p,right,0.2,0.3\n2" + hertz_cells + "P,,,1\n") == 0);
-    // A rounded value, as %.8g writes it, is the same question; another value is not.
-    CHECK(faults("1,power-law,1,1.0000000000000001,,,1,1,p,right,0.20000000298,0.3\n") == 0);
-    CHECK(faults("1,power-law,1,2,,,1,1,p,right,0.2,0.6\n") == 1);
-    // The format in which pandas writes a column of numbers.
-    CHECK(faults("1,power-law,1.0,1.0,,,1.0,1.0,p,right,0.2,0.3\n2,power-law,1.0,1.0,,,1.0,1.0,P,,,"
-                 "1.0\n") == 0);
-    CHECK(faults("1,power-law,1,1,,,1,1.001,p,right,0.2,0.3\n") == 1);
-    CHECK(faults("2,power-law,1,1,,,2,1,P,,,1\n") == 1);
-    CHECK(faults("1" + hertz_cells + "p,right,0.2001,0.3\n") == 1);
-    CHECK(faults("1" + hertz_cells + "p,left,0.2,0.3\n") == 1);
-}
-
 namespace {
 
 /// Returns the conventions found for points of a tilted wedge at both edges, answered by
@@ -220,26 +179,6 @@ TEST_CASE("another convention is recognised and reported, with its accuracy") {
           "p, left edge: minus ours in 4");
     // Wrong values follow no convention.
     CHECK(conventions_of([](S, double p, double) { return p + 0.01; }).empty());
-}
-
-TEST_CASE("inputs are repeated by value: 0.0 for 0, 0.001 for 1e-3; another number is a fault") {
-    const std::string head = "id,kind,alpha,t,R,a,contact_modulus,bulk_tension,Q,quantity,edge,u,"
-                             "value\n";
-    const auto row = [](const char* alpha, const char* u, const char* tension) {
-        return "1,tilted-flat-and-rounded," + std::string(alpha) + ",3/2,1,2,1," + tension +
-               ",1,q,right," + u + ",0.3\n";
-    };
-    const Questions asked =
-        echoed_answers(parse_csv(head + row("0", "1e-3", "0"), "q.csv")).questions;
-    const auto faults = [&](const std::string& given) {
-        return answers_to(asked, parse_csv(head + given, "a.csv")).faults.size();
-    };
-    CHECK(faults(row("0.0", "0.001", "0.0")) == 0);
-    CHECK(faults(row("-0.0", "1.0E-3", "0e5")) == 0);
-    CHECK(faults(row("0.00", "1/1000", "0/3")) == 0);
-    CHECK(faults(row("1e-9", "0.001", "0")) == 1); // the question has no tilt
-    CHECK(faults(row("0", "0.001", "1e-300")) == 1);
-    CHECK(faults(row("0", "0.0011", "0")) == 1);
 }
 
 TEST_CASE("of many failing rows the first are searched for causes") {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/ledger_command.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/conformance/answers/program_driver.hpp"
+#include "edgeproof/conformance/answers/answers.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/message.hpp"

@@ -27,23 +27,17 @@ public:
                 keys_.emplace_back(std::string(key.name), *at);
             }
         }
-        quantity_ = csv.column("quantity");
-        edge_ = csv.column("edge");
-        u_ = csv.column("u");
-        tolerance_ = csv.column("tolerance");
-        body_ = csv.column("body");
-        x_ = csv.column("x");
-        z_ = csv.column("z");
     }
-    [[nodiscard]] bool possible() const { return quantity_ && !keys_.empty(); }
+    [[nodiscard]] bool possible() const { return csv_.column("quantity") && !keys_.empty(); }
 
     [[nodiscard]] Question read(const io::Csv::Row& row, const std::string& id) {
         Question q;
         q.id = id;
         q.line = row.line;
-        const auto named = scene::quantity_named(row.cells[*quantity_]);
+        const std::string quantity = cell(row, "quantity");
+        const auto named = scene::quantity_named(quantity);
         if (!named) {
-            reject(row, "unknown quantity '" + row.cells[*quantity_] + "'",
+            reject(row, "unknown quantity '" + quantity + "'",
                    "keep the question's cells as they are and add the value");
         }
         q.quantity = named->quantity;
@@ -51,7 +45,7 @@ public:
         q.contact = contact_of(row);
         check_askable(to_.contacts[q.contact], q, csv_.file, row.line);
         if (q.at_edge()) {
-            const std::string name = edge_ ? row.cells[*edge_] : "";
+            const std::string name = cell(row, "edge");
             const auto edge = scene::edge_named(name);
             if (!edge) {
                 reject(row, "there is no edge '" + name + "'", "write right or left");
@@ -59,19 +53,19 @@ public:
             q.edge = *edge;
         }
         if (q.at_point()) {
-            q.u = number_of(row, u_, "u");
+            q.u = number_of(row, "u");
         }
         if (row_of(q.quantity).place == scene::QuantityRow::Place::body) {
-            const std::string body = body_ ? row.cells[*body_] : "";
+            const std::string body = cell(row, "body");
             if (body != "A" && body != "B") {
                 reject(row, "there is no body '" + body + "'", "write A or B");
             }
-            q.in_body = {number_of(row, x_, "x"), number_of(row, z_, "z"),
+            q.in_body = {number_of(row, "x"), number_of(row, "z"),
                          body == "A" ? scene::Body::A : scene::Body::B};
         }
         if (q.to_a_tolerance()) {
             try {
-                q.tolerance = scene::parse_tolerance(tolerance_ ? row.cells[*tolerance_] : "");
+                q.tolerance = scene::parse_tolerance(cell(row, "tolerance"));
             } catch (const InputError& error) {
                 reject(row, error.problem(), "repeat the tolerance of the question");
             }
@@ -105,11 +99,14 @@ private:
         last_ = *found;
         return found->second;
     }
+    /// The cell of a column; empty if there is no such column.
+    [[nodiscard]] std::string cell(const io::Csv::Row& row, std::string_view name) const {
+        const auto column = csv_.column(name);
+        return column ? row.cells[*column] : "";
+    }
     /// A point outside the contact is a row without a reference, but not an error.
-    [[nodiscard]] formula::Exact number_of(const io::Csv::Row& row,
-                                           const std::optional<std::size_t>& column,
-                                           const std::string& name) const {
-        const std::string text = column ? row.cells[*column] : "";
+    [[nodiscard]] formula::Exact number_of(const io::Csv::Row& row, const std::string& name) const {
+        const std::string text = cell(row, name);
         try {
             formula::Exact number = formula::Exact::parse(text);
             return number;
@@ -122,13 +119,6 @@ private:
     const io::Csv& csv_;
     Questions& to_;
     std::vector<std::pair<std::string, std::size_t>> keys_;
-    std::optional<std::size_t> quantity_;
-    std::optional<std::size_t> edge_;
-    std::optional<std::size_t> u_;
-    std::optional<std::size_t> tolerance_;
-    std::optional<std::size_t> body_;
-    std::optional<std::size_t> x_;
-    std::optional<std::size_t> z_;
     std::map<std::string, std::size_t> known_;
     std::string all_; ///< the parameters of the row
     std::optional<std::pair<std::string, std::size_t>> last_;
@@ -217,36 +207,6 @@ bool whole(const io::Csv& csv, const io::Csv::Row& row, std::vector<std::string>
     return false;
 }
 
-/// True if a repeated number equals the number asked up to rounding, at worst to single precision.
-bool same_number(const formula::Exact& echoed, const formula::Exact& asked) {
-    constexpr double rounding = 1e-6;
-    const Real difference = abs(Real(echoed.to<Real>() - asked.to<Real>()));
-    return echoed.text() == asked.text() || difference <= rounding * abs(asked.to<Real>());
-}
-
-bool same_parameter(const Parameter& echoed, const Parameter& asked) {
-    if (echoed.key != asked.key || echoed.text == asked.text || asked.is_word()) {
-        return echoed.key == asked.key && echoed.text == asked.text;
-    }
-    return std::ranges::equal(
-        echoed.items(), asked.items(), [](const std::string& x, const std::string& y) {
-            return x == y || same_number(formula::Exact::parse(x), formula::Exact::parse(y));
-        });
-}
-
-bool same_contact(const AskedContact& echoed, const AskedContact& asked) {
-    return std::ranges::is_permutation(echoed.parameters, asked.parameters, same_parameter);
-}
-
-bool same_question(const Question& echoed, const Question& asked) {
-    return echoed.quantity == asked.quantity && echoed.k == asked.k && echoed.edge == asked.edge &&
-           (!asked.u || same_number(*echoed.u, *asked.u)) &&
-           (!asked.in_body || (echoed.in_body->body == asked.in_body->body &&
-                               same_number(echoed.in_body->x, asked.in_body->x) &&
-                               same_number(echoed.in_body->z, asked.in_body->z))) &&
-           (!asked.tolerance || same_number(*echoed.tolerance, *asked.tolerance));
-}
-
 } // namespace
 
 Answers echoed_answers(const io::Csv& csv) {
@@ -293,12 +253,10 @@ Answers answers_to(const Questions& asked, const io::Csv& csv) {
     Answers answers{asked, {}, {}, 0};
     answers.given.resize(asked.list.size());
     answers.questions.file = csv.file;
-    Echo echo(csv, answers.questions);
     std::map<std::string_view, std::size_t> index;
     for (std::size_t i = 0; i < asked.list.size(); ++i) {
         index.emplace(asked.list[i].id, i);
     }
-    std::map<std::pair<std::size_t, std::size_t>, bool> same_contacts;
     std::size_t next = 0;
     for (io::Csv::Row row : csv.rows) {
         put_decimal_points(csv, columns.id, row);
@@ -324,22 +282,6 @@ Answers answers_to(const Questions& asked, const io::Csv& csv) {
         next = std::max(next, i + 1);
         answer = read_answer(row.cells[columns.value]);
         answer.line = row.line;
-        if (!echo.possible()) {
-            continue;
-        }
-        const Question& echoed = answers.questions.list[i] = echo.read(row, id);
-        if (!same_question(echoed, asked.list[i])) {
-            fault(id + " repeats a quantity, edge, u or tolerance other than that of the question");
-        }
-        const auto [known, is_new] =
-            same_contacts.emplace(std::pair{echoed.contact, asked.list[i].contact}, false);
-        if (is_new) {
-            known->second = same_contact(answers.questions.contacts[echoed.contact],
-                                         asked.contacts[asked.list[i].contact]);
-        }
-        if (!known->second) {
-            fault(id + " repeats a contact other than that of the question");
-        }
     }
     return answers;
 }

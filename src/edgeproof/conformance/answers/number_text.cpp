@@ -132,46 +132,6 @@ std::optional<std::string> with_decimal_point(std::string_view text) {
     return written_number(pointed).kind == Kind::number ? std::optional(pointed) : std::nullopt;
 }
 
-std::vector<std::string> without_thousands(std::string_view text) {
-    const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
-    const std::size_t exponent = std::min(text.find_first_of("eEdD"), text.size());
-    const std::string_view number = text.substr(sign, exponent - sign);
-    for (const std::string_view mark : {",", ".", " ", "'", "_", "\xC2\xA0", "\xE2\x80\xAF"}) {
-        // One to three digits, groups of three after each mark, then perhaps decimals.
-        const auto digits_at = [&](std::size_t at) {
-            return std::min(number.find_first_not_of("0123456789", at), number.size()) - at;
-        };
-        std::size_t at = digits_at(0);
-        std::string whole(number.substr(0, at));
-        if (at == 0 || at > 3) {
-            continue;
-        }
-        std::size_t marks = 0;
-        while (number.substr(at).starts_with(mark) && digits_at(at + mark.size()) == 3) {
-            whole += number.substr(at + mark.size(), 3);
-            at += mark.size() + 3;
-            ++marks;
-        }
-        const std::string_view rest = number.substr(at);
-        const bool decimals =
-            rest.starts_with(mark == "." ? ',' : '.') || (rest.starts_with(',') && mark != ",");
-        if (marks == 0 || !(rest.empty() || (decimals && digits_at(at + 1) + 1 == rest.size()))) {
-            continue;
-        }
-        const auto written = [&](const std::string& plain) {
-            return std::string(text.substr(0, sign)) + plain + std::string(text.substr(exponent));
-        };
-        std::vector<std::string> readings{
-            written(whole + (rest.empty() ? "" : "." + std::string(rest.substr(1))))};
-        if (rest.empty() && marks == 1 && (mark == "," || mark == ".")) {
-            readings.push_back(
-                written(whole.substr(0, whole.size() - 3) + "." + whole.substr(whole.size() - 3)));
-        }
-        return readings;
-    }
-    return {};
-}
-
 Answer read_answer(std::string_view given) {
     using enum Answer::State;
     WrittenNumber written = written_number(given);

@@ -45,9 +45,4 @@ struct DecimalForm {
 /// Replaces the comma by a point, if the text is then a decimal of the grammar.
 [[nodiscard]] std::optional<std::string> with_decimal_point(std::string_view text);
 
-/// Returns what a decimal with marks between its thousands may mean, to be proposed: "1234.5" for
-/// `1,234.5`, `1.234,5`, `1 234,5` or `1'234.5`; two numbers, 1234 and 1.234, for `1,234`; nothing
-/// for other texts.
-[[nodiscard]] std::vector<std::string> without_thousands(std::string_view text);
-
 } // namespace edgeproof::conformance

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/causes/readings.hpp"
 #include "edgeproof/conformance/causes/wrong_rows.hpp"
 
-#include "edgeproof/diagnose/choice.hpp"
+#include "edgeproof/diagnose/fit.hpp"
 #include "edgeproof/diagnose/mistakes.hpp"
 
 #include <fmt/format.h>

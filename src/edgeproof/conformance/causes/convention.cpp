@@ -32,23 +32,6 @@ std::vector<std::size_t> rows_that_fail(const Answers& answers, const Agreements
     return failing;
 }
 
-/// The first rows that fail.
-std::pair<Answers, Agreements> some_that_fail(const Answers& answers,
-                                              const Agreements& agreements) {
-    std::pair<Answers, Agreements> some;
-    some.first.questions = {answers.questions.file, answers.questions.contacts, {}};
-    some.second.digits = agreements.digits;
-    for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
-        if (!agreements.cases[i].pass && some.first.given.size() < most_failing) {
-            some.first.questions.list.push_back(answers.questions.list[i]);
-            some.first.given.push_back(answers.given[i]);
-            some.second.cases.push_back(agreements.cases[i]);
-            some.second.references.push_back(agreements.references[i]);
-        }
-    }
-    return some;
-}
-
 /// Merges equal conventions of several quantities.
 std::vector<Convention> merged(const std::vector<Convention>& found) {
     std::vector<Convention> merged;
@@ -80,14 +63,10 @@ std::vector<Convention> merged(const std::vector<Convention>& found) {
 std::vector<Convention> infer_conventions(const Answers& answers, const Agreements& agreements,
                                           const ReferenceOptions& options, KnownReadings& known) {
     const PrecisionScope scope(most_cause_digits + 20);
-    if (static_cast<std::size_t>(
-            std::ranges::count(agreements.cases, false, &CaseAgreement::pass)) > most_failing) {
-        const auto [some, of_some] = some_that_fail(answers, agreements);
-        return infer_conventions(some, of_some, options, known);
-    }
     std::vector<Convention> found = infer_precision_loss(answers, agreements);
     std::ranges::move(infer_cancellation(answers, agreements), std::back_inserter(found));
-    const std::vector<std::size_t> failing = rows_that_fail(answers, agreements, found);
+    std::vector<std::size_t> failing = rows_that_fail(answers, agreements, found);
+    failing.resize(std::min(failing.size(), most_failing));
     if (failing.size() >= diagnose::least_rows) {
         std::ranges::move(causes_of(answers, agreements, failing, options, known),
                           std::back_inserter(found));

@@ -51,7 +51,7 @@ using KnownReadings = std::map<std::string, std::map<std::size_t, std::optional<
 /// then it is constant to the accuracy of the answers. If a quantity has no cause, and its answers
 /// are a factor with a name times ours to a tenth, this interval of factors is reported.
 ///
-/// Of more than `most_failing` rows that fail, the first ones are used, and no others.
+/// Of more than `most_failing` rows with wrong values, the first ones are used.
 ///
 /// `known`: the values of other interpretations; those missing are added. It may be used again for
 /// other answers to the same questions.

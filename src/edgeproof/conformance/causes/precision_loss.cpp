@@ -218,11 +218,7 @@ constexpr double lucky_share = 0.25; // errors of rounding may vanish
 constexpr double no_digits = 0.3;
 constexpr double full_double = 15;
 
-double median_of(std::vector<double> list) {
-    const auto middle = list.begin() + static_cast<long>(list.size() / 2);
-    std::nth_element(list.begin(), middle, list.end());
-    return *middle;
-}
+double median_of(std::vector<double> list) { return diagnose::sorted_at(std::move(list), 0.5); }
 
 /// Digits that decrease linearly with log10 of a distance, below a level.
 struct LossLine {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/causes/readings.hpp"
+#include "edgeproof/conformance/causes/wrong_rows.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -85,9 +85,6 @@ bool take_u_for_x(Question& q, const scene::Scene& scene) {
 
 using Value = std::optional<Real>;
 Value decimal_logarithm(const Real& x) { return x > 0 ? Value(log10(x)) : Value(); }
-Value natural_logarithm(const Real& x) { return x > 0 ? Value(log(x)) : Value(); }
-Value one_minus(const Real& x) { return Value(1 - x); }
-Value reciprocal(const Real& x) { return Value(1 / x); }
 
 } // namespace
 
@@ -181,25 +178,12 @@ void Readings::find(const std::vector<std::size_t>& contacts) {
             }
         }
     }
-    for (const auto& [name, words, value] :
-         {std::tuple{"log10", "the decimal logarithm of ours", &decimal_logarithm},
-          std::tuple{"logarithm", "the natural logarithm of ours", &natural_logarithm},
-          std::tuple{"one-minus", "1 minus ours", &one_minus},
-          std::tuple{"reciprocal", "1 over ours", &reciprocal}}) {
-        list_.push_back({name, words, "the value itself is asked for", {}, {}, 0, value});
-    }
-    list_.push_back({"divided-by-length",
-                     "ours over a + b",
-                     "a mean pressure for a force per unit length? P is the force",
+    list_.push_back({"log10",
+                     "the decimal logarithm of ours",
+                     "the value itself is asked for",
                      {},
                      {},
-                     -1});
-    list_.push_back({"times-length",
-                     "ours times a + b",
-                     "a force per unit length for a pressure? p and q are tractions",
-                     {},
-                     {},
-                     1});
+                     &decimal_logarithm});
 }
 
 Values Readings::values(std::size_t reading, const std::vector<std::size_t>& questions) {
@@ -208,8 +192,7 @@ Values Readings::values(std::size_t reading, const std::vector<std::size_t>& que
     std::vector<std::size_t> missing;
     std::ranges::copy_if(questions, std::back_inserter(missing),
                          [&](std::size_t i) { return !known.contains(i); });
-    const Values more =
-        r.length_power != 0 ? times_lengths(r.length_power, missing) : found(r, missing);
+    const Values more = found(r, missing);
     for (std::size_t k = 0; k < missing.size(); ++k) {
         known.emplace(missing[k], more[k]);
     }
@@ -230,27 +213,6 @@ bool Readings::contradicted(std::size_t reading, double most) {
                }
                return 2 * wrong > rows.size();
            });
-}
-
-Values Readings::times_lengths(int power, const std::vector<std::size_t>& which) const {
-    Questions sizes{answers_.questions.file, answers_.questions.contacts, {}};
-    for (const std::size_t i : which) {
-        const Question& q = answers_.questions.list[i];
-        for (const auto size : {scene::Quantity::a, scene::Quantity::b}) {
-            sizes.list.push_back({{size}, "", q.contact, q.line});
-        }
-    }
-    const auto found = references_where_any(sizes, options_);
-    Values values(which.size());
-    for (std::size_t k = 0; k < which.size(); ++k) {
-        if (found[2 * k] && found[2 * k + 1]) {
-            const Real length =
-                found[2 * k]->value.value.midpoint() + found[2 * k + 1]->value.value.midpoint();
-            const Real ours = agreements_.references[which[k]].value.value.midpoint();
-            values[k] = power < 0 ? Real(ours / length) : Real(ours * length);
-        }
-    }
-    return values;
 }
 
 Values Readings::found(const Reading& reading, const std::vector<std::size_t>& which) {

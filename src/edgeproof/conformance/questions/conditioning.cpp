@@ -38,21 +38,15 @@ struct Number {
     std::size_t parameter; ///< index
     std::size_t item;      ///< index into the items of the parameter
     formula::Exact value;
-    bool is_scale; ///< the modulus, if it is only a scale factor: a is given and there is no shear
 };
 
 std::vector<Number> numbers_of(const AskedContact& contact) {
-    const bool scaled =
-        contact.scene.load.kind == contact::Load::Kind::right_edge &&
-        (!contact.scene.round || contact.scene.round->load.kind != contact::Load::Kind::force) &&
-        !contact.scene.shear && !contact.scene.punch;
     std::vector<Number> numbers;
     for (std::size_t i = 0; i < contact.parameters.size(); ++i) {
         const Parameter& p = contact.parameters[i];
         if (!p.is_word()) {
             for (std::size_t k = 0; const std::string& item : p.items()) {
-                numbers.push_back(
-                    {i, k++, formula::Exact::parse(item), scaled && p.key == "contact_modulus"});
+                numbers.push_back({i, k++, formula::Exact::parse(item)});
             }
         }
     }
@@ -102,7 +96,7 @@ public:
             const std::vector<Number>& numbers = numbers_.at(q.contact);
             for (std::size_t n = 0; n < numbers.size() + (q.u || q.tolerance ? 1 : 0); ++n) {
                 const bool of_contact = n < numbers.size();
-                if (values_.contains({i, n}) || (of_contact && numbers[n].is_scale)) {
+                if (values_.contains({i, n})) {
                     continue;
                 }
                 const auto [found, is_new] = contacts.try_emplace({q.contact, n});
@@ -142,14 +136,6 @@ public:
         const std::vector<Number>& numbers = numbers_.at(q.contact);
         Real sum = 0;
         for (std::size_t n = 0; n < numbers.size() + (q.u || q.tolerance ? 1 : 0); ++n) {
-            if (n < numbers.size() && numbers[n].is_scale) {
-                const formula::Exact& modulus = numbers[n].value;
-                const auto above = neighbour(modulus, 1);
-                if (row_of(q.quantity).force_power != 0 && above) {
-                    sum += abs(Real(above->to<Real>() / modulus.to<Real>() - 1));
-                }
-                continue;
-            }
             const auto found = values_.find({i, n});
             if (found != values_.end()) {
                 sum += abs(Real(found->second / exact - 1));

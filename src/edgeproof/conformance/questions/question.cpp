@@ -178,40 +178,24 @@ std::vector<io::TomlTable> steps_of(const std::vector<Parameter>& parameters,
 AskedContact make_asked_contact(std::vector<Parameter> parameters, const std::string& file,
                                 std::size_t line) {
     std::ranges::stable_sort(parameters, {}, place_of);
-    // Each key has a line of its own, in the order of columns, so that the first of several wrong
-    // keys is reported; `lines` has the file's line for each.
     std::vector<io::TomlTable> tables;
-    std::vector<std::size_t> lines;
     for (const Parameter& p : parameters) {
         const std::string_view section = parameter_keys()[place_of(p)].section;
         if (section == "steps") {
             continue;
         }
         if (tables.empty() || tables.back().name != section) {
-            lines.push_back(line);
-            tables.push_back({std::string(section), lines.size(), {}});
+            tables.push_back({std::string(section), line, {}});
         }
-        lines.push_back(p.line != 0 ? p.line : line);
-        tables.back().entries.push_back(entry_of(p, file, lines.size()));
+        tables.back().entries.push_back(entry_of(p, file, p.line != 0 ? p.line : line));
     }
     for (io::TomlTable& step : steps_of(parameters, file, line)) {
         tables.push_back(std::move(step));
     }
-    const auto mapped = [&](std::size_t at) {
-        return at >= 1 && at <= lines.size() ? lines[at - 1] : line;
-    };
-    try {
-        AskedContact contact{std::move(parameters),
-                             scene::read_contact(io::TomlSection::made(tables, file))};
-        contact.scene.profile_line = mapped(contact.scene.profile_line);
-        contact.scene.load_line = mapped(contact.scene.load_line);
-        contact.scene.friction_line = mapped(contact.scene.friction_line);
-        contact.scene.tension_line = mapped(contact.scene.tension_line);
-        contact.scene.ask_line = line;
-        return contact;
-    } catch (const InputError& error) {
-        throw InputError(error.problem(), error.instead()).at(file, mapped(error.line()));
-    }
+    AskedContact contact{std::move(parameters),
+                         scene::read_contact(io::TomlSection::made(tables, file))};
+    contact.scene.ask_line = line;
+    return contact;
 }
 
 formula::Exact rounded_to_binary64(const formula::Exact& x) {

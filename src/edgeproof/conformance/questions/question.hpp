@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/scene/input/points.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 

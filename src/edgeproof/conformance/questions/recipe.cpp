@@ -1,23 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/questions/recipe.hpp"
-
-#include "edgeproof/conformance/questions/recipe_grid.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
-#include "edgeproof/scene/input/points.hpp"
-#include "edgeproof/scene/input/scene_file.hpp"
+#include "edgeproof/scene/input/readers.hpp"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <set>
 #include <utility>
 
 namespace edgeproof::conformance {
 namespace {
+
+/// A parameter of a recipe's scene and its values.
+struct GridAxis {
+    std::string key;
+    std::vector<std::string> values;
+    std::size_t line = 0;
+    bool grid = false; ///< part of the id
+};
+
+/// A scene of a recipe; every contact of its grid has the same questions.
+struct GridScene {
+    std::string name;
+    std::size_t line = 0;
+    std::vector<GridAxis> axes;
+    std::vector<Question> asked; ///< for one contact; their ids lack the part of the contact
+    std::size_t asked_line = 0;  ///< of the quantities
+};
 
 constexpr long most_digits_of_a_recipe = 100'000;
 
@@ -30,24 +45,9 @@ Rounding rounding_of(const io::TomlSection& top) {
     top.reject("rounding", "rounding = \"" + name + "\" is no way to round", one_of(name, ways));
 }
 
-/// Reads { from, to, per_decade } or { from, to, points }.
-scene::PointRange read_range(const io::TomlSection& section, const std::string& key) {
-    const std::size_t line = section.line(key);
-    const io::TomlSection range = section.section(key);
-    range.allow({"from", "to", "per_decade", "points"});
-    if (range.has("per_decade") == range.has("points")) {
-        section.reject(line, "a range of " + key + " needs one of per_decade and points",
-                       "write " + key + " = { from = \"1\", to = \"20\", points = 20 }");
-    }
-    const formula::Exact from = range.exact("from");
-    const formula::Exact to = range.exact("to");
-    try {
-        return range.has("per_decade")
-                   ? scene::PointRange::geometric(from, to, range.count("per_decade", 1, 10'000))
-                   : scene::PointRange::even(from, to, range.count("points", 2, 100'000));
-    } catch (const InputError& error) {
-        throw error.file().empty() ? error.at(section.file(), line) : error;
-    }
+std::vector<formula::Exact> read_range(const io::TomlSection& section, const std::string& key) {
+    return scene::points_of_range(section, key, false,
+                                  [](const auto& range, auto end) { return range.exact(end); });
 }
 
 GridAxis read_axis(const io::TomlSection& section, const std::string& key) {
@@ -62,7 +62,7 @@ GridAxis read_axis(const io::TomlSection& section, const std::string& key) {
         values = {section.text(key)};
     } else if (section.is_table(key) && !parameter.is_list()) {
         axis.grid = true;
-        for (const formula::Exact& value : read_range(section, key).all()) {
+        for (const formula::Exact& value : read_range(section, key)) {
             values.push_back(value.text());
         }
     } else {
@@ -110,7 +110,7 @@ std::vector<scene::AskedPoint> read_points(const io::TomlSection& scene) {
         return points;
     }
     if (scene.is_table("u")) {
-        for (const formula::Exact& u : read_range(scene, "u").all()) {
+        for (const formula::Exact& u : read_range(scene, "u")) {
             points.push_back({u, scene.line("u")});
         }
     } else {
@@ -149,15 +149,11 @@ std::vector<scene::BodyPoint> read_body_points(const io::TomlSection& scene) {
 
 std::vector<formula::Exact> read_tolerances(const io::TomlSection& scene) {
     std::vector<formula::Exact> tolerances;
-    for (const std::string& text : !scene.has("tolerance") ? std::vector<std::string>{}
-                                   : scene.is_list("tolerance")
-                                       ? scene.texts("tolerance")
-                                       : std::vector{scene.written("tolerance")}) {
-        try {
-            tolerances.push_back(scene::parse_tolerance(text));
-        } catch (const InputError& error) {
-            scene.reject("tolerance", error.problem(), error.instead());
-        }
+    if (scene.has("tolerance")) {
+        io::at_place(scene.file(), scene.line("tolerance"), [&] {
+            std::ranges::transform(scene.written_list("tolerance"), std::back_inserter(tolerances),
+                                   scene::parse_tolerance);
+        });
     }
     return tolerances;
 }
@@ -174,15 +170,8 @@ std::vector<Question> read_asked(const io::TomlSection& scene, std::size_t& line
         }
         quantities.push_back(*quantity);
     }
-    std::vector<contact::Edge> edges;
-    for (const std::string& name :
-         scene.has("edges") ? scene.texts("edges") : std::vector<std::string>{"right"}) {
-        const auto edge = scene::edge_named(name);
-        if (!edge) {
-            scene.reject("edges", "there is no edge '" + name + "'", "write \"right\" or \"left\"");
-        }
-        edges.push_back(*edge);
-    }
+    const std::vector<contact::Edge> edges =
+        scene.has("edges") ? scene::read_edges(scene) : std::vector{contact::Edge::right};
     const std::vector<scene::AskedPoint> points = read_points(scene);
     const std::vector<formula::Exact> tolerances = read_tolerances(scene);
     /// Makes questions for the quantities with `is(row)`, each a copy of `like`.
@@ -209,9 +198,8 @@ std::vector<Question> read_asked(const io::TomlSection& scene, std::size_t& line
         scene.reject("quantities", "p or q is requested and there are no points",
                      "add u = [\"1e-3\", \"0.1\"]");
     }
-    if (quantities.empty() || edges.empty()) {
-        scene.reject(scene.line(), "no quantity or no edge is requested",
-                     "add quantities = [\"p\"] and edges = [\"right\"]");
+    if (quantities.empty()) {
+        scene.reject(scene.line(), "no quantity is requested", "add quantities = [\"p\"]");
     }
     const auto in_body = [](const auto& row) {
         return row.place == scene::QuantityRow::Place::body;
@@ -252,6 +240,78 @@ std::vector<Question> read_asked(const io::TomlSection& scene, std::size_t& line
         }
     }
     return list;
+}
+
+constexpr std::size_t most_questions = 1'000'000;
+
+/// Returns the indices of the values of contact number `contact` on each axis; the last axis varies
+/// fastest.
+std::vector<std::size_t> at_contact(const std::vector<GridAxis>& axes, std::size_t contact) {
+    std::vector<std::size_t> at(axes.size());
+    for (std::size_t i = axes.size(); i-- > 0;) {
+        at[i] = contact % axes[i].values.size();
+        contact /= axes[i].values.size();
+    }
+    return at;
+}
+
+std::string id_of(const GridScene& scene, const std::vector<std::size_t>& at) {
+    std::string id = scene.name;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const GridAxis& axis = scene.axes[i];
+        id += axis.grid ? ":" + axis.key + "=" + axis.values[at[i]] : "";
+    }
+    return id;
+}
+
+AskedContact contact_of(const GridScene& scene, const std::vector<std::size_t>& at,
+                        const std::string& file) {
+    std::vector<Parameter> parameters;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const GridAxis& axis = scene.axes[i];
+        parameters.push_back({axis.key, axis.values[at[i]], axis.line});
+    }
+    return make_asked_contact(std::move(parameters), file, scene.line);
+}
+
+/// The questions of all scenes. Throws InputError for ids that may coincide, for a question that a
+/// contact cannot answer, and for more than a million questions.
+Questions questions_of(const std::vector<GridScene>& scenes, const std::string& file) {
+    Questions all;
+    all.file = file;
+    std::set<std::string> ids;
+    for (const GridScene& scene : scenes) {
+        std::size_t contacts = 1;
+        for (const GridAxis& axis : scene.axes) {
+            if (axis.values.size() > most_questions / scene.asked.size() / contacts) {
+                throw InputError("more than a million questions", "split the recipe")
+                    .at(file, scene.asked.front().line);
+            }
+            contacts *= axis.values.size();
+        }
+        if (all.list.size() + contacts * scene.asked.size() > most_questions) {
+            throw InputError("more than a million questions", "split the recipe")
+                .at(file, scene.asked.front().line);
+        }
+        for (std::size_t c = 0; c < contacts; ++c) {
+            const std::vector<std::size_t> at = at_contact(scene.axes, c);
+            all.contacts.push_back(contact_of(scene, at, file));
+            for (Question q : scene.asked) {
+                if (c == 0) {
+                    check_askable(all.contacts.back(), q, file, scene.asked_line);
+                }
+                q.id = id_of(scene, at) + q.id;
+                if (!ids.insert(q.id).second) {
+                    throw InputError("the question " + q.id + " is asked twice",
+                                     "leave one out, or give the second scene another name")
+                        .at(file, q.line);
+                }
+                q.contact = all.contacts.size() - 1;
+                all.list.push_back(std::move(q));
+            }
+        }
+    }
+    return all;
 }
 
 } // namespace

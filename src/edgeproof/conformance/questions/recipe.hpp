@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/conformance/questions/question.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>

@@ -18,6 +18,10 @@
 namespace edgeproof::conformance {
 namespace {
 
+/// Questions (by index) of one contact that are answered together. The division into pieces does
+/// not depend on the number of threads, and an answer depends on nothing outside its piece.
+using Piece = std::vector<std::size_t>;
+
 std::vector<scene::AskedValue> values_of(const Questions& questions, const Piece& piece) {
     std::vector<scene::AskedValue> values;
     for (const std::size_t i : piece) {
@@ -37,25 +41,20 @@ class Answering {
 public:
     Answering(const Questions& questions, const Piece& piece, const scene::Digits& digits)
         : questions_(questions),
-          values_(scene_of(questions, piece), values_of(questions, piece), digits) {
-        for (const std::size_t i : piece) {
-            if (questions.list[i].at_point()) {
-                at_points_.insert(questions.list[i].quantity);
-            }
-        }
-    }
+          values_(scene_of(questions, piece), values_of(questions, piece), digits) {}
 
     [[nodiscard]] Reference answer(std::size_t i) {
         const Question& q = questions_.list[i];
-        if (q.at_point() && at_points_.size() == 1) {
-            return at_point_of(q, [&] {
-                scene::BoundedValue x = values_.x(q);
-                return Reference{values_.value(q), std::move(x)};
-            });
-        }
         if (q.at_point()) {
-            const Point& point = at_point(q);
-            return {point.values.at(q.quantity), point.x};
+            try {
+                scene::BoundedValue x = values_.x(q);
+                return {values_.value(q), std::move(x)};
+            } catch (const DomainError& error) {
+                throw InputError("u = " + q.u->text() + " from the " + scene::edge_name(q.edge) +
+                                     " edge: " + error.what(),
+                                 "give distances from the edge, 0 < u < a + b, off every corner")
+                    .at(questions_.file, q.line);
+            }
         }
         if (q.quantity == scene::Quantity::extent && !values_.searched(q).reached) {
             throw InputError("there is no first exit: n = " + std::to_string(q.k) +
@@ -68,88 +67,12 @@ public:
     }
 
 private:
-    /// The values of the piece at a point: either all of them exist, or none.
-    struct Point {
-        scene::BoundedValue x;
-        std::map<scene::Quantity, scene::BoundedValue> values;
-    };
-    const Point& at_point(const Question& q) {
-        const std::pair key{q.edge, q.u->text()};
-        const auto known = points_.find(key);
-        if (known != points_.end()) {
-            return known->second;
-        }
-        const auto all = [&] {
-            Point point{values_.x(q), {}};
-            for (scene::AskedValue value = q; const scene::Quantity quantity : at_points_) {
-                value.quantity = quantity;
-                point.values.emplace(quantity, values_.value(value));
-            }
-            return point;
-        };
-        return points_.emplace(key, at_point_of(q, all)).first->second;
-    }
-    /// Calls f() for the point of a question; errors name the point.
-    template <class F>
-    [[nodiscard]] std::invoke_result_t<F> at_point_of(const Question& q, const F& f) const {
-        try {
-            return f();
-        } catch (const DomainError& error) {
-            throw InputError("u = " + q.u->text() + " from the " + scene::edge_name(q.edge) +
-                                 " edge: " + error.what(),
-                             "give distances from the edge, 0 < u < a + b, off every corner")
-                .at(questions_.file, q.line);
-        }
-    }
-
     const Questions& questions_;
     scene::SceneValues values_;
-    std::set<scene::Quantity> at_points_;
-    std::map<std::pair<contact::Edge, std::string>, Point> points_;
 };
 
-/// Calls `handle(i, answering)` for each question of a piece; answering() returns the answers.
-template <class Handle>
-void answer_piece(const Questions& questions, const Piece& piece, const scene::Digits& digits,
-                  const Handle& handle) {
-    check_interruption();
-    std::optional<Answering> answers;
-    const auto answering = [&]() -> Answering& {
-        return answers ? *answers : answers.emplace(questions, piece, digits);
-    };
-    for (const std::size_t i : piece) {
-        check_interruption();
-        handle(i, answering);
-    }
-}
-
-/// Calls `handle` as answer_piece() does for all pieces, in several threads.
-template <class Handle>
-void answer_all(const Questions& questions, const ReferenceOptions& options, const Handle& handle) {
-    const std::vector<Piece> pieces = pieces_of(questions);
-    std::atomic<std::size_t> done{0};
-    const auto piece = [&](std::size_t p) {
-        answer_piece(questions, pieces[p], options.digits, [&](std::size_t i, const auto& answers) {
-            handle(i, answers);
-            const std::size_t n = ++done;
-            if (options.progress) {
-                options.progress(n, questions.list.size());
-            }
-        });
-    };
-    parallel::work_through(parallel::all_pieces(pieces.size()), options.threads, piece);
-}
-
-/// Returns the answer to question i, or throws an error with the question's line.
-template <class Answers>
-Reference placed_answer(const Questions& questions, std::size_t i, const Answers& answering) {
-    return io::at_place(questions.file, questions.list[i].line,
-                        [&] { return answering().answer(i); });
-}
-
-} // namespace
-
 std::vector<Piece> pieces_of(const Questions& questions) {
+    constexpr std::size_t most_in_a_piece = 128;
     std::vector<Piece> pieces;
     std::map<std::tuple<std::size_t, int, std::string>, std::size_t> open;
     for (std::size_t i = 0; i < questions.list.size(); ++i) {
@@ -166,10 +89,36 @@ std::vector<Piece> pieces_of(const Questions& questions) {
     return pieces;
 }
 
+/// Calls `handle(i, answering)` for each question, in several threads; answering() returns the
+/// answers of its piece.
+template <class Handle>
+void answer_all(const Questions& questions, const ReferenceOptions& options, const Handle& handle) {
+    const std::vector<Piece> pieces = pieces_of(questions);
+    std::atomic<std::size_t> done{0};
+    parallel::work_through(
+        parallel::all_pieces(pieces.size()), options.threads, [&](std::size_t p) {
+            std::optional<Answering> answers;
+            const auto answering = [&]() -> Answering& {
+                return answers ? *answers : answers.emplace(questions, pieces[p], options.digits);
+            };
+            for (const std::size_t i : pieces[p]) {
+                check_interruption();
+                handle(i, answering);
+                const std::size_t n = ++done;
+                if (options.progress) {
+                    options.progress(n, questions.list.size());
+                }
+            }
+        });
+}
+
+} // namespace
+
 std::vector<Reference> references(const Questions& questions, const ReferenceOptions& options) {
     std::vector<Reference> results(questions.list.size());
     answer_all(questions, options, [&](std::size_t i, const auto& answering) {
-        results[i] = placed_answer(questions, i, answering);
+        results[i] = io::at_place(questions.file, questions.list[i].line,
+                                  [&] { return answering().answer(i); });
     });
     return results;
 }

@@ -44,12 +44,6 @@ struct ReferenceOrWhy {
 [[nodiscard]] std::vector<ReferenceOrWhy> references_or_why(const Questions& questions,
                                                             const ReferenceOptions& options);
 
-/// Questions (by index) of one contact that are answered together. The division into pieces does
-/// not depend on the number of threads, and an answer depends on nothing outside its piece.
-using Piece = std::vector<std::size_t>;
-inline constexpr std::size_t most_in_a_piece = 128;
-[[nodiscard]] std::vector<Piece> pieces_of(const Questions& questions);
-
 /// The dependence of a value on the numbers of its question.
 struct Conditioning {
     /// The relative change of the value when each number of the question (parameters, u, tolerance)

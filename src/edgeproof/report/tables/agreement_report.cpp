@@ -57,13 +57,11 @@ std::string shortened(const std::string& text) {
 
 /// Returns what to write in place of a text that is no number, in parentheses.
 std::string remedy(const std::string& text) {
-    const auto readings = conformance::without_thousands(text);
-    if (!readings.empty()) {
-        return fmt::format(" (a mark between thousands{}; write {})",
-                           readings.size() > 1 ? ", or a decimal one" : "",
-                           fmt::join(readings, " or "));
-    }
-    return conformance::with_decimal_point(text) ? " (a decimal comma; write a point)" : "";
+    return text.find_first_of(",.' _") != std::string::npos &&
+                   text.find_first_of("0123456789") != std::string::npos &&
+                   text.find_first_not_of("0123456789+-eE,.' _") == std::string::npos
+               ? " (write a decimal point, and no marks between thousands)"
+               : "";
 }
 
 /// Returns the fault of an answer, in a few words.

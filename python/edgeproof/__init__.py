@@ -31,7 +31,7 @@ except ImportError as error:
     raise ImportError(explanation(error)) from None
 from . import _value  # noqa: F401: completes Value
 from .audit import Audit, Claim, verify
-from .comparison import Comparison, Cause, Held, Limit, MeshErrors, MeshResult, compare
+from .comparison import Comparison, Cause, Held, MeshErrors, MeshResult, compare
 from .conformance import Agreement, Case, Convention, check, questions
 from .errors import BudgetError, DomainError, Error, InputError, UndecidedError
 from .multipliers import Relation, Relations, relations
@@ -68,7 +68,7 @@ from .scene import Scene, read_scene
 __all__ = [
     "Agreement", "Approximation", "Audit", "BudgetError", "Case", "Cause", "Claim", "Coefficients",
     "Comparison", "Contact", "Convention", "Design", "Displacement", "DomainError", "Error",
-    "Extent", "Held", "InputError", "Limit", "MeshErrors", "MeshResult", "Number", "Point",
+    "Extent", "Held", "InputError", "MeshErrors", "MeshResult", "Number", "Point",
     "Profile", "Relation", "Relations", "Result", "Rows", "Scene", "Slip", "SlipTerms", "StickZone",
     "Stress", "UndecidedError", "Value", "__version__", "check", "compare", "cone", "design",
     "flat_and_rounded", "hertz", "piecewise", "power_law", "questions", "read_scene", "relations",

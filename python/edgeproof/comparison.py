@@ -23,7 +23,7 @@ from .scene import Scene, read_scene
 if TYPE_CHECKING:
     import numpy.typing
 
-__all__ = ["Cause", "Comparison", "Held", "Limit", "MeshErrors", "MeshResult", "compare"]
+__all__ = ["Cause", "Comparison", "Held", "MeshErrors", "MeshResult", "compare"]
 
 OneResult = Union[str, "os.PathLike[str]", "tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike]"]
 
@@ -89,25 +89,6 @@ class Cause:
 
 
 @dataclasses.dataclass(frozen=True)
-class Limit:
-    """An estimate of the limit of a quantity for finer and finer meshes, from the last three.
-
-    value, error  the limit and its estimated error; None if the meshes show no limit: see why_not
-    own_order     the order of convergence without use of the exact value
-    trusted       True if four or more meshes show one order
-    agrees        True if the limit agrees with the exact value within its error
-    """
-
-    own_order: float | None
-    value: float | None
-    error: float | None
-    exact: float
-    trusted: bool
-    why_not: str
-    agrees: bool | None
-
-
-@dataclasses.dataclass(frozen=True)
 class MeshResult:
     """A result compared with the scene. Numbers are binary64, in the scene's units.
 
@@ -156,7 +137,6 @@ class Comparison:
     passed  True if every file is within the tolerances
     orders  for several meshes: for each quantity, the slope of log |error| over log width; None if
             there is no slope
-    limits  for several meshes: for each quantity, a Limit
     routes  for each quantity, how the exact value was computed
     text    the report that `edgeproof compare` prints
     """
@@ -167,7 +147,6 @@ class Comparison:
     routes: dict[str, str]
     files: tuple[MeshResult, ...]
     orders: dict[str, float | None]
-    limits: dict[str, Limit]
     text: str = dataclasses.field(repr=False)
     _data: dict[str, Any] = dataclasses.field(repr=False, compare=False)
 
@@ -308,8 +287,8 @@ def compare(scene: AScene, results: Results, *, columns: Columns | None = None,
 
     scene      a Scene, a scene file, or the name of one that came with the program
     results    a table that a program wrote (docs/compare.md lists the formats), or a tuple (x, p)
-               of two arrays of float; a list of these, for finer and finer meshes, gives orders and
-               limits, too
+               of two arrays of float; a list of these, for finer and finer meshes, gives orders,
+               too
     columns    {"x": 1, "p": "CPRESS"}: the columns, by number or name; None: found by their names
     scale      {"x": "1e-3", "p": "1e6"}: factors for the numbers of the files
     origin     the x of the data at the scene's origin; "auto": fitted to the data; None: 0
@@ -319,7 +298,7 @@ def compare(scene: AScene, results: Results, *, columns: Columns | None = None,
     partial    True: the data cover a part of the contact; p is compared at their nodes, although
                they do not determine a, b, P and the largest p
 
-    x and p are in the units of the scene, unless a file states its own. Edges, fits and limits of
+    x and p are in the units of the scene, unless a file states its own. Edges, fits and orders of
     the data are estimates. Raises InputError, with file and line, for malformed files; wrong data
     never raise an exception.
     """
@@ -332,4 +311,4 @@ def compare(scene: AScene, results: Results, *, columns: Columns | None = None,
     return Comparison(
         passed=data["passes"], tolerance=data["tolerance"], units=data["units"],
         routes=data["routes"], files=tuple(map(_result_of, data["files"])), orders=data["orders"],
-        limits={k: Limit(**v) for k, v in data["limits"].items()}, text=found["text"], _data=data)
+        text=found["text"], _data=data)

@@ -57,7 +57,7 @@ Make terms(std::size_t n) {
 Make rows(const std::function<void(std::vector<ComputedRow>&)>& change) {
     return with({}, [change](Program& program) { program.rows = change; });
 }
-/// Springs between the bodies (causes/soft_contact.hpp) instead of rigid contact.
+/// Springs between the bodies (causes/causes.hpp) instead of rigid contact.
 Make springs(double softness) {
     return with({}, [softness](Program& program) {
         program.p = [softness, keys = program.keys,

@@ -48,7 +48,7 @@ std::optional<std::vector<ComputedRow>> computed(const Program& program, bool sh
             row.x = program.written_x ? program.written_x(x) : x;
             row.p = program.p ? program.p(contact, x) : place.p.value_or(contact.pressure(x));
             if (shear) {
-                row.q = contact.traction(at, place).value_or(0);
+                row.q = contact.traction(place).value_or(0);
             }
             rows.push_back(row);
         }

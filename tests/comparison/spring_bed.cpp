@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/comparison/spring_bed.hpp"
 
-#include "edgeproof/comparison/causes/soft_contact.hpp"
+#include "edgeproof/comparison/causes/causes.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>

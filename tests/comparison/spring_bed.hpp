@@ -7,7 +7,7 @@
 namespace edgeproof::comparison {
 
 /// The pressure of a simulated program with a penalty, to test the diagnosis
-/// (causes/soft_contact.hpp describes the problem). It shares with the diagnosis the gap alone: p
+/// (causes/causes.hpp describes the problem). It shares with the diagnosis the gap alone: p
 /// is linear between nodes (constant on rings, whose influence is integrated from that of a point
 /// on the surface, if the contact is axisymmetric), and the contact is found by conjugate gradients
 /// (polonsky-keer1999).

@@ -314,7 +314,7 @@ bool Comparison::passes() const { return std::ranges::all_of(files, &FileCompari
 
 FileComparison compare_file(ResultTable table, const ExactContact& exact,
                             const Tolerances& tolerances, const std::optional<Rational>& origin,
-                            SuspectContacts* suspects, const std::optional<double>& mesh_error) {
+                            SuspectContacts* suspects) {
     FileComparison file;
     file.table = std::move(table);
     file.data = align(file.table, exact, origin);
@@ -358,9 +358,9 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
     constexpr double worth_a_word = 0.003;
     constexpr double roundoff = 1e-9;
     const double least = file.passes() ? worth_a_word : roundoff;
-    const double own_error = mesh_error.value_or(expected_mesh_error(
+    const double own_error = expected_mesh_error(
         file.contact.mean_element > 0 ? exact.length() / file.contact.mean_element : 1,
-        exact.scale().mean));
+        exact.scale().mean);
     if (suspects != nullptr && file.all.peak > least) {
         file.diagnosis =
             diagnose_pressure(file.table, file.data, file.contact, *suspects, exact, own_error);
@@ -383,19 +383,21 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
 std::vector<Convergence> convergence_of(const std::vector<FileComparison>& files,
                                         const ExactContact& exact) {
     std::vector<Convergence> list;
-    /// `limit`: the exact value; without it, the value is an error.
-    const auto add = [&](const char* name, std::optional<double> limit, const auto& of) {
-        std::vector<MeshValue> values;
+    /// `exact_value`: 0 for a quantity that is an error itself.
+    const auto add = [&](const char* name, double exact_value, const auto& of) {
+        std::vector<MeshValue> errors;
         for (const FileComparison& file : files) {
             const std::optional<double> value = of(file);
             if (!value || !(file.contact.mean_element > 0)) {
                 return;
             }
-            values.push_back({file.contact.mean_element, *value});
+            constexpr double roundoff = 1e-8; // of printed digits: such an error has no order
+            const double error = *value - exact_value;
+            errors.push_back({file.contact.mean_element,
+                              std::abs(error) < roundoff * std::abs(exact_value) ? 0 : error});
         }
-        if (values.size() >= 2) {
-            list.push_back(limit ? converge(name, std::move(values), *limit)
-                                 : converge_error(name, std::move(values)));
+        if (errors.size() >= 2) {
+            list.push_back({name, order_of(std::move(errors))});
         }
     };
     add("a", exact.a().value, [](const auto& f) { return f.contact.a; });
@@ -411,9 +413,9 @@ std::vector<Convergence> convergence_of(const std::vector<FileComparison>& files
     if (!exact.scale().mean) {
         add("p_max", exact.scale().value, [](const auto& f) { return f.contact.largest; });
     }
-    add("peak", {}, [](const auto& f) { return f.errors.peak; });
-    add("local", {}, [](const auto& f) { return f.errors.local; });
-    add("l2", {}, [](const auto& f) { return f.errors.l2; });
+    add("peak", 0, [](const auto& f) { return f.errors.peak; });
+    add("local", 0, [](const auto& f) { return f.errors.local; });
+    add("l2", 0, [](const auto& f) { return f.errors.l2; });
     return list;
 }
 

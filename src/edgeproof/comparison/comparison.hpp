@@ -4,19 +4,16 @@
 ///   input/result_table.hpp      ResultTable: a program's table, with any columns and separators
 ///   measures/exact_contact.hpp  ExactContact: the scene's own solution
 ///   measures/alignment.hpp      AlignedResult: sign, origin, nodes with their exact pressure
-///   measures/data_edges.hpp     DataContact: edges, force and elements of the data
-///   measures/measures.hpp       Errors: relative to the peak, to p itself, in the L2 norm;
-///                               Convergence: orders and extrapolated values of several meshes;
+///   measures/measures.hpp       DataContact: edges and force of the data; EdgeFit: its c_0 and
+///   c_1;
+///                               Errors: relative to the peak, to p itself, in the L2 norm;
 ///                               the error that a correct mesh has by itself
-///   measures/edge_fit.hpp       EdgeFit: c_0 and c_1 by least squares
 ///   causes/causes.hpp           Diagnosis: mistakes that would explain wrong data
-/// Only the values of the exact contact are proved, if their routes are; edges, fits and
-/// extrapolated values of data are estimates.
+/// Only the values of the exact contact are proved, if their routes are; edges, fits and orders of
+/// data are estimates.
 #include "edgeproof/comparison/causes/causes.hpp"
 #include "edgeproof/comparison/input/result_table.hpp"
 #include "edgeproof/comparison/measures/alignment.hpp"
-#include "edgeproof/comparison/measures/data_edges.hpp"
-#include "edgeproof/comparison/measures/edge_fit.hpp"
 #include "edgeproof/comparison/measures/exact_contact.hpp"
 #include "edgeproof/comparison/measures/measures.hpp"
 
@@ -101,6 +98,12 @@ struct FileComparison {
     [[nodiscard]] std::vector<std::string> findings() const;
 };
 
+/// The order with which a quantity ("a", "P", "c0", "peak", ...) of finer meshes converges.
+struct Convergence {
+    std::string quantity;
+    std::optional<double> order;
+};
+
 struct Comparison {
     Tolerances tolerances;
     std::vector<FileComparison> files;
@@ -111,19 +114,17 @@ struct Comparison {
 /// `origin`: the x of the data at the scene's origin; if empty, it is fitted, which only the user
 /// may request. Data that do not pass, or whose error exceeds 3/1000 of the peak, are diagnosed if
 /// the suspects of the scene are given.
-/// `mesh_error`: the mesh's own error (mesh_errors()); without it, expected_mesh_error().
 [[nodiscard]] FileComparison compare_file(ResultTable table, const ExactContact& exact,
                                           const Tolerances& tolerances,
                                           const std::optional<Rational>& origin,
-                                          SuspectContacts* suspects = nullptr,
-                                          const std::optional<double>& mesh_error = {});
+                                          SuspectContacts* suspects = nullptr);
 /// Compares gap, slip and sxx of the data, if they have them, at the nodes outside the edge zones
 /// with the exact values of the scene. The direction of the slip, and the body whose sxx the data
 /// have, are those that agree better. Adds failures if the tolerances have `surface`. Throws
 /// Interrupted.
 void compare_surface(FileComparison& file, const scene::Scene& scene, const ExactContact& exact,
                      const Tolerances& tolerances);
-/// Orders and limits of a, b, P, c_0, the largest pressure and the errors, if every file has them.
+/// Orders of a, b, P, c_0, the largest pressure and the errors, if every file has them.
 [[nodiscard]] std::vector<Convergence> convergence_of(const std::vector<FileComparison>& files,
                                                       const ExactContact& exact);
 

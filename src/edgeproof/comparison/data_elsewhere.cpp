@@ -6,9 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 #include <string>
 
 namespace edgeproof::comparison {
@@ -16,21 +14,6 @@ namespace {
 
 constexpr double loaded_share = 0.02; ///< of the largest pressure
 constexpr double like_width = 2;      ///< the largest ratio of two widths of one contact
-/// Ratios of usual units of length.
-constexpr std::array usual_units{1e-9, 1e-6, 1e-3, 1e-2, 1e-1,     1e1,     1e2,
-                                 1e3,  1e6,  1e9,  25.4, 1 / 25.4, 25.4e-3, 1 / 25.4e-3};
-
-/// The usual factor that nearly converts the data's width to the contact's, if there is one.
-std::optional<double> factor_near(double wanted) {
-    std::optional<double> best;
-    for (const double factor : usual_units) {
-        const double off = std::abs(std::log(factor / wanted));
-        if (off < std::log(like_width) && (!best || off < std::abs(std::log(*best / wanted)))) {
-            best = factor;
-        }
-    }
-    return best;
-}
 
 } // namespace
 
@@ -79,19 +62,14 @@ void require_nodes_inside(const FileComparison& file, const ExactContact& exact,
     // The contact ends half an element beyond the loaded nodes.
     const double width = to - from + (steps > 0 ? (to - from) / steps : 0);
     const double ratio = exact.length() / width;
-    const auto unit = factor_near(ratio);
-    std::string instead;
-    if (ratio > 1 / like_width && ratio < like_width) {
-        instead = fmt::format("write --origin {:.4g}, the x of the data at the scene's origin, or "
-                              "--origin auto",
-                              0.5 * (from + to) - 0.5 * (a - b));
-    } else if (unit) {
-        instead =
-            fmt::format("write --scale x={:.6g} if x is in another unit than the scene's", *unit);
-    } else {
-        instead = "write --scale x=... if x is in another unit than the scene's, --origin if it is "
-                  "measured from another place";
-    }
+    const std::string instead =
+        ratio > 1 / like_width && ratio < like_width
+            ? fmt::format("write --origin {:.4g}, the x of the data at the scene's origin, or "
+                          "--origin auto",
+                          0.5 * (from + to) - 0.5 * (a - b))
+            : fmt::format("write --scale x=..., about {:.2g}, if x is in another unit than the "
+                          "scene's, --origin if it is measured from another place",
+                          ratio);
     reject(fmt::format("{}: the pressures of the data extend from x = {:.6g} to {:.6g}", none, from,
                        to),
            instead);

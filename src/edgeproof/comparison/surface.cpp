@@ -26,15 +26,11 @@ public:
     /// Nothing where the scene has no value: on an edge, or for a profile without a closed form.
     std::optional<double> operator()(double x) {
         check_interruption();
-        scene::AskedValue asked;
-        asked.quantity = quantity_;
-        const formula::Exact place(formula::Expr::number(exact_rational(x)));
+        scene::AskedValue asked = asked_at(quantity_, Real(x));
         if (quantity_ == scene::Quantity::sxx) {
-            asked.in_body = scene::BodyPoint{place, formula::Exact(), body_};
-        } else {
-            asked.place =
-                scene::Place::parse(exact_text(exact_rational(x)), scene::Place::From::origin, {})
-                    .distance(contact::Edge::right);
+            asked = {.quantity = quantity_,
+                     .in_body = scene::BodyPoint{
+                         formula::Exact(formula::Expr::number(exact_rational(x))), {}, body_}};
         }
         try {
             if (!values_) {

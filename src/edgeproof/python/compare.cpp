@@ -83,16 +83,13 @@ py::dict compare(const NativeScene& native, const std::string& name, const Resul
         for (const auto& [written, file] : results) {
             tables.push_back(comparison::parse_result(written, file, reading));
         }
-        const auto own = comparison::mesh_errors(tables);
         const comparison::ExactContact exact(scene);
         report.exact = &exact;
         comparison::SuspectContacts suspects(scene);
         auto& files = report.comparison.files;
         for (comparison::ResultTable& table : tables) {
             progress(files.size(), tables.size());
-            files.push_back(
-                comparison::compare_file(std::move(table), exact, t, at, &suspects,
-                                         own ? std::optional((*own)[files.size()]) : std::nullopt));
+            files.push_back(comparison::compare_file(std::move(table), exact, t, at, &suspects));
             comparison::compare_surface(files.back(), scene, exact, t);
             comparison::require_nodes_inside(files.back(), exact, t.zone);
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/comparison.hpp"
-#include "edgeproof/comparison/input/calculix.hpp"
+#include "edgeproof/comparison/input/result_lines.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"

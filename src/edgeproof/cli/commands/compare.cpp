@@ -145,7 +145,6 @@ int compare_results(const CompareOptions& o) {
     for (const std::string& file : o.results) {
         tables.push_back(comparison::read_result(file, reading));
     }
-    const auto own = comparison::mesh_errors(tables);
     const comparison::ExactContact exact(scene);
     report.scene = o.scene;
     report.title = scene.title;
@@ -157,8 +156,7 @@ int compare_results(const CompareOptions& o) {
         for (comparison::ResultTable& table : tables) {
             progress(report.comparison.files.size(), tables.size());
             report.comparison.files.push_back(comparison::compare_file(
-                std::move(table), exact, report.comparison.tolerances, origin, &suspects,
-                own ? std::optional((*own)[report.comparison.files.size()]) : std::nullopt));
+                std::move(table), exact, report.comparison.tolerances, origin, &suspects));
             comparison::compare_surface(report.comparison.files.back(), scene, exact,
                                         report.comparison.tolerances);
             comparison::require_nodes_inside(report.comparison.files.back(), exact,

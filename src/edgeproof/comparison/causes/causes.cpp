@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/causes/causes.hpp"
-#include "edgeproof/comparison/causes/observed.hpp"
-#include "edgeproof/diagnose/choice.hpp"
+#include "edgeproof/diagnose/fit.hpp"
 #include "edgeproof/roots/bracketed_root.hpp"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/comparison/causes/soft_contact.hpp"
 #include "edgeproof/comparison/input/result_table.hpp"
 #include "edgeproof/comparison/measures/alignment.hpp"
-#include "edgeproof/comparison/measures/data_edges.hpp"
 #include "edgeproof/comparison/measures/exact_contact.hpp"
+#include "edgeproof/comparison/measures/measures.hpp"
+#include "edgeproof/diagnose/fit.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -15,6 +15,62 @@
 #include <vector>
 
 namespace edgeproof::comparison {
+
+/// g at the middles of elements of equal width, the first of which is `first`, up to a constant.
+[[nodiscard]] std::vector<double> gap_of(const scene::Scene& scene, const ExactContact& exact,
+                                         double first, double width, std::size_t elements);
+
+/// The contact as a program with a penalty solves it: p = k times the penetration, so that a layer
+/// of springs with the compliance 1/k lies between the bodies. Where p > 0,
+///     u(x) + g(x) + p(x)/k = delta + phi x,
+/// with the displacement u of the half-plane, or of the half-space, under p. The contact is longer,
+/// p is lower, and p vanishes like u, not like u^(1/2), at its edges. P is that of the scene; so is
+/// M where the scene gives it, and phi = 0 otherwise.
+///
+/// Boundary elements (rings, if axisymmetric) of constant p, of equal width, with the active
+/// elements found by iteration (johnson1985, section 4.3, has the springs alone). All values are
+/// estimates.
+class SoftContact {
+public:
+    /// `scene`: that of `exact`. Keeps no reference to them.
+    SoftContact(const scene::Scene& scene, const ExactContact& exact);
+
+    struct Solution {
+        double softness = 0; ///< E*/(k (a + b)) with the exact a and b; 0 for rigid springs
+        double a = 0;        ///< p > 0 for -b < x < a
+        double b = 0;
+        std::vector<double> p; ///< of the elements
+    };
+    /// Returns nothing if the contact extends beyond the elements, by a third of a + b on each
+    /// side.
+    [[nodiscard]] std::optional<Solution> solve(double softness) const;
+    /// Returns the solution for which `left`, a sum of squares, is least; nothing if none halves
+    /// that of rigid springs.
+    [[nodiscard]] std::optional<Solution>
+    fitted(const std::function<double(const Solution&)>& left) const;
+    /// The change of p at x by the springs, between elements by interpolation: the error of the
+    /// elements themselves nearly cancels in it. NaN near an exact edge or a corner, where it does
+    /// not.
+    [[nodiscard]] double change(const Solution& soft, double x) const;
+    /// k in units of E*/(a + b), times this number, is k in pressure per length.
+    [[nodiscard]] double stiffness_unit() const { return modulus_ / length_; }
+
+private:
+    void find_influences();
+
+    bool round_ = false;
+    double modulus_ = 0; ///< E*
+    double length_ = 0;  ///< a + b
+    double width_ = 0;   ///< of an element
+    double force_ = 0;
+    std::optional<double> moment_;
+    std::vector<double> special_;        ///< the exact edges, and the corners
+    std::vector<double> x_;              ///< the middles of the elements
+    std::vector<double> gap_;            ///< g there, up to a constant
+    std::vector<std::vector<double>> u_; ///< at an element, under a unit pressure on another
+    Solution rigid_;
+    std::vector<Solution> soft_; ///< by softness, from springs that are nearly rigid
+};
 
 /// The contacts that programs with a known mistake would have solved instead of the scene's. Each
 /// is solved once, on first use, for all data compared with the scene: solving them is nearly all
@@ -98,7 +154,7 @@ struct Diagnosis {
 };
 
 /// Compares data with the pressures that a program with each known mistake would compute
-/// (pressure_suspects()), at nodes away from the edges, by diagnose/fit.hpp and choice.hpp. In
+/// (pressure_suspects()), at nodes away from the edges, by diagnose/fit.hpp. In
 /// addition to noise, the mesh's own error `mesh_error` (measures/measures.hpp) is allowed, at most
 /// three hundredths of the largest pressure. Data that carry too few digits, or are binary32, and
 /// otherwise agree, have that cause. Data that none of these explains, but the scene under the
@@ -118,5 +174,46 @@ struct Diagnosis {
 /// the last place of the largest pressure are allowed for a computation.
 [[nodiscard]] std::optional<Cause>
 cause_in_digits(const ResultTable& table, const AlignedResult& data, const ExactContact& exact);
+
+/// Values of the data that are diagnosed, and the exact ones.
+struct Observed {
+    UsedNodes nodes;
+    std::vector<double> values;
+    Suspect right;
+    double element = 0;          ///< the widest at an edge
+    std::vector<double> corners; ///< where p is infinite
+
+    /// False at nodes within two elements, or a fiftieth of the suspect's contact, of one of its
+    /// edges or of a corner.
+    [[nodiscard]] bool counts(const Suspect& suspect, std::size_t i) const;
+    [[nodiscard]] bool inside(const Suspect& suspect, std::size_t i) const;
+    /// The data over the exact values of the nodes.
+    [[nodiscard]] std::vector<double> ratios() const;
+    /// Every node of one parity, or without it every second of the means over three neighbours with
+    /// weights 1/4, 1/2 and 1/4.
+    [[nodiscard]] Observed part(std::optional<std::size_t> parity) const;
+};
+/// All nodes, or some at equal steps if there are many; without values.
+[[nodiscard]] Observed observed_in(const AlignedResult& data, const DataContact& contact,
+                                   const ExactContact& exact);
+
+inline constexpr double share_left = 0.3; ///< of the error, that a cause may leave
+
+/// The errors that a suspect leaves.
+struct Left {
+    /// Relative to the value of the node, or to a tenth of the largest one.
+    diagnose::Remainders rows;
+    double rms = 0;               ///< relative to the largest value
+    double noise = 0;             ///< the rms scatter from node to node, relative to it
+    bool largest_counted = false; ///< the largest of all errors is at a node that counts
+};
+/// Returns nothing if fewer than eight nodes lie inside the suspect's contact.
+[[nodiscard]] std::optional<Left> left_by(const Observed& data, const Suspect& suspect);
+
+/// Recognises data that alternate from node to node, as those at the corners and in the middles of
+/// the sides of quadratic elements do: every second node is right, or the means over neighbours
+/// are. `unexplained`: the error of all nodes.
+[[nodiscard]] std::optional<Cause> alternation(const Observed& data, double allowance,
+                                               double unexplained);
 
 } // namespace edgeproof::comparison

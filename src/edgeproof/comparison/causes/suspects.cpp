@@ -64,7 +64,7 @@ public:
         for (const diagnose::Mistake& mistake : diagnose::shear_mistakes(scene)) {
             if (const ExactContact* const contact = changed(mistake, mistake.change)) {
                 add(mistake.name, mistake.what, [&](std::size_t i) {
-                    return contact->traction(Real(nodes_[i].x), nodes_[i].exact).value_or(no_value);
+                    return contact->traction(contact->at(Real(nodes_[i].x))).value_or(no_value);
                 });
             }
         }
@@ -76,8 +76,7 @@ public:
         if (!exact_.symmetric() || scene.shear->bulk_tension.sign() != 0) {
             add("mirrored", "x has the opposite direction", exact_.b().value, exact_.a().value,
                 [&](std::size_t i) {
-                    const Real x(-nodes_[i].x);
-                    return exact_.traction(x, exact_.at(x)).value_or(no_value);
+                    return exact_.traction(exact_.at(Real(-nodes_[i].x))).value_or(no_value);
                 });
         }
         return std::move(list_);

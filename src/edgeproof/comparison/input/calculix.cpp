@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/input/calculix.hpp"
+#include "edgeproof/comparison/input/result_lines.hpp"
 
 #include "edgeproof/conformance/answers/number_text.hpp"
 

@@ -102,17 +102,6 @@ private:
                 cells = std::move(apart);
             }
         }
-        if (text_.separator == Separator::blank && cells.size() > text_.size &&
-            text_.numbers_in(cells) == 0) {
-            std::vector<std::string> words;
-            std::ranges::transform(cells, std::back_inserter(words), &Cell::text);
-            if (auto names = names_of_words(words, text_.size)) {
-                cells.clear();
-                for (std::string& name : *names) {
-                    cells.push_back({std::move(name)});
-                }
-            }
-        }
         return cells;
     }
 

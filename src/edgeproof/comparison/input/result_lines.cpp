@@ -41,8 +41,6 @@ bool separates(std::string_view line, std::size_t at, Separator separator) {
         return c == '|';
     case Separator::comma:
         return c == ',';
-    case Separator::comma_and_blank:
-        return c == ',' && (at + 1 == line.size() || white.find(line[at + 1]) != white.npos);
     case Separator::blank:
         break;
     }
@@ -77,7 +75,7 @@ public:
             text_.reject(0, "there is no row of two numbers",
                          "give a table with a column of places x and one of pressures p");
         }
-        text_.separator = *best == Separator::comma ? which_commas() : *best;
+        text_.separator = *best;
         std::map<std::size_t, std::size_t> sizes;
         std::size_t seen = 0;
         for (const ResultLine& line : text_.lines) {
@@ -124,49 +122,6 @@ private:
         return score;
     }
 
-    /// The number of cells in the last line of text before the first row of numbers.
-    [[nodiscard]] std::optional<std::size_t> header_size() const {
-        std::optional<std::size_t> size;
-        for (const ResultLine& line : text_.lines) {
-            const auto cells = split_row(line.text, Separator::comma);
-            const auto numbers = std::ranges::count_if(cells, [](const Cell& cell) {
-                return number_of(cell, Separator::comma).has_value();
-            });
-            if (!line.comment && numbers >= 2) {
-                return size;
-            }
-            size = cells.size();
-        }
-        return {};
-    }
-
-    /// Decides for rows such as "0,5, 1,2" if only commas followed by a blank are separators, or
-    /// all commas.
-    [[nodiscard]] Separator which_commas() const {
-        for (const ResultLine& line : text_.lines) {
-            const auto all = split_row(line.text, Separator::comma);
-            const auto some = split_row(line.text, Separator::comma_and_blank);
-            const bool rows = !line.comment && some.size() >= 2 && all.size() != some.size() &&
-                              std::ranges::all_of(some, [](const Cell& cell) {
-                                  return number_of(cell, Separator::comma_and_blank).has_value();
-                              });
-            if (!rows) {
-                continue;
-            }
-            const auto named = header_size();
-            if (named && *named == some.size()) {
-                return Separator::comma_and_blank;
-            }
-            if (named && *named == all.size()) {
-                return Separator::comma;
-            }
-            text_.reject(line.number, "commas may be decimal here, or separate all columns",
-                         "separate columns by semicolons or tabs, or name every column in a "
-                         "header");
-        }
-        return Separator::comma;
-    }
-
     ResultText& text_;
 };
 
@@ -207,8 +162,6 @@ std::string separator_name(Separator separator) {
         return "bars";
     case Separator::comma:
         return "commas";
-    case Separator::comma_and_blank:
-        return "commas before blanks";
     case Separator::blank:
         break;
     }

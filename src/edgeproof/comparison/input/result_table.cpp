@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/input/result_table.hpp"
 
-#include "edgeproof/comparison/input/calculix.hpp"
 #include "edgeproof/comparison/input/result_lines.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/io/text_file.hpp"

@@ -112,20 +112,20 @@ private:
             node.rounding = row.p_rounding;
             if (node.exact.p) {
                 const Real p = Real(row.p) * Real(result_.sign);
-                node.error = Real(p - node.exact.exact_p).convert_to<double>();
-                node.rounding += moved_by_rounding(
-                    i, x, node.exact, [](const Real&, const auto& place) { return place.p; });
+                node.error = Real(p - *node.exact.p).convert_to<double>();
+                node.rounding +=
+                    moved_by_rounding(i, x, node.exact, [](const auto& place) { return place.p; });
             }
             if (row.q && exact_.shear() != nullptr) {
                 NodeShear shear;
                 shear.q = row.q->convert_to<double>();
-                shear.exact = exact_.traction(x, node.exact);
+                shear.exact = exact_.traction(node.exact);
                 shear.rounding = row.q_rounding;
                 if (shear.exact && node.exact.inside()) {
-                    shear.rounding += moved_by_rounding(i, x, node.exact,
-                                                        [this](const Real& at, const auto& place) {
-                                                            return exact_.traction(at, place);
-                                                        });
+                    shear.rounding +=
+                        moved_by_rounding(i, x, node.exact, [this](const auto& place) {
+                            return exact_.traction(place);
+                        });
                 }
                 node.shear = shear;
             }
@@ -168,10 +168,10 @@ private:
             return 0;
         }
         const Real step = here.nearer() == contact::Edge::right ? Real(half) : Real(-half);
-        const double value_here = *value(x, here);
+        const double value_here = *value(here);
         double most = 0;
         for (const Real& neighbour : {Real(x + step), Real(x - step)}) {
-            const auto moved = value(neighbour, exact_.at(neighbour));
+            const auto moved = value(exact_.at(neighbour));
             most = std::max(most, moved ? std::abs(*moved - value_here) : 0.0);
         }
         return most;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/measures/data_edges.hpp"
+#include "edgeproof/comparison/measures/measures.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
 
 #include <fmt/format.h>

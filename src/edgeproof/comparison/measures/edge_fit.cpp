@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/measures/edge_fit.hpp"
+#include "edgeproof/comparison/measures/measures.hpp"
 
 #include <algorithm>
 #include <array>

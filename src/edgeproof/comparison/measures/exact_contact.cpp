@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/measures/exact_contact.hpp"
-#include "edgeproof/comparison/measures/quick_pressure.hpp"
-#include "edgeproof/contact/double_word/double_word_pressure.hpp"
-#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
@@ -11,6 +8,7 @@
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/roots/bracketed_root.hpp"
+#include "edgeproof/scene/binary64_values.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>
@@ -23,10 +21,8 @@ namespace {
 
 constexpr unsigned value_digits = 20;
 constexpr unsigned contact_digits = 40;
-constexpr long tilt_bits = 192; ///< for `contact_digits`
-/// The error of a and b at `contact_digits`, relative to a + b.
-constexpr double edge_error = 1e-37;
-constexpr double closed_form_error = 1e-20;
+constexpr long tilt_bits = 192;       ///< for `contact_digits`
+constexpr double on_a_corner = 1e-15; ///< relative to a + b
 
 contact::Profile profile_of(const scene::Scene& scene) {
     return scene.profile ? *scene.profile
@@ -48,64 +44,17 @@ ExactValue exact_value(const scene::BoundedValue& value) {
     return {value.value.midpoint().convert_to<double>(), value.how()};
 }
 
-/// The question about a quantity at the place x.
+} // namespace
+
 scene::AskedValue asked_at(scene::Quantity quantity, const Real& x) {
     const auto place = formula::Expr::number(contact::exact_value(x));
     return {.quantity = quantity,
             .place = scene::Distance(formula::Expr::symbol("a") - place, place)};
 }
 
-std::unique_ptr<scene::SceneValues> values_of(const scene::Scene& scene, scene::Quantity quantity,
-                                              unsigned digits) {
-    return std::make_unique<scene::SceneValues>(scene, std::vector{asked_at(quantity, Real(0))},
-                                                scene::Digits{digits, Rounding::nearest, false});
-}
-
-} // namespace
-
 struct ExactContact::Solved {
-    explicit Solved(const scene::Scene& asked) : scene(asked), profile(profile_of(asked)) {
-        if (contact::DoubleWordPressure::has_form(profile) && !profile.axisymmetric()) {
-            try {
-                words.emplace(profile,
-                              contact::BallContact(profile, scene.contact_modulus, scene.load,
-                                                   contact::DoubleWordPressure::contact_bits));
-            } catch (const BudgetError&) {
-                // Bits do not separate an edge from a corner: `pressures` is used instead.
-            }
-        }
-    }
+    explicit Solved(const scene::Scene& asked) : scene(asked), profile(profile_of(asked)) {}
 
-    /// Returns nothing if double words do not have the digits, for example near a corner.
-    [[nodiscard]] std::optional<Real> in_words(const Real& from_right,
-                                               const Real& from_left) const {
-        if (!words) {
-            return {};
-        }
-        const bool by_right = from_right < from_left;
-        DoubleWord distance = to_double_word(by_right ? from_right : from_left);
-        distance.radius += edge_error * Real(right + left).convert_to<double>();
-        const DoubleWord p =
-            words->at(by_right ? contact::Edge::right : contact::Edge::left, distance);
-        if (!(p.radius <= std::abs(p.high) * closed_form_error)) {
-            return {};
-        }
-        return Real(p.high) + Real(p.low);
-    }
-
-    /// Throws DomainError on a corner.
-    [[nodiscard]] Real pressure(const Real& x) {
-        for (std::size_t i = 0; i < profile.knots().size(); ++i) {
-            if (profile.has_corner(i) &&
-                abs(Real(profile.knots()[i].to<Real>() - x)) <= Real("1e-20") * (right + left)) {
-                throw DomainError("the place is on a corner");
-            }
-        }
-        if (!pressures) {
-            pressures = values_of(scene, scene::Quantity::p, value_digits);
-        }
-        return pressures->value(asked_at(scene::Quantity::p, x)).value.midpoint();
-    }
     /// The values of the contact, or its coefficients, with the digits of its edges.
     [[nodiscard]] scene::SceneResult values(scene::QuantityGroup group) const {
         scene::Scene of = scene.without_shear();
@@ -119,14 +68,12 @@ struct ExactContact::Solved {
 
     scene::Scene scene;
     contact::Profile profile;
-    std::unique_ptr<scene::SceneValues> pressures; ///< made when needed
-    /// Used where they have the digits.
-    std::optional<contact::DoubleWordPressure> words;
+    std::optional<scene::Binary64Values> pressures; ///< made when needed
+    std::optional<scene::Binary64Values> tractions; ///< the same
     /// Set for a curved slope in the plane.
     std::optional<QuickPressure> quick;
     Real right; ///< a
     Real left;  ///< b
-    Real force; ///< P
     std::optional<ExactShear> shear;
     std::map<contact::Edge, std::vector<ExactValue>> c; ///< c_0, ..., made when needed
 };
@@ -149,7 +96,6 @@ void ExactContact::solve(const scene::Scene& scene) {
     force_ = exact_value(result.at(scene::Quantity::P));
     s.right = result.at(scene::Quantity::a).value.midpoint();
     s.left = result.at(scene::Quantity::b).value.midpoint();
-    s.force = result.at(scene::Quantity::P).value.midpoint();
     const PrecisionScope scope(place_digits);
     const contact::Profile& profile = s.profile;
     if (!profile.has_closed_form() && !profile.axisymmetric()) {
@@ -158,7 +104,7 @@ void ExactContact::solve(const scene::Scene& scene) {
     symmetric_ = profile.symmetric();
     axisymmetric_ = scene.round.has_value();
     if (scene.shear) {
-        s.shear.emplace(scene, contact::Extent<Real>{s.right, s.left}, s.force);
+        s.shear.emplace(scene, length());
     }
     radius_ = {length(), length()};
     for (std::size_t i = 0; i < profile.knots().size(); ++i) {
@@ -240,9 +186,9 @@ void ExactContact::find_scale() const {
 }
 
 std::string ExactContact::pressure_route() const {
-    return axisymmetric_    ? "by the Abel integral"
-           : solved_->words ? "in closed form"
-                            : "by rigorous integration";
+    return axisymmetric_                 ? "by the Abel integral"
+           : profile().has_closed_form() ? "in closed form"
+                                         : "by rigorous integration";
 }
 
 const contact::Profile& ExactContact::profile() const { return solved_->profile; }
@@ -259,19 +205,20 @@ ExactContact::Place ExactContact::at(const Real& x) const {
     const PrecisionScope scope(place_digits);
     const Real right = solved_->right - x;
     const Real left = solved_->left + x;
-    Place place{right.convert_to<double>(), left.convert_to<double>(), 0.0, Real(0)};
+    Place place{right.convert_to<double>(), left.convert_to<double>(), 0.0};
     if (!(right > 0) || !(left > 0)) {
         return place;
     }
-    if (const auto p = solved_->in_words(right, left)) {
-        place.exact_p = *p;
-        place.p = place.exact_p.convert_to<double>();
-        return place;
-    }
+    const bool corner = std::ranges::any_of(knots_, [&](const ContactKnot& knot) {
+        return knot.corner && abs(Real(x - knot.x)) <= on_a_corner * length();
+    });
     try {
-        place.exact_p = solved_->pressure(x);
-        place.p = place.exact_p.convert_to<double>();
-    } catch (const Error&) { // on a corner, or not enclosed
+        if (!solved_->pressures) {
+            solved_->pressures.emplace(solved_->scene.without_shear());
+        }
+        const double p = corner ? HUGE_VAL : (*solved_->pressures)(place.nearer(), place.u());
+        place.p = std::isfinite(p) ? std::optional(p) : std::nullopt;
+    } catch (const Error&) { // not enclosed
         place.p.reset();
     }
     return place;
@@ -281,26 +228,26 @@ const ExactShear* ExactContact::shear() const {
     return solved_->shear ? &*solved_->shear : nullptr;
 }
 
-std::optional<double> ExactContact::traction(const Real& x, const Place& place) const {
-    if (!solved_->shear) {
+std::optional<double> ExactContact::traction(const Place& place) const {
+    Solved& s = *solved_;
+    if (!s.shear) {
         return {};
     }
-    const PrecisionScope scope(place_digits);
-    const Real right = solved_->right - x;
-    const Real left = solved_->left + x;
-    const bool singular = solved_->shear->singular();
-    const Real at_edge = length() * 1e-12; // the resolution of a place in binary64
-    if (singular && std::min(Real(abs(right)), Real(abs(left))) < at_edge) {
+    const double at_edge = length() * 1e-12; // the resolution of a place in binary64
+    if (s.shear->singular() && std::abs(place.u()) < at_edge) {
         return {};
     }
-    if (!(right > 0) || !(left > 0)) {
+    if (!place.inside()) {
         return 0.0;
     }
-    if (!place.p && !singular) {
+    if (!place.p && !s.shear->singular()) {
         return {};
     }
     try {
-        return solved_->shear->at({right, left, x}, place.exact_p).convert_to<double>();
+        if (!s.tractions) {
+            s.tractions.emplace(s.scene, scene::Binary64Question{.quantity = scene::Quantity::q});
+        }
+        return (*s.tractions)(place.nearer(), place.u());
     } catch (const Error&) { // on a knot of the stick zone, where balls do not enclose q
         return {};
     }
@@ -314,80 +261,29 @@ std::optional<double> ExactContact::quick_pressure(double x) const {
 
 double ExactContact::pressure(double x) const { return quick_pressure(x).value_or(scale().value); }
 
-namespace {
-
-constexpr unsigned traction_digits = 20;
-constexpr unsigned zone_digits = 40;
-
-} // namespace
-
-struct ExactShear::Solved {
-    Solved(const scene::Scene& asked, const contact::Extent<Real>& extent, const Real& normal)
-        : spec(*asked.shear), axisymmetric(asked.round.has_value()), whole(extent),
-          P(normal), load{spec.Q.to<Real>(), spec.bulk_tension.to<Real>()} {
-        if (!spec.friction) {
-            return;
-        }
-        in_slip = values_of(asked, scene::Quantity::q, traction_digits);
-        if (asked.history) {
-            most_force =
-                Real(spec.friction->to<Real>() * asked.history->layers.back().force.to<Real>())
-                    .convert_to<double>();
-            return;
-        }
-        scene::Scene zone = asked;
-        zone.ask = {};
-        zone.ask.quantities = {scene::QuantityGroup::slip};
-        zone.ask.digits = {zone_digits, Rounding::nearest, false};
-        const scene::SceneResult result = run_scene(zone);
-        stick_edges = {
-            result.at(scene::Quantity::stick_a).value.midpoint().convert_to<double>(),
-            Real(-result.at(scene::Quantity::stick_b).value.midpoint()).convert_to<double>()};
+ExactShear::ExactShear(const scene::Scene& scene, double length) {
+    const PrecisionScope scope(ExactContact::place_digits);
+    const contact::ShearSpec& spec = *scene.shear;
+    const bool round = scene.round.has_value();
+    const double area = round ? std::acos(-1) * length * length / 4 : length;
+    const std::string area_text = round ? "(pi a^2)" : "(a + b)";
+    force_ = spec.Q.to<double>();
+    singular_ = !spec.friction && spec.path != contact::LoadingPath::together;
+    if (scene.history) {
+        scale_ =
+            spec.friction->to<double>() * scene.history->layers.back().force.to<double>() / area;
+        scale_text_ = "f P/" + area_text;
+        return;
     }
-
-    contact::ShearSpec spec;
-    bool axisymmetric;
-    contact::Extent<Real> whole;
-    Real P;
-    contact::ShearLoad<Real> load;
-    std::unique_ptr<scene::SceneValues> in_slip; ///< with friction
-    std::vector<double> stick_edges;             ///< empty after steps
-    std::optional<double> most_force;            ///< f P after steps
-};
-
-ExactShear::ExactShear(const scene::Scene& scene, const contact::Extent<Real>& whole,
-                       const Real& force)
-    : solved_(std::make_shared<Solved>(scene, whole, force)) {}
-
-Real ExactShear::at(const contact::Point<Real>& place, const Real& p) const {
-    Solved& s = *solved_;
-    if (s.in_slip) {
-        return s.in_slip->value(asked_at(scene::Quantity::q, place.x)).value.midpoint();
+    scale_ = std::abs(force_) / area + std::abs(spec.bulk_tension.to<double>()) / 4;
+    scale_text_ = "|Q|/" + area_text + (round ? "" : " + |bulk_tension|/4");
+    if (spec.friction) {
+        const scene::AskedValue right{scene::Quantity::stick_a};
+        const scene::AskedValue left{scene::Quantity::stick_b};
+        scene::SceneValues zone(scene, {right, left},
+                                scene::Digits{value_digits, Rounding::nearest, false});
+        stick_edges_ = {exact_value(zone.value(right)).value, -exact_value(zone.value(left)).value};
     }
-    return s.spec.path == contact::LoadingPath::together
-               ? Real(s.load.Q / s.P * p)
-               : contact::full_stick_traction(place, s.load);
-}
-
-double ExactShear::scale() const {
-    const Solved& s = *solved_;
-    const double length = s.whole.length().convert_to<double>();
-    const double area = s.axisymmetric ? std::acos(-1) * length * length / 4 : length;
-    if (s.most_force) {
-        return *s.most_force / area;
-    }
-    return std::abs(force()) / area + std::abs(s.load.bulk_tension.convert_to<double>()) / 4;
-}
-std::string ExactShear::scale_text() const {
-    const std::string area = solved_->axisymmetric ? "(pi a^2)" : "(a + b)";
-    return solved_->most_force     ? "f P/" + area
-           : solved_->axisymmetric ? "|Q|/" + area
-                                   : "|Q|/" + area + " + |bulk_tension|/4";
-}
-double ExactShear::force() const { return solved_->load.Q.convert_to<double>(); }
-const std::vector<double>& ExactShear::stick_edges() const { return solved_->stick_edges; }
-bool ExactShear::singular() const {
-    return !solved_->spec.friction && solved_->spec.path != contact::LoadingPath::together;
 }
 
 } // namespace edgeproof::comparison

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/law/kernels.hpp"
+#include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/precision/real.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,35 +14,36 @@
 
 namespace edgeproof::comparison {
 
-/// The exact shear traction of a scene at many places: with friction by the scene's own route
-/// (docs/partial-slip.md, docs/histories.md), otherwise in closed form: under full stick, and on
-/// the path `together` (Q/P) p. To 20 digits minus those that cancel if Q and sigma_0 act against
-/// each other. One object belongs to one thread.
+/// What the shear traction of a scene is compared with.
 class ExactShear {
 public:
-    /// Keeps a reference to the scene, which has shear. `whole`: the contact; `force`: P. Throws
-    /// InputError, with the line, if the contact slides or the stick zone reaches an edge.
-    ExactShear(const scene::Scene& scene, const contact::Extent<Real>& whole, const Real& force);
+    /// `length`: a + b. Throws InputError, with the line, if the contact slides or the stick zone
+    /// reaches an edge.
+    ExactShear(const scene::Scene& scene, double length);
 
-    /// q at a place inside the contact where the pressure is p.
-    [[nodiscard]] Real at(const contact::Point<Real>& place, const Real& p) const;
     /// |Q|/(a + b) + |sigma_0|/4, the mean of |q| under full stick of Q and of sigma_0 alone: the
     /// reference of relative errors of q, since q itself may be infinite at the edges.
     /// Of an axisymmetric contact |Q|/(pi a^2). After steps, at whose end Q may be 0, f times the
     /// mean pressure.
-    [[nodiscard]] double scale() const;
-    [[nodiscard]] std::string scale_text() const;
-    [[nodiscard]] double force() const; ///< Q
+    [[nodiscard]] double scale() const { return scale_; }
+    [[nodiscard]] const std::string& scale_text() const { return scale_text_; }
+    [[nodiscard]] double force() const { return force_; } ///< Q
     /// Where the stick zone ends in partial slip: the slope of q is infinite on its inner side.
     /// Empty without friction, and after steps.
-    [[nodiscard]] const std::vector<double>& stick_edges() const;
+    [[nodiscard]] const std::vector<double>& stick_edges() const { return stick_edges_; }
     /// True if q grows without bound towards the edges: no partial slip.
-    [[nodiscard]] bool singular() const;
+    [[nodiscard]] bool singular() const { return singular_; }
 
 private:
-    struct Solved;
-    std::shared_ptr<Solved> solved_;
+    double scale_ = 0;
+    std::string scale_text_;
+    double force_ = 0;
+    std::vector<double> stick_edges_;
+    bool singular_ = false;
 };
+
+/// The question about a quantity at the place x.
+[[nodiscard]] scene::AskedValue asked_at(scene::Quantity quantity, const Real& x);
 
 /// A place where g' changes, inside the contact.
 struct ContactKnot {
@@ -55,8 +58,7 @@ struct ExactValue {
 };
 
 /// The exact solution of a scene for comparison, by the scene's own routes: sizes, loads,
-/// coefficients and pressures to 20 digits; most pressures of plane contacts in double words. One
-/// object belongs to one thread.
+/// coefficients and the pressures nearest in binary64. One object belongs to one thread.
 class ExactContact {
 public:
     /// Keeps no reference to the scene. Throws as run_scene does for a load that no
@@ -106,9 +108,7 @@ public:
     struct Place {
         double from_right = 0;
         double from_left = 0;
-        std::optional<double> p;
-        /// The same p, unrounded, for differences.
-        Real exact_p;
+        std::optional<double> p; ///< the nearest binary64
         [[nodiscard]] bool inside() const { return from_right > 0 && from_left > 0; }
         [[nodiscard]] contact::Edge nearer() const {
             return from_right <= from_left ? contact::Edge::right : contact::Edge::left;
@@ -123,9 +123,10 @@ public:
 
     /// The shear, if the scene has it; otherwise null.
     [[nodiscard]] const ExactShear* shear() const;
-    /// The exact q at the place of x: 0 outside; empty where it is infinite (an edge under full
-    /// stick, a corner where q is proportional to p), and without shear.
-    [[nodiscard]] std::optional<double> traction(const Real& x, const Place& place) const;
+    /// The exact q at a place of this contact, the nearest binary64: 0 outside; empty where it is
+    /// infinite (an edge under full stick, a corner where q is proportional to p), and without
+    /// shear.
+    [[nodiscard]] std::optional<double> traction(const Place& place) const;
 
     /// The digits with which places are to be given.
     static constexpr unsigned place_digits = 60;
@@ -145,6 +146,35 @@ private:
     bool symmetric_ = false;
     bool axisymmetric_ = false;
     mutable std::optional<Scale> scale_; ///< found when it is first needed
+};
+
+/// Estimates of the pressure of a plane contact of a curved slope in binary64, for searches and
+/// suspects: g' at the nodes of the rule is computed once. At least about 9 digits.
+class QuickPressure {
+public:
+    /// @param profile g'(x)
+    /// @param contact_modulus E* (stress)
+    /// @param a distance of the right edge from the origin (length), b of the left one
+    QuickPressure(const contact::Profile& profile, double contact_modulus, double a, double b);
+
+    /// Returns p at a place inside the contact. Nothing if the rule and one of half as many nodes
+    /// disagree, for example close to a knot.
+    [[nodiscard]] std::optional<double> at(double x) const;
+
+private:
+    struct Node {
+        double s;
+        double slope; ///< g'(s)
+        double weight;
+    };
+    /// g'(x).
+    [[nodiscard]] double slope(std::size_t piece, double x) const;
+
+    contact::RealSlope slope_;
+    double factor_; ///< E*/(2 pi)
+    double a_;
+    double b_;
+    std::array<std::vector<Node>, 2> rules_;
 };
 
 } // namespace edgeproof::comparison

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/measures/quick_pressure.hpp"
+#include "edgeproof/comparison/measures/exact_contact.hpp"
 
 #include "edgeproof/precision/precision.hpp"
 #include "edgeproof/quadrature/gauss_legendre.hpp"

@@ -109,7 +109,7 @@ Traction shear_of(const ComparisonReport& report) {
         "shear",
         "Shear traction",
         infinite ? std::optional(3 * scale) : std::nullopt,
-        [&exact](double x) { return exact.traction(Real(x), exact.at(Real(x))); },
+        [&exact](double x) { return exact.traction(exact.at(Real(x))); },
         [](const Node& node) { return node.shear ? std::optional(node.shear->q) : std::nullopt; },
         "|error of q|/(" + exact.shear()->scale_text() + ")",
         "error of the data's shear traction, relative to " + exact.shear()->scale_text() + ",",

@@ -151,19 +151,8 @@ std::string comparison_json(const ComparisonReport& report) {
     j["files"] = list_json(
         c.files, [&](const comparison::FileComparison& file) { return file_json(report, file); });
     j["orders"] = ordered_json::object();
-    j["limits"] = ordered_json::object();
     for (const comparison::Convergence& one : c.convergence) {
         j["orders"][one.quantity] = number_json(one.order);
-        if (one.exact != 0) {
-            j["limits"][one.quantity] = {
-                {"own_order", number_json(one.own_order)},
-                {"value", number_json(one.extrapolated)},
-                {"error", one.extrapolated ? number_json(one.extrapolation_error) : ordered_json()},
-                {"exact", one.exact},
-                {"trusted", one.trusted},
-                {"why_not", one.why_not},
-                {"agrees", one.agrees ? ordered_json(*one.agrees) : ordered_json()}};
-        }
     }
     return j.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

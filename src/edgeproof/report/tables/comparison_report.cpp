@@ -32,15 +32,6 @@ std::string number_text(const std::optional<double>& x, int digits) {
     return x ? fmt::format("{:.{}g}", *x, digits) : "-";
 }
 
-std::string agreement_text(const Convergence& c) {
-    if (!c.agrees) {
-        return c.why_not;
-    }
-    return *c.agrees   ? c.trusted ? "agrees" : "agrees; " + c.why_not
-           : c.trusted ? "DIFFERS from the exact value"
-                       : "differs; " + c.why_not;
-}
-
 std::string file_text(const ComparisonReport& report, const FileComparison& file) {
     std::string out = printable(file.table.file) + "\n";
     for (const std::string& finding : file.findings()) {
@@ -235,13 +226,10 @@ Table errors_table(const ComparisonReport& report, const FileComparison& file) {
     return table;
 }
 
-Table limits_table(const ComparisonReport& report) {
-    Table table = table_of({"of several meshes", "order", "own order", "limit", "+-", "exact", ""});
+Table orders_table(const ComparisonReport& report) {
+    Table table = table_of({"of several meshes", "order"});
     for (const Convergence& c : report.comparison.convergence) {
-        table.rows.push_back({c.quantity, number_text(c.order, 3), number_text(c.own_order, 3),
-                              number_text(c.extrapolated, 7),
-                              c.extrapolated ? fmt::format("{:.2g}", c.extrapolation_error) : "",
-                              c.exact != 0 ? number_text(c.exact, 8) : "", agreement_text(c)});
+        table.rows.push_back({c.quantity, number_text(c.order, 3)});
     }
     return table;
 }
@@ -277,13 +265,13 @@ std::string comparison_text(const ComparisonReport& report) {
     out += fmt::format("exact: a and b {}, P {}, c_0 {}; pressures {}\n", report.exact->a().route,
                        report.exact->force().route, report.exact->c(contact::Edge::right, 0).route,
                        report.exact->pressure_route());
-    out += "edges, fits and limits of the data are estimates; exact p: the result of the same rule "
+    out += "edges, fits and orders of the data are estimates; exact p: the result of the same rule "
            "for the exact pressure at these nodes\n\n";
     for (const FileComparison& file : report.comparison.files) {
         out += file_text(report, file);
     }
     if (!report.comparison.convergence.empty()) {
-        out += aligned_lines(limits_table(report), margin_of_tables, false) + "\n";
+        out += aligned_lines(orders_table(report), margin_of_tables, false) + "\n";
     }
     out += "tolerance: " + tolerance_text(report.comparison.tolerances) + "\n";
     const auto failing = std::ranges::count_if(

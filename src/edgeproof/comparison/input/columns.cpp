@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/input/column_names.hpp"
-
+#include "edgeproof/comparison/input/result_lines.hpp"
+#include "edgeproof/comparison/input/result_table.hpp"
+#include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace edgeproof::comparison {
@@ -47,16 +51,9 @@ constexpr KnownNames known_names[] = {
     {"s11 sxx sigmaxx sx", ColumnRole::sxx, 1},
 };
 
-constexpr std::string_view other_names =
-    "node nodelabel nodenumber nodeno nodeid element elem elementlabel elementnumber elementid "
-    "label number no id partinstance partinstancename y z ycoord ycoordinate zcoord zcoordinate "
-    "coordinatey coordinatez cstatus status ylocation zlocation noeud coory coorz yposition "
-    "zposition knoten knotennummer knotennr";
 /// Columns that number the steps of a computation, or give their time; a step has increments.
 constexpr std::string_view step_names =
     "step stepnumber stepid loadstep substep increment inc frame numordre time steptime inst";
-constexpr std::size_t most_words_of_a_name = 4; // for example "True distance along path"
-constexpr std::size_t most_words_of_a_header = 64;
 
 std::string plain_of(std::string_view text) {
     std::string out = lower_case(text);
@@ -76,20 +73,6 @@ std::optional<int> step_rank(std::string_view plain_name) {
     const auto found = std::ranges::find(all, plain_name);
     return found == all.end() ? std::nullopt : std::optional(static_cast<int>(found - all.begin()));
 }
-
-namespace {
-
-bool is_known(const std::string& written) {
-    const std::string plain = read_column_name(written).plain;
-    return role_of(plain).has_value() || step_rank(plain) || has_word(other_names, plain);
-}
-
-/// True for a word that does not occur in prose.
-bool is_symbol(std::string_view word) {
-    return word.find_first_of("0123456789._:") != std::string_view::npos;
-}
-
-} // namespace
 
 ColumnName read_column_name(std::string_view written) {
     written = trimmed(written);
@@ -129,46 +112,6 @@ std::optional<NamedRole> role_of(std::string_view plain_name) {
                                           : std::optional(NamedRole{found->role, found->rank});
 }
 
-std::optional<std::vector<std::string>> names_of_words(const std::vector<std::string>& words,
-                                                       std::size_t count) {
-    if (words.size() < count || words.size() > most_words_of_a_header) {
-        return {};
-    }
-    struct Way {
-        int ways = 0; ///< 2: two or more
-        std::string last;
-        std::size_t before = 0;
-    };
-    // ways[k][i]: the ways to divide the first i words into k names.
-    std::vector<std::vector<Way>> ways(count + 1, std::vector<Way>(words.size() + 1));
-    ways[0][0].ways = 1;
-    for (std::size_t k = 0; k < count; ++k) {
-        for (std::size_t i = 0; i < words.size(); ++i) {
-            std::string name;
-            const std::size_t most = std::min(words.size(), i + most_words_of_a_name);
-            for (std::size_t end = i + 1; ways[k][i].ways > 0 && end <= most; ++end) {
-                if (name.find_first_of("[(<") != std::string::npos) {
-                    break; // a unit ends a name
-                }
-                name += (name.empty() ? "" : " ") + words[end - 1];
-                if (is_known(name) || (end == i + 1 && is_symbol(name))) {
-                    Way& to = ways[k + 1][end];
-                    to = {std::min(2, to.ways + ways[k][i].ways), name, i};
-                }
-            }
-        }
-    }
-    if (ways[count][words.size()].ways != 1) {
-        return {};
-    }
-    std::vector<std::string> names(count);
-    for (std::size_t k = count, i = words.size(); k > 0; --k) {
-        names[k - 1] = ways[k][i].last;
-        i = ways[k][i].before;
-    }
-    return names;
-}
-
 ColumnChoice parse_columns(std::string_view text) {
     ColumnChoice choice;
     for (std::size_t at = 0; at <= text.size();) {
@@ -191,6 +134,61 @@ ColumnChoice parse_columns(std::string_view text) {
         at = comma + 1;
     }
     return choice;
+}
+
+// The digits with which the numbers of a column are written.
+
+using conformance::DecimalForm;
+using conformance::form_of;
+
+std::vector<double> column_rounding(const std::vector<std::string_view>& column) {
+    std::vector<DecimalForm> forms;
+    forms.reserve(column.size());
+    int significant = 0;
+    int decimals = 0;
+    bool exponents = false;
+    for (const std::string_view text : column) {
+        forms.push_back(form_of(text));
+        significant = std::max(significant, forms.back().significant);
+        decimals = std::max(decimals, forms.back().decimals);
+        exponents = exponents || forms.back().with_exponent;
+    }
+    std::vector<double> half;
+    half.reserve(forms.size());
+    for (const DecimalForm& form : forms) {
+        const int last = exponents ? form.leading - significant + 1 : -decimals;
+        half.push_back(form.exact || (exponents && form.zero) ? 0 : 0.5 * std::pow(10.0, last));
+    }
+    return half;
+}
+
+CarriedDigits carried_digits(const std::vector<std::string_view>& column) {
+    CarriedDigits digits;
+    const std::vector<double> half = column_rounding(column);
+    // A random decimal is this close to a binary32 number with a probability of one in ten.
+    constexpr double decisive_ratio = 20;
+    constexpr std::size_t enough = 8;
+    std::size_t decisive = 0;
+    digits.binary32 = true;
+    for (std::size_t i = 0; i < column.size(); ++i) {
+        const double value = conformance::written_number(column[i]).value.convert_to<double>();
+        DecimalForm form = form_of(column[i]);
+        constexpr int digits_of_binary64 = 15; // more digits only show the conversion to binary
+        if (form.significant > digits_of_binary64) {
+            form = form_of(fmt::format("{:.{}e}", value, digits_of_binary64 - 1));
+        }
+        digits.significant = std::max(digits.significant, form.carried);
+        digits.decimals = std::max(digits.decimals, form.carried_decimals);
+        digits.exponents = digits.exponents || form.with_exponent || form.exact;
+        const auto single = static_cast<float>(value);
+        const double spacing = static_cast<double>(std::nextafter(std::abs(single), INFINITY)) -
+                               std::abs(static_cast<double>(single));
+        digits.binary32 =
+            digits.binary32 && std::abs(value - static_cast<double>(single)) <= half[i] * 1.0001;
+        decisive += value != 0 && spacing > decisive_ratio * half[i] ? 1 : 0;
+    }
+    digits.binary32 = digits.binary32 && decisive >= enough;
+    return digits;
 }
 
 } // namespace edgeproof::comparison

@@ -6,6 +6,7 @@
 #include "edgeproof/scene/input/readers.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace edgeproof::python {
@@ -27,23 +28,6 @@ formula::Exact exact_named(const std::string& name, const std::string& text) {
     }
 }
 
-formula::Exact positive(const std::string& name, const std::string& text, const char* problem,
-                        const char* instead) {
-    formula::Exact x = exact_named(name, text);
-    if (x.sign() <= 0) {
-        throw InputError(name + " = " + text + problem, instead);
-    }
-    return x;
-}
-
-scene::Place place_at(const std::string& text, const scene::Place::Names& names) {
-    try {
-        return scene::Place::parse(text, scene::Place::From::origin, names);
-    } catch (const InputError& error) {
-        throw InputError("x = \"" + text + "\": " + error.problem(), error.instead());
-    }
-}
-
 std::vector<scene::BodyPoint> points_of(const Texts& x, const Texts& z, const std::string& name) {
     const scene::Body body = body_named(name);
     std::vector<scene::BodyPoint> points;
@@ -58,21 +42,27 @@ std::vector<scene::BodyPoint> points_of(const Texts& x, const Texts& z, const st
     return points;
 }
 
-contact::ExtentRange part_named(const Texts& part) {
-    if (part.size() != 2) {
-        throw InputError("part has " + std::to_string(part.size()) + " numbers",
-                         "give two, fractions of a + b from the edge: (0, \"1/2\")");
+/// The entries of [ask] for the questions that have a key there.
+std::vector<io::TomlEntry> entries_of(const AskedByName& asked) {
+    std::vector<io::TomlEntry> entries;
+    for (const char* const key : {"edges", "u", "x", "terms", "quantities", "tolerance",
+                                  "process_zone", "part", "reference"}) {
+        const auto found = asked.find(key);
+        if (found == asked.end()) {
+            continue;
+        }
+        if (const auto* numbers = std::get_if<std::vector<long>>(&found->second)) {
+            Texts texts;
+            std::ranges::transform(*numbers, std::back_inserter(texts),
+                                   [](long n) { return std::to_string(n); });
+            entries.push_back({key, texts});
+        } else if (const auto* texts = std::get_if<Texts>(&found->second)) {
+            entries.push_back({key, *texts});
+        } else {
+            entries.push_back({key, std::get<std::string>(found->second)});
+        }
     }
-    const formula::Exact from = exact_named("part", part[0]);
-    const formula::Exact to = exact_named("part", part[1]);
-    const auto minus = [](const formula::Exact& x, const formula::Exact& y) {
-        return formula::Exact(x.expr() - y.expr()).sign();
-    };
-    if (from.sign() < 0 || minus(to, from) <= 0 || minus(formula::Exact::of(Rational(1)), to) < 0) {
-        throw InputError("the part of the contact does not ascend within 0 ... 1",
-                         "give (0, \"1/2\"), fractions of a + b from the edge");
-    }
-    return {from, to};
+    return entries;
 }
 
 } // namespace
@@ -108,57 +98,27 @@ NativeScene::NativeScene(std::string text, scene::Scene scene)
 scene::Scene NativeScene::asking(const AskedByName& asked) const {
     scene::Scene scene = scene_;
     scene::Ask& ask = scene.ask;
-    if (const auto* names = answer<Texts>(asked, "edges")) {
-        ask.edges.clear();
-        std::ranges::transform(*names, std::back_inserter(ask.edges), edge_named);
-    }
-    if (const auto* places = answer<Texts>(asked, "u")) {
-        ask.u.clear();
-        for (const std::string& text : *places) {
-            ask.u.push_back({positive("u", text, " is not inside the contact",
-                                      "give distances from the edge, 0 < u < a + b"),
-                             0});
+    for (const auto& [key, value] : asked) { // the empty text means none
+        ask.tolerance = key == "tolerance" ? std::nullopt : ask.tolerance;
+        ask.process_zone = key == "process_zone" ? std::nullopt : ask.process_zone;
+        if (key == "quantities") {
+            ask.quantities.clear();
         }
     }
-    if (const auto* places = answer<Texts>(asked, "x")) {
-        ask.u.clear();
-        const scene::Place::Names names = names_of(scene);
-        for (const std::string& text : *places) {
-            ask.u.push_back({formula::Exact(), 0, place_at(text, names)});
-        }
+    if (const auto* name = answer<std::string>(asked, "body")) {
+        ask.surface_of = body_named(*name);
     }
     if (const auto* x = answer<Texts>(asked, "points_x")) {
         ask.in_bodies =
             points_of(*x, *answer<Texts>(asked, "points_z"), *answer<std::string>(asked, "body"));
     }
-    if (const auto* text = answer<std::string>(asked, "reference")) {
-        ask.reference = place_at(*text, names_of(scene)).distance(contact::Edge::right);
-        ask.surface_of = body_named(*answer<std::string>(asked, "body"));
-    }
-    if (const auto* terms = answer<std::vector<long>>(asked, "terms")) {
-        ask.terms.clear();
-        std::ranges::transform(*terms, std::back_inserter(ask.terms), number_of_terms);
-    }
-    if (const auto* names = answer<Texts>(asked, "quantities")) {
-        ask.quantities.clear();
-        for (const scene::GroupRow& row : scene::group_rows()) {
-            if (std::ranges::find(*names, row.name) != names->end()) {
-                ask.quantities.insert(row.group);
-            }
-        }
-    }
-    if (const auto* text = answer<std::string>(asked, "tolerance")) {
-        ask.tolerance = text->empty() ? std::nullopt : std::optional(scene::parse_tolerance(*text));
-    }
-    if (const auto* text = answer<std::string>(asked, "process_zone")) {
-        ask.process_zone.reset();
-        if (!text->empty()) {
-            ask.process_zone = positive("process_zone", *text, " is not positive",
-                                        "give the length of the process zone, or leave it out");
-        }
-    }
-    if (const auto* part = answer<Texts>(asked, "part")) {
-        ask.part = part_named(*part);
+    try {
+        const io::TomlSection made =
+            io::TomlSection::made({{"profile", 0, {}}, {"ask", 0, entries_of(asked)}}, "");
+        read_ask(made.section("ask"), made.section("profile"), scene);
+        scene.ask_line = scene_.ask_line;
+    } catch (const InputError& error) {
+        throw InputError(error.problem(), error.instead()); // without the line 0
     }
     if (const auto* digits = answer<long>(asked, "digits")) {
         ask.digits = digits_asked(checked_digits(*digits));

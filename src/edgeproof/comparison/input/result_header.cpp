@@ -316,7 +316,7 @@ private:
             fmt::format("give a number from 1 to {}, or a name of its header", text_.size));
     }
 
-    /// Finds units after names, in a row of their own, or in a comment "units: mm, MPa".
+    /// Finds units after names, or in a row of their own.
     void find_units() {
         for (std::size_t i = 0; i < text_.first_row; ++i) {
             const auto cells = cells_in(without_comment_mark(text_.lines[i]));
@@ -327,42 +327,10 @@ private:
                     c->name.unread = scene::resembles_unit(text) ? text : c->name.unread;
                 }
             }
-            const std::string& text = text_.lines[i].text;
-            const std::size_t word = lower_case(text).find("unit");
-            if (word != std::string::npos) {
-                units_in_text(std::string_view(text).substr(word), text_.lines[i].number);
-            }
         }
         const scene::Units units = reading_.units.value_or(scene::Units{});
         convert(found_.x, scene::Unit::Dimension::length, reading_.x_scale, units.length, "x");
         convert(found_.p, scene::Unit::Dimension::pressure, reading_.p_scale, units.pressure, "p");
-    }
-    void units_in_text(std::string_view text, std::size_t line) {
-        for (std::size_t at = 0; at < text.size();) {
-            const std::size_t end = std::min(text.find_first_of(" \t,;:=()[]\"", at), text.size());
-            const std::string_view word = text.substr(at, end - at);
-            if (scene::resembles_unit(word) && reading_.units &&
-                !(reading_.x_scale && reading_.p_scale)) {
-                reject_unit(line, word, "x and p", "x=25.4,p=1");
-            }
-            if (const auto unit = scene::unit_named(word)) {
-                UsedColumn* const c = unit->dimension == scene::Unit::Dimension::length ? &found_.x
-                                      : unit->dimension == scene::Unit::Dimension::pressure
-                                          ? &found_.p
-                                          : nullptr;
-                if (c != nullptr && !c->name.unit) {
-                    c->name.unit = unit;
-                }
-            }
-            at = end + 1;
-        }
-    }
-    [[noreturn]] void reject_unit(std::size_t line, std::string_view name, std::string_view of,
-                                  std::string_view scale) const {
-        text_.reject(line, fmt::format("'{}', the unit of {}, is not known", printable(name), of),
-                     fmt::format("write one such as mm, um or in, kPa, MPa, psi or N/mm^2, or give "
-                                 "the factor to the unit of the scene: --scale {}",
-                                 scale));
     }
     void convert(UsedColumn& c, scene::Unit::Dimension dimension,
                  const std::optional<Rational>& scale, const std::optional<scene::Unit>& wanted,
@@ -375,8 +343,12 @@ private:
             return;
         }
         if (!c.name.unread.empty() && wanted) {
-            reject_unit(header_line_, c.name.unread, key,
-                        dimension == scene::Unit::Dimension::length ? "x=25.4" : "p=1000");
+            text_.reject(
+                header_line_,
+                fmt::format("'{}', the unit of {}, is not known", printable(c.name.unread), key),
+                fmt::format("write one such as mm, um or in, kPa, MPa, psi or N/mm^2, or give the "
+                            "factor to the unit of the scene: --scale {}",
+                            dimension == scene::Unit::Dimension::length ? "x=25.4" : "p=1000"));
         }
         if (!c.name.unread.empty()) {
             found_.findings.push_back(fmt::format(

@@ -118,9 +118,8 @@ struct TableHeader {
     std::vector<std::string> findings; ///< notes on how they were found
 };
 
-/// Reads the lines before the first row: names, and units after them, in a row of their own or in a
-/// comment. Throws InputError if x or p are not found, or are found twice, and for a unit of the
-/// wrong kind.
+/// Reads the lines before the first row: names, and units after them or in a row of their own.
+/// Throws InputError if x or p are not found, or are found twice, and for a unit of the wrong kind.
 [[nodiscard]] TableHeader read_header(const ResultText& text, const ResultReading& reading);
 
 /// The last of several load steps with the same places.

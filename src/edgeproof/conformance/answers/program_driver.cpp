@@ -153,7 +153,6 @@ private:
                   std::back_inserter(answers_.faults));
         const bool some = left.size() < batch.size();
         answered_ = answered_ || some;
-        keeps_back_ = keeps_back_ || (some && batch.size() == 1 && suspect_ == batch.front());
         if (ending.empty()) {
             return; // the remaining answers are missing
         }
@@ -182,13 +181,9 @@ private:
             }
             return;
         }
-        // A program that writes each answer immediately was crashed by the first unanswered
-        // question. A program that buffers its answers gives no such hint: once this is known,
-        // batches are halved.
-        const bool as_it_goes = some && !keeps_back_;
-        const std::size_t first = as_it_goes ? 1 : (left.size() + 1) / 2;
+        // A program that writes each answer immediately was crashed by the first question left.
+        const std::size_t first = some ? 1 : (left.size() + 1) / 2;
         const auto middle = left.begin() + static_cast<long>(first);
-        suspect_ = as_it_goes ? std::optional(left.front()) : std::nullopt;
         halve(Batch(left.begin(), middle), Batch(middle, left.end()));
     }
     void halve(Batch first, Batch second) {
@@ -207,8 +202,6 @@ private:
     bool answered_ = false;
     std::size_t runs_ = 0;
     std::size_t ended_by_ = 0; ///< questions that crashed it, asked alone
-    std::optional<std::size_t> suspect_;
-    bool keeps_back_ = false;
     std::string last_ending_;
     std::string messages_; ///< the begin of the standard error of the last run
 };

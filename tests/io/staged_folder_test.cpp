@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/io/staged_folder.hpp"
-
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "tests/support/namespaces.hpp"

@@ -2,6 +2,7 @@
 #pragma once
 #include <concepts>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -29,6 +30,17 @@ void make_folder(const std::filesystem::path& folder);
 /// Throws InputError if make_folder would fail, as far as can be checked beforehand. Creates
 /// nothing: for a folder that is created only when there is something to write.
 void check_folder(const std::filesystem::path& folder);
+
+/// Writes the files of one result, which appear together: `write` writes them into a temporary
+/// folder, which then becomes the target, or whose files are moved into the target if that exists.
+/// If that fails, the target remains as it was. Throws InputError (in the target's names) if a file
+/// cannot be written or must not be replaced (own_file.hpp), or if files vanish meanwhile;
+/// Interrupted. For a check before long work: check_folder.
+///
+/// Only SIGKILL or a loss of power can leave the temporary folder ("out.0123456789abcdef.tmp"), or,
+/// within some microseconds, files of two runs. No run removes a folder that it did not make.
+void write_folder(const std::filesystem::path& target,
+                  const std::function<void(const std::filesystem::path&)>& write);
 
 /// The name, without extension, of a file made for an id of the input. The name always stays in its
 /// folder: only letters, digits, '-', '_' and '.', no '.' or '-' in front, and at most `most_bytes`

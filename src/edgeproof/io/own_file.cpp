@@ -31,14 +31,6 @@ Inputs& inputs() {
     return read;
 }
 
-std::string first_bytes(const std::filesystem::path& file) {
-    std::string head(4096, '\0');
-    std::ifstream in(file, std::ios::binary);
-    in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(in.gcount()));
-    return head;
-}
-
 /// Returns the beginning without blanks, which depend on the width of columns.
 std::string beginning_of(std::string_view text) {
     constexpr std::size_t enough = 16; // more than the first words of most files
@@ -124,6 +116,14 @@ void require(const std::filesystem::path& file, const std::function<bool()>& is_
 }
 
 } // namespace
+
+std::string first_bytes(const std::filesystem::path& file) {
+    std::string head(4096, '\0');
+    std::ifstream in(file, std::ios::binary);
+    in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(in.gcount()));
+    return head;
+}
 
 void protect_inputs() { inputs().counted = true; }
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace edgeproof::io {
 
 // No output replaces a file of the user.
+
+/// Returns the beginning of a file.
+[[nodiscard]] std::string first_bytes(const std::filesystem::path& file);
 
 /// From now on, no file that this process reads is replaced. For a process that runs one command.
 void protect_inputs();

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/io/staged_folder.hpp"
-
 #include "edgeproof/io/atomic_file.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/own_file.hpp"
@@ -14,7 +12,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <fstream>
 #include <ranges>
 #include <string>
 #include <system_error>
@@ -98,14 +95,6 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
     return all;
 }
 
-std::string head_of(const fs::path& file) {
-    std::string head(4096, '\0');
-    std::ifstream in(file, std::ios::binary);
-    in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(in.gcount()));
-    return head;
-}
-
 /// Moves files into the target: all, or, if one cannot be moved, none. `kept` is a folder for
 /// copies of the files that are replaced.
 class Moves {
@@ -125,7 +114,7 @@ public:
             }
             check_folder(to.parent_path());
             if (fs::exists(found) && !folder) {
-                require_replaceable(to, head_of(from_ / entry));
+                require_replaceable(to, first_bytes(from_ / entry));
                 fs::create_directories((kept_ / entry).parent_path());
                 fs::copy_file(to, kept_ / entry);
             }

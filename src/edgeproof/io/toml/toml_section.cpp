@@ -1,107 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/io/toml/toml_section.hpp"
-
+#include "edgeproof/io/toml/toml_source.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <charconv>
 #include <functional>
-#include <map>
 #include <utility>
 
 namespace edgeproof::io {
-
-struct TomlSection::Source {
-    toml::table root;
-    std::vector<std::string> lines;
-    std::string file;
-    std::map<const toml::node*, std::size_t> made; ///< lines of nodes that were not parsed
-
-    [[nodiscard]] std::size_t line_of(const toml::node& n) const {
-        const auto found = made.find(&n);
-        return found == made.end() ? n.source().begin.line : found->second;
-    }
-    /// Adds a value that is not parsed.
-    template <class Value>
-    toml::node& add(toml::table& to, const std::string& key, std::size_t line, Value&& value) {
-        toml::source_region at;
-        at.begin.line = static_cast<toml::source_index>(line);
-        toml::node& node =
-            to.insert_or_assign(toml::key(key, at), std::forward<Value>(value)).first->second;
-        made[&node] = line;
-        return node;
-    }
-    /// Adds a table, or its entries to the table of that name.
-    void add(const TomlTable& table) {
-        const bool listed = table.name.starts_with("[[");
-        toml::node* const there = listed ? nullptr : root.get(table.name);
-        toml::node& node = there != nullptr && there->is_table() ? *there
-                           : listed
-                               ? add_listed(table.name.substr(2, table.name.size() - 4), table.line)
-                               : add(root, table.name, table.line, toml::table{});
-        toml::table& to = *node.as_table();
-        for (const TomlEntry& entry : table.entries) {
-            to.erase(entry.key);
-            if (const auto* list = std::get_if<std::vector<std::string>>(&entry.value)) {
-                toml::array& items = *add(to, entry.key, entry.line, toml::array{}).as_array();
-                for (const std::string& item : *list) {
-                    items.push_back(item);
-                }
-                for (const toml::node& item : items) {
-                    made[&item] = entry.line;
-                }
-            } else if (const auto* flag = std::get_if<bool>(&entry.value)) {
-                add(to, entry.key, entry.line, *flag);
-            } else if (const auto* range = std::get_if<TomlRange>(&entry.value)) {
-                toml::node& ends = add(to, entry.key, entry.line, toml::table{});
-                add(*ends.as_table(), "from", entry.line, range->from);
-                add(*ends.as_table(), "to", entry.line, range->to);
-            } else if (!std::get<std::string>(entry.value).empty()) {
-                add(to, entry.key, entry.line, std::get<std::string>(entry.value));
-            }
-        }
-    }
-    /// Adds a table to the list of the tables of that name.
-    toml::node& add_listed(const std::string& name, std::size_t line) {
-        toml::node* list = root.get(name);
-        if (list == nullptr) {
-            list = &add(root, name, line, toml::array{});
-        }
-        list->as_array()->push_back(toml::table{});
-        toml::node& node = list->as_array()->back();
-        made[&node] = line;
-        return node;
-    }
-};
-
 namespace {
 
 constexpr std::size_t most_float_digits = 15;
-
-template <class Source> void check_characters(const toml::node& n, const Source& source) {
-    const auto check = [&](std::string_view text, std::size_t line) {
-        if (has_control(text)) {
-            throw InputError("a control character in a key or a text", "leave it out")
-                .at(source.file, line);
-        }
-    };
-    if (const auto* table = n.as_table()) {
-        for (const auto& [key, value] : *table) {
-            check(key.str(), key.source().begin.line);
-            check_characters(value, source);
-        }
-    } else if (const auto* array = n.as_array()) {
-        for (const toml::node& element : *array) {
-            check_characters(element, source);
-        }
-    } else if (const auto* text = n.as_string()) {
-        check(text->get(), source.line_of(n));
-    }
-}
 
 } // namespace
 
@@ -228,8 +139,8 @@ struct TomlSection::Access {
         }
         return static_cast<std::size_t>(value);
     }
-    /// The elements of a list of pairs.
-    [[nodiscard]] std::vector<const toml::node*> pairs(std::string_view key) const {
+    /// Returns read(x, key) for both elements x of each pair in a list.
+    template <class Read> [[nodiscard]] auto pairs(std::string_view key, const Read& read) const {
         const toml::array* list = node(key).as_array();
         const auto is_pair = [](const toml::node& n) {
             return n.is_array() && n.as_array()->size() == 2;
@@ -238,11 +149,18 @@ struct TomlSection::Access {
             self.reject(key, std::string(key) + " is no list of pairs",
                         "write " + std::string(key) + " = [[\"0\", \"1/2\"], [\"1\", \"2\"]]");
         }
-        std::vector<const toml::node*> pairs;
+        std::vector<std::array<decltype(std::invoke(read, *this, node(key), key)), 2>> pairs;
         for (const toml::node& n : *list) {
-            pairs.push_back(&n);
+            pairs.push_back({std::invoke(read, *this, *n.as_array()->get(0), key),
+                             std::invoke(read, *this, *n.as_array()->get(1), key)});
         }
         return pairs;
+    }
+    [[nodiscard]] Item item(const toml::node& n, std::string_view key) const {
+        return {exact(n, key), line_of(n)};
+    }
+    [[nodiscard]] Written written_item(const toml::node& n, std::string_view key) const {
+        return {scalar(n, key), line_of(n)};
     }
     /// Returns read(x, key) for the elements x of a list, or for a single value.
     template <class Read> [[nodiscard]] auto list(std::string_view key, const Read& read) const {
@@ -258,44 +176,6 @@ struct TomlSection::Access {
         return list;
     }
 };
-
-TomlSection TomlSection::parse(std::string_view text, const std::string& file,
-                               const std::vector<TomlTable>& instead) {
-    if (text.starts_with("\xEF\xBB\xBF")) { // a byte order mark, which toml++ does not count
-        text.remove_prefix(3);
-    }
-    check_toml_limits(text, file);
-    auto source = std::make_shared<Source>();
-    source->file = file;
-    source->lines = split_lines(text);
-    try {
-        source->root = toml::parse(text, file);
-    } catch (const toml::parse_error& error) {
-        const std::string why(error.description());
-        const bool large = why.find("not representable in 64 bits") != std::string::npos;
-        throw InputError("not TOML: " + why,
-                         large ? "quote the number: \"...\""
-                               : "write key = \"value\" lines under [section] headers")
-            .at(file, error.source().begin.line);
-    }
-    for (const TomlTable& table : instead) {
-        source->add(table);
-    }
-    check_characters(source->root, *source);
-    const void* top = &source->root;
-    return {std::move(source), top};
-}
-
-TomlSection TomlSection::made(const std::vector<TomlTable>& tables, const std::string& file) {
-    auto source = std::make_shared<Source>();
-    source->file = file;
-    for (const TomlTable& table : tables) {
-        source->add(table);
-    }
-    check_characters(source->root, *source);
-    const void* top = &source->root;
-    return {std::move(source), top};
-}
 
 TomlSection TomlSection::changed(const std::vector<std::string_view>& names,
                                  const Change& change) const {
@@ -431,39 +311,17 @@ formula::Exact TomlSection::exact(std::string_view key) const {
     return access.exact(access.node(key), key);
 }
 std::vector<TomlSection::Item> TomlSection::exacts(std::string_view key) const {
-    return Access{*this}.list(key, [](const Access& access, const toml::node& n, auto name) {
-        return Item{access.exact(n, name), access.line_of(n)};
-    });
+    return Access{*this}.list(key, &Access::item);
 }
 std::vector<TomlSection::Written> TomlSection::numbers_written(std::string_view key) const {
-    return Access{*this}.list(key, [](const Access& access, const toml::node& n, auto name) {
-        return Written{access.scalar(n, name), access.line_of(n)};
-    });
+    return Access{*this}.list(key, &Access::written_item);
 }
 std::vector<std::array<TomlSection::Item, 2>> TomlSection::pairs(std::string_view key) const {
-    std::vector<std::array<Item, 2>> pairs;
-    const Access access{*this};
-    for (const toml::node* const n : access.pairs(key)) {
-        const auto item = [&](std::size_t i) {
-            const toml::node& number = *n->as_array()->get(i);
-            return Item{access.exact(number, key), access.line_of(number)};
-        };
-        pairs.push_back({item(0), item(1)});
-    }
-    return pairs;
+    return Access{*this}.pairs(key, &Access::item);
 }
 std::vector<std::array<TomlSection::Written, 2>>
 TomlSection::pairs_written(std::string_view key) const {
-    std::vector<std::array<Written, 2>> pairs;
-    const Access access{*this};
-    for (const toml::node* const n : access.pairs(key)) {
-        const auto item = [&](std::size_t i) {
-            const toml::node& number = *n->as_array()->get(i);
-            return Written{access.scalar(number, key), access.line_of(number)};
-        };
-        pairs.push_back({item(0), item(1)});
-    }
-    return pairs;
+    return Access{*this}.pairs(key, &Access::written_item);
 }
 std::vector<std::size_t> TomlSection::counts(std::string_view key, long least, long most) const {
     return Access{*this}.list(key, [&](const Access& access, const toml::node& n, auto name) {

@@ -47,7 +47,9 @@ public:
 
     /// Returns the top level of a file with these tables; there is no text.
     [[nodiscard]] static TomlSection made(const std::vector<TomlTable>& tables,
-                                          const std::string& file);
+                                          const std::string& file) {
+        return parse("", file, tables);
+    }
 
     /// The new text of a value of a section. `text` is the present one as written in the file; for
     /// a table in braces it is null. Returns nothing if the value stays as it is.

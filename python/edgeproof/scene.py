@@ -259,7 +259,8 @@ class Scene:
         if not 2 <= count <= _MOST_DIGITS:
             raise InputError(f"digits = {count} is out of range",
                              f"give a number from 2 to {_MOST_DIGITS}")
-        asked["digits"] = count
+        asked = {key: list(map(str, value)) if isinstance(value, (list, tuple)) else str(value)
+                 for key, value in {**asked, "digits": count}.items()}
         most = _apart.MOST_DIGITS_HERE_INTEGRATED if self._native.integrated else \
             _apart.MOST_DIGITS_HERE
         if count > most and _apart.can_start():

@@ -15,11 +15,17 @@
 namespace edgeproof::python {
 
 using Texts = std::vector<std::string>;
+/// A value of a key of a scene's file, as Python gives it.
+using KeyValue = std::variant<bool, std::string, Texts>;
 
-/// The questions for a scene by their names in [ask]: exact texts and whole numbers. A missing one
-/// keeps the scene's value; the empty text means none.
-using AskedByName =
-    std::map<std::string, std::variant<long, std::string, std::vector<long>, Texts>>;
+/// Returns the entries of a section: an empty text removes a key.
+template <class Keys> std::vector<io::TomlEntry> entries_of(const Keys& keys) {
+    std::vector<io::TomlEntry> entries;
+    for (const auto& [key, value] : keys) {
+        std::visit([&, &name = key](const auto& v) { entries.push_back({name, v}); }, value);
+    }
+    return entries;
+}
 
 /// A scene with the text from which it was read. Several threads may use one.
 class NativeScene {
@@ -28,8 +34,9 @@ public:
 
     [[nodiscard]] const std::string& text() const noexcept { return text_; }
     [[nodiscard]] const scene::Scene& scene() const noexcept { return scene_; }
-    /// Returns the scene with other questions. Throws InputError for questions that make no sense.
-    [[nodiscard]] scene::Scene asking(const AskedByName& asked) const;
+    /// Returns the scene with these keys of [ask] in place of its own; `points_x`, `points_z` and
+    /// `body` are the points of a body. Throws InputError for questions that make no sense.
+    [[nodiscard]] scene::Scene asking(std::map<std::string, KeyValue> asked) const;
     /// Computes p at each distance u from an edge (Binary64Values); `p` and `u` have the same size.
     /// Solved contacts are kept for the next call, one for each thread that calls at the same time.
     void pressures(contact::Edge edge, std::span<const double> u, std::span<double> p);
@@ -44,9 +51,6 @@ private:
     scene::Scene scene_;
     std::shared_ptr<Pool> pool_;
 };
-
-/// Returns n as a number of terms. Throws InputError outside 1 ... 400.
-[[nodiscard]] std::size_t number_of_terms(long n);
 
 /// Returns the edge "right" or "left". Throws InputError for other names.
 [[nodiscard]] contact::Edge edge_named(const std::string& name);

@@ -30,26 +30,17 @@ namespace py = pybind11;
 namespace edgeproof::python {
 namespace {
 
-using Keys = std::vector<std::pair<std::string, std::variant<bool, std::string, Texts>>>;
+constexpr long most_terms = 400;
+
+using Keys = std::vector<std::pair<std::string, KeyValue>>;
 
 NativeScene from_entries(const std::string& title, const Keys& profile, const Keys& load,
                          const Keys& shear, const std::vector<Keys>& steps) {
-    std::vector<io::TomlTable> tables;
-    const auto add = [&](const char* name, const Keys& keys) {
-        io::TomlTable& table = tables.emplace_back(io::TomlTable{name, 0, {}});
-        for (const auto& [key, value] : keys) {
-            std::visit([&](const auto& v) { table.entries.push_back({key, v}); }, value);
-        }
-    };
-    add("profile", profile);
-    add("load", load);
-    add("shear", shear);
-    for (const Keys& step : steps) {
-        add("[[step]]", step);
-    }
+    scene::SceneEntries entries{title, entries_of(profile), entries_of(load), entries_of(shear)};
+    std::ranges::transform(steps, std::back_inserter(entries.steps), entries_of<Keys>);
     return without_gil([&] {
-        scene::Scene scene = scene::make_scene(tables, title);
-        return NativeScene(scene::scene_text(tables, title), std::move(scene));
+        scene::Scene scene = make_scene(entries);
+        return NativeScene(scene_text(entries), std::move(scene));
     });
 }
 
@@ -93,7 +84,7 @@ std::string place_text(const scene::AskedPoint& point) {
 }
 
 /// Returns the rows of a result, from which edgeproof/results.py makes its objects.
-py::dict run(const NativeScene& self, const AskedByName& asked) {
+py::dict run(const NativeScene& self, const std::map<std::string, KeyValue>& asked) {
     std::optional<scene::Scene> scene;
     const scene::SceneResult result = without_gil([&] {
         scene = self.asking(asked);
@@ -171,11 +162,15 @@ py::array_t<double> pressures(NativeScene& self, const std::string& edge, const 
 /// Returns "p", "q", "local" or "rel" at many places: coordinates x, or distances from the edge.
 py::array_t<double> binary64(const NativeScene& self, const std::string& quantity, long terms,
                              const std::string& edge, bool by_x, const Doubles& places) {
+    if (terms < 0 || terms > most_terms) {
+        throw InputError("terms = " + std::to_string(terms) + " is out of range",
+                         "give a number from 1 to " + std::to_string(most_terms));
+    }
     using scene::Quantity;
     static const std::map<std::string, Quantity> named{
         {"p", Quantity::p}, {"q", Quantity::q}, {"local", Quantity::local}, {"rel", Quantity::rel}};
-    const scene::Binary64Values values(
-        self.scene(), {named.at(quantity), terms == 0 ? 0 : number_of_terms(terms), by_x});
+    const scene::Binary64Values values(self.scene(),
+                                       {named.at(quantity), static_cast<std::size_t>(terms), by_x});
     const contact::Edge at = edge_named(edge);
     return for_each_place(
         places, by_x ? "x" : "u",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/all_commands.hpp"
+#include "edgeproof/cli/cli.hpp"
 #include "lab/cost/command.hpp"
 
 int main(int argc, char** argv) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/cost/command.hpp"
 
-#include "edgeproof/cli/all_commands.hpp"
+#include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/output_file.hpp"
-#include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "lab/cost/cost.hpp"
 

@@ -5,7 +5,7 @@
 namespace edgeproof::cli {
 
 /// The command of the program edgeproof-lab, which edgeproof starts
-/// (edgeproof/cli/all_commands.hpp).
+/// (edgeproof/cli/cli.hpp).
 void add_cost(CLI::App& app, int& code);
 
 } // namespace edgeproof::cli

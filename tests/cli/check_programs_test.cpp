@@ -102,7 +102,7 @@ TEST_CASE("third-party programs: a pipe of the shell, a figure") {
     CHECK(lines(figure).size() > 176);
     CHECK(ask(programs.folder, "python3 closed_forms.py", "--figure f.svg").code == 0);
     CHECK(has(file_text(programs.folder.path() / "f.svg"), "distance u from the edge"));
-    CHECK(ask(programs.folder, "python3 closed_forms.py", "--figure f.png").code == 2);
+    CHECK(ask(programs.folder, "python3 closed_forms.py", "--figure f.gif").code == 2);
 }
 
 TEST_CASE("third-party programs: each of the six deliberate mistakes of one program is named") {

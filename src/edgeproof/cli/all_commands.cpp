@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/all_commands.hpp"
+#include "edgeproof/cli/cli.hpp"
 
 #include <unistd.h>
 

@@ -25,6 +25,16 @@ using AddCommand = void(CLI::App& app, int& code);
 AddCommand add_sets, add_plot, add_relations, add_design, add_table, add_points, add_check,
     add_compare, add_verify;
 
+/// The command of lab. The program edgeproof has only its name and starts edgeproof-lab, so that
+/// the build of the program does not wait for lab.
+inline constexpr const char* cost_name = "cost";
+inline constexpr const char* cost_help =
+    "what a value costs by each route: digits reached, evaluations, time";
+
+/// Runs the program with all its commands and returns its exit status. `add_cost` null: `cost` is
+/// started as the program edgeproof-lab.
+[[nodiscard]] int run_edgeproof(int argc, char** argv, AddCommand* add_cost);
+
 /// The program with these subcommands: reads the command line, runs the command that it names, and
 /// prints the error, if there is one. Returns the exit status.
 [[nodiscard]] int run_program(int argc, char** argv, std::initializer_list<AddCommand*> commands);
@@ -97,8 +107,8 @@ decltype(auto) with_progress(std::string what, std::function<void(std::size_t, s
 [[nodiscard]] std::string unknown_on_command_line(const CLI::App& app,
                                                   const std::vector<std::string>& words);
 
-/// Writes manual pages into a folder: man1/edgeproof.1, a page for each subcommand,
-/// man1/edgeproof-NAME.1, and one for edgeproof-lab that refers to the first.
+/// Writes manual pages into a folder: man1/edgeproof.1 with the help, man1/edgeproof-NAME.1 with
+/// that of each subcommand, and one for edgeproof-lab that refers to the first.
 void write_manual(const CLI::App& app, const std::string& version,
                   const std::filesystem::path& folder);
 

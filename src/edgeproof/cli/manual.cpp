@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
-#include "edgeproof/cli/scene_words.hpp"
+#include "edgeproof/cli/scene_options.hpp"
 #include "edgeproof/io/output_file.hpp"
 
 #include <algorithm>
@@ -41,74 +41,34 @@ std::string_view shipped_folder(const CLI::App& app) {
                : std::string_view();
 }
 
-/// Escapes a text for roff.
-std::string roff(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        out += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);
-    }
-    return !out.empty() && (out.front() == '.' || out.front() == '\'') ? "\\&" + out : out;
-}
-
 std::string upper(std::string text) {
     std::ranges::transform(text, text.begin(),
                            [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     return text;
 }
 
-std::string bold(const std::string& text) { return "\\fB" + roff(text) + "\\fR"; }
-std::string italic(const std::string& text) { return "\\fI" + roff(text) + "\\fR"; }
-
-/// Returns the entry of an option, an argument or a command.
-std::string entry(const std::string& head, const std::string& text) {
-    return ".TP\n" + head + "\n" + roff(text) + "\n";
-}
-
-/// Returns the entries of the options of a command, or of its arguments.
-std::string options_of(const CLI::App& of, bool positional) {
+/// Returns lines of text in roff, as they are.
+std::string roff(const std::string& text) {
     std::string out;
-    for (const CLI::Option* option : of.get_options()) {
-        if (option->get_positional() != positional || option->get_group().empty()) {
-            continue;
-        }
-        std::string head = positional ? italic(upper(option->get_name())) : "";
-        for (const std::string& name : names_of(*option)) {
-            head += (head.empty() ? "" : ", ") + bold(name);
-        }
-        const std::string& type = option->get_type_name();
-        head +=
-            !positional && takes_value(*option) ? " " + italic(type.substr(0, type.find(':'))) : "";
-        const std::string& usual = option->get_default_str();
-        out += entry(head, option->get_description() +
-                               (usual.empty() ? "" : " (default: " + usual + ")"));
+    for (const char c : text) {
+        const bool starts_line = out.empty() || out.back() == '\n';
+        out += starts_line && (c == '.' || c == '\'') ? "\\&" : "";
+        out += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);
     }
     return out;
 }
 
-/// Returns the page of one subcommand, or of the program (`of` is `app`), in roff's man macros.
+/// Returns the help of a command, or of the program, as a page in roff's man macros.
 std::string man_page(const CLI::App& app, const CLI::App& of, const std::string& version) {
     const bool whole = &of == &app;
     const std::string page = app.get_name() + (whole ? "" : "-" + of.get_name());
-    std::string commands;
+    std::string others = whole ? "" : ".BR " + app.get_name() + " (1)\n";
     for (const CLI::App* sub : subcommands(of)) {
-        commands += entry(bold(sub->get_name()), sub->get_description()) + options_of(*sub, false);
-        commands += whole ? "See " + bold(page + "-" + sub->get_name()) + "(1).\n" : "";
+        others += ".BR " + roff(page + "-" + sub->get_name()) + " (1)\n";
     }
-    std::string out = ".TH " + roff(upper(page)) + " 1 \"\" \"" + app.get_name() + " " +
-                      roff(version) + "\" \"User Commands\"\n";
-    const auto add = [&](const char* head, const std::string& text) {
-        out += text.empty() ? "" : ".SH " + std::string(head) + "\n" + text;
-    };
-    add("NAME", roff(page) + " \\- " + roff(of.get_description()) + "\n");
-    add("SYNOPSIS", bold(app.get_name() + (whole ? "" : " " + of.get_name())) + " [" +
-                        italic("OPTIONS") + "]" + (commands.empty() ? " ..." : " COMMAND ...") +
-                        "\n");
-    add("ARGUMENTS", options_of(of, true));
-    add("OPTIONS", options_of(of, false));
-    add("COMMANDS", commands);
-    add("NOTES", of.get_footer().empty() ? "" : ".nf\n" + roff(of.get_footer()) + "\n.fi\n");
-    add("SEE ALSO", whole ? "" : ".BR " + app.get_name() + " (1)\n");
-    return out;
+    return ".TH " + roff(upper(page)) + " 1 \"\" \"" + app.get_name() + " " + roff(version) +
+           "\" \"User Commands\"\n.SH NAME\n" + roff(page) + " \\- " + roff(of.get_description()) +
+           "\n.SH DESCRIPTION\n.nf\n" + roff(of.help()) + "\n.fi\n.SH SEE ALSO\n" + others;
 }
 
 } // namespace

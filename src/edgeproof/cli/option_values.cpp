@@ -51,7 +51,7 @@ unsigned digits_of(const std::string& text, std::size_t most) {
 
 unsigned threads_of(const std::string& text) {
     return text.empty() ? 0
-                        : static_cast<unsigned>(whole_number("--threads", text, 1, most_threads));
+                        : static_cast<unsigned>(whole_number("--threads", text, 0, most_threads));
 }
 
 report::TableFormat format_of(const std::string& name) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
-#include "edgeproof/cli/scene_words.hpp"
+#include "edgeproof/cli/scene_options.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/own_file.hpp"
 #include "edgeproof/precision/error.hpp"

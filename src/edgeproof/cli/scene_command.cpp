@@ -77,20 +77,16 @@ scene::SceneResult done(const scene::Scene& scene, const SceneOptions& o) {
     return result;
 }
 
-std::vector<report::Plot> picture_of(scene::Scene scene) {
-    ask_terms(scene);
-    if (!scene.ask.tolerance) {
-        scene.ask.tolerance = scene::parse_tolerance("1%");
-    }
+std::vector<report::Plot> picture_of(const scene::Scene& scene) {
     Progress progress("values");
     return io::at_place(scene.file, scene.load_line,
                         [&] { return report::scene_picture(scene, std::ref(progress)); });
 }
 
-void check_figure_option(const SceneOptions& o) {
-    if (!o.figure.empty()) {
-        report::check_picture_name(o.figure);
-        io::check_output(o.figure);
+void check_figure_option(const std::string& figure, bool or_csv) {
+    if (!figure.empty()) {
+        report::check_picture_name(figure, or_csv);
+        io::check_output(figure);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "edgeproof/cli/scene_options.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/figures/scene_figure.hpp"
 
 #include <functional>
@@ -19,10 +20,10 @@ namespace edgeproof::cli {
 /// was computed.
 [[nodiscard]] scene::SceneResult done(const scene::Scene& scene, const SceneOptions& options);
 
-/// Draws the scene, with tolerance 1% and 1, 2, 3 terms unless the scene has its own.
-[[nodiscard]] std::vector<report::Plot> picture_of(scene::Scene scene);
+/// Draws the scene, with progress on a terminal.
+[[nodiscard]] std::vector<report::Plot> picture_of(const scene::Scene& scene);
 /// Checks the file of --figure before any work, and draws the scene into it.
-void check_figure_option(const SceneOptions& options);
+void check_figure_option(const std::string& figure, bool or_csv = false);
 void draw_figure_option(const scene::Scene& scene, const SceneOptions& options);
 
 /// Returns an empty table for such a result, with its title and facts: the digits, a and b, P and M
@@ -83,6 +84,9 @@ private:
 
 /// Returns the digits of the errors of a table: 20, or fewer.
 [[nodiscard]] scene::Digits error_digits(const scene::Scene& scene);
+
+/// Checks a user's own formulas: 0 if all of them hold, else 1 (verify.cpp).
+[[nodiscard]] int check_ledger(const std::string& ledger, unsigned threads);
 
 /// Shows on stderr the file for a scene that was given by words, if --show-scene asks for it.
 void show_as_file(const OutputOptions& options);

@@ -46,12 +46,7 @@ void add_table_options(CLI::App& sub, OutputOptions& o) {
 }
 
 void add_threads_option(CLI::App& sub, std::string& threads) {
-    sub.add_option("--threads", threads, "threads (default: one a processor)");
-}
-
-void add_threads_option(CLI::App& sub, int& threads) {
-    sub.add_option("--threads", threads, "threads (0: as many as the machine has)")
-        ->check(CLI::Range(0, static_cast<int>(most_threads)));
+    sub.add_option("--threads", threads, "threads (default, and 0: as many as the machine has)");
 }
 
 void add_given_scene(CLI::App& sub, SceneOptions& o) {

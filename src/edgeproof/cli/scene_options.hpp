@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/cli/scene_words.hpp"
+#include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/report/tables/table.hpp"
 #include "edgeproof/scene/scene.hpp"
 
@@ -13,6 +13,29 @@
 /// Options that several subcommands have, and their values. Functions that read a value throw
 /// InputError, which names the option.
 namespace edgeproof::cli {
+
+// A scene as words: its file, and key=value for the keys of a scene's file (scene_words.cpp).
+
+struct GivenScene {
+    std::string file;                   ///< empty: the words are the whole scene
+    std::vector<io::TomlTable> instead; ///< the keys of the words, by sections
+};
+/// Reads the words. A list is separated by commas, FROM..TO is a range. Throws InputError for two
+/// files and for unknown keys. `folder`: the shipped files that a bare name may mean.
+[[nodiscard]] GivenScene given_scene(const std::vector<std::string>& words,
+                                     std::string_view folder);
+/// The value of a key among the words; empty if it is not given.
+[[nodiscard]] std::string value_of(const std::vector<std::string>& words, std::string_view key);
+
+/// Returns the command line with words in place of options for keys of a scene, if its command
+/// takes a scene: `--R 100` becomes R=100, `--u 1e-3 0.1` u=1e-3,0.1, and `--hertz` kind=hertz.
+[[nodiscard]] std::vector<std::string> with_words(const CLI::App& app,
+                                                  const std::vector<std::string>& arguments);
+
+/// True if a command takes the words of a scene.
+[[nodiscard]] bool takes_words(const CLI::App& sub);
+/// Returns "kind=", "R=", ...
+[[nodiscard]] std::vector<std::string> keys_of_scene();
 
 /// The form and the place of a table.
 struct OutputOptions {
@@ -63,8 +86,6 @@ void add_step_option(CLI::App& sub, std::string& step);
 void choose_step(scene::Scene& scene, const std::string& step);
 /// Adds --threads for threads_of().
 void add_threads_option(CLI::App& sub, std::string& threads);
-/// Adds --threads of a command that judges the claims of a ledger.
-void add_threads_option(CLI::App& sub, int& threads);
 
 /// Returns the scene, with the values of the words and options in place of its own. Throws
 /// InputError for those that make no sense.
@@ -87,7 +108,7 @@ void refuse_whole_tolerance(const std::string& option, const std::string& text);
                                        std::size_t least, std::size_t most);
 /// Reads the number of --digits, in 2 ... most.
 [[nodiscard]] unsigned digits_of(const std::string& text, std::size_t most);
-/// Reads the number of --threads; 0, the default number, if it is not given.
+/// Reads the number of --threads; 0, as many as the machine has, if it is not given.
 [[nodiscard]] unsigned threads_of(const std::string& text);
 /// Reads the argument of --format; empty: CSV.
 [[nodiscard]] report::TableFormat format_of(const std::string& name);

@@ -419,4 +419,23 @@ std::vector<Convergence> convergence_of(const std::vector<FileComparison>& files
     return list;
 }
 
+Comparison compare_tables(std::vector<ResultTable> tables, const scene::Scene& scene,
+                          const ExactContact& exact, const Tolerances& tolerances,
+                          const std::optional<Rational>& origin,
+                          const std::function<void(std::size_t, std::size_t)>& progress) {
+    Comparison all{tolerances, {}, {}};
+    SuspectContacts suspects(scene);
+    for (ResultTable& table : tables) {
+        progress(all.files.size(), tables.size());
+        all.files.push_back(compare_file(std::move(table), exact, tolerances, origin, &suspects));
+        compare_surface(all.files.back(), scene, exact, tolerances);
+        require_nodes_inside(all.files.back(), exact, tolerances.zone);
+    }
+    progress(tables.size(), tables.size());
+    if (all.files.size() > 1) {
+        all.convergence = convergence_of(all.files, exact);
+    }
+    return all;
+}
+
 } // namespace edgeproof::comparison

@@ -18,6 +18,7 @@
 #include "edgeproof/comparison/measures/measures.hpp"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -127,6 +128,15 @@ void compare_surface(FileComparison& file, const scene::Scene& scene, const Exac
 /// Orders of a, b, P, c_0, the largest pressure and the errors, if every file has them.
 [[nodiscard]] std::vector<Convergence> convergence_of(const std::vector<FileComparison>& files,
                                                       const ExactContact& exact);
+
+/// Compares all tables of a scene, with the mistakes that may explain them, and finds the orders of
+/// several. `progress` is called with the number of tables done, and that of all. Throws as
+/// require_nodes_inside().
+[[nodiscard]] Comparison
+compare_tables(std::vector<ResultTable> tables, const scene::Scene& scene,
+               const ExactContact& exact, const Tolerances& tolerances,
+               const std::optional<Rational>& origin,
+               const std::function<void(std::size_t, std::size_t)>& progress);
 
 /// Throws InputError, with the file, if fewer than three nodes lie inside the exact contact, or if
 /// the edge zones leave none of these: such data cannot be compared. The advice depends on the

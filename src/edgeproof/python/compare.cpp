@@ -10,6 +10,7 @@
 
 #include <pybind11/stl.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -61,11 +62,7 @@ py::dict compare(const NativeScene& native, const std::string& name, const Resul
                  const OptionalText& tolerance_c0, bool partial, py::object callback) {
     const auto [json, text] = with_progress(std::move(callback), [&](Progress& progress) {
         const scene::Scene& scene = native.scene();
-        report::ComparisonReport report;
-        report.scene = name;
-        report.title = scene.title;
-        report.units = scene.units;
-        comparison::Tolerances& t = report.comparison.tolerances;
+        comparison::Tolerances t;
         t.partial = partial;
         const auto of_pressure = tolerance_of(tolerance);
         t.stated = of_pressure.has_value();
@@ -84,19 +81,9 @@ py::dict compare(const NativeScene& native, const std::string& name, const Resul
             tables.push_back(comparison::parse_result(written, file, reading));
         }
         const comparison::ExactContact exact(scene);
-        report.exact = &exact;
-        comparison::SuspectContacts suspects(scene);
-        auto& files = report.comparison.files;
-        for (comparison::ResultTable& table : tables) {
-            progress(files.size(), tables.size());
-            files.push_back(comparison::compare_file(std::move(table), exact, t, at, &suspects));
-            comparison::compare_surface(files.back(), scene, exact, t);
-            comparison::require_nodes_inside(files.back(), exact, t.zone);
-        }
-        progress(files.size(), tables.size());
-        if (files.size() > 1) {
-            report.comparison.convergence = convergence_of(files, exact);
-        }
+        const report::ComparisonReport report{
+            name, scene.title, scene.units, &exact,
+            compare_tables(std::move(tables), scene, exact, t, at, std::ref(progress))};
         return std::pair(comparison_json(report), comparison_text(report));
     });
     py::dict d;

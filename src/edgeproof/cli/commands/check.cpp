@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/cli/ledger_command.hpp"
+#include "edgeproof/audit/run.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/conformance/answers/answers.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
@@ -7,10 +7,8 @@
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/report/figures/figure_option.hpp"
-#include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/tables/agreement_report.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"
-#include "edgeproof/report/verdicts/verdict_writers.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -157,29 +155,6 @@ conformance::Answers answers_of(const CheckOptions& o) {
                                          read_answers(o));
 }
 
-/// Checks a user's own formulas: 0 if all of them hold, else 1.
-int check_ledger(const std::string& ledger, const std::string& threads) {
-    const audit::Ledger formulas = read_ledger(ledger, audit::ClaimErrors::kept);
-    if (formulas.claims.empty() && !formulas.errors.empty()) {
-        return report_claim_errors(formulas.errors);
-    }
-    const audit::AuditResult result =
-        judged_ledger(formulas, {.threads = static_cast<int>(threads_of(threads))}, "formulas");
-    std::fputs(report::verdicts_terminal(result, terminal_width(), stdout_takes_colour()).c_str(),
-               stdout);
-    const auto wrong = std::count_if(result.claims.begin(), result.claims.end(),
-                                     [](const auto& c) { return !holds(c.outcome.verdict); });
-    const bool passes = wrong == 0 && result.errors.empty();
-    std::printf("%s: %zu formulas, %zu do not hold", passes ? "pass" : "FAIL", result.claims.size(),
-                static_cast<std::size_t>(wrong));
-    if (!result.errors.empty()) {
-        std::printf("; %zu more could not be judged", result.errors.size());
-    }
-    std::printf("\n");
-    const int bad = report_claim_errors(result.errors);
-    return bad != 0 ? bad : wrong == 0 ? 0 : 1;
-}
-
 int check(CheckOptions& o) {
     o.ledger = file_or_shipped(o.ledger, shipped_ledgers);
     o.recipe = file_or_shipped(o.recipe, shipped_recipes);
@@ -195,7 +170,7 @@ int check(CheckOptions& o) {
         throw InputError("--out is for answers", "leave --out out");
     }
     if (!o.ledger.empty()) {
-        return check_ledger(o.ledger, o.threads);
+        return check_ledger(o.ledger, threads_of(o.threads));
     }
     if (o.answers.empty()) {
         throw InputError("there is nothing to check",
@@ -203,9 +178,7 @@ int check(CheckOptions& o) {
     }
     io::check_output(o.junit);
     io::check_output(o.out);
-    if (!o.figure.empty()) {
-        report::check_figure(o.figure);
-    }
+    check_figure_option(o.figure, true);
     report::Conformance result;
     result.target = target_of(o);
     const std::size_t errors = whole_number("--errors", o.errors, 0, 1'000'000'000);
@@ -221,12 +194,12 @@ int check(CheckOptions& o) {
         io::write_output(o.junit, conformance_junit(result));
     }
     if (!o.figure.empty()) {
-        write_agreement_figure(result, o.figure);
+        io::write_whole(o.figure, report::picture_file({agreement_plot(result)}, o.figure));
     }
-    const report::ConformanceSummary summary = summary_of(result, errors);
     io::write_output(o.out.empty() ? "-" : o.out,
-                     o.json ? summary.json() : printable_lines(summary.text()));
-    return summary.pass() ? 0 : 1;
+                     o.json ? conformance_json(result)
+                            : printable_lines(conformance_text(result, errors)));
+    return result.pass() ? 0 : 1;
 }
 
 } // namespace
@@ -263,7 +236,8 @@ void add_check(CLI::App& app, int& code) {
         ->type_name("text|json");
     sub.add_option("--out", o.out, "write it to this file (-: standard output)");
     sub.add_option("--junit", o.junit, "write JUnit XML to this file");
-    sub.add_option("--figure", o.figure, "draw digits against u into this file (.svg or .csv)");
+    sub.add_option("--figure", o.figure,
+                   "draw digits against u into this file (.svg, .png, .pdf or .csv)");
     sub.add_option("--ledger", o.ledger, "verify the formulas of this ledger instead");
     add_threads_option(sub, o.threads);
 }

@@ -2,15 +2,17 @@
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/comparison/comparison.hpp"
 #include "edgeproof/conformance/answers/number_text.hpp"
-#include "edgeproof/io/staged_folder.hpp"
+#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/figures/comparison_figures.hpp"
 #include "edgeproof/report/tables/comparison_report.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace edgeproof::cli {
 namespace {
@@ -109,7 +111,7 @@ std::optional<Rational> origin_of(const std::string& text) {
 void write_outputs(const report::ComparisonReport& report, const CompareOptions& o) {
     const std::string junit = o.junit.empty() ? "" : comparison_junit(report);
     if (!o.figures.empty()) {
-        const report::DrawnComparison drawn = draw_comparison(report);
+        const std::vector<report::DrawnPlot> drawn = draw_comparison(report);
         io::write_folder(
             o.figures, [&](const std::filesystem::path& folder) { write_figures(drawn, folder); });
     }
@@ -125,8 +127,7 @@ int compare_results(const CompareOptions& o) {
         throw InputError(o.scene.empty() ? "no scene is given" : "no result is given",
                          "write edgeproof compare SCENE.toml RESULT.csv");
     }
-    report::ComparisonReport report;
-    report.comparison.tolerances = tolerances_of(o);
+    const comparison::Tolerances tolerances = tolerances_of(o);
     const auto origin = origin_of(o.origin);
     comparison::ResultReading reading;
     reading.columns =
@@ -146,26 +147,11 @@ int compare_results(const CompareOptions& o) {
         tables.push_back(comparison::read_result(file, reading));
     }
     const comparison::ExactContact exact(scene);
-    report.scene = o.scene;
-    report.title = scene.title;
-    report.units = scene.units;
-    report.exact = &exact;
-    {
-        comparison::SuspectContacts suspects(scene);
-        Progress progress("files");
-        for (comparison::ResultTable& table : tables) {
-            progress(report.comparison.files.size(), tables.size());
-            report.comparison.files.push_back(comparison::compare_file(
-                std::move(table), exact, report.comparison.tolerances, origin, &suspects));
-            comparison::compare_surface(report.comparison.files.back(), scene, exact,
-                                        report.comparison.tolerances);
-            comparison::require_nodes_inside(report.comparison.files.back(), exact,
-                                             report.comparison.tolerances.zone);
-        }
-    }
-    if (report.comparison.files.size() > 1) {
-        report.comparison.convergence = convergence_of(report.comparison.files, exact);
-    }
+    std::function<void(std::size_t, std::size_t)> progress;
+    const report::ComparisonReport report{
+        o.scene, scene.title, scene.units, &exact, with_progress("files", progress, [&] {
+            return compare_tables(std::move(tables), scene, exact, tolerances, origin, progress);
+        })};
     write_outputs(report, o);
     const std::string text =
         json ? comparison_json(report) : printable_lines(comparison_text(report));

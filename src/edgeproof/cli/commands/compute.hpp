@@ -26,6 +26,8 @@ public:
     /// Computes the set's own quantities, and those of `others` that the scene names.
     void run(scene::QuantityGroup own,
              const std::vector<scene::QuantityGroup>& others = {scene::QuantityGroup::contact});
+    /// Computes the quantities that the scene asks for.
+    void run();
     /// Adds, with friction, Q/(f P), the stick zone, and the allowed bulk tensions.
     void add_slip_facts();
     void note(std::string text) { table.notes.push_back(std::move(text)); }
@@ -47,6 +49,17 @@ public:
                          "says estimate"; ///< the remark
 };
 
+[[nodiscard]] std::string edge_of(const Line& line);
+/// Returns the value for a route column. Its route names the other values of the same columns that
+/// are not proved although this value is.
+[[nodiscard]] scene::BoundedValue marked(const scene::RowsAt& at, scene::Quantity quantity,
+                                         const std::string& prefix);
+
+int pressure(const ComputeOptions& options);
+// edges.cpp
+int expand(const ComputeOptions& options);
+int extent(const ComputeOptions& options);
+int slip(const ComputeOptions& options);
 // stresses.cpp
 int stress(const ComputeOptions& options);
 int displacement(const ComputeOptions& options);

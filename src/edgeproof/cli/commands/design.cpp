@@ -3,7 +3,6 @@
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/report/figures/figure_option.hpp"
-#include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/tables/design_table.hpp"
 #include "edgeproof/report/text/percent.hpp"
 #include "edgeproof/scene/design/design_file.hpp"
@@ -90,9 +89,7 @@ int run(const DesignCommandOptions& o) {
                                      : 30;
     (void)o.table_format();
     io::check_output(o.out);
-    if (!o.figure.empty()) {
-        report::check_figure(o.figure);
-    }
+    check_figure_option(o.figure, true);
     scene::DesignRunOptions options;
     options.search.digits = digits.count;
     options.search.gap = gap_of(o.gap);
@@ -101,7 +98,8 @@ int run(const DesignCommandOptions& o) {
         with_progress("thousandths of the range", options.search.progress,
                       [&] { return run_design(design, options); });
     if (!o.figure.empty()) {
-        report::write_design_figure(design, result, o.figure);
+        io::write_whole(o.figure,
+                        report::picture_file({report::design_plot(design, result)}, o.figure));
     }
     report::Table table = report::design_table(design, result, options.search);
     table.asked = fmt::format("the best value for the reach of {} term{} within {}", design.terms,
@@ -123,7 +121,8 @@ void add_design(CLI::App& app, int& code) {
     sub.add_option("--digits", o.digits, "significant digits (default: 30; 6 on a terminal)");
     sub.add_option("--gap", o.gap,
                    "nothing else in the range does better by more: proved (default: 1e-6)");
-    sub.add_option("--figure", o.figure, "reach against the parameter, as .svg or .csv");
+    sub.add_option("--figure", o.figure,
+                   "reach against the parameter, as .svg, .png, .pdf or .csv");
     add_table_options(sub, o);
     sub.footer(
         "Words: one key is a range (t=0..0.9), with a tolerance; terms=1 and edges=right are "

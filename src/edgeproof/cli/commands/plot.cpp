@@ -41,8 +41,7 @@ int plot(PlotOptions& o) {
     if (file.empty()) {
         throw InputError("there is no file for the picture", "add --out pad.svg");
     }
-    report::check_picture_name(file);
-    io::check_output(file);
+    check_figure_option(file);
     scene::Scene scene = asked_scene(o);
     if (o.from.empty() != o.to.empty() || (!o.from.empty() && o.field.empty())) {
         throw InputError("a line has two ends, and a stress along it",

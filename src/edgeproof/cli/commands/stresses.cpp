@@ -169,8 +169,7 @@ int displacement(const ComputeOptions& o) {
     if (ask.reference) {
         ask.quantities.insert(QuantityGroup::surface);
     }
-    c.result = done(c.scene, o);
-    c.table = values_table(c.scene, c.result);
+    c.run();
     c.note(std::string("gap: the distance between the surfaces outside the contact; slip: "
                        "u_A - u_B along the surface inside, ") +
            (c.scene.round ? "the mean over the circle of radius |x|, " : "") +
@@ -214,8 +213,7 @@ int expand_stresses(const ComputeOptions& o) {
         return scene::ray_terms(c.scene, body_of(c.body), angle, c.scene.ask.most_terms());
     });
     c.scene.ask.quantities = {QuantityGroup::contact};
-    c.result = done(c.scene, o);
-    c.table = values_table(c.scene, c.result);
+    c.run();
     c.table.facts.push_back({"body", c.body});
     c.table.facts.push_back({"angle", angle.text()});
     c.note("stresses in body " + c.body +

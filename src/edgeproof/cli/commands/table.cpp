@@ -124,7 +124,9 @@ int table(TableOptions& o) {
              "--part writes a file in CSV, with its notes", "add --out FILE.csv");
         return make_part(o, recipe);
     }
-    emit(report::reference_table(recipe, reference_values(o, recipe, recipe.questions)), o);
+    emit(report::reference_table(recipe, recipe.questions,
+                                 reference_values(o, recipe, recipe.questions)),
+         o);
     return 0;
 }
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/certificate/certificate.hpp"
-#include "edgeproof/cli/ledger_command.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/output_file.hpp"
-#include "edgeproof/io/staged_folder.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/report.hpp"
 
@@ -21,7 +19,7 @@ struct VerifyOptions {
     long long digits = 50;
     std::string out;
     std::string only = "*";
-    int threads = 0;
+    std::string threads;
     bool record = false;
     bool strict = false;
     bool profile = false;
@@ -29,10 +27,28 @@ struct VerifyOptions {
 
 constexpr long long most_digits_of_a_formula = 10000;
 
-/// The condition for exit status 1 with --strict: some claim does not hold.
-bool some_claim_fails(const audit::AuditResult& result) {
-    return std::any_of(result.claims.begin(), result.claims.end(),
-                       [](const audit::ClaimResult& r) { return !holds(r.outcome.verdict); });
+/// The number of claims that do not hold.
+std::size_t failing_claims(const audit::AuditResult& result) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        result.claims, [](const audit::ClaimResult& r) { return !holds(r.outcome.verdict); }));
+}
+
+/// Judges the claims of a ledger, and shows their number as `what` on stderr. Claims that cannot be
+/// judged are among the result's errors.
+audit::AuditResult judged_ledger(const audit::Ledger& ledger, audit::AuditOptions options,
+                                 const std::string& what = "claims") {
+    options.errors = audit::ClaimErrors::kept;
+    return with_progress(what, options.progress, [&] { return run_audit(ledger, options); });
+}
+
+/// Writes a line on stderr for each claim of a ledger that could not be read or judged. Returns the
+/// exit status: 2, or 0 if there are none.
+int report_claim_errors(const std::vector<audit::ClaimError>& errors) {
+    std::fflush(stdout);
+    for (const audit::ClaimError& e : errors) {
+        std::fprintf(stderr, "%s\n", e.error.what());
+    }
+    return errors.empty() ? 0 : 2;
 }
 
 /// Returns the command for the report. The output folder is left out, so that the report is the
@@ -49,7 +65,8 @@ void write_files(const audit::AuditResult& result, const audit::Ledger& ledger,
         io::write_whole(out / "verdicts.csv", report::verdicts_csv(result));
         io::write_whole(out / "verdicts.md", report::verdicts_markdown(result));
         io::write_whole(out / "verdicts.tex", report::verdicts_latex(result));
-        report::write_html_report(result, ledger, out, o.threads, command_text(o));
+        report::write_html_report(result, ledger, out, static_cast<int>(threads_of(o.threads)),
+                                  command_text(o));
     });
 }
 
@@ -79,10 +96,11 @@ int verify(VerifyOptions& o) {
             io::check_output(std::filesystem::path(o.out) / name);
         }
     }
-    audit::AuditResult result = judged_ledger(ledger, {.digits = static_cast<unsigned>(o.digits),
-                                                       .threads = o.threads,
-                                                       .only = o.only,
-                                                       .timed = o.profile});
+    audit::AuditResult result =
+        judged_ledger(ledger, {.digits = static_cast<unsigned>(o.digits),
+                               .threads = static_cast<int>(threads_of(o.threads)),
+                               .only = o.only,
+                               .timed = o.profile});
     certificate::attach_certificates(result, ledger,
                                      std::filesystem::path(o.ledger).parent_path() / "certificates",
                                      "certificates");
@@ -100,7 +118,7 @@ int verify(VerifyOptions& o) {
                     result.errors.size() + result.claims.size());
         return report_claim_errors(result.errors); // without a record or a comparison
     }
-    const int failing = o.strict && some_claim_fails(result) ? 1 : 0;
+    const int failing = o.strict && failing_claims(result) > 0 ? 1 : 0;
     const std::filesystem::path golden = report::golden_file(o.ledger);
     if (o.record) {
         io::write_whole(golden, report::golden_text(result));
@@ -121,6 +139,27 @@ int verify(VerifyOptions& o) {
 }
 
 } // namespace
+
+int check_ledger(const std::string& ledger, unsigned threads) {
+    const audit::Ledger formulas = read_ledger(ledger, audit::ClaimErrors::kept);
+    if (formulas.claims.empty() && !formulas.errors.empty()) {
+        return report_claim_errors(formulas.errors);
+    }
+    const audit::AuditResult result =
+        judged_ledger(formulas, {.threads = static_cast<int>(threads)}, "formulas");
+    std::fputs(report::verdicts_terminal(result, terminal_width(), stdout_takes_colour()).c_str(),
+               stdout);
+    const auto wrong = failing_claims(result);
+    const bool passes = wrong == 0 && result.errors.empty();
+    std::printf("%s: %zu formulas, %zu do not hold", passes ? "pass" : "FAIL", result.claims.size(),
+                wrong);
+    if (!result.errors.empty()) {
+        std::printf("; %zu more could not be judged", result.errors.size());
+    }
+    std::printf("\n");
+    const int bad = report_claim_errors(result.errors);
+    return bad != 0 ? bad : wrong == 0 ? 0 : 1;
+}
 
 void add_verify(CLI::App& app, int& code) {
     auto [sub, o] = add_command<VerifyOptions>(

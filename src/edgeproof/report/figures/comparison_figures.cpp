@@ -254,65 +254,39 @@ Plot convergence_plot(const ComparisonReport& report) {
     return plot;
 }
 
-/// All plots of a report, file by file; the ids follow the names of the files.
-std::vector<Figure> comparison_figures(const ComparisonReport& report) {
+} // namespace
+
+std::vector<DrawnPlot> draw_comparison(const ComparisonReport& report) {
     const PrecisionScope scope(comparison::ExactContact::place_digits);
-    std::vector<Figure> figures;
+    std::vector<DrawnPlot> drawn;
+    const auto draw = [&](Plot plot) {
+        std::string svg = draw_svg({plot});
+        drawn.push_back({std::move(plot), std::move(svg)});
+    };
     std::set<std::string> taken{"convergence"};
     for (const FileComparison& file : report.comparison.files) {
         const std::string id = file_id(file.table.file, taken);
-        const bool sheared = report.exact->shear() != nullptr && file.shear.has_value();
-        Figure figure{id,
-                      shown_name(file),
-                      "Left: data and exact pressure. Right: the relative error of each node "
-                      "against its distance from the nearer edge." +
-                          std::string(sheared ? " Below: the same of the shear traction, its "
-                                                "error relative to " +
-                                                    report.exact->shear()->scale_text() + "."
-                                              : ""),
-                      {}};
         std::vector<Traction> tractions{pressure_of(report)};
-        if (sheared) {
+        if (report.exact->shear() != nullptr && file.shear) {
             tractions.push_back(shear_of(report));
         }
         for (const Traction& traction : tractions) {
-            figure.plots.push_back(traction_plot(report, file, id, traction));
-            Plot errors = error_plot(report, file, id, traction);
-            if (!errors.rows.empty()) {
-                figure.plots.push_back(std::move(errors));
+            draw(traction_plot(report, file, id, traction));
+            if (Plot errors = error_plot(report, file, id, traction); !errors.rows.empty()) {
+                draw(std::move(errors));
             }
         }
-        figures.push_back(std::move(figure));
     }
     if (report.comparison.files.size() > 1) {
-        figures.push_back({"convergence",
-                           "Several meshes",
-                           "Errors against the mean width of an element; a straight line of slope "
-                           "s is an error proportional to its s-th power.",
-                           {convergence_plot(report)}});
-    }
-    return figures;
-}
-
-} // namespace
-
-DrawnComparison draw_comparison(const ComparisonReport& report) {
-    const PrecisionScope scope(figure_digits + 10);
-    DrawnComparison drawn{comparison_figures(report), {}};
-    for (const Figure& figure : drawn.figures) {
-        for (const Plot& plot : figure.plots) {
-            drawn.svg.emplace(plot.id.text(), draw_svg({plot}));
-        }
+        draw(convergence_plot(report));
     }
     return drawn;
 }
 
-void write_figures(const DrawnComparison& drawn, const std::filesystem::path& folder) {
+void write_figures(const std::vector<DrawnPlot>& drawn, const std::filesystem::path& folder) {
     const PrecisionScope scope(figure_digits + 10);
-    for (const Figure& figure : drawn.figures) {
-        for (const Plot& plot : figure.plots) {
-            write_plot_files(plot, drawn.svg.at(plot.id.text()), folder);
-        }
+    for (const auto& [plot, svg] : drawn) {
+        write_plot_files(plot, svg, folder);
     }
 }
 

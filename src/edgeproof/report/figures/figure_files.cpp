@@ -61,8 +61,7 @@ std::string with_program(std::string picture, const std::string& format) {
     return picture;
 }
 
-} // namespace
-
+/// Returns an SVG as PNG or PDF.
 std::string converted_svg(const std::string& svg, const std::string& format) {
     const auto program = program_in_path("rsvg-convert");
     if (!program) {
@@ -83,6 +82,8 @@ std::string converted_svg(const std::string& svg, const std::string& format) {
     return with_program(std::move(run.output), format);
 }
 
+} // namespace
+
 void write_plot_files(const Plot& plot, const std::string& svg,
                       const std::filesystem::path& folder) {
     io::write_whole(folder / plot.id.with(".csv"), to_csv(plot));
@@ -91,17 +92,22 @@ void write_plot_files(const Plot& plot, const std::string& svg,
     }
 }
 
-void check_figure(const std::filesystem::path& file) {
-    if (file.extension() != ".svg" && file.extension() != ".csv") {
-        throw InputError("--figure " + file.string() + " is neither .svg nor .csv",
+void check_picture_name(const std::string& file, bool or_csv) {
+    const std::filesystem::path ending = std::filesystem::path(file).extension();
+    if (ending != ".svg" && ending != ".png" && ending != ".pdf" && !(or_csv && ending == ".csv")) {
+        throw InputError(file + " is neither .svg, .png" +
+                             (or_csv ? ", .pdf nor .csv" : " nor .pdf"),
                          "name the file so");
     }
-    io::check_output(file);
 }
 
-void write_figure(const Plot& plot, const std::filesystem::path& file) {
-    check_figure(file);
-    io::write_whole(file, file.extension() == ".csv" ? to_csv(plot) : draw_svg({plot}));
+std::string picture_file(const std::vector<Plot>& plots, const std::string& file) {
+    const std::string ending = std::filesystem::path(file).extension();
+    if (ending == ".csv") {
+        return to_csv(plots.front());
+    }
+    const std::string svg = draw_svg(plots);
+    return ending == ".svg" ? svg : converted_svg(svg, ending.substr(1));
 }
 
 } // namespace edgeproof::report

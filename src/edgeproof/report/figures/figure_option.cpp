@@ -3,7 +3,6 @@
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
-#include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/text/percent.hpp"
 
 #include <algorithm>
@@ -23,8 +22,10 @@ double shown(const conformance::Answer& answer, double digits) {
     return std::min(digits, std::max(digits_of_a_double, static_cast<double>(written)));
 }
 
-/// Columns: u, p, q (if there is any), inputs.
+} // namespace
+
 Plot agreement_plot(const Conformance& c) {
+    const PrecisionScope scope(figure_digits + 10);
     const bool shear =
         std::ranges::any_of(c.answers.questions.list, [](const conformance::Question& q) {
             return q.quantity == scene::Quantity::q;
@@ -58,21 +59,13 @@ Plot agreement_plot(const Conformance& c) {
             row[3] = Real(std::max(0.0, -std::log10(held.conditioning->moved)));
         }
     }
-    plot.sort_rows();
-    return plot;
-}
-
-} // namespace
-
-void write_agreement_figure(const Conformance& result, const std::filesystem::path& file) {
-    const PrecisionScope scope(figure_digits + 10);
-    const Plot plot = agreement_plot(result);
     if (plot.rows.empty()) {
         throw InputError("no answer is at a point, so that there is nothing to draw",
                          "ask for p or q, or leave "
                          "--figure out");
     }
-    write_figure(plot, file);
+    plot.sort_rows();
+    return plot;
 }
 
 namespace {
@@ -82,8 +75,10 @@ namespace {
 constexpr double share_of_a_jump = 0.02;
 constexpr unsigned digits_of_a_mark = 6;
 
-/// Columns: the parameter, reach, best, printed.
+} // namespace
+
 Plot design_plot(const scene::DesignScene& design, const scene::DesignResult& result) {
+    const PrecisionScope scope(figure_digits + 10);
     const std::string& name = design.parameter;
     const bool measure = design.objective == scene::DesignObjective::measure;
     const std::string reach = measure ? "measure" : "reach";
@@ -124,14 +119,6 @@ Plot design_plot(const scene::DesignScene& design, const scene::DesignResult& re
                                {Pen::Colour::black, 0, 9, 1}});
     }
     return plot;
-}
-
-} // namespace
-
-void write_design_figure(const scene::DesignScene& design, const scene::DesignResult& result,
-                         const std::filesystem::path& file) {
-    const PrecisionScope scope(figure_digits + 10);
-    write_figure(design_plot(design, result), file);
 }
 
 } // namespace edgeproof::report

@@ -107,14 +107,6 @@ template <class Point, class Middle, class Straight>
 /// The part of its height by which a chord may differ from a curve: less than a pixel.
 inline constexpr double straight_enough = 1.0 / 500;
 
-/// A figure of the page: panels with one caption.
-struct Figure {
-    std::string id;
-    std::string title;
-    std::string caption;
-    std::vector<Plot> plots;
-};
-
 inline constexpr unsigned figure_digits = 20;
 
 /// Returns the table as CSV: notes after #, a line of names, values at `figure_digits`.

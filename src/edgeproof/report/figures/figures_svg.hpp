@@ -16,18 +16,16 @@ namespace edgeproof::report {
 /// Prepares the SVG of one plot for a page: with unique ids and without a background.
 [[nodiscard]] std::string inline_svg(const std::string& svg, const Plot& plot);
 
-/// Returns an SVG as PNG (with two pixels for each of its own) or PDF, by `rsvg-convert`. Throws
-/// InputError if there is no such program, Error if it fails.
-[[nodiscard]] std::string converted_svg(const std::string& svg, const std::string& format);
-
 /// Writes PLOT.csv, and PLOT.svg if `svg` is not empty, to a folder, named by the id of the plot.
 void write_plot_files(const Plot& plot, const std::string& svg,
                       const std::filesystem::path& folder);
 
-/// Throws InputError if a file of an option --figure cannot be written: for an ending other than
-/// .svg and .csv, and as io::check_output.
-void check_figure(const std::filesystem::path& file);
-/// Writes the plot as .svg or as .csv. Throws as check_figure.
-void write_figure(const Plot& plot, const std::filesystem::path& file);
+/// Throws InputError for an ending that picture_file does not support: others than .svg, .png and
+/// .pdf, and .csv unless `or_csv`.
+void check_picture_name(const std::string& file, bool or_csv = false);
+/// Returns the picture, or the table of the first plot as .csv, in the format of the file's ending.
+/// `rsvg-convert` makes a .png (with two pixels for each of the SVG) and a .pdf. Throws InputError
+/// if there is no such program, Error if it fails.
+[[nodiscard]] std::string picture_file(const std::vector<Plot>& plots, const std::string& file);
 
 } // namespace edgeproof::report

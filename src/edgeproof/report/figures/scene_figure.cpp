@@ -4,7 +4,6 @@
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/text/percent.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
@@ -13,7 +12,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 namespace edgeproof::report {
 namespace {
@@ -41,7 +42,7 @@ public:
         : scene_(scene), progress_(std::move(progress)), values_(scene, asked(scene), digits()),
           a_(number({scene::Quantity::a})), b_(number({scene::Quantity::b})) {}
 
-    [[nodiscard]] std::vector<Plot> paint() {
+    [[nodiscard]] std::vector<Plot> paint(Panels panels) {
         for (const contact::Edge edge : scene_.ask.edges) {
             std::vector<Real> c;
             for (std::size_t k = 0; k < scene_.ask.most_terms(); ++k) {
@@ -50,9 +51,13 @@ public:
             edges_.push_back({edge, std::move(c), {}});
             find_exits(edges_.back());
         }
-        std::vector<Plot> plots{pressures()};
-        for (const OfEdge& edge : edges_) {
-            plots.push_back(errors(edge));
+        std::vector<Plot> plots;
+        if (panels != Panels::errors) {
+            plots.push_back(pressures());
+        }
+        if (panels != Panels::pressure) {
+            std::ranges::transform(edges_, std::back_inserter(plots),
+                                   [this](const OfEdge& edge) { return errors(edge); });
         }
         return plots;
     }
@@ -322,24 +327,17 @@ private:
 
 } // namespace
 
-std::vector<Plot> scene_picture(const scene::Scene& scene,
-                                const std::function<void(std::size_t, std::size_t)>& progress) {
-    const PrecisionScope scope(picture_digits + 10);
-    return Painter(scene, progress).paint();
-}
-
-void check_picture_name(const std::string& file) {
-    const std::filesystem::path ending = std::filesystem::path(file).extension();
-    if (ending != ".svg" && ending != ".png" && ending != ".pdf") {
-        throw InputError(file + " is neither .svg, .png nor .pdf", "name the file so");
+std::vector<Plot> scene_picture(scene::Scene scene,
+                                const std::function<void(std::size_t, std::size_t)>& progress,
+                                Panels panels) {
+    if (scene.ask.terms.empty()) {
+        scene.ask.terms = {1, 2, 3};
     }
-}
-
-std::string picture_file(const std::vector<Plot>& plots, const std::string& file) {
-    check_picture_name(file);
-    const std::string ending = std::filesystem::path(file).extension();
-    const std::string svg = draw_svg(plots);
-    return ending == ".svg" ? svg : converted_svg(svg, ending.substr(1));
+    if (!scene.ask.tolerance) {
+        scene.ask.tolerance = scene::parse_tolerance("1%");
+    }
+    const PrecisionScope scope(picture_digits + 10);
+    return Painter(scene, progress).paint(panels);
 }
 
 } // namespace edgeproof::report

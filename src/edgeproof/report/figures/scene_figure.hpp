@@ -10,19 +10,16 @@
 
 namespace edgeproof::report {
 
+enum class Panels { all, pressure, errors };
+
 /// Pictures of a scene: the exact pressure (and q, if the scene has shear) along the contact with
 /// the sums of the first terms, and for each requested edge the relative errors of these sums on
-/// logarithmic axes, with the tolerance and the first exits. `progress` is called with the number
-/// of values done, and their total. Throws InputError as run_scene does.
+/// logarithmic axes, with the tolerance and the first exits. The terms are 1, 2, 3 and the
+/// tolerance is 1 % unless the scene has its own. `progress` is called with the number of values
+/// done, and their total. Throws InputError as run_scene does.
 [[nodiscard]] std::vector<Plot>
-scene_picture(const scene::Scene& scene,
-              const std::function<void(std::size_t, std::size_t)>& progress);
-
-/// Returns the picture in the format of the file's ending: .svg, .png, .pdf. Throws InputError for
-/// other endings, and as converted_svg.
-[[nodiscard]] std::string picture_file(const std::vector<Plot>& plots, const std::string& file);
-/// Throws InputError for an ending that picture_file does not support.
-void check_picture_name(const std::string& file);
+scene_picture(scene::Scene scene, const std::function<void(std::size_t, std::size_t)>& progress,
+              Panels panels = Panels::all);
 
 /// The contours of a stress of a body: sxx, szz, sxz, tau_max or mises, below the contact and
 /// around it, as deep as the contact is long. Throws InputError for other quantities, and as

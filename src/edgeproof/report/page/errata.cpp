@@ -145,13 +145,16 @@ std::string place_words(const audit::Claim& claim, const audit::PrintedSource& s
         !number.empty() && !of_sentence(claim)) {
         return "Eq. (" + number + ")";
     }
+    const std::string section = section_words(claim, source);
+    return section.empty() ? claim.id
+                           : fmt::format("{}, line {}", section.substr(0, section.find(' ', 9)),
+                                         claim.lines.first);
+}
+
+std::string section_words(const audit::Claim& claim, const audit::PrintedSource& source) {
     const std::string section = source.section_of(claim.lines.first);
-    if (!section.empty()) {
-        const bool appendix = section[0] >= 'A' && section[0] <= 'Z';
-        return fmt::format("{} {}, line {}", appendix ? "Appendix" : "Section",
-                           section.substr(0, section.find(' ')), claim.lines.first);
-    }
-    return claim.id;
+    const bool appendix = !section.empty() && section[0] >= 'A' && section[0] <= 'Z';
+    return section.empty() ? "" : (appendix ? "Appendix " : "Section ") + section;
 }
 
 namespace {

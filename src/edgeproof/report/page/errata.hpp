@@ -86,6 +86,10 @@ struct LaterWords {
 [[nodiscard]] std::string place_words(const audit::Claim& claim,
                                       const audit::PrintedSource& source);
 
+/// Returns "Section 2.1 The wedge", or "Appendix A ..."; empty if the section is unknown.
+[[nodiscard]] std::string section_words(const audit::Claim& claim,
+                                        const audit::PrintedSource& source);
+
 /// Returns errata.tex: one complete page for a journal.
 [[nodiscard]] std::string errata_tex(const audit::AuditResult& result,
                                      const audit::PrintedSource& source);

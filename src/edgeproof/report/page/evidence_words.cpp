@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
 #include <set>
 
 namespace edgeproof::report {
@@ -74,6 +73,13 @@ std::string text_html(const std::string& text, const Claim& claim, const Printed
     return note_html(text, claim, source);
 }
 
+/// Returns a key of evidence in words: those of verdicts.json.
+std::string key_words(std::string_view key) {
+    std::string text(key);
+    std::ranges::replace(text, '_', ' ');
+    return escape_html(text);
+}
+
 std::string item_html(const EvidenceItem& item, const Claim& claim, const PrintedSource& source);
 
 /// A list of records with the same keys becomes one table with a column for each key.
@@ -137,61 +143,6 @@ std::string item_html(const EvidenceItem& item, const Claim& claim, const Printe
 }
 
 } // namespace
-
-std::string key_words(std::string_view key) {
-    static const std::map<std::string_view, std::string_view> words{
-        {"of", "compared with"},
-        {"says", "as printed"},
-        {"at", "where"},
-        {"samples", "samples (scene, place, values)"},
-        {"scenes", "scenes"},
-        {"digits", "digits that agree, at worst"},
-        {"digits_proved", "digits that agree, proved"},
-        {"worst_at", "where they differ most"},
-        {"printed_there", "as printed, there"},
-        {"exact_there", "exact, there"},
-        {"printed_coefficient", "printed coefficient"},
-        {"derived_coefficient", "exact coefficient"},
-        {"enclosures", "enclosures (proved)"},
-        {"disjoint", "the enclosures are disjoint"},
-        {"ratio", "printed over exact"},
-        {"ratio_range", "printed over exact runs from; to"},
-        {"terms", "power by power"},
-        {"both", "printed and exact"},
-        {"derived", "exact"},
-        {"equal", "equal"},
-        {"order_of_the_rest", "order of what is left"},
-        {"first_departure", "first wrong power"},
-        {"as_if", "computed instead from"},
-        {"readings", "ways to take the words"},
-        {"rounds_to", "rounds to"},
-        {"units_off", "units of the last quoted place off"},
-        {"steps_as_claimed", "steps as claimed"},
-        {"steps_against", "steps against it"},
-        {"against", "the steps against it"},
-        {"against_at", "in the scene"},
-        {"along", "parameter"},
-        {"narrowest_margin", "narrowest margin"},
-        {"narrowest_at", "where it is narrowest"},
-        {"narrowest_at_u_over_L", "narrowest at u/(a + b)"},
-        {"scenes_failing", "scenes in which it fails"},
-        {"fails_in", "fails for"},
-        {"left_side", "left side"},
-        {"right_side", "right side"},
-        {"holds_for_a", "holds for a"},
-        {"values_taken", "values of it"},
-        {"holds_in", "holds for"},
-        {"samples_left_out", "samples left out"},
-        {"samples_to_few_digits", "samples compared to a few digits"},
-        {"scenes_left_out", "scenes left out"},
-    };
-    if (const auto it = words.find(key); it != words.end()) {
-        return std::string(it->second);
-    }
-    std::string text(key);
-    std::ranges::replace(text, '_', ' ');
-    return escape_html(text);
-}
 
 std::string note_html(const std::string& note, const Claim& claim, const PrintedSource& source) {
     return sentence_html(note_tex(note, claim, source), source);

@@ -6,7 +6,7 @@
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/report/figures/figures_paper.hpp"
+#include "edgeproof/report/figures/audit_figures.hpp"
 #include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/page/html_claim.hpp"
 #include "edgeproof/report/text/escape.hpp"
@@ -20,6 +20,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -229,22 +230,43 @@ std::string html_page(const audit::AuditResult& result, const PageFigures& figur
 
 namespace {
 
-struct Job {
-    std::function<std::optional<Plot>()> make;
-    std::optional<Plot> plot;
-    std::string svg;
-    std::string problem;
-};
-
-void run_job(Job& job) {
-    try {
-        job.plot = job.make();
-        if (job.plot) {
-            job.svg = draw_svg({*job.plot});
+/// Draws the figures in `threads` threads, and writes their files to the folder.
+std::vector<DrawnFigure> drawn(const std::vector<FigureRecipe>& recipes,
+                               const std::filesystem::path& folder, int threads) {
+    struct Job {
+        std::size_t figure;
+        const std::function<std::optional<Plot>()>* make;
+        std::optional<Plot> plot = {};
+        std::string svg = {};
+    };
+    std::vector<DrawnFigure> figures;
+    std::vector<Job> jobs;
+    for (const FigureRecipe& recipe : recipes) {
+        for (const auto& make : recipe.plots) {
+            jobs.push_back({figures.size(), &make});
         }
-    } catch (const std::exception& e) { // an error in one figure does not affect the others
-        job.problem = e.what();
+        figures.push_back({recipe.id, recipe.title, recipe.caption, {}, {}});
     }
+    std::mutex problems;
+    parallel::work_through(
+        parallel::all_pieces(jobs.size()), static_cast<unsigned>(std::max(threads, 0)),
+        [&](std::size_t i) {
+            check_interruption();
+            Job& job = jobs[i];
+            try {
+                job.plot = (*job.make)();
+                job.svg = job.plot ? draw_svg({*job.plot}) : "";
+            } catch (const std::exception& e) { // an error in one figure does not affect the others
+                const std::lock_guard lock(problems);
+                figures[job.figure].problem = e.what();
+            }
+        });
+    for (const Job& job : jobs) {
+        if (job.plot) {
+            figures[job.figure].panels.push_back(drawn_panel(*job.plot, job.svg, folder));
+        }
+    }
+    return figures;
 }
 
 /// Today, or the day of SOURCE_DATE_EPOCH (reproducible-builds.org), in universal time.
@@ -315,57 +337,17 @@ void write_html_report(const audit::AuditResult& result, const audit::Ledger& le
                        const std::string& command) {
     const std::filesystem::path figures_folder = folder / "figures";
     io::make_folder(figures_folder);
-
-    const auto paper = paper_figures(result.ledger);
-    const auto residuals = residual_figures(result.ledger);
-    std::vector<Job> jobs;
-    for (const auto* recipes : {&paper, &residuals}) {
-        for (const FigureRecipe& recipe : *recipes) {
-            for (const auto& make : recipe.plots) {
-                jobs.push_back({make, {}, {}, {}});
-            }
-        }
-    }
-    const std::size_t first_erratum = jobs.size();
-    std::vector<const audit::ClaimResult*> refuted;
+    const FiguresOfSource figures = figures_of_source(ledger.file);
+    std::vector<FigureRecipe> errata;
     for (const audit::ClaimResult& r : result.claims) {
         if (r.outcome.verdict == audit::Verdict::refuted) {
-            refuted.push_back(&r);
-            jobs.push_back({[&r, &ledger] { return erratum_plot(r, ledger); }, {}, {}, {}});
+            errata.push_back(
+                {r.claim.id, "", "", {[&r, &ledger] { return erratum_plot(r, ledger); }}});
         }
     }
-    parallel::work_through(parallel::all_pieces(jobs.size()),
-                           static_cast<unsigned>(std::max(threads, 0)), [&](std::size_t i) {
-                               check_interruption();
-                               run_job(jobs[i]);
-                           });
-
-    PageFigures page;
-    std::size_t at = 0;
-    const auto collect = [&](const std::vector<FigureRecipe>& recipes,
-                             std::vector<DrawnFigure>& figures) {
-        for (const FigureRecipe& recipe : recipes) {
-            DrawnFigure figure{recipe.id, recipe.title, recipe.caption, {}, {}};
-            for (std::size_t i = 0; i < recipe.plots.size(); ++i, ++at) {
-                if (!jobs[at].problem.empty()) {
-                    figure.problem = jobs[at].problem;
-                }
-                if (jobs[at].plot) {
-                    figure.panels.push_back(
-                        drawn_panel(*jobs[at].plot, jobs[at].svg, figures_folder));
-                }
-            }
-            figures.push_back(std::move(figure));
-        }
-    };
-    collect(paper, page.paper);
-    collect(residuals, page.residuals);
-    for (std::size_t i = 0; i < refuted.size(); ++i) {
-        if (const Job& job = jobs[first_erratum + i]; job.plot) {
-            page.errata.emplace(refuted[i]->claim.id,
-                                drawn_panel(*job.plot, job.svg, figures_folder));
-        }
-    }
+    const PageFigures page{drawn(figures.printed, figures_folder, threads),
+                           drawn(figures.residuals, figures_folder, threads),
+                           drawn(errata, figures_folder, threads)};
     io::write_whole(folder / "errata.tex", errata_tex(result, ledger.print));
     io::write_whole(folder / "report.html",
                     html_page(result, page, head_of(result, ledger, command)));

@@ -37,7 +37,7 @@ struct DrawnFigure {
 struct PageFigures {
     std::vector<DrawnFigure> paper;
     std::vector<DrawnFigure> residuals;
-    std::map<std::string, DrawnFigure::Panel, std::less<>> errata; ///< by the claim's id
+    std::vector<DrawnFigure> errata; ///< with the claims' ids, and one panel or none
 };
 
 /// A claim's theorems for Coq, as shown on the page.

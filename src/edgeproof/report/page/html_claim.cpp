@@ -136,11 +136,8 @@ const char* weight_words(Weight weight) {
 }
 
 std::string where_html(const audit::Claim& claim, const PageHead& head) {
-    std::string out;
-    const std::string section = head.source.section_of(claim.lines.first);
+    std::string out = escape_html(section_words(claim, head.source));
     const std::string lines = lines_words(claim);
-    const bool appendix = !section.empty() && section[0] >= 'A' && section[0] <= 'Z';
-    out += section.empty() ? "" : (appendix ? "Appendix " : "Section ") + escape_html(section);
     if (!lines.empty()) {
         out += (out.empty() ? "" : ", ") + lines + " of the source";
     }
@@ -202,9 +199,9 @@ std::string erratum_html(const Erratum& erratum, const audit::AuditResult& resul
     const std::string id = escape_html(first.claim.id);
     const DrawnFigure::Panel* plot = nullptr;
     for (const audit::ClaimResult* part : erratum.parts) {
-        const auto drawn = figures.errata.find(part->claim.id);
-        if (plot == nullptr && drawn != figures.errata.end() && !drawn->second.svg.empty()) {
-            plot = &drawn->second;
+        const auto drawn = std::ranges::find(figures.errata, part->claim.id, &DrawnFigure::id);
+        if (plot == nullptr && drawn != figures.errata.end() && !drawn->panels.empty()) {
+            plot = &drawn->panels.front();
         }
     }
     std::string out = fmt::format(

@@ -5,7 +5,6 @@
 #include "edgeproof/report/page/html.hpp"
 
 #include <string>
-#include <string_view>
 
 namespace edgeproof::report {
 
@@ -24,9 +23,6 @@ namespace edgeproof::report {
 /// Returns a claim with its evidence, folded; its id is the claim's.
 [[nodiscard]] std::string claim_html(const audit::ClaimResult& result, const PageHead& head,
                                      const std::string& section_key);
-
-/// Returns the meaning of a key of evidence: "steps_against" is "steps that go against it".
-[[nodiscard]] std::string key_words(std::string_view key);
 
 /// Returns evidence as small tables: numbers are rounded (verdicts.json has all digits), formulas
 /// typeset. Parts that the page shows elsewhere (TeX, the clearest counterexample, later results)

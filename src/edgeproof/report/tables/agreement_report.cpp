@@ -11,6 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
 
 namespace edgeproof::report {
 namespace {
@@ -99,10 +102,6 @@ std::string placed(const conformance::Answers& answers, std::size_t i) {
                      : fmt::format("{}:{}: ", answers.questions.file, line);
 }
 
-bool fails(const conformance::Answer& answer, const conformance::CaseAgreement& held) {
-    return answer.state != conformance::Answer::State::number || !held.pass;
-}
-
 std::string target_text(const conformance::Target& target) {
     std::string text = target.digits ? fmt::format("{:g} digits", *target.digits) : "";
     if (target.ulps) {
@@ -133,205 +132,207 @@ std::string counted(std::size_t n, const char* one, const char* many) {
     return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
-} // namespace
-
-bool Conformance::failed(std::size_t i) const {
-    return fails(answers.given[i], agreements.cases[i]);
+/// The causes, with that of most rows first.
+std::vector<conformance::Convention> most_likely_first(const Conformance& c) {
+    std::vector<conformance::Convention> by_rows = c.conventions;
+    std::ranges::stable_sort(by_rows, std::greater(), &conformance::Convention::rows);
+    return by_rows;
 }
 
-bool Conformance::pass() const { return summary_of(*this, 0).pass(); }
+/// The answers of one regime.
+struct Tally {
+    std::size_t rows = 0;
+    std::size_t failed = 0;
+    std::size_t explained = 0; ///< below the target, but explained by the conditioning
+    /// Of the answers that are numbers: the worst one, and the distribution of their digits, in
+    /// tenths as shown.
+    std::optional<std::size_t> worst;
+    std::map<long, std::size_t> tenths;
+};
 
-void ConformanceSummary::complain(Complaints& to, const std::string& line) const {
-    if (to.count++ < errors_) {
-        to.shown.push_back(printable(line));
-    }
-}
-
-void ConformanceSummary::add(const conformance::Answers& answers,
-                             const conformance::Agreements& agreements) {
-    digits_ = agreements.digits;
-    estimates_ += agreements.estimates;
-    out_of_order_ += answers.out_of_order;
-    cases_ += agreements.cases.size();
-    for (const std::string& fault : answers.faults) {
-        complain(faults_, fault);
-    }
-    for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
-        const conformance::Answer& answer = answers.given[i];
-        const conformance::CaseAgreement& held = agreements.cases[i];
-        const std::string& id = answers.questions.list[i].id;
-        const bool failed = fails(answer, held);
-        const bool comparable = held.no_reference.empty();
-        if (failed) {
-            complain(failures_, placed(answers, i) + id + ": " + complaint(answer, held, digits_));
-        }
-        if (answer.state == conformance::Answer::State::died) {
-            ++counts_.ended;
-        } else if (answer.line == 0) {
-            ++counts_.missing;
-        } else {
-            ++counts_.answers;
-            counts_.nothing_to_compare_with += comparable ? 0 : 1;
-            counts_.failures += comparable && failed ? 1 : 0;
-        }
-        Tally& t = tallies_[held.regime];
+std::string regimes_text(const Conformance& c) {
+    const auto& cases = c.agreements.cases;
+    std::map<conformance::Regime, Tally> tallies;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const conformance::CaseAgreement& held = cases[i];
+        Tally& t = tallies[held.regime];
         ++t.rows;
-        t.failed += failed ? 1 : 0;
-        if (answer.state != conformance::Answer::State::number || !comparable) {
-            continue;
-        }
-        ++t.tenths[tenths_of(held.digits)];
-        t.explained += held.explained && !held.within ? 1 : 0;
-        if (!t.worst || held.digits < t.worst->held.digits) {
-            t.worst = Worst{held, id};
+        t.failed += c.failed(i) ? 1 : 0;
+        if (c.answers.given[i].state == conformance::Answer::State::number &&
+            held.no_reference.empty()) {
+            ++t.tenths[tenths_of(held.digits)];
+            t.explained += held.explained && !held.within ? 1 : 0;
+            t.worst = !t.worst || held.digits < cases[*t.worst].digits ? i : t.worst;
         }
     }
-}
-
-void ConformanceSummary::add(const std::vector<conformance::Convention>& conventions,
-                             const std::vector<std::string>& unexplained) {
-    conventions_.insert(conventions_.end(), conventions.begin(), conventions.end());
-    if (!unexplained.empty()) {
-        note(fmt::format("{}: no known mistake explains the errors", fmt::join(unexplained, "; ")));
-    }
-}
-
-bool ConformanceSummary::pass() const {
-    return faults_.count == 0 && failures_.count == 0 && conventions_.empty() && cases_ > 0;
-}
-
-std::string ConformanceSummary::regimes_text() const {
+    const unsigned most = c.agreements.digits;
     std::string out =
         fmt::format("{:<12}{:>7}{:>8}{:>11}{:>9}{:>8}{:>11}{:>9}  {}\n", "regime", "rows", "failed",
                     "explained", "median", "worst", "ulps", "cond", "worst case");
-    for (const auto& [regime, t] : tallies_) {
+    for (const auto& [regime, t] : tallies) {
         out += fmt::format("{:<12}{:>7}{:>8}{:>11}", regime_name(regime), t.rows, t.failed,
                            t.explained);
         if (t.worst) {
-            const conformance::CaseAgreement& worst = t.worst->held;
+            const conformance::CaseAgreement& worst = cases[*t.worst];
             out += fmt::format(
-                "{:>9}{:>8}{:>11}{:>9}  {}", tenths_text(median_of(t.tenths), digits_),
-                digits_text(worst.digits, digits_), ulps_text(worst.ulps),
+                "{:>9}{:>8}{:>11}{:>9}  {}", tenths_text(median_of(t.tenths), most),
+                digits_text(worst.digits, most), ulps_text(worst.ulps),
                 worst.conditioning ? fmt::format("{:.2g}", worst.conditioning->number()) : "-",
-                printable(t.worst->id));
+                printable(c.answers.questions.list[*t.worst].id));
         }
         out += "\n";
     }
     return out;
 }
 
-std::string ConformanceSummary::outcome_text() const {
-    std::string text = fmt::format("{}: {}, {}", pass() ? "pass" : "FAIL",
-                                   counted(counts_.answers, "answer", "answers"),
-                                   counted(counts_.failures, "failure", "failures"));
-    if (counts_.missing > 0) {
-        text += fmt::format(", {} missing", counts_.missing);
+/// Each question is in one of these counts.
+struct Counts {
+    std::size_t wrong = 0; ///< answers outside the target
+    std::size_t right = 0;
+    std::size_t missing = 0;
+    std::size_t ended = 0; ///< questions that ended the program
+    std::size_t without_reference = 0;
+
+    [[nodiscard]] std::size_t answers() const { return wrong + right + without_reference; }
+};
+
+Counts counts_of(const Conformance& c) {
+    Counts counts;
+    for (std::size_t i = 0; i < c.agreements.cases.size(); ++i) {
+        const conformance::Answer& answer = c.answers.given[i];
+        ++(answer.state == conformance::Answer::State::died ? counts.ended
+           : answer.line == 0                               ? counts.missing
+           : !c.agreements.cases[i].no_reference.empty()    ? counts.without_reference
+           : c.failed(i)                                    ? counts.wrong
+                                                            : counts.right);
     }
-    if (counts_.ended > 0) {
-        text += ", " + counted(counts_.ended, "question that ended the program",
-                               "questions that ended the program");
-    }
-    if (counts_.nothing_to_compare_with > 0) {
-        text += fmt::format(", {} without a reference", counts_.nothing_to_compare_with);
-    }
-    if (faults_.count > 0) {
-        text += ", " + counted(faults_.count, "fault of the rows or the program",
-                               "faults of the rows or the program");
-    }
-    return text;
+    return counts;
 }
 
-std::string ConformanceSummary::text() const {
-    std::string out = outcome_text() + "\n";
-    for (const conformance::Convention* convention : most_likely_first()) {
-        out += convention_text(*convention) + "\n";
-    }
-    for (const std::string& line : notes_) {
-        out += line + "\n";
-    }
-    if (counts_.missing > 0 && counts_.answers > 0) {
-        out += "--only 'PATTERN' compares only the questions whose id matches, such as 'hertz:*'\n";
-    }
-    if (estimates_ > 0) {
-        out +=
-            fmt::format("{} of the references are estimates, without a proved bound\n", estimates_);
-    }
-    if (out_of_order_ > 0) {
-        out +=
-            fmt::format("{} not in the order of the questions: their ids state what they answer\n",
-                        counted(out_of_order_, "row is", "rows are"));
-    }
-    out += "\n";
-    std::size_t shown = 0;
-    for (const Complaints* complaints : {&faults_, &failures_}) {
-        for (const std::string& line : complaints->shown) {
-            if (shown < errors_) {
-                ++shown;
-                out += line + "\n";
-            }
-        }
-    }
-    const std::size_t hidden = faults_.count + failures_.count - shown;
-    if (hidden > 0) {
-        out += fmt::format("{}{} more (--errors shows more of them)\n", shown > 0 ? "and " : "",
-                           hidden);
-    }
-    out += shown + hidden > 0 ? "\n" : "";
-    return out + regimes_text() +
-           fmt::format("\nprogram: {}\ntarget: {}\n", program_line(), target_text(target_));
-}
-
-std::vector<const conformance::Convention*> ConformanceSummary::most_likely_first() const {
-    std::vector<const conformance::Convention*> by_rows;
-    for (const conformance::Convention& c : conventions_) {
-        by_rows.push_back(&c);
-    }
-    std::ranges::stable_sort(by_rows, std::greater(), &conformance::Convention::rows);
-    return by_rows;
-}
-
-std::string ConformanceSummary::json() const {
-    nlohmann::ordered_json causes = nlohmann::ordered_json::array();
-    for (const conformance::Convention* c : most_likely_first()) {
-        std::vector<std::string> others;
-        for (const std::string& name : c->equally_likely) {
-            if (name != c->name && std::ranges::find(others, name) == others.end()) {
-                others.push_back(name);
-            }
-        }
-        causes.push_back({{"name", c->name},
-                          {"factor", c->factor},
-                          {"rows", c->rows},
-                          {"equally_likely", others},
-                          {"remainder", std::pow(10.0, -c->held)},
-                          {"of", c->of},
-                          {"relation", c->relation}});
-    }
-    const nlohmann::ordered_json all{
-        {"passes", pass()},
-        {"rows", cases_},
-        {"failures", failures_.count},
-        {"causes", causes},
-        {"program", program_line()},
+/// The first line of the report.
+std::string outcome_text(const Conformance& c, const Counts& counts) {
+    std::string text = fmt::format("{}: {}, {}", c.pass() ? "pass" : "FAIL",
+                                   counted(counts.answers(), "answer", "answers"),
+                                   counted(counts.wrong, "failure", "failures"));
+    const auto add = [&](std::size_t n, const std::string& words) {
+        text += n > 0 ? ", " + words : "";
     };
-    return all.dump(2) + "\n";
+    add(counts.missing, fmt::format("{} missing", counts.missing));
+    add(counts.ended, counted(counts.ended, "question that ended the program",
+                              "questions that ended the program"));
+    add(counts.without_reference, fmt::format("{} without a reference", counts.without_reference));
+    const std::size_t faults = c.answers.faults.size();
+    add(faults,
+        counted(faults, "fault of the rows or the program", "faults of the rows or the program"));
+    return text + "\n";
 }
 
-ConformanceSummary summary_of(const Conformance& c, std::size_t errors) {
-    ConformanceSummary summary(c.target, errors);
-    summary.add(c.answers, c.agreements);
-    summary.add(c.conventions, unexplained(c.answers, c.agreements, c.conventions));
+/// What is to be said about the answers as a whole: a line each.
+std::string notes_text(const Conformance& c) {
+    std::string out;
+    for (const conformance::Convention& convention : most_likely_first(c)) {
+        out += convention_text(convention) + "\n";
+    }
+    const auto left = unexplained(c.answers, c.agreements, c.conventions);
+    if (!left.empty()) {
+        out += fmt::format("{}: no known mistake explains the errors\n", fmt::join(left, "; "));
+    }
     const auto failing =
         std::ranges::count(c.agreements.cases, false, &conformance::CaseAgreement::pass);
     if (static_cast<std::size_t>(failing) > conformance::most_failing) {
-        summary.note(fmt::format("conventions are looked for in the first {} of {} rows that fail",
-                                 conformance::most_failing, failing));
+        out += fmt::format("conventions are looked for in the first {} of {} rows that fail\n",
+                           conformance::most_failing, failing);
     }
-    return summary;
+    return out;
+}
+
+std::string complaints_text(const Conformance& c, std::size_t errors) {
+    std::string out;
+    const std::size_t all = c.answers.faults.size() + c.failures();
+    std::size_t shown = 0;
+    for (const std::string& fault : c.answers.faults) {
+        if (shown < errors) {
+            ++shown;
+            out += printable(fault) + "\n";
+        }
+    }
+    for (std::size_t i = 0; i < c.agreements.cases.size() && shown < errors; ++i) {
+        if (c.failed(i)) {
+            ++shown;
+            out += printable(
+                       placed(c.answers, i) + c.answers.questions.list[i].id + ": " +
+                       complaint(c.answers.given[i], c.agreements.cases[i], c.agreements.digits)) +
+                   "\n";
+        }
+    }
+    if (all > shown) {
+        out += fmt::format("{}{} more (--errors shows more of them)\n", shown > 0 ? "and " : "",
+                           all - shown);
+    }
+    return all > 0 ? out + "\n" : out;
+}
+
+} // namespace
+
+bool Conformance::failed(std::size_t i) const {
+    return answers.given[i].state != conformance::Answer::State::number ||
+           !agreements.cases[i].pass;
+}
+
+std::size_t Conformance::failures() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
+        count += failed(i) ? 1 : 0;
+    }
+    return count;
+}
+
+bool Conformance::pass() const {
+    return answers.faults.empty() && conventions.empty() && !agreements.cases.empty() &&
+           failures() == 0;
 }
 
 std::string conformance_text(const Conformance& c, std::size_t errors) {
-    return summary_of(c, errors).text();
+    const Counts counts = counts_of(c);
+    std::string out = outcome_text(c, counts) + notes_text(c);
+    if (counts.missing > 0 && counts.answers() > 0) {
+        out += "--only 'PATTERN' compares only the questions whose id matches, such as 'hertz:*'\n";
+    }
+    if (c.agreements.estimates > 0) {
+        out += fmt::format("{} of the references are estimates, without a proved bound\n",
+                           c.agreements.estimates);
+    }
+    if (c.answers.out_of_order > 0) {
+        out +=
+            fmt::format("{} not in the order of the questions: their ids state what they answer\n",
+                        counted(c.answers.out_of_order, "row is", "rows are"));
+    }
+    return out + "\n" + complaints_text(c, errors) + regimes_text(c) +
+           fmt::format("\nprogram: {}\ntarget: {}\n", program_line(), target_text(c.target));
+}
+
+std::string conformance_json(const Conformance& c) {
+    nlohmann::ordered_json causes = nlohmann::ordered_json::array();
+    for (const conformance::Convention& k : most_likely_first(c)) {
+        std::vector<std::string> others;
+        for (const std::string& name : k.equally_likely) {
+            if (name != k.name && std::ranges::find(others, name) == others.end()) {
+                others.push_back(name);
+            }
+        }
+        causes.push_back({{"name", k.name},
+                          {"factor", k.factor},
+                          {"rows", k.rows},
+                          {"equally_likely", others},
+                          {"remainder", std::pow(10.0, -k.held)},
+                          {"of", k.of},
+                          {"relation", k.relation}});
+    }
+    const nlohmann::ordered_json all{
+        {"passes", c.pass()}, {"rows", c.agreements.cases.size()}, {"failures", c.failures()},
+        {"causes", causes},   {"program", program_line()},
+    };
+    return all.dump(2) + "\n";
 }
 
 std::string conformance_junit(const Conformance& c) {

@@ -32,46 +32,7 @@ std::string number_text(const std::optional<double>& x, int digits) {
     return x ? fmt::format("{:.{}g}", *x, digits) : "-";
 }
 
-std::string file_text(const ComparisonReport& report, const FileComparison& file) {
-    std::string out = printable(file.table.file) + "\n";
-    for (const std::string& finding : file.findings()) {
-        out += "  " + printable(finding) + "\n";
-    }
-    out += "\n" + aligned_lines(quantities_table(report, file), margin_of_tables, false) + "\n" +
-           aligned_lines(errors_table(report, file), margin_of_tables, false) + "\n";
-    const Errors& all = file.errors;
-    out +=
-        fmt::format("  error of p{}: {} of the {}, {} of p itself, {} in the L2 norm\n",
-                    file.all.nodes == all.nodes
-                        ? std::string()
-                        : fmt::format(", {} of {} nodes (the others lie in the edge zones)",
-                                      all.nodes, file.all.nodes),
-                    percent_text(all.peak), report.exact->scale().mean ? "mean pressure" : "peak",
-                    percent_text(all.local), percent_text(all.l2));
-    if (file.shear) {
-        out += fmt::format("  error of q, {} nodes: {} of {}, {} of q itself, {} in the L2 norm\n",
-                           file.shear->nodes, percent_text(file.shear->peak),
-                           report.exact->shear()->scale_text(), percent_text(file.shear->local),
-                           percent_text(file.shear->l2));
-    }
-    for (const comparison::SurfaceErrors& e : file.surface) {
-        out += fmt::format(
-            "  error of {}, {} nodes: {} {}, at x = {:.6g} ({:.6g}, exact {:.6g}, {})\n", e.name,
-            e.nodes, percent_text(e.peak), e.reference, file.data.nodes[e.worst].x, e.data, e.exact,
-            e.route);
-    }
-    const double element = file.contact.element[0];
-    out += fmt::format("  an element at the right edge is {:.4g} wide, {:.3g} of a + b; at the "
-                       "left {:.4g}\n",
-                       element, element / report.exact->length(), file.contact.element[1]);
-    for (const std::string& failure : file.failures) {
-        out += "  FAIL: " + printable(failure) + "\n";
-    }
-    for (const std::string& line : diagnosis_lines(file)) {
-        out += "  " + printable(line) + "\n";
-    }
-    return out + "\n";
-}
+std::string percent_text(double x) { return fmt::format("{:.3g} %", 100 * x); }
 
 std::vector<std::string> lines_of(const std::optional<comparison::Diagnosis>& diagnosis,
                                   const char* symbol) {
@@ -119,6 +80,102 @@ std::vector<std::string> lines_of(const std::optional<comparison::Diagnosis>& di
 
 std::string with_unit(const std::optional<scene::Unit>& unit, const std::string& more) {
     return unit ? unit->name + more : std::string();
+}
+
+std::vector<std::string> diagnosis_lines(const FileComparison& file) {
+    std::vector<std::string> lines = lines_of(file.diagnosis, "p");
+    if (const auto& zone = file.suggested_zone) {
+        lines.push_back(fmt::format("with --edge-zone {}e ({:.4g} at the right edge, {:.4g} at the "
+                                    "left) the error of p is {}",
+                                    zone->elements, zone->length[0], zone->length[1],
+                                    percent_text(zone->error)));
+    }
+    const std::vector<std::string> more = lines_of(file.shear_diagnosis, "q");
+    lines.insert(lines.end(), more.begin(), more.end());
+    return lines;
+}
+
+Table quantities_table(const ComparisonReport& report, const FileComparison& file) {
+    Table table = table_of({"", "data", "+-", "exact p", "exact", "off by", ""});
+    for (const HeldQuantity& q : held_quantities(report, file)) {
+        table.rows.push_back(
+            {q.name + (q.unit.empty() ? "" : " [" + q.unit + "]"), number_text(q.data, 7),
+             q.spread > 0 ? fmt::format("{:.2g}", q.spread) : "",
+             q.of_exact ? number_text(q.of_exact, 7) : "", number_text(q.exact, 10),
+             q.data && q.exact != 0 ? fmt::format("{:+.3g} %", 100 * (*q.data / q.exact - 1)) : "",
+             q.note});
+    }
+    return table;
+}
+
+Table errors_table(const ComparisonReport& report, const FileComparison& file) {
+    const bool mean = report.exact->scale().mean;
+    Table table =
+        table_of({"nodes by distance from an edge", "nodes", mean ? "of the mean" : "of the peak",
+                  "of p itself", "median", "digits right"});
+    const auto add = [&](const std::string& name, const Errors& e) {
+        table.rows.push_back({name, std::to_string(e.nodes), percent_text(e.peak),
+                              percent_text(e.local), percent_text(e.median_local),
+                              fmt::format("{:.1f}", e.digits())});
+    };
+    for (const comparison::DistanceErrors& d : file.distances) {
+        add(fmt::format("{}: {:g} to {:g} of a + b", scene::edge_name(d.edge), d.from, d.to),
+            d.errors);
+    }
+    for (const comparison::KnotErrors& k : file.knots) {
+        add(fmt::format("near the {} at x = {:.6g}", k.knot.corner ? "corner" : "knot", k.knot.x),
+            k.errors);
+    }
+    return table;
+}
+
+Table orders_table(const ComparisonReport& report) {
+    Table table = table_of({"of several meshes", "order"});
+    for (const Convergence& c : report.comparison.convergence) {
+        table.rows.push_back({c.quantity, number_text(c.order, 3)});
+    }
+    return table;
+}
+
+std::string file_text(const ComparisonReport& report, const FileComparison& file) {
+    std::string out = printable(file.table.file) + "\n";
+    for (const std::string& finding : file.findings()) {
+        out += "  " + printable(finding) + "\n";
+    }
+    out += "\n" + aligned_lines(quantities_table(report, file), margin_of_tables, false) + "\n" +
+           aligned_lines(errors_table(report, file), margin_of_tables, false) + "\n";
+    const Errors& all = file.errors;
+    out +=
+        fmt::format("  error of p{}: {} of the {}, {} of p itself, {} in the L2 norm\n",
+                    file.all.nodes == all.nodes
+                        ? std::string()
+                        : fmt::format(", {} of {} nodes (the others lie in the edge zones)",
+                                      all.nodes, file.all.nodes),
+                    percent_text(all.peak), report.exact->scale().mean ? "mean pressure" : "peak",
+                    percent_text(all.local), percent_text(all.l2));
+    if (file.shear) {
+        out += fmt::format("  error of q, {} nodes: {} of {}, {} of q itself, {} in the L2 norm\n",
+                           file.shear->nodes, percent_text(file.shear->peak),
+                           report.exact->shear()->scale_text(), percent_text(file.shear->local),
+                           percent_text(file.shear->l2));
+    }
+    for (const comparison::SurfaceErrors& e : file.surface) {
+        out += fmt::format(
+            "  error of {}, {} nodes: {} {}, at x = {:.6g} ({:.6g}, exact {:.6g}, {})\n", e.name,
+            e.nodes, percent_text(e.peak), e.reference, file.data.nodes[e.worst].x, e.data, e.exact,
+            e.route);
+    }
+    const double element = file.contact.element[0];
+    out += fmt::format("  an element at the right edge is {:.4g} wide, {:.3g} of a + b; at the "
+                       "left {:.4g}\n",
+                       element, element / report.exact->length(), file.contact.element[1]);
+    for (const std::string& failure : file.failures) {
+        out += "  FAIL: " + printable(failure) + "\n";
+    }
+    for (const std::string& line : diagnosis_lines(file)) {
+        out += "  " + printable(line) + "\n";
+    }
+    return out + "\n";
 }
 
 } // namespace
@@ -175,63 +232,6 @@ std::vector<HeldQuantity> held_quantities(const ComparisonReport& report,
         }
     }
     return list;
-}
-
-std::vector<std::string> diagnosis_lines(const FileComparison& file) {
-    std::vector<std::string> lines = lines_of(file.diagnosis, "p");
-    if (const auto& zone = file.suggested_zone) {
-        lines.push_back(fmt::format("with --edge-zone {}e ({:.4g} at the right edge, {:.4g} at the "
-                                    "left) the error of p is {}",
-                                    zone->elements, zone->length[0], zone->length[1],
-                                    percent_text(zone->error)));
-    }
-    const std::vector<std::string> more = lines_of(file.shear_diagnosis, "q");
-    lines.insert(lines.end(), more.begin(), more.end());
-    return lines;
-}
-
-std::string percent_text(double x) { return fmt::format("{:.3g} %", 100 * x); }
-
-Table quantities_table(const ComparisonReport& report, const FileComparison& file) {
-    Table table = table_of({"", "data", "+-", "exact p", "exact", "off by", ""});
-    for (const HeldQuantity& q : held_quantities(report, file)) {
-        table.rows.push_back(
-            {q.name + (q.unit.empty() ? "" : " [" + q.unit + "]"), number_text(q.data, 7),
-             q.spread > 0 ? fmt::format("{:.2g}", q.spread) : "",
-             q.of_exact ? number_text(q.of_exact, 7) : "", number_text(q.exact, 10),
-             q.data && q.exact != 0 ? fmt::format("{:+.3g} %", 100 * (*q.data / q.exact - 1)) : "",
-             q.note});
-    }
-    return table;
-}
-
-Table errors_table(const ComparisonReport& report, const FileComparison& file) {
-    const bool mean = report.exact->scale().mean;
-    Table table =
-        table_of({"nodes by distance from an edge", "nodes", mean ? "of the mean" : "of the peak",
-                  "of p itself", "median", "digits right"});
-    const auto add = [&](const std::string& name, const Errors& e) {
-        table.rows.push_back({name, std::to_string(e.nodes), percent_text(e.peak),
-                              percent_text(e.local), percent_text(e.median_local),
-                              fmt::format("{:.1f}", e.digits())});
-    };
-    for (const comparison::DistanceErrors& d : file.distances) {
-        add(fmt::format("{}: {:g} to {:g} of a + b", scene::edge_name(d.edge), d.from, d.to),
-            d.errors);
-    }
-    for (const comparison::KnotErrors& k : file.knots) {
-        add(fmt::format("near the {} at x = {:.6g}", k.knot.corner ? "corner" : "knot", k.knot.x),
-            k.errors);
-    }
-    return table;
-}
-
-Table orders_table(const ComparisonReport& report) {
-    Table table = table_of({"of several meshes", "order"});
-    for (const Convergence& c : report.comparison.convergence) {
-        table.rows.push_back({c.quantity, number_text(c.order, 3)});
-    }
-    return table;
 }
 
 std::string tolerance_text(const comparison::Tolerances& t) {

@@ -30,23 +30,11 @@ struct HeldQuantity {
 [[nodiscard]] std::vector<HeldQuantity> held_quantities(const ComparisonReport& report,
                                                         const comparison::FileComparison& file);
 
-/// The tables of a report: these quantities of a file, its errors by the distance from an edge, and
-/// the limits of several meshes.
-[[nodiscard]] Table quantities_table(const ComparisonReport& report,
-                                     const comparison::FileComparison& file);
-[[nodiscard]] Table errors_table(const ComparisonReport& report,
-                                 const comparison::FileComparison& file);
-[[nodiscard]] Table limits_table(const ComparisonReport& report);
-
-/// For example "3.2 %".
-[[nodiscard]] std::string percent_text(double x);
-/// Returns possible explanations of errors in a file, one sentence each.
-[[nodiscard]] std::vector<std::string> diagnosis_lines(const comparison::FileComparison& file);
 /// Returns the tolerances as text: "p within 3 % of the peak, ...".
 [[nodiscard]] std::string tolerance_text(const comparison::Tolerances& t);
 
 /// Returns the report as text: for each file the findings, the quantities, the errors by distance
-/// and near knots, and the reasons of failure; orders and limits of several files; the outcome in
+/// and near knots, and the reasons of failure; orders of several files; the outcome in
 /// the last line.
 [[nodiscard]] std::string comparison_text(const ComparisonReport& report);
 /// Returns the report as JSON; all numbers are binary64.

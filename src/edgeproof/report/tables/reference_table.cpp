@@ -10,10 +10,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
 #include <iterator>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace edgeproof::report {
 namespace {
@@ -27,27 +29,53 @@ std::vector<std::string> names_of(const std::vector<Column>& columns) {
     return names;
 }
 
-/// The columns of questions: id, the parameters, `names`; all are exact. `numbers`: the kind of x,
-/// value, bound and binary64.
-std::vector<Column> exact_columns(const std::vector<std::string>& parameters, bool tolerances,
-                                  bool bodies, std::initializer_list<std::string_view> names,
+/// The columns of questions: id, the parameters, those of `names` that the questions have; all are
+/// exact. `numbers`: the kind of x, value, bound and binary64.
+std::vector<Column> exact_columns(const conformance::Questions& questions,
+                                  std::initializer_list<std::string_view> names,
                                   Column::Kind numbers) {
     std::vector<Column> columns{{"id", Column::Kind::text}};
-    for (const std::string& name : parameters) {
+    for (const std::string& name : questions.columns()) {
         columns.push_back({name, Column::Kind::text, true});
     }
     for (const std::string_view name : names) {
         const bool number = name == "x" || name == "value" || name == "bound" || name == "binary64";
         const bool of_bodies = name == "body" || name == "z";
-        if ((name != "tolerance" || tolerances) && (!of_bodies || bodies)) {
+        if ((name != "tolerance" || questions.has_tolerances()) &&
+            (!of_bodies || questions.has_body_points())) {
             columns.push_back({std::string(name), number ? numbers : Column::Kind::text, true});
         }
     }
     return columns;
 }
 
-std::string body_name(const conformance::Question& q) {
-    return !q.in_body ? "" : q.in_body->body == scene::Body::A ? "A" : "B";
+/// The cells of a row by their columns.
+using CellsByName = std::map<std::string, std::string, std::less<>>;
+
+/// Returns the cells of a question without its parameters. `text` writes an exact number.
+template <class Text> CellsByName cells_of(const conformance::Question& q, const Text& text) {
+    const auto optional_text = [&](const std::optional<formula::Exact>& x) {
+        return x ? text(*x) : std::string();
+    };
+    CellsByName cells{{"id", q.id},
+                      {"edge", q.at_edge() ? scene::edge_name(q.edge) : ""},
+                      {"tolerance", optional_text(q.tolerance)},
+                      {"u", optional_text(q.u)},
+                      {"quantity", symbol_of(q)}};
+    if (q.in_body) {
+        cells["body"] = q.in_body->body == scene::Body::A ? "A" : "B";
+        cells["x"] = text(q.in_body->x);
+        cells["z"] = text(q.in_body->z);
+    }
+    return cells;
+}
+
+std::vector<std::string> row_of(const std::vector<Column>& columns, CellsByName cells) {
+    std::vector<std::string> row;
+    for (const Column& column : columns) {
+        row.push_back(std::move(cells[column.name]));
+    }
+    return row;
 }
 
 /// Returns x as an exact decimal, if a and u are rational.
@@ -103,56 +131,42 @@ std::string input_text(const conformance::AskedContact& contact, const std::stri
     return fmt::format("{}", fmt::join(items, "; "));
 }
 
-std::vector<std::string> row_of(const conformance::Questions& questions, std::size_t i,
-                                const conformance::Reference& reference,
-                                const std::vector<std::string>& keys, const scene::Digits& digits,
-                                bool tolerances, bool bodies) {
-    const conformance::Question& q = questions.list[i];
-    std::vector<std::string> row{q.id};
+CellsByName cells_of(const conformance::AskedContact& contact, const conformance::Question& q,
+                     const conformance::Reference& reference, const std::vector<std::string>& keys,
+                     const scene::Digits& digits) {
+    CellsByName cells = cells_of(q, [&](const formula::Exact& x) { return input_text(x, digits); });
     for (const std::string& key : keys) {
-        row.push_back(input_text(questions.contacts[q.contact], key, digits));
+        cells[key] = input_text(contact, key, digits);
     }
-    row.push_back(q.at_edge() ? scene::edge_name(q.edge) : "");
-    if (tolerances) {
-        row.push_back(q.tolerance ? input_text(*q.tolerance, digits) : "");
+    if (reference.x) {
+        cells["x"] = printed_text(*reference.x, digits);
     }
-    row.push_back(q.u ? input_text(*q.u, digits) : "");
-    if (bodies) {
-        row.push_back(body_name(q));
-    }
-    row.push_back(reference.x ? printed_text(*reference.x, digits)
-                  : q.in_body ? input_text(q.in_body->x, digits)
-                              : "");
-    if (bodies) {
-        row.push_back(q.in_body ? input_text(q.in_body->z, digits) : "");
-    }
-    row.push_back(symbol_of(q));
     const scene::PrintedValue value = printed(reference.value, digits);
-    row.push_back(value.text);
-    row.push_back(value.bound);
-    row.push_back(value.binary64 ? seventeen_digits(*value.binary64) : "");
-    row.emplace_back(how(reference.value, value));
-    return row;
+    cells["value"] = value.text;
+    cells["bound"] = value.bound;
+    cells["binary64"] = value.binary64 ? seventeen_digits(*value.binary64) : "";
+    cells["route"] = how(reference.value, value);
+    return cells;
 }
 
 } // namespace
 
 Table reference_table(const conformance::Recipe& recipe, const conformance::Questions& some,
                       const std::vector<conformance::Reference>& values) {
-    const bool tolerances = recipe.questions.has_tolerances();
-    const bool bodies = recipe.questions.has_body_points();
-    const std::vector<std::string> keys = recipe.questions.columns();
     Table table;
+    const std::vector<std::string> keys = recipe.questions.columns();
     table.title = recipe.title;
     table.notes_first = true;
-    table.columns = exact_columns(keys, tolerances, bodies,
+    table.columns = exact_columns(recipe.questions,
                                   {"edge", "tolerance", "u", "body", "x", "z", "quantity", "value",
                                    "bound", "binary64", "route"},
                                   Column::Kind::number);
     std::size_t estimates = 0;
     std::uint64_t hash = io::fnv1a(csv_line(names_of(table.columns)));
     for (std::size_t i = 0; i < values.size(); ++i) {
-        table.rows.push_back(row_of(some, i, values[i], keys, recipe.digits, tolerances, bodies));
+        const conformance::Question& q = some.list[i];
+        table.rows.push_back(row_of(
+            table.columns, cells_of(some.contacts[q.contact], q, values[i], keys, recipe.digits)));
         hash = io::fnv1a(csv_line(table.rows.back()), hash);
         estimates += values[i].value.proved ? 0 : 1;
     }
@@ -172,10 +186,10 @@ Table reference_table(const conformance::Recipe& recipe, const conformance::Ques
         "(estimate): then bound and digits are what the quadrature estimates of itself",
         "binary64: the one nearest to the exact value, in 17 digits",
     };
-    if (bodies) {
+    if (recipe.questions.has_body_points()) {
         table.notes.emplace_back("x, z: place and depth in the body; tension positive");
     }
-    if (tolerances) {
+    if (recipe.questions.has_tolerances()) {
         table.notes.emplace_back(
             "extent_n: the first u at which |1 - (the sum of n terms)/p| reaches "
             "the tolerance; measure_n: the length of all that lies within it");
@@ -187,11 +201,6 @@ Table reference_table(const conformance::Recipe& recipe, const conformance::Ques
         }
     }
     return table;
-}
-
-Table reference_table(const conformance::Recipe& recipe,
-                      const std::vector<conformance::Reference>& values) {
-    return reference_table(recipe, recipe.questions, values);
 }
 
 namespace {
@@ -236,38 +245,23 @@ std::vector<std::string> wrong_facts(const io::Csv& old, const Table& made) {
 } // namespace
 
 Table question_table(const conformance::Questions& questions, const std::string& title) {
-    const std::vector<std::string> keys = questions.columns();
     Table table;
     table.title = title;
     table.facts = {{"questions", std::to_string(questions.list.size())}};
     table.notes = {"add a column `value` and give the file to `edgeproof check`: what it is held "
                    "against is computed at the numbers in its row, taken exactly",
                    "u: distance inwards from the edge; x: place, for reading"};
-    const bool tolerances = questions.has_tolerances();
-    const bool bodies = questions.has_body_points();
-    table.columns =
-        exact_columns(keys, tolerances, bodies,
-                      {"quantity", "edge", "tolerance", "u", "body", "x", "z"}, Column::Kind::text);
+    table.columns = exact_columns(
+        questions, {"quantity", "edge", "tolerance", "u", "body", "x", "z"}, Column::Kind::text);
+    const std::vector<std::string> keys = questions.columns();
     for (const conformance::Question& q : questions.list) {
         const conformance::AskedContact& contact = questions.contacts[q.contact];
-        std::vector<std::string> row{q.id};
+        CellsByName cells = cells_of(q, [](const formula::Exact& x) { return x.text(); });
         for (const std::string& key : keys) {
-            row.push_back(parameter_text(contact, key));
+            cells[key] = parameter_text(contact, key);
         }
-        row.push_back(symbol_of(q));
-        row.push_back(q.at_edge() ? scene::edge_name(q.edge) : "");
-        if (tolerances) {
-            row.push_back(q.tolerance ? q.tolerance->text() : "");
-        }
-        row.push_back(q.u ? q.u->text() : "");
-        if (bodies) {
-            row.push_back(body_name(q));
-        }
-        row.push_back(q.in_body ? q.in_body->x.text() : exact_place(contact, q));
-        if (bodies) {
-            row.push_back(q.in_body ? q.in_body->z.text() : "");
-        }
-        table.rows.push_back(std::move(row));
+        cells.emplace("x", exact_place(contact, q));
+        table.rows.push_back(row_of(table.columns, std::move(cells)));
     }
     return table;
 }

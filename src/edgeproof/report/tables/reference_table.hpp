@@ -20,13 +20,9 @@ inline constexpr std::string_view checksum_key = "checksum";
 /// Returns cells as a line of CSV, with its end.
 [[nodiscard]] std::string csv_line(const std::vector<std::string>& cells);
 
-/// Returns a recipe's answers as a table, one row per question: id, parameters, edge, u, x,
-/// quantity, value, bound, binary64 (17 digits), route. The checksum covers the header and the rows
-/// as CSV, so that it is the same in every format.
-[[nodiscard]] Table reference_table(const conformance::Recipe& recipe,
-                                    const std::vector<conformance::Reference>& values);
-
-/// The same for some of the recipe's questions.
+/// Returns answers to some of a recipe's questions as a table, one row per question: id,
+/// parameters, edge, u, x, quantity, value, bound, binary64 (17 digits), route. The checksum covers
+/// the header and the rows as CSV, so that it is the same in every format.
 [[nodiscard]] Table reference_table(const conformance::Recipe& recipe,
                                     const conformance::Questions& some,
                                     const std::vector<conformance::Reference>& values);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/report/figures/audit_figures.hpp"
+
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/parts/residual_fit.hpp"
 #include "edgeproof/audit/sample/body_fields.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
-#include "edgeproof/report/figures/figures_paper.hpp"
-#include "edgeproof/scene/input/quantity.hpp"
+#include "edgeproof/io/text_file.hpp"
+#include "edgeproof/io/toml/toml_text.hpp"
+#include "edgeproof/report/figures/scene_figure.hpp"
 
 #include <fmt/format.h>
 
@@ -121,20 +124,17 @@ std::optional<Plot> plot_in(const audit::Sample& sample, const audit::Claim& cla
     return plot;
 }
 
-} // namespace
-
-Plot residual_fit_plot(const NamedScene& scene, contact::Edge edge) {
+Plot residual_plot(const scene::Scene& scene, contact::Edge edge, const std::string& id) {
     const audit::ResidualFitOptions options{
         .orders = orders, .digits = figure_digits + 5, .start = 2};
-    const auto contact = contact::proved_contact(
-        scene.profile, formula::Exact::parse("1"),
-        contact::Load::right_edge(formula::Exact::parse(scene.half_width)), options.bits());
+    const auto contact =
+        contact::proved_contact(*scene.profile, scene.contact_modulus, scene.load, options.bits());
     const audit::ResidualFit fit = audit::fit_residuals(*contact, edge, options);
     Plot plot;
-    plot.id = "residual-" + scene.id + "-" + scene::edge_name(edge);
-    plot.title = scene.name;
-    plot.x = {"u from the " + edge_words(edge) + ", in the unit of a", true};
-    plot.y = {"|p − first n terms|/E*", true};
+    plot.id = "residual-" + id + "-" + scene::edge_name(edge);
+    plot.title = scene.title;
+    plot.x = {"u from the " + edge_words(edge), true};
+    plot.y = {"|p − first n terms|", true};
     plot.columns = {"u"};
     for (const Real& u : fit.u) {
         plot.rows.push_back({u});
@@ -155,20 +155,56 @@ Plot residual_fit_plot(const NamedScene& scene, contact::Edge edge) {
     return plot;
 }
 
-std::vector<FigureRecipe> residual_figures(const std::string& name) {
-    std::vector<FigureRecipe> figures;
-    for (const NamedScene& scene : paper_scenes(name)) {
-        FigureRecipe figure{"residual-" + scene.id,
-                            "Residual fit: " + scene.name,
+} // namespace
+
+FiguresOfSource figures_of_source(const std::filesystem::path& ledger) {
+    const std::filesystem::path folder = ledger.parent_path() / "figures";
+    const std::filesystem::path file = folder / ledger.filename();
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(file, none)) {
+        return {};
+    }
+    const auto top = io::TomlSection::parse(
+        io::read_text(file, "figures (TOML)", io::most_toml_bytes), file.string());
+    top.allow({"residuals", "figure"});
+    FiguresOfSource figures;
+    for (const io::TomlSection& section : top.sections_or_none("figure")) {
+        section.allow({"id", "title", "caption", "panel", "scenes"});
+        const std::string panel = section.text("panel");
+        if (panel != "pressure" && panel != "errors") {
+            section.reject("panel", "there is no panel '" + panel + "'",
+                           "write \"pressure\" or \"errors\"");
+        }
+        const Panels panels = panel == "errors" ? Panels::errors : Panels::pressure;
+        FigureRecipe figure{section.text("id"), section.text("title"), section.text("caption"), {}};
+        for (const std::string& name : section.texts("scenes")) {
+            figure.plots.emplace_back([scene = scene::read_scene(folder / name), panels,
+                                       id = std::filesystem::path(name).stem().string()] {
+                Plot plot = scene_picture(
+                                scene, [](std::size_t, std::size_t) {}, panels)
+                                .front();
+                plot.id = id;
+                plot.title = scene.title;
+                return plot;
+            });
+        }
+        figures.printed.push_back(std::move(figure));
+    }
+    for (const std::string& name :
+         top.has("residuals") ? top.texts("residuals") : std::vector<std::string>{}) {
+        const scene::Scene scene = scene::read_scene(folder / name);
+        const std::string id = std::filesystem::path(name).stem().string();
+        FigureRecipe figure{"residual-" + id,
+                            "Residual fit: " + scene.title,
                             "Remainder of the exact pressure after n terms of the expansion, "
                             "against the distance from the edge. The slope of order n is n + 1/2 "
                             "if all coefficients before it are right (the next one where a "
                             "coefficient vanishes).",
                             {}};
-        for (const contact::Edge edge : scene.edges) {
-            figure.plots.emplace_back([scene, edge] { return residual_fit_plot(scene, edge); });
+        for (const contact::Edge edge : scene.ask.edges) {
+            figure.plots.emplace_back([scene, edge, id] { return residual_plot(scene, edge, id); });
         }
-        figures.push_back(std::move(figure));
+        figures.residuals.push_back(std::move(figure));
     }
     return figures;
 }

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/cli/commands/compute.hpp"
+
+#include "edgeproof/formula/exact/enclosure.hpp"
+
+#include <algorithm>
+
+namespace edgeproof::cli {
+namespace {
+
+using scene::Quantity;
+using scene::QuantityGroup;
+
+std::string state_name(const std::optional<contact::SlipState>& state) {
+    return !state || *state == contact::SlipState::undecided ? "undecided"
+           : *state == contact::SlipState::stick             ? "stick"
+                                                             : "slip";
+}
+
+/// True for a place outside the contact, where only x, p = 0 and q = 0 have values.
+bool is_outside(const scene::RowsAt& point) {
+    const scene::BoundedValue& p = point.at(Quantity::p);
+    return p.exactly && *p.exactly == 0;
+}
+
+/// Returns |q|/(f p): 1 where the contact slips.
+scene::BoundedValue friction_used(const scene::Scene& scene, const scene::RowsAt& point) {
+    const scene::BoundedValue& p = point.at(Quantity::p);
+    const scene::BoundedValue& q = point.at(Quantity::q);
+    if (point.row(Quantity::q).state == contact::SlipState::slip) {
+        return {Ball(1, 64), q.proved, "superposition", Rational(1)};
+    }
+    const Ball most = formula::ball_of(*scene.shear->friction, p.value.bits()) * p.value;
+    return {abs(q.value) / most, q.proved && p.proved, "superposition"};
+}
+
+/// Makes the values of the whole contact the rows; a terminal shows them as facts.
+void write_facts(report::Table& table, const std::vector<report::Fact>& facts) {
+    using Kind = report::Column::Kind;
+    table.columns = {{"quantity", Kind::text}, {"value"}, {"bound"}, {"route", Kind::text}};
+    for (report::Column& column : table.columns) {
+        column.shown = report::Column::Shown::not_on_terminal;
+    }
+    for (const report::Fact& fact : facts) {
+        if (!fact.bound.empty()) {
+            table.rows.push_back({fact.key, fact.value, fact.bound, fact.route});
+        }
+    }
+}
+
+/// `no_shear`: the shear is asked for after a step of a history before there is any.
+Columns columns_at_points(const Computing& c, bool by_name, bool no_shear) {
+    const scene::Scene& scene = c.scene;
+    const scene::Plan& plan = c.result.plan;
+    Columns columns(scene);
+    columns.text("edge", edge_of, "{} edge");
+    if (by_name) {
+        columns
+            .text("asked",
+                  [&](const Line& line) {
+                      return scene.ask.u[line.at.point()].text(scene.ask.digits);
+                  })
+            .shown = report::Column::Shown::not_on_terminal;
+    }
+    columns
+        .add("u", Columns::Kind::number,
+             [&](const Line& line) {
+                 const std::optional<formula::Exact>& u = line.at.row(Quantity::x).asked.u;
+                 const scene::Row* const row = line.at.find(Quantity::u); // null outside
+                 return u                ? decimal_text(*u, scene.ask.digits)
+                        : row != nullptr ? printed(*row->value, scene.ask.digits).text
+                                         : std::string();
+             })
+        .unit = unit_of(scene, Quantity::x);
+    columns.number("x", Quantity::x);
+    const auto approximations = [&](const std::string& prefix, Quantity sum, Quantity error) {
+        for (const std::size_t n : plan.terms > 0 ? scene.ask.terms : std::vector<std::size_t>{}) {
+            columns.number(prefix + "local_" + std::to_string(n), sum, n);
+            columns.number(prefix + "rel_" + std::to_string(n), error, n);
+        }
+    };
+    const auto traction = [&](const std::string& name, const std::string& route, Quantity quantity,
+                              const std::string& prefix) {
+        columns.value(name, route, [=](const Line& l) { return marked(l.at, quantity, prefix); })
+            .unit = unit_of(scene, quantity);
+    };
+    traction("p", "route", Quantity::p, "");
+    approximations("", Quantity::local, Quantity::rel);
+    if (plan.shear) {
+        traction("q", "q_route", Quantity::q, "q_");
+    }
+    if (plan.shear && plan.partial_slip) {
+        columns.add("q_over_fp", Columns::Kind::number, [&](const Line& line) {
+            return is_outside(line.at)
+                       ? ""
+                       : printed(friction_used(scene, line.at), error_digits(scene)).text;
+        });
+        columns.text(
+            "state",
+            [](const Line& line) {
+                return is_outside(line.at) ? "" : state_name(line.at.row(Quantity::q).state);
+            },
+            "{}");
+    } else if (plan.shear) {
+        approximations("q_", Quantity::q_local, Quantity::q_rel);
+    }
+    if (no_shear) {
+        columns.value("q", "q_route", [](const Line&) {
+            return scene::BoundedValue{Ball(0, 64), true, "no shear load", Rational(0)};
+        });
+    }
+    for (const scene::QuantityRow& row : scene::quantity_rows()) {
+        if (row.by_its_own_name() && scene.ask.wants(row.group)) {
+            const std::string name = scene::symbol_of({row.quantity});
+            columns.value(name, name + "_route", row.quantity);
+        }
+    }
+    return columns;
+}
+
+void note_shear(Computing& c) {
+    if (c.result.plan.partial_slip) {
+        c.note(std::string("q: shear traction in partial slip, positive towards +x on the body "
+                           "that Q acts on; q_over_fp: |q|/(f p); state: ") +
+               (c.scene.history ? "slip where the place slipped in the last step"
+                                : "slip where that is 1, stick where it is less") +
+               "; the q columns are as those of p");
+        if (!c.scene.history || c.scene.history->stick) {
+            c.table.remarks.emplace_back(
+                "the contact slips outside -stick_b < x < stick_a (edgeproof slip has the sizes "
+                "of the slip zones)");
+        }
+    } else if (c.result.plan.shear) {
+        c.note("q: shear traction under full stick, positive towards +x on the body that Q acts "
+               "on; the q columns are as those of p");
+    }
+}
+
+} // namespace
+
+int pressure(const ComputeOptions& o) {
+    check_figure_option(o.figure);
+    Computing c(o);
+    scene::Ask& ask = c.scene.ask;
+    std::vector<QuantityGroup> others{QuantityGroup::shear, QuantityGroup::contact,
+                                      QuantityGroup::peak};
+    for (const scene::QuantityRow& row : scene::quantity_rows()) {
+        if (row.by_its_own_name()) {
+            others.push_back(row.group);
+        }
+    }
+    const bool no_shear = !c.scene.shear && !c.scene.steps.empty() &&
+                          o.word("quantities").find("shear") != std::string::npos;
+    // Values of the whole contact are given alone if no pressures are requested with them.
+    const auto of_contact = [](QuantityGroup group) {
+        return group == QuantityGroup::contact || group == QuantityGroup::peak;
+    };
+    const bool alone = std::ranges::any_of(ask.quantities, of_contact) &&
+                       !ask.wants(QuantityGroup::pressure) &&
+                       std::ranges::none_of(others, [&](QuantityGroup group) {
+                           return !of_contact(group) && ask.wants(group);
+                       });
+    ask_for(c.scene, o, QuantityGroup::pressure, others);
+    if (alone || (ask.u.empty() && ask.wants(QuantityGroup::peak))) {
+        ask.quantities.erase(QuantityGroup::pressure);
+        ask.u.clear();
+    }
+    c.run();
+    const scene::Plan& plan = c.result.plan;
+    const bool by_name = std::ranges::any_of(
+        ask.u, [](const scene::AskedPoint& point) { return point.place.has_value(); });
+    c.note("u: distance inwards from the edge; x: place; p: pressure, in the unit of the "
+           "contact modulus; |p - exact| <= p_bound");
+    if (by_name) {
+        c.note("asked: the point as the scene writes it; where a or b is solved for, the bounds "
+               "cover how far u is known");
+    }
+    if (plan.peak) {
+        c.note("p_max: the greatest pressure of the contact");
+    }
+    for (const scene::QuantityRow& row : scene::quantity_rows()) {
+        if (row.by_its_own_name() && ask.wants(row.group)) {
+            c.note(scene::symbol_of({row.quantity}) + ": " + std::string(row.meaning));
+        }
+    }
+    if (plan.terms > 0) {
+        c.note("local_n: the sum of the first n terms at that edge; rel_n: |1 - local_n/p|");
+    }
+    const std::vector<report::Fact> facts = c.table.facts;
+    c.add_slip_facts();
+    note_shear(c);
+    c.table.asked = plan.print_pressure
+                        ? "pressure p at the distance u from an edge (at the place x)"
+                    : plan.peak ? "the greatest pressure"
+                                : "the edges and the load";
+    if (plan.print_pressure) {
+        return c.write(columns_at_points(c, by_name, no_shear), lines_of(c.result.points()));
+    }
+    write_facts(c.table, facts);
+    return c.write();
+}
+
+} // namespace edgeproof::cli

@@ -2,7 +2,7 @@
 #include "edgeproof/certificate/certificate.hpp"
 
 #include "edgeproof/audit/run.hpp"
-#include "edgeproof/io/sha256.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/cli/run_program.hpp"
 #include "tests/support/namespaces.hpp"

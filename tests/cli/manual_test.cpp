@@ -55,7 +55,7 @@ TEST_CASE("the manual names every command and option of the help") {
         CHECK(options.size() >= 1);
         CHECK(options.size() <= 25);
         for (const std::string& option : options) {
-            CHECK_MESSAGE(has(page, "  \\-\\-" + in_roff(option)), option);
+            CHECK_MESSAGE(has(page, "\\-\\-" + in_roff(option)), option);
         }
     }
 }

@@ -24,21 +24,6 @@ constexpr const char* output_scene = "[profile]\nkind = \"power-law\"\nm = \"1\"
                                      "[ask]\nedges = [\"right\"]\nu = [\"2/5\"]\n";
 const std::string output_recipe = tilted_recipe(1, 20);
 
-std::string called(const std::string& arguments) {
-    return "'" + program().string() + "' " + arguments;
-}
-
-/// Runs a shell command in the folder.
-Outcome in_shell(const Folder& folder, const std::string& command) {
-    const Folder aside;
-    const std::string all = "cd '" + folder.path().string() + "' && { " + command + "; } >'" +
-                            (aside.path() / "out").string() + "' 2>'" +
-                            (aside.path() / "err").string() + "'";
-    const int status = std::system(all.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, file_text(aside.path() / "out"),
-            file_text(aside.path() / "err")};
-}
-
 } // namespace
 
 TEST_CASE("--out follows a link, keeps permissions, and leaves no other file") {

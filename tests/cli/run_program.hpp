@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "tests/support/folder.hpp"
 #include "tests/support/namespaces.hpp"
 #include "tests/support/paths.hpp"
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -22,51 +20,30 @@ struct Outcome {
     std::string err;
 };
 
-inline std::string file_text(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
-/// A temporary folder, removed with the object.
-class Folder {
-public:
-    Folder() {
-        static int count = 0;
-        path_ = std::filesystem::temp_directory_path() /
-                ("edgeproof-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
-        std::filesystem::create_directories(path_);
-    }
-    ~Folder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    std::filesystem::path write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return path_ / name;
-    }
-    [[nodiscard]] std::size_t files() const {
-        std::size_t n = 0;
-        for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(path_)) {
-            ++n;
-        }
-        return n;
-    }
-
-private:
-    std::filesystem::path path_;
-};
-
 /// Copies the files of tests/cli/files into the folder.
 inline void copy_files(const Folder& folder) {
     std::filesystem::copy(source_dir() / "tests" / "cli" / "files", folder.path(),
                           std::filesystem::copy_options::overwrite_existing |
                               std::filesystem::copy_options::recursive);
+}
+
+/// The program, for a command of a shell.
+inline std::string called(const std::string& arguments) {
+    return "'" + program().string() + "' " + arguments;
+}
+
+/// Runs a shell command in the folder. A file that it redirects to standard input comes after
+/// /dev/null, and counts. Standard error goes through a pipe: a limit on files does not apply to
+/// it.
+inline Outcome in_shell(const Folder& folder, const std::string& command) {
+    const Folder aside;
+    const std::string all = "cd '" + folder.path().string() + "' && { ( " + command + "\n) >'" +
+                            (aside.path() / "out").string() + "'; echo $? >'" +
+                            (aside.path() / "code").string() + "'; } 2>&1 </dev/null | cat >'" +
+                            (aside.path() / "err").string() + "'";
+    (void)std::system(all.c_str());
+    return {std::stoi(file_text(aside.path() / "code")), file_text(aside.path() / "out"),
+            file_text(aside.path() / "err")};
 }
 
 /// Runs `edgeproof ARGUMENTS` in `folder` (the shell splits the arguments).
@@ -83,27 +60,6 @@ inline Outcome run(const Folder& folder, const std::string& arguments) {
     outcome.out = file_text(aside.path() / "out");
     outcome.err = file_text(aside.path() / "err");
     return outcome;
-}
-
-inline std::vector<std::string> lines(const std::string& text) {
-    std::vector<std::string> list;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) {
-        list.push_back(line);
-    }
-    return list;
-}
-
-inline std::string joined(const std::vector<std::string>& list) {
-    std::string text;
-    for (const std::string& line : list) {
-        text += line + "\n";
-    }
-    return text;
-}
-
-inline bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 } // namespace edgeproof::test

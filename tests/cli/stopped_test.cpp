@@ -46,29 +46,9 @@ std::string many_claims(int count) {
     return all;
 }
 
-/// Runs `command` in the folder by a shell.
-Outcome shell(const Folder& folder, const std::string& command) {
-    const Folder aside;
-    folder.write("run.sh", command + "\n");
-    // Its messages go through a pipe, because a limit on files would apply to a file of messages,
-    // too.
-    const std::string all = "cd '" + folder.path().string() + "' && { sh run.sh >'" +
-                            (aside.path() / "out").string() + "'; echo $? >'" +
-                            (aside.path() / "code").string() + "'; } 2>&1 </dev/null | cat >'" +
-                            (aside.path() / "err").string() + "'";
-    (void)std::system(all.c_str());
-    std::filesystem::remove(folder.path() / "run.sh");
-    return {std::stoi(file_text(aside.path() / "code")), file_text(aside.path() / "out"),
-            file_text(aside.path() / "err")};
-}
-
 std::string seconds(int milliseconds) {
     const std::string rest = std::to_string(1000 + milliseconds % 1000);
     return std::to_string(milliseconds / 1000) + "." + rest.substr(1);
-}
-
-std::string the_program(const std::string& arguments) {
-    return "'" + program().string() + "' " + arguments;
 }
 
 /// Returns every file under a folder that has its final name, and its text.
@@ -105,8 +85,8 @@ TEST_CASE("verify --out: stopped at many moments, all files are there or none") 
             const std::filesystem::path out = folder.path() / ("out-" + signal);
             for (int ms = 5; ms < 300; ms = ms * 6 / 5 + 1) {
                 CAPTURE(ms);
-                const Outcome o = shell(folder, "timeout -s " + signal + " " + seconds(ms) + " " +
-                                                    the_program(command));
+                const Outcome o = in_shell(folder, "timeout -s " + signal + " " + seconds(ms) +
+                                                       " " + called(command));
                 const auto found = files_of(out);
                 CHECK((found.empty() || found == whole));
                 if (o.code != 0) {
@@ -134,8 +114,8 @@ TEST_CASE("verify --out: a full disk, and a file in place of a folder, are one l
     // A limit on the size of files, in blocks of 512 bytes, acts like a full disk.
     for (const char* blocks : {"0", "1", "8", "20"}) {
         CAPTURE(blocks);
-        const Outcome o = shell(folder, std::string("trap '' XFSZ; ulimit -f ") + blocks + "; " +
-                                            the_program("verify own.toml --digits 20 --out full"));
+        const Outcome o = in_shell(folder, std::string("trap '' XFSZ; ulimit -f ") + blocks + "; " +
+                                               called("verify own.toml --digits 20 --out full"));
         CHECK(o.code == 2);
         CHECK(lines(o.err).size() == 1);
         CHECK(o.err.rfind("edgeproof: cannot write full/", 0) == 0);
@@ -144,7 +124,7 @@ TEST_CASE("verify --out: a full disk, and a file in place of a folder, are one l
     // The folder is made when everything is ready to be written; a file in its place is noticed
     // then.
     const Outcome gone =
-        shell(folder, "touch d; " + the_program("verify own.toml --digits 20 --out d/e"));
+        in_shell(folder, "touch d; " + called("verify own.toml --digits 20 --out d/e"));
     CHECK(gone.code == 2);
     CHECK(lines(gone.err).size() == 1);
     CHECK(gone.err.find("d/e") != std::string::npos);
@@ -162,8 +142,8 @@ TEST_CASE("scenes: stopped at many moments, --out is the old file or the whole n
         folder.write("t.csv", former);
         for (const std::string signal : {"KILL", "INT", "TERM"}) {
             for (int ms = 4; ms < 2000; ms = ms * 4 / 3 + 1) {
-                const Outcome o = shell(folder, "timeout -s " + signal + " " + seconds(ms) + " " +
-                                                    the_program(arguments));
+                const Outcome o = in_shell(folder, "timeout -s " + signal + " " + seconds(ms) +
+                                                       " " + called(arguments));
                 const std::string found = file_text(folder.path() / "t.csv");
                 CAPTURE(signal);
                 CAPTURE(ms);
@@ -185,8 +165,8 @@ TEST_CASE("scenes: a full disk, a full pipe and a folder that is not there are o
           "P s.toml > /dev/full", "P s.toml --format json > /dev/full"}) {
         CAPTURE(command);
         std::string line = command;
-        line.replace(line.find("P "), 1, the_program("pressure"));
-        const Outcome o = shell(folder, line);
+        line.replace(line.find("P "), 1, called("pressure"));
+        const Outcome o = in_shell(folder, line);
         CHECK(o.code == 2);
         CHECK(lines(o.err).size() == 1);
         CHECK(file_text(folder.path() / "t.csv") == former);

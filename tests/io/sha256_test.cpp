@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/io/sha256.hpp"
+#include "edgeproof/io/text_file.hpp"
 
 #include "tests/support/namespaces.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "tests/support/folder.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -20,28 +21,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-class OwnFolder {
-public:
-    OwnFolder()
-        : path_(fs::temp_directory_path() / ("edgeproof-staged-" + std::to_string(::getpid()))) {
-        fs::create_directories(path_);
+/// Returns all files and folders in a folder; a folder ends with a slash.
+std::set<std::string> all_in(const test::Folder& folder) {
+    std::set<std::string> names;
+    for (const auto& e : fs::recursive_directory_iterator(folder.path())) {
+        names.insert(fs::relative(e.path(), folder.path()).string() +
+                     (e.is_directory() ? "/" : ""));
     }
-    ~OwnFolder() { fs::remove_all(path_); }
-    OwnFolder(const OwnFolder&) = delete;
-    OwnFolder& operator=(const OwnFolder&) = delete;
-    [[nodiscard]] const fs::path& path() const { return path_; }
-    /// Returns all files and folders in it; a folder ends with a slash.
-    [[nodiscard]] std::set<std::string> all() const {
-        std::set<std::string> names;
-        for (const auto& e : fs::recursive_directory_iterator(path_)) {
-            names.insert(fs::relative(e.path(), path_).string() + (e.is_directory() ? "/" : ""));
-        }
-        return names;
-    }
-
-private:
-    fs::path path_;
-};
+    return names;
+}
 
 void fill_folder(const fs::path& folder) {
     make_folder(folder / "figures");
@@ -54,13 +42,6 @@ void give_up(const fs::path& folder) {
     throw Interrupted();
 }
 
-std::string text_of(const fs::path& file) {
-    std::ifstream in(file);
-    std::string text;
-    std::getline(in, text);
-    return text;
-}
-
 void write_user_file(const fs::path& file) { std::ofstream(file) << "of the user"; }
 
 using Names = std::set<std::string>;
@@ -71,40 +52,40 @@ const Names whole{"out/", "out/a.csv", "out/figures/", "out/figures/b.svg"};
 TEST_CASE("a folder: no file is there before the end, all are there after it") {
     for (const char* name : {"out", "out/", "./out"}) {
         CAPTURE(name);
-        const OwnFolder own;
+        const test::Folder own;
         write_folder(own.path() / name, [&](const fs::path& folder) {
             fill_folder(folder);
             CHECK_FALSE(fs::exists(own.path() / "out"));
         });
-        CHECK(own.all() == whole);
+        CHECK(all_in(own) == whole);
         CHECK_THROWS_AS(write_folder(own.path() / "other" / name, give_up), Interrupted);
-        CHECK(own.all() == whole); // the parent folder is removed, too
+        CHECK(all_in(own) == whole); // the parent folder is removed, too
     }
 }
 
 TEST_CASE("a folder whose parent folders are missing: all of them appear at once") {
     for (const char* name : {"x/y/out", "x/y/out/", "x/../x/./y/out"}) {
         CAPTURE(name);
-        const OwnFolder own;
+        const test::Folder own;
         write_folder(own.path() / name, [&](const fs::path& folder) {
             fill_folder(folder);
             CHECK_FALSE(fs::exists(own.path() / "x"));
         });
-        CHECK(own.all() == Names{"x/", "x/y/", "x/y/out/", "x/y/out/a.csv", "x/y/out/figures/",
-                                 "x/y/out/figures/b.svg"});
+        CHECK(all_in(own) == Names{"x/", "x/y/", "x/y/out/", "x/y/out/a.csv", "x/y/out/figures/",
+                                   "x/y/out/figures/b.svg"});
     }
-    const OwnFolder own;
+    const test::Folder own;
     write_folder(own.path() / "x" / "out", [&](const fs::path& folder) {
         fill_folder(folder);
         fs::create_directories(own.path() / "x"); // by another process
         write_user_file(own.path() / "x" / "mine");
     });
-    CHECK(own.all() ==
+    CHECK(all_in(own) ==
           Names{"x/", "x/mine", "x/out/", "x/out/a.csv", "x/out/figures/", "x/out/figures/b.svg"});
 }
 
 TEST_CASE("a folder: an error while it is written names the requested folder") {
-    const OwnFolder own;
+    const test::Folder own;
     write_user_file(own.path() / "file");
     CHECK_THROWS_AS(write_folder(own.path() / "file", fill_folder), InputError);
     CHECK_THROWS_AS(write_folder(own.path() / "file" / "out", fill_folder), InputError);
@@ -119,18 +100,18 @@ TEST_CASE("a folder: an error while it is written names the requested folder") {
 }
 
 TEST_CASE("a folder that exists: its files are replaced, the other files in it remain") {
-    const OwnFolder own;
+    const test::Folder own;
     write_folder(own.path() / "out", fill_folder);
     write_user_file(own.path() / "out" / "mine");
     CHECK_THROWS_AS(write_folder(own.path() / "out", give_up), Interrupted);
     Names with_mine = whole;
     with_mine.insert("out/mine");
-    CHECK(own.all() == with_mine);
+    CHECK(all_in(own) == with_mine);
     std::ofstream(own.path() / "out" / "a.csv")
         << "x,y\n1,2\n# program: edgeproof 0.1.0 (commit 1)\n";
     write_folder(own.path() / "out", fill_folder);
-    CHECK(text_of(own.path() / "out" / "a.csv") == "new");
-    CHECK(own.all() == with_mine);
+    CHECK(test::file_text(own.path() / "out" / "a.csv") == "new");
+    CHECK(all_in(own) == with_mine);
 }
 
 TEST_CASE("a folder of the user: whatever stands in the way, nothing in it changes") {
@@ -162,17 +143,17 @@ TEST_CASE("a folder of the user: whatever stands in the way, nothing in it chang
     };
     for (const Case& c : cases) {
         CAPTURE(c.name);
-        const OwnFolder own;
+        const test::Folder own;
         fs::create_directory(own.path() / "out");
         c.make(own.path() / "out");
-        const Names before = own.all();
+        const Names before = all_in(own);
         CHECK_THROWS_AS(write_folder(own.path() / "out", fill_folder), InputError);
-        CHECK(own.all() == before);
+        CHECK(all_in(own) == before);
     }
 }
 
 TEST_CASE("a folder: files and folders with names like temporary ones remain") {
-    const OwnFolder own;
+    const test::Folder own;
     // No process has this number, because it exceeds the largest on Linux.
     fs::create_directories(own.path() / "out.99999999.tmp" / "figures");
     write_user_file(own.path() / "out.99999999.tmp" / "mine");
@@ -181,14 +162,14 @@ TEST_CASE("a folder: files and folders with names like temporary ones remain") {
     fs::create_directory_symlink("mine", own.path() / ("out." + own_number + ".tmp"));
     write_user_file(own.path() / ("t.csv." + own_number + ".tmp"));
     write_user_file(own.path() / "t.csv.99999999.tmp");
-    const Names before = own.all();
+    const Names before = all_in(own);
     write_folder(own.path() / "out", fill_folder);
     write_folder(own.path() / "out", fill_folder);
     write_whole(own.path() / "t.csv", "new");
     Names after = before;
     after.insert(whole.begin(), whole.end());
     after.insert("t.csv");
-    CHECK(own.all() == after);
+    CHECK(all_in(own) == after);
 }
 
 TEST_CASE("a folder: files that vanish while it is written are an error, and nothing appears") {
@@ -201,24 +182,24 @@ TEST_CASE("a folder: files that vanish while it is written are an error, and not
         }};
     for (const bool there : {false, true}) {
         for (const auto& remove : removals) {
-            const OwnFolder own;
+            const test::Folder own;
             if (there) {
                 fs::create_directory(own.path() / "out");
             }
-            const Names before = own.all();
+            const Names before = all_in(own);
             CHECK_THROWS_AS(write_folder(own.path() / "out",
                                          [&](const fs::path& folder) {
                                              fill_folder(folder);
                                              remove(folder);
                                          }),
                             InputError);
-            CHECK(own.all() == before);
+            CHECK(all_in(own) == before);
         }
     }
 }
 
 TEST_CASE("a folder: runs that share it do not fail each other, and no files are mixed") {
-    const OwnFolder own;
+    const test::Folder own;
     constexpr int runs = 8;
     std::vector<pid_t> started;
     for (int run = 0; run < runs; ++run) {
@@ -244,9 +225,10 @@ TEST_CASE("a folder: runs that share it do not fail each other, and no files are
         ::waitpid(run, &status, 0);
         CHECK(status == 0);
     }
-    CHECK(own.all() == Names{"out/", "out/a", "out/b", "out/c", "out/d"});
+    CHECK(all_in(own) == Names{"out/", "out/a", "out/b", "out/c", "out/d"});
     for (const char* name : {"b", "c", "d"}) {
-        CHECK(text_of(own.path() / "out" / name) == text_of(own.path() / "out" / "a"));
+        CHECK(test::file_text(own.path() / "out" / name) ==
+              test::file_text(own.path() / "out" / "a"));
     }
 }
 
@@ -254,7 +236,7 @@ TEST_CASE("a folder: if one file cannot be moved, the files moved before it are 
     if (::geteuid() != 0) {
         return; // only root can give a file to another user
     }
-    const OwnFolder own;
+    const test::Folder own;
     const fs::path out = own.path() / "out";
     fs::create_directory(out);
     fs::permissions(out, fs::perms(01777)); // in it, a user moves only files of his own
@@ -280,7 +262,7 @@ TEST_CASE("a folder: if one file cannot be moved, the files moved before it are 
     };
     const std::vector<std::string> old{"a", "b", "c", "d", "e", "f", "g", "h"};
     REQUIRE(write_as_a_user(old, "old") == 0);
-    const Names before = own.all();
+    const Names before = all_in(own);
     std::vector<std::string> more = old;
     more.insert(more.end(), {"i", "j", "k", "l", "m", "n"});
     for (const std::string& stuck : old) { // the order of the moves is the file system's
@@ -288,21 +270,21 @@ TEST_CASE("a folder: if one file cannot be moved, the files moved before it are 
         REQUIRE(::chown((out / stuck).c_str(), 0, 0) == 0);
         CHECK(write_as_a_user(more, "new") == 2);
         REQUIRE(::chown((out / stuck).c_str(), 65534, 65534) == 0);
-        CHECK(own.all() == before);
+        CHECK(all_in(own) == before);
         for (const std::string& name : old) {
-            CHECK(text_of(out / name) == "the same beginning, old");
+            CHECK(test::file_text(out / name) == "the same beginning, old");
         }
     }
     CHECK(write_as_a_user(more, "new") == 0);
 }
 
 TEST_CASE("a folder: unchanged by an interruption") {
-    const OwnFolder own;
+    const test::Folder own;
     for (const bool there : {false, true}) {
         if (there) {
             fs::create_directory(own.path() / "out");
         }
-        const Names before = own.all();
+        const Names before = all_in(own);
         CHECK_THROWS_AS(write_folder(own.path() / "out",
                                      [](const fs::path& folder) {
                                          fill_folder(folder);
@@ -310,6 +292,6 @@ TEST_CASE("a folder: unchanged by an interruption") {
                                      }),
                         Interrupted);
         withdraw_interruption();
-        CHECK(own.all() == before);
+        CHECK(all_in(own) == before);
     }
 }

@@ -3,6 +3,7 @@
 
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "tests/support/folder.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -42,9 +43,8 @@ public:
 } // namespace
 
 TEST_CASE("read_text: returns a whole file, or the reason why it cannot be read") {
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("edgeproof-io-" + std::to_string(::getpid()));
-    std::filesystem::create_directory(folder);
+    const test::Folder own;
+    const std::filesystem::path& folder = own.path();
     for (const std::size_t size : {0U, 1U, 65535U, 65536U, 65537U, 200000U}) {
         const std::string text(size, 'x');
         std::ofstream(folder / "file") << text;
@@ -76,7 +76,6 @@ TEST_CASE("read_text: returns a whole file, or the reason why it cannot be read"
     ::close(ends[0]);
     CHECK(said_of("/dev/zero", 1000).find("/dev/zero: the file holds more than 1000 bytes; ") == 0);
     CHECK(read_text("/dev/null", "file").empty());
-    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("at_place: Edgeproof's errors get the file, the line and advice; others are unchanged") {

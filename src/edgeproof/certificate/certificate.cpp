@@ -3,7 +3,6 @@
 
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/io/csv.hpp"
-#include "edgeproof/io/sha256.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 

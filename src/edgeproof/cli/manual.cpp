@@ -68,7 +68,8 @@ std::string man_page(const CLI::App& app, const CLI::App& of, const std::string&
     }
     return ".TH " + roff(upper(page)) + " 1 \"\" \"" + app.get_name() + " " + roff(version) +
            "\" \"User Commands\"\n.SH NAME\n" + roff(page) + " \\- " + roff(of.get_description()) +
-           "\n.SH DESCRIPTION\n.nf\n" + roff(of.help()) + "\n.fi\n.SH SEE ALSO\n" + others;
+           "\n.SH DESCRIPTION\n.nf\n" + roff(of.help(whole ? "" : app.get_name())) +
+           "\n.fi\n.SH SEE ALSO\n" + others;
 }
 
 } // namespace

@@ -23,7 +23,6 @@
 namespace edgeproof::io {
 namespace {
 
-constexpr std::size_t write_at_once = 1 << 20;
 constexpr std::size_t most_of_head = 4096;
 
 /// The files that commit() has created.
@@ -62,6 +61,19 @@ int own_descriptor(const std::filesystem::path& file) {
         }
     }
     return -1;
+}
+
+/// Writes the whole text to an open file. Returns 0, or the error number.
+int write_all(int fd, const std::string& text) {
+    std::size_t at = 0;
+    while (at < text.size()) {
+        const ssize_t n = ::write(fd, text.data() + at, text.size() - at);
+        if (n < 0 && errno != EINTR) {
+            return errno;
+        }
+        at += n > 0 ? static_cast<std::size_t>(n) : 0;
+    }
+    return 0;
 }
 
 } // namespace
@@ -110,18 +122,6 @@ std::filesystem::path temporary_name(const std::filesystem::path& target) {
 
 std::size_t files_created() { return created; }
 
-int write_all(int fd, const std::string& text) {
-    std::size_t at = 0;
-    while (at < text.size()) {
-        const ssize_t n = ::write(fd, text.data() + at, text.size() - at);
-        if (n < 0 && errno != EINTR) {
-            return errno;
-        }
-        at += n > 0 ? static_cast<std::size_t>(n) : 0;
-    }
-    return 0;
-}
-
 AtomicFile::AtomicFile(std::filesystem::path file)
     : file_(std::move(file)), target_(OutputTarget::of(file_)),
       aside_(temporary_name(target_.path)) {
@@ -155,23 +155,6 @@ AtomicFile::~AtomicFile() {
     }
 }
 
-void AtomicFile::write(const std::string& text) {
-    if (head_.size() < most_of_head) {
-        head_ += text.substr(0, most_of_head);
-    }
-    waiting_ += text;
-    if (waiting_.size() >= write_at_once) {
-        flush();
-    }
-}
-
-void AtomicFile::flush() {
-    if (const int error = write_all(fd_, waiting_); error != 0) {
-        cannot("write", file_, error);
-    }
-    waiting_.clear();
-}
-
 void AtomicFile::give_name() {
     const std::string by_number = "/proc/self/fd/" + std::to_string(fd_);
     if (::linkat(AT_FDCWD, by_number.c_str(), AT_FDCWD, aside_.path().c_str(), AT_SYMLINK_FOLLOW) !=
@@ -181,15 +164,17 @@ void AtomicFile::give_name() {
     named_ = true;
 }
 
-void AtomicFile::commit() {
+void AtomicFile::commit(const std::string& text) {
     check_interruption(); // a result may be incomplete then
-    flush();
+    if (const int error = write_all(fd_, text); error != 0) {
+        cannot("write", file_, error);
+    }
     if (target_.special) {
         ::close(fd_);
         fd_ = -1;
         return;
     }
-    require_replaceable(file_, head_);
+    require_replaceable(file_, std::string_view(text).substr(0, most_of_head));
     if (::fsync(fd_) != 0) {
         cannot("write", file_, errno);
     }

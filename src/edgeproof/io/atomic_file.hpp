@@ -9,9 +9,6 @@
 
 namespace edgeproof::io {
 
-/// Writes the whole text to an open file. Returns 0, or the error number.
-[[nodiscard]] int write_all(int fd, const std::string& text);
-
 inline constexpr const char* give_writable_folder =
     "give a folder that can be written to, with free space";
 
@@ -35,12 +32,11 @@ struct OutputTarget {
     [[nodiscard]] static OutputTarget of(const std::filesystem::path& file);
 };
 
-/// A file written in parts, visible to others only when it is complete. Until then it has no name,
-/// or, if the file system does not support that, a temporary one. A missing folder is created.
-/// Throws InputError if the file cannot be written or replaced (require_replaceable), Interrupted
-/// after an interruption; the text written so far is then removed, as it is without commit(). A
-/// link is kept, and its target is written; an existing file keeps its permissions; a device, a
-/// FIFO or an open descriptor is written directly.
+/// A file visible to others only when it is complete. Until then it has no name, or, if the file
+/// system does not support that, a temporary one. A missing folder is created. Throws InputError if
+/// the file cannot be written or replaced (require_replaceable), Interrupted after an interruption;
+/// no text remains then, as without commit(). A link is kept, and its target is written; an
+/// existing file keeps its permissions; a device, a FIFO or an open descriptor is written directly.
 class AtomicFile {
 public:
     explicit AtomicFile(std::filesystem::path file);
@@ -48,18 +44,15 @@ public:
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
-    void write(const std::string& text);
-    void commit();
+    /// Writes the whole text, and gives the file its name.
+    void commit(const std::string& text);
 
 private:
-    void flush();
     void give_name();
 
     std::filesystem::path file_; ///< as the user named it
     OutputTarget target_;
     TemporaryPath aside_; ///< its temporary name
-    std::string head_;    ///< the beginning of the text
-    std::string waiting_;
     int fd_ = -1;
     bool named_ = false;
 };

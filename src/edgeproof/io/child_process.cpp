@@ -98,7 +98,7 @@ std::vector<std::string> own_environment() {
 /// Starts the program in a process group of its own, with no signal blocked or ignored.
 pid_t start(const ProgramCall& call, const std::string& mark, int in, int out, int err) {
     std::vector<std::string> arguments = call.arguments;
-    std::vector<std::string> environment = call.environment ? *call.environment : own_environment();
+    std::vector<std::string> environment = own_environment();
     environment.push_back(mark);
     const std::vector<char*> argv = pointers_to(arguments);
     const std::vector<char*> variables = pointers_to(environment);
@@ -245,7 +245,7 @@ ProgramRun run_program(const ProgramCall& call) {
     }
     const bool killed = run.too_much || run.timed_out;
     child.end();
-    const int status = child.wait(&run.processor_seconds);
+    const int status = child.wait();
     if (!killed) {
         // A pipe holds less than is read at once, so this reads all remaining output.
         listen();

@@ -2,7 +2,6 @@
 #pragma once
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,8 +11,6 @@ namespace edgeproof::io {
 /// A call of another program, and its limits.
 struct ProgramCall {
     std::vector<std::string> arguments;
-    /// Its environment, as NAME=VALUE; if empty, that of this process.
-    std::optional<std::vector<std::string>> environment = {};
     std::string input = {};                ///< text on its standard input
     double seconds = 600;                  ///< the longest time allowed
     std::size_t most_output = 200'000'000; ///< the most bytes on its standard output
@@ -30,8 +27,7 @@ struct ProgramRun {
     int exit_code = 0;
     int signal = 0; ///< the signal that ended it; 0: none
     bool timed_out = false;
-    bool too_much = false;        ///< more output than most_output; the rest is dropped
-    double processor_seconds = 0; ///< of the program and of its children that it waited for
+    bool too_much = false; ///< more output than most_output; the rest is dropped
 
     /// Returns "ended with exit code 3", "was ended by signal 11 (...)"; empty after success.
     [[nodiscard]] std::string ending() const;

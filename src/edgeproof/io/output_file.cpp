@@ -2,7 +2,7 @@
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/atomic_file.hpp"
 #include "edgeproof/io/own_file.hpp"
-#include "edgeproof/io/sha256.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <unistd.h>
@@ -30,9 +30,7 @@ void flush_printed() {
 } // namespace
 
 void write_whole(const std::filesystem::path& file, const std::string& text) {
-    AtomicFile whole(file);
-    whole.write(text);
-    whole.commit();
+    AtomicFile(file).commit(text);
 }
 
 void write_output(const std::filesystem::path& file, const std::string& text) {

@@ -4,7 +4,6 @@
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -172,7 +171,7 @@ bool ChildGroup::ended() const {
            info.si_pid == pid_;
 }
 
-int ChildGroup::wait(double* processor_seconds) {
+int ChildGroup::wait() {
     siginfo_t info{};
     while (::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOWAIT) != 0 &&
            errno == EINTR) {
@@ -187,14 +186,7 @@ int ChildGroup::wait(double* processor_seconds) {
         registered().groups.erase(pid_);
     }
     int status = 0;
-    rusage used{};
-    while (::wait4(pid_, &status, 0, &used) < 0 && errno == EINTR) {
-    }
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    if (processor_seconds != nullptr) {
-        *processor_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
+    while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
     }
     pid_ = -1;
     return status;

@@ -60,8 +60,7 @@ public:
     /// True if the child has ended; wait() is still needed.
     [[nodiscard]] bool ended() const;
     /// Waits for the child, kills processes that it left, and returns its status (as waitpid does).
-    /// `processor_seconds` is set to the processor time of the child.
-    int wait(double* processor_seconds = nullptr);
+    int wait();
 
 private:
     pid_t pid_;

@@ -40,4 +40,7 @@ inline constexpr std::size_t most_text_bytes = 1'000'000'000;
 [[nodiscard]] std::uint64_t fnv1a(std::string_view text,
                                   std::uint64_t before = 0xcbf29ce484222325U);
 
+/// Returns SHA-256 (FIPS 180-4) in lower-case hexadecimal, as `sha256sum` prints it.
+[[nodiscard]] std::string sha256(std::string_view text);
+
 } // namespace edgeproof::io

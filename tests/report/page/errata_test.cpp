@@ -3,6 +3,7 @@
 #include "edgeproof/report/page/html.hpp"
 #include "edgeproof/report/text/percent.hpp"
 #include "tests/audit/small_ledger.hpp"
+#include "tests/support/folder.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -10,10 +11,6 @@
 #include <string>
 
 namespace {
-
-bool in_text(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 /// The errata of a ledger with one claim about Hertz's contact. One term is 1/sqrt(1 - v/2) times
 /// the pressure at u = v a, so that it is within 1 % up to v = 2 - 2/1.01^2 = 0.0394: 7 % is wrong.
@@ -35,29 +32,29 @@ TEST_CASE("errata quote a sentence with the figure that is corrected, however la
         "the relative error of the first term alone is $<1\\%$ ";
     const std::string tex =
         errata_of_sentence(start + "for $\\approx 7\\%$ of the half-width, and no more.", "7 %");
-    CHECK(in_text(tex, "\\approx 7\\%$ of the half-width"));
-    CHECK(in_text(tex, "For $7\\,\\%$ read"));
+    CHECK(test::has(tex, "\\approx 7\\%$ of the half-width"));
+    CHECK(test::has(tex, "For $7\\,\\%$ read"));
     // 17 and 7.5 are other numbers than 7.
     const std::string others = errata_of_sentence(
         start + "for the $17\\%$ of Fig. 3 and the $7.5\\%$ of Fig. 4, and for the pads and the "
                 "other examples of that section it is for $\\approx 7\\%$, and no more.",
         "7 %");
-    CHECK(in_text(others, "\\approx 7\\%$"));
+    CHECK(test::has(others, "\\approx 7\\%$"));
     // A long sentence is cut behind its figure.
     const std::string cut = errata_of_sentence(
         "The error is $<1\\%$ for $\\approx 7\\%$ of the half-width. " + start + "everywhere.",
         "7 %");
-    CHECK(in_text(cut, "\\approx 7\\%$ of the half-width"));
-    CHECK(in_text(cut, "\\,\\dots''"));
-    CHECK_FALSE(in_text(cut, "everywhere"));
+    CHECK(test::has(cut, "\\approx 7\\%$ of the half-width"));
+    CHECK(test::has(cut, "\\,\\dots''"));
+    CHECK_FALSE(test::has(cut, "everywhere"));
 }
 
 TEST_CASE("errata set a display of one line within the sentence") {
     const std::string tex = errata_of_sentence(
         "the error is $<1\\%$ for $7\\%$ when\n\\begin{equation}\n\\frac{u}{a}=\\frac{7}{100},",
         "7 %");
-    CHECK(in_text(tex, "when\n$\\frac{u}{a}=\\frac{7}{100}$''"));
-    CHECK_FALSE(in_text(tex, "begin{equation}"));
+    CHECK(test::has(tex, "when\n$\\frac{u}{a}=\\frac{7}{100}$''"));
+    CHECK_FALSE(test::has(tex, "begin{equation}"));
 }
 
 TEST_CASE("a counterexample whose printed value is zero shows it") {
@@ -69,8 +66,8 @@ TEST_CASE("a counterexample whose printed value is zero shows it") {
     REQUIRE(claim.outcome.verdict == audit::Verdict::refuted);
     const auto steps = counterexample_steps(claim, {});
     REQUIRE(steps.size() == 3);
-    CHECK(in_text(steps[1], " = 0$;"));
-    CHECK_FALSE(in_text(steps[2], " = 0$"));
+    CHECK(test::has(steps[1], " = 0$;"));
+    CHECK_FALSE(test::has(steps[2], " = 0$"));
 }
 
 TEST_CASE("statements of a file for Coq, without its proofs") {
@@ -108,9 +105,9 @@ TEST_CASE("errata call no line a misprint if the ledger does not state what rest
         "printed = 'p = \\frac{E^*C}{3}\\sqrt{a^2-x^2}'\n");
     REQUIRE(result.claims.front().outcome.verdict == audit::Verdict::refuted);
     const std::string tex = errata_tex(result, {});
-    CHECK(in_text(tex, "1 error found."));
-    CHECK_FALSE(in_text(tex, "misprint"));
-    CHECK_FALSE(in_text(tex, "matter"));
+    CHECK(test::has(tex, "1 error found."));
+    CHECK_FALSE(test::has(tex, "misprint"));
+    CHECK_FALSE(test::has(tex, "matter"));
 }
 
 TEST_CASE("errata call only those lines misprints for which the ledger states what rests on them") {

@@ -2,6 +2,7 @@
 #include "edgeproof/report/text/tex_math.hpp"
 
 #include "tests/report/well_formed.hpp"
+#include "tests/support/folder.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -21,7 +22,7 @@ std::string mathml(const char* tex) {
     CHECK(test::well_formed(markup) == "");
     return markup;
 }
-bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+using test::has;
 
 } // namespace
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/page/html.hpp"
 #include "edgeproof/io/output_file.hpp"
-#include "edgeproof/io/sha256.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"

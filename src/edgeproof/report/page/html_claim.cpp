@@ -135,6 +135,16 @@ const char* weight_words(Weight weight) {
     return "what rests on it is not stated";
 }
 
+/// Returns "lines 126–129"; nothing for a formula without a source.
+std::string lines_words(const audit::Claim& claim) {
+    const auto& [first, last] = claim.lines;
+    if (first == 0) {
+        return {}; // formulas of the user have no source
+    }
+    return first == last ? "line " + std::to_string(first)
+                         : "lines " + std::to_string(first) + "–" + std::to_string(last);
+}
+
 std::string where_html(const audit::Claim& claim, const PageHead& head) {
     std::string out = escape_html(section_words(claim, head.source));
     const std::string lines = lines_words(claim);
@@ -170,15 +180,6 @@ std::string theorem_html(const audit::Claim& claim, const PageHead& head) {
 std::string verdict_mark(audit::Verdict verdict, const std::string& text) {
     const std::string name(name_of(verdict));
     return "<span class=\"verdict " + name + "\">" + (text.empty() ? name : text) + "</span>";
-}
-
-std::string lines_words(const audit::Claim& claim) {
-    const auto& [first, last] = claim.lines;
-    if (first == 0) {
-        return {}; // formulas of the user have no source
-    }
-    return first == last ? "line " + std::to_string(first)
-                         : "lines " + std::to_string(first) + "–" + std::to_string(last);
 }
 
 std::string printed_html(const audit::Claim& claim, const PrintedSource& source) {

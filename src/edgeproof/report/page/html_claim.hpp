@@ -10,8 +10,6 @@ namespace edgeproof::report {
 
 /// Returns a `<span>` with the name of a verdict.
 [[nodiscard]] std::string verdict_mark(audit::Verdict verdict, const std::string& text = "");
-/// Returns "lines 126–129"; nothing for a formula without a source.
-[[nodiscard]] std::string lines_words(const audit::Claim& claim);
 /// Returns the printed text of a claim, typeset within a line.
 [[nodiscard]] std::string printed_html(const audit::Claim& claim,
                                        const audit::PrintedSource& source);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/report/tables/table_parts.hpp"
+#include "edgeproof/report/tables/table.hpp"
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"

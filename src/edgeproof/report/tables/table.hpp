@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -85,5 +86,24 @@ struct TableLayout {
 /// Returns head and rows in aligned columns, text to the left, numbers to the right, each line
 /// after `margin` blanks. `rule`: with a line below the head.
 [[nodiscard]] std::string aligned_lines(const Table& table, std::size_t margin, bool rule);
+
+// Functions that the formats of a table share.
+
+/// Returns title, facts, notes and remarks, each on a line that begins with `mark`.
+[[nodiscard]] std::string heading(const Table& table, const std::string& mark);
+
+inline constexpr std::size_t separator_width = 3; // " | "
+
+/// Distributes the columns over tables no wider than `most` (0: one table). Each repeats the first
+/// two columns, which identify a row.
+[[nodiscard]] std::vector<std::vector<std::size_t>>
+columns_that_fit(const std::vector<std::size_t>& width, std::size_t most);
+
+/// Returns the table without the columns of which `kept` is false.
+[[nodiscard]] Table columns_kept(const Table& table,
+                                 const std::function<bool(const Column&)>& kept);
+
+/// Returns the table in LaTeX, as one or more tables no wider than the text of a page.
+[[nodiscard]] std::string latex_tables(const Table& table, bool notes);
 
 } // namespace edgeproof::report

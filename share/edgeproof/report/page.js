@@ -28,12 +28,20 @@
   button.hidden = false;
   showTheme();
 
-  // The filter. Its state is in the address: #verdict=refuted&section=s3&text=gamma.
+  // The filter. Its state is in the address: #verdict=refuted&text=gamma.
   const claims = Array.from(document.querySelectorAll("details.claim"));
   const form = byId("filter");
   const fields = { verdict: byId("filter-verdict"), section: byId("filter-section"), text: byId("filter-text") };
   const count = byId("filter-count");
   const openAll = byId("open-all");
+
+  // The values that occur; verdicts in the order of the summary.
+  const order = Array.from(document.querySelectorAll(".counts .verdict"), (mark) => mark.textContent);
+  for (const name of ["verdict", "section"]) {
+    const values = [...new Set(claims.map((claim) => claim.dataset[name]))].filter(Boolean);
+    if (name === "verdict") values.sort((one, other) => order.indexOf(one) - order.indexOf(other));
+    for (const value of values) fields[name].add(new Option(value, value));
+  }
 
   const apply = () => {
     const words = fields.text.value.toLowerCase().split(/\s+/).filter(Boolean);

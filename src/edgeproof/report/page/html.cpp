@@ -21,19 +21,11 @@
 #include <functional>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <sstream>
 #include <utility>
 
 namespace edgeproof::report {
 namespace {
-
-/// A key of the filter for a section: its index in the list, 0 if sections are not known.
-std::string section_key(const audit::PrintedSource& source, const audit::Claim& claim) {
-    const auto next = std::ranges::upper_bound(source.sections, claim.lines.first, {},
-                                               [](const auto& section) { return section.first; });
-    return "s" + std::to_string(next - source.sections.begin());
-}
 
 /// In the order of audit::all_verdicts.
 constexpr std::array<const char*, audit::all_verdicts.size()> meanings{
@@ -138,10 +130,6 @@ std::string doubtful(const audit::AuditResult& result, const PageHead& head) {
            rows + "</tbody></table>\n";
 }
 
-std::string option(const std::string& value, const std::string& text) {
-    return "<option value=\"" + value + "\">" + escape_html(text) + "</option>\n";
-}
-
 std::string figure_html(const DrawnFigure& figure) {
     std::string out = "<figure id=\"" + escape_html(figure.id) + "\">\n<h3>" +
                       escape_html(figure.title) + "</h3>\n<div class=\"panels\">\n";
@@ -185,23 +173,8 @@ DrawnFigure::Panel drawn_panel(const Plot& plot, const std::string& svg,
 std::string html_page(const audit::AuditResult& result, const PageFigures& figures,
                       const PageHead& head) {
     std::string claims;
-    std::string verdict_options;
-    std::string section_options;
-    std::set<std::string> used;
     for (const audit::ClaimResult& r : result.claims) {
-        const std::string key = section_key(head.source, r.claim);
-        used.insert(key);
-        claims += claim_html(r, head, key);
-    }
-    const auto counts = count_verdicts(result);
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        const std::string name(name_of(audit::all_verdicts[i]));
-        verdict_options += counts[i] > 0 ? option(name, name) : "";
-    }
-    for (std::size_t i = 0; i < head.source.sections.size(); ++i) {
-        if (const std::string key = "s" + std::to_string(i + 1); used.contains(key)) {
-            section_options += option(key, head.source.sections[i].second);
-        }
+        claims += claim_html(r, head);
     }
     const std::vector<Erratum> errata = errata_of(result, head.source);
     return fill_template(
@@ -219,8 +192,6 @@ std::string html_page(const audit::AuditResult& result, const PageFigures& figur
          {"figures", own_figures_html(figures.paper)},
          {"residuals", own_figures_html(figures.residuals)},
          {"claims", claims},
-         {"verdict_options", verdict_options},
-         {"section_options", section_options},
          {"footer", "Made by edgeproof verify at " + std::to_string(result.digits) +
                         " digits: " + escape_html(program_line()) +
                         ". The page needs no network; the data of the figures are in the folder "

@@ -243,8 +243,7 @@ std::string erratum_html(const Erratum& erratum, const audit::AuditResult& resul
     return out + "</article>\n";
 }
 
-std::string claim_html(const audit::ClaimResult& result, const PageHead& head,
-                       const std::string& section_key) {
+std::string claim_html(const audit::ClaimResult& result, const PageHead& head) {
     const audit::Claim& claim = result.claim;
     const PrintedSource& source = head.source;
     const std::string id = escape_html(claim.id);
@@ -252,7 +251,8 @@ std::string claim_html(const audit::ClaimResult& result, const PageHead& head,
         "<details class=\"claim\" id=\"{0}\" data-verdict=\"{1}\" data-section=\"{2}\">\n<summary>"
         "<span class=\"id\">{3}</span> {4} <span class=\"said\">{5}</span></summary>\n"
         "<div class=\"body\">\n<p class=\"where\"><a href=\"#{0}\">{0}</a>",
-        id, name_of(result.outcome.verdict), section_key, escape_html(place_words(claim, source)),
+        id, name_of(result.outcome.verdict), escape_html(source.section_of(claim.lines.first)),
+        escape_html(place_words(claim, source)),
         verdict_mark(result.outcome.verdict, verdict_text(result)), printed_html(claim, source));
     for (const std::string& part :
          {where_html(claim, head), "a check of kind " + escape_html(claim.kind)}) {

@@ -19,8 +19,7 @@ namespace edgeproof::report {
 [[nodiscard]] std::string erratum_html(const Erratum& erratum, const audit::AuditResult& result,
                                        const PageHead& head, const PageFigures& figures);
 /// Returns a claim with its evidence, folded; its id is the claim's.
-[[nodiscard]] std::string claim_html(const audit::ClaimResult& result, const PageHead& head,
-                                     const std::string& section_key);
+[[nodiscard]] std::string claim_html(const audit::ClaimResult& result, const PageHead& head);
 
 /// Returns evidence as small tables: numbers are rounded (verdicts.json has all digits), formulas
 /// typeset. Parts that the page shows elsewhere (TeX, the clearest counterexample, later results)

@@ -36,11 +36,15 @@ using Keys = std::vector<std::pair<std::string, KeyValue>>;
 
 NativeScene from_entries(const std::string& title, const Keys& profile, const Keys& load,
                          const Keys& shear, const std::vector<Keys>& steps) {
-    scene::SceneEntries entries{title, entries_of(profile), entries_of(load), entries_of(shear)};
-    std::ranges::transform(steps, std::back_inserter(entries.steps), entries_of<Keys>);
+    std::vector<io::TomlTable> tables{{"profile", 0, entries_of(profile)},
+                                      {"load", 0, entries_of(load)},
+                                      {"shear", 0, entries_of(shear)}};
+    for (const Keys& step : steps) {
+        tables.push_back({"[[step]]", 0, entries_of(step)});
+    }
     return without_gil([&] {
-        scene::Scene scene = make_scene(entries);
-        return NativeScene(scene_text(entries), std::move(scene));
+        scene::Scene scene = scene::make_scene(tables, title);
+        return NativeScene(scene::scene_text(tables, title), std::move(scene));
     });
 }
 

@@ -45,7 +45,9 @@ scene::Body body_named(const std::string& name) {
 }
 
 NativeScene::NativeScene(std::string text, scene::Scene scene)
-    : text_(std::move(text)), scene_(std::move(scene)), pool_(std::make_shared<Pool>()) {
+    : text_(std::move(text)), scene_(std::move(scene)),
+      profile_(io::TomlSection::parse(text_, scene_.file).section("profile")),
+      pool_(std::make_shared<Pool>()) {
     scene_.ask.digits = digits_asked(scene_.ask.digits.count);
 }
 
@@ -58,20 +60,22 @@ scene::Scene NativeScene::asking(std::map<std::string, KeyValue> asked) const {
     for (const char* const key : {"points_x", "points_z", "body"}) {
         asked.erase(key);
     }
-    for (const auto& [place, other] : {std::pair{"u", "x"}, std::pair{"x", "u"}}) {
-        if (asked.contains(place)) { // the places replace all of the scene
-            asked.emplace(other, std::string());
+    scene::Scene scene = scene_;
+    if (asked.contains("quantities")) {
+        scene.ask.quantities.clear();
+    }
+    for (const auto& [key, value] : {std::pair{"tolerance", &scene.ask.tolerance},
+                                     {"process_zone", &scene.ask.process_zone}}) {
+        if (asked.contains(key)) {
+            value->reset();
         }
     }
-    scene::Scene scene = scene_;
-    scene.ask = {};
     try {
-        const auto top = io::TomlSection::parse(text_, scene.file, {{"ask", 0, entries_of(asked)}});
-        read_ask(top.section("ask"), top.section("profile"), scene);
+        const auto top = io::TomlSection::made({{"ask", 0, entries_of(asked)}}, scene.file);
+        read_ask(top.section("ask"), profile_, scene);
     } catch (const InputError& error) {
         throw InputError(error.problem(), error.instead()); // the questions are in no file
     }
-    default_quantities(scene.ask, scene.shear.has_value(), scene.slips());
     scene.ask.digits = digits_asked(scene.ask.digits.count);
     scene.ask.surface_of = of;
     if (!x.empty()) {

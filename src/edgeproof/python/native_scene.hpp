@@ -49,6 +49,7 @@ private:
 
     std::string text_;
     scene::Scene scene_;
+    io::TomlSection profile_;
     std::shared_ptr<Pool> pool_;
 };
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <set>
 
 namespace edgeproof::report {
 namespace {
@@ -131,7 +132,7 @@ Plot residual_plot(const scene::Scene& scene, contact::Edge edge, const std::str
         contact::proved_contact(*scene.profile, scene.contact_modulus, scene.load, options.bits());
     const audit::ResidualFit fit = audit::fit_residuals(*contact, edge, options);
     Plot plot;
-    plot.id = "residual-" + id + "-" + scene::edge_name(edge);
+    plot.id = id + "-" + scene::edge_name(edge);
     plot.title = scene.title;
     plot.x = {"u from the " + edge_words(edge), true};
     plot.y = {"|p − first n terms|", true};
@@ -168,6 +169,14 @@ FiguresOfSource figures_of_source(const std::filesystem::path& ledger) {
         io::read_text(file, "figures (TOML)", io::most_toml_bytes), file.string());
     top.allow({"residuals", "figure"});
     FiguresOfSource figures;
+    std::set<std::string> ids; // they name files
+    const auto own_id = [&](const io::TomlSection& section, const char* key,
+                            const std::string& id) {
+        if (!ids.insert(id).second) {
+            section.reject(key, id + " is there twice", "name each once");
+        }
+        return id;
+    };
     for (const io::TomlSection& section : top.sections_or_none("figure")) {
         section.allow({"id", "title", "caption", "panel", "scenes"});
         const std::string panel = section.text("panel");
@@ -176,10 +185,14 @@ FiguresOfSource figures_of_source(const std::filesystem::path& ledger) {
                            "write \"pressure\" or \"errors\"");
         }
         const Panels panels = panel == "errors" ? Panels::errors : Panels::pressure;
-        FigureRecipe figure{section.text("id"), section.text("title"), section.text("caption"), {}};
+        FigureRecipe figure{own_id(section, "id", section.text("id")),
+                            section.text("title"),
+                            section.text("caption"),
+                            {}};
         for (const std::string& name : section.texts("scenes")) {
+            const std::string letter(1, static_cast<char>('a' + figure.plots.size() % 26));
             figure.plots.emplace_back([scene = scene::read_scene(folder / name), panels,
-                                       id = std::filesystem::path(name).stem().string()] {
+                                       id = own_id(section, "scenes", figure.id + letter)] {
                 Plot plot = scene_picture(
                                 scene, [](std::size_t, std::size_t) {}, panels)
                                 .front();
@@ -193,8 +206,9 @@ FiguresOfSource figures_of_source(const std::filesystem::path& ledger) {
     for (const std::string& name :
          top.has("residuals") ? top.texts("residuals") : std::vector<std::string>{}) {
         const scene::Scene scene = scene::read_scene(folder / name);
-        const std::string id = std::filesystem::path(name).stem().string();
-        FigureRecipe figure{"residual-" + id,
+        const std::string id =
+            own_id(top, "residuals", "residual-" + std::filesystem::path(name).stem().string());
+        FigureRecipe figure{id,
                             "Residual fit: " + scene.title,
                             "Remainder of the exact pressure after n terms of the expansion, "
                             "against the distance from the edge. The slope of order n is n + 1/2 "

@@ -23,13 +23,13 @@ a = ["3/2", "0.02"]
 Es = ["7/3", "2.1e11"]
 [[claim]]
 id = "pressure"
-kind = "value"
+kind = "compare"
 says = "Es*C/2*sqrt(a^2 - x^2)"
 of = "p(x)"
 over = "hertz"
 [[claim]]
 id = "second-coefficient"
-kind = "value"
+kind = "compare"
 says = "Es*C/(4*sqrt(2*a))"
 of = "right.c1"
 over = "hertz"

@@ -20,7 +20,7 @@ std::string ledger_text(const std::string& says, const std::string& factor = "2"
            "\"\nunused = \"7\"\n[[family]]\nname = \"hertz\"\nprofile = \"power-law\"\ncount = 1\n"
            "[family.parameters]\nm = [\"1\"]\nC = [\"1\"]\na = [\"" +
            a +
-           "\"]\nEs = [\"1\"]\n[[claim]]\nid = \"own\"\nkind = \"value\"\nprinted = \"p\"\n"
+           "\"]\nEs = [\"1\"]\n[[claim]]\nid = \"own\"\nkind = \"compare\"\nprinted = \"p\"\n"
            "over = \"hertz\"\nsays = \"" +
            says + "\"\nof = \"P\"\n";
 }

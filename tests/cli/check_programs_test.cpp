@@ -137,7 +137,7 @@ TEST_CASE("check --ledger: the user's own formulas; the wrong one is named and c
     CHECK(right.code == 0);
     CHECK(last_line(right.out) == "pass: 2 formulas, 0 do not hold");
     folder.write("bad.toml",
-                 text + "[[claim]]\nid = \"x\"\nkind = \"value\"\nsays = \"unknown_name\"\n"
+                 text + "[[claim]]\nid = \"x\"\nkind = \"compare\"\nsays = \"unknown_name\"\n"
                         "of = \"P\"\nover = \"cylinder\"\n");
     const Outcome bad = run(folder, "check --ledger bad.toml");
     CHECK(bad.code == 2);

@@ -24,7 +24,7 @@ Es = ["7/3"]
 
 inline std::string hertz_claim(const std::string& id, const std::string& says,
                                const std::string& more = "") {
-    return "[[claim]]\nid = \"" + id + "\"\nkind = \"value\"\nlines = [1, 2]\nprinted = '''" +
+    return "[[claim]]\nid = \"" + id + "\"\nkind = \"compare\"\nlines = [1, 2]\nprinted = '''" +
            says + "'''\nover = \"hertz\"\nof = \"p(x)\"\nsays = \"" + says + "\"\n" + more;
 }
 

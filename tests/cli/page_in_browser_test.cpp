@@ -131,7 +131,7 @@ std::string tag_of(const std::string& page, const std::string& id) {
 
 const std::string page_ledger = hertz_head + R"toml([[claim]]
 id = "good"
-kind = "value"
+kind = "compare"
 lines = [1, 2]
 printed = "p"
 over = "hertz"
@@ -139,7 +139,7 @@ of = "p(x)"
 says = "Es*C/2*sqrt(a^2-x^2)"
 [[claim]]
 id = "bad.one"
-kind = "value"
+kind = "compare"
 lines = [3, 4]
 printed = "c_0 <&> 'quoted'"
 over = "hertz"

@@ -107,7 +107,7 @@ TEST_CASE("a claim's id with a way out, quotes and commands: all files stay in -
     for (const std::string id :
          {"../../out", "a/b", "..", "a,b", "a\\\"b", "`touch marker`", "#1", " x", "it's *) x"}) {
         std::string claim = "[[claim]]\nid = \"" + id +
-                            "\"\nkind = \"value\"\nlines = [1, 2]\nprinted = '''c_0'''\nover = "
+                            "\"\nkind = \"compare\"\nlines = [1, 2]\nprinted = '''c_0'''\nover = "
                             "\"hertz\"\nof = \"right.c0\"\nsays = \"2*right.c0\"\n";
         claims += claim;
     }

@@ -25,7 +25,7 @@ Es = ["7/3"]
 CLAIM = """
 [[claim]]
 id = "{id}"
-kind = "value"
+kind = "compare"
 lines = [1, 2]
 printed = '''{says}'''
 over = "hertz"

@@ -99,7 +99,7 @@ a = ["3/2"]
 Es = ["7/3"]
 [[claim]]
 id = "right"
-kind = "value"
+kind = "compare"
 lines = [1, 2]
 printed = "p"
 over = "hertz"
@@ -107,7 +107,7 @@ of = "p(x)"
 says = "Es*C/2*sqrt(a^2-x^2)"
 [[claim]]
 id = "read"
-kind = "value"
+kind = "compare"
 over = "hertz"
 of = "p(x)"
 [[claim.reading]]
@@ -248,7 +248,7 @@ def test_a_reference_table(tmp_path):
 
 def test_verdicts(tmp_path):
     ledger = tmp_path / "own.toml"
-    ledger.write_text(SMALL_LEDGER + '[[claim]]\nid = "odd"\nkind = "value"\nover = "hertz"\n'
+    ledger.write_text(SMALL_LEDGER + '[[claim]]\nid = "odd"\nkind = "compare"\nover = "hertz"\n'
                       'of = "p(x)"\nsays = "nonsense("\n')
     run("verify", ledger, "--digits", "20", "--out", tmp_path / "out", code=2)
     file = tmp_path / "out" / "verdicts.json"

@@ -9,7 +9,7 @@
 
 TEST_CASE("a formula without a source: no output states its lines") {
     using small_ledger::audit_of;
-    const std::string hertz = "kind = \"value\"\nover = \"hertz\"\nof = \"p(x)\"\n"
+    const std::string hertz = "kind = \"compare\"\nover = \"hertz\"\nof = \"p(x)\"\n"
                               "says = \"Es*C*sqrt(a^2 - x^2)\"\n";
     using test::has;
     const AuditResult mine = audit_of(hertz);

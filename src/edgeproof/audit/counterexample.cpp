@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/algebra/identity.hpp"
 #include "edgeproof/audit/run.hpp"
-#include "edgeproof/audit/sample/formal_values.hpp"
 #include "edgeproof/audit/symbolic/symbolic.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>

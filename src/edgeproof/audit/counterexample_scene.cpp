@@ -103,7 +103,7 @@ Rational short_decimal_between(const Rational& x, const Rational& y) {
 } // namespace
 
 std::optional<QuotedReach> quoted_reach(const Claim& claim) {
-    if (claim.kind != "figure" || claim.formula("of").kind() != Expr::Kind::div) {
+    if (!claim.has("quoted") || !claim.has("of") || claim.formula("of").kind() != Expr::Kind::div) {
         return std::nullopt;
     }
     const Expr& reach = claim.formula("of").arg(0);
@@ -153,7 +153,7 @@ std::optional<Evidence> reach_counterexample(const RefutedReading& refuted,
 std::optional<Evidence> integral_counterexample(const RefutedReading& refuted,
                                                 const AuditContext& context) {
     const Claim& claim = *refuted.claim;
-    if (!claim.has("says") || !claim.has("of") || claim.kind != "value") {
+    if (!claim.has("says") || !claim.has("of") || claim.kind != "compare") {
         return std::nullopt;
     }
     Sample sample = simplest_sample(claim, context);

@@ -72,7 +72,7 @@ TEST_CASE("a few samples spread evenly over all come first") {
 
 TEST_CASE("an interrupted run stops comparing") {
     const Ledger ledger = parse_ledger(
-        small_ledger::head + "[[claim]]\nid = \"C\"\nkind = \"value\"\nover = \"hertz\"\n"
+        small_ledger::head + "[[claim]]\nid = \"C\"\nkind = \"compare\"\nover = \"hertz\"\n"
                              "of = \"p(x)\"\nsays = \"Es*C/2*sqrt(a^2-x^2)\"\n",
         "small.toml");
     const Claim& claim = ledger.claims.front();

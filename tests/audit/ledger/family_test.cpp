@@ -22,7 +22,7 @@ std::string one_family(const std::string& profile, const std::map<std::string, s
         text.insert(text.find("[family.parameters]"), "knots = []\nslopes = [\"x\"]\n");
     }
     return text +
-           "[[claim]]\nid = \"A\"\nkind = \"value\"\nover = \"own\"\nof = \"P\"\nsays = \"P\"\n";
+           "[[claim]]\nid = \"A\"\nkind = \"compare\"\nover = \"own\"\nof = \"P\"\nsays = \"P\"\n";
 }
 
 std::string refusal_of(const std::string& ledger) {

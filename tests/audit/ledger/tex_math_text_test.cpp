@@ -29,7 +29,7 @@ a = ["1"]
 Es = ["1"]
 [[claim]]
 id = "C"
-kind = "value"
+kind = "compare"
 over = "hertz"
 of = "P"
 says = "P"

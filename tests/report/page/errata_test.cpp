@@ -16,7 +16,7 @@ namespace {
 /// the pressure at u = v a, so that it is within 1 % up to v = 2 - 2/1.01^2 = 0.0394: 7 % is wrong.
 std::string errata_of_sentence(const std::string& printed, const std::string& quoted) {
     const AuditResult result = small_ledger::audit_of(
-        "kind = \"figure\"\nover = \"hertz\"\nof = \"exit(1, 1/100)/a\"\nquoted = \"" + quoted +
+        "kind = \"compare\"\nover = \"hertz\"\nof = \"exit(1, 1/100)/a\"\nquoted = \"" + quoted +
         "\"\nprinted = '''" + printed + "'''\n");
     REQUIRE(result.claims.front().outcome.verdict == audit::Verdict::refuted);
     return errata_tex(result, {});
@@ -60,7 +60,7 @@ TEST_CASE("errata set a display of one line within the sentence") {
 TEST_CASE("a counterexample whose printed value is zero shows it") {
     // log(1) = 0, whereas the pressure of Hertz's contact is not 0.
     const AuditResult result = small_ledger::audit_of(
-        "kind = \"value\"\nover = \"hertz\"\nof = \"p(x)\"\nprinted = \"p\"\n"
+        "kind = \"compare\"\nover = \"hertz\"\nof = \"p(x)\"\nprinted = \"p\"\n"
         "says = \"Es*C*a*log(abs((sqrt(a) - sqrt(x))/(sqrt(a) - sqrt(x))))\"\n");
     const audit::ClaimResult& claim = result.claims.front();
     REQUIRE(claim.outcome.verdict == audit::Verdict::refuted);
@@ -101,7 +101,7 @@ TEST_CASE("a tolerance in percent") {
 
 TEST_CASE("errata call no line a misprint if the ledger does not state what rests on its lines") {
     const AuditResult result = small_ledger::audit_of(
-        "kind = \"value\"\nover = \"hertz\"\nof = \"p(x)\"\nsays = \"Es*C/3*sqrt(a^2 - x^2)\"\n"
+        "kind = \"compare\"\nover = \"hertz\"\nof = \"p(x)\"\nsays = \"Es*C/3*sqrt(a^2 - x^2)\"\n"
         "printed = 'p = \\frac{E^*C}{3}\\sqrt{a^2-x^2}'\n");
     REQUIRE(result.claims.front().outcome.verdict == audit::Verdict::refuted);
     const std::string tex = errata_tex(result, {});
@@ -111,7 +111,7 @@ TEST_CASE("errata call no line a misprint if the ledger does not state what rest
 }
 
 TEST_CASE("errata call only those lines misprints for which the ledger states what rests on them") {
-    const std::string value = "kind = \"value\"\nover = \"hertz\"\nof = \"p(x)\"\n";
+    const std::string value = "kind = \"compare\"\nover = \"hertz\"\nof = \"p(x)\"\n";
     const AuditResult result = small_ledger::audit_of(
         value + "says = \"Es*C/3*sqrt(a^2 - x^2)\"\n[[claim]]\nid = \"D\"\n" + value +
         "says = \"Es*C/4*sqrt(a^2 - x^2)\"\n[[claim]]\nid = \"L\"\n" + value +

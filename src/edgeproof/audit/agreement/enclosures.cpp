@@ -208,10 +208,9 @@ Basis basis_of(const ClaimResult& result) {
 }
 
 std::string verdict_text(const ClaimResult& result) {
-    const CheckKind* kind = find_check_kind(result.claim.kind);
+    const bool quoted = result.claim.kind == "compare" && result.claim.has("quoted");
     const bool at_samples = result.outcome.verdict == Verdict::confirmed &&
-                            basis_of(result) == Basis::enclosures &&
-                            (kind == nullptr || kind->sampled);
+                            basis_of(result) == Basis::enclosures && !quoted;
     return std::string(name_of(result.outcome.verdict)) + (at_samples ? " at the samples" : "");
 }
 

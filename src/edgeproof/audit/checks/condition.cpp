@@ -18,7 +18,6 @@ struct RelationInScene {
     Decision decision;
     std::size_t places = 0;
     std::optional<Margin> decisive; ///< the narrowest margin, or the place that decides
-    std::vector<std::string> where; ///< intervals where it fails ("somewhere": where it holds)
 };
 
 bool names_a_place(const Condition& condition) {
@@ -30,14 +29,6 @@ bool names_a_place(const Condition& condition) {
 }
 
 std::string fraction_text(const Real& fraction) { return to_decimal(fraction, 10); }
-
-std::vector<std::string> interval_texts(const MarginScan& scan, bool holding) {
-    std::vector<std::string> texts;
-    for (const auto& [from, to] : scan.intervals(holding)) {
-        texts.push_back("u/L = " + fraction_text(from) + " ... " + fraction_text(to));
-    }
-    return texts;
-}
 
 RelationInScene without_place(const ConditionInScene& condition) {
     RelationInScene result;
@@ -79,10 +70,6 @@ RelationInScene everywhere(const ConditionInScene& condition, const Real& neares
     result.places = scan.places().size();
     if (const Margin* least = scan.least()) {
         result.decisive = *least;
-        if (std::ranges::any_of(scan.places(),
-                                [](const Margin& p) { return p.clear && !(p.value > 0); })) {
-            result.where = interval_texts(scan, false);
-        }
         std::size_t enclosed = 0;
         result.decision = all_of(condition, scan.places(), enclosed);
         if (confirms(result.decision)) {
@@ -117,7 +104,6 @@ RelationInScene somewhere(const ConditionInScene& condition, const Real& nearest
         result.decisive = *most;
         const bool holds = most->clear && most->value > 0;
         if (holds) {
-            result.where = interval_texts(scan, true);
             result.decision = condition.decide_at(&most->fraction).value_or(Decision());
         } else if (!scan.nearly_changes(false)) {
             result.decision = fails_at_all(condition, scan.places());
@@ -191,7 +177,6 @@ Outcome summed_up(const std::vector<RelationInScene>& found, const std::string& 
     std::vector<const RelationInScene*> failing;
     std::vector<Decision> decisions;
     const RelationInScene* narrowest = nullptr;
-    std::vector<EvidenceItem> list;
     for (const RelationInScene& f : found) {
         places += f.places;
         decisions.push_back(f.decision);
@@ -199,17 +184,8 @@ Outcome summed_up(const std::vector<RelationInScene>& found, const std::string& 
             (narrowest == nullptr || f.decisive->value < narrowest->decisive->value)) {
             narrowest = &f;
         }
-        const bool fails = refutes(f.decision);
-        if (fails) {
+        if (refutes(f.decision)) {
             failing.push_back(&f);
-        }
-        if (fails || !f.where.empty()) {
-            Evidence one;
-            one.add("scene", f.scene).add("holds", confirms(f.decision));
-            if (!f.where.empty()) {
-                one.add(fails ? "fails_in" : "holds_in", f.where);
-            }
-            list.emplace_back(std::move(one));
         }
     }
     const auto unclear = std::ranges::count_if(decisions, is_open);
@@ -229,16 +205,13 @@ Outcome summed_up(const std::vector<RelationInScene>& found, const std::string& 
             outcome.evidence.add("narrowest_at_u_over_L", fraction_text(margin.fraction));
         }
     }
-    if (!list.empty()) {
-        outcome.evidence.add("in_scenes", std::move(list));
-    }
     const std::string of_scenes = std::to_string(found.size()) + " scenes";
     outcome.verdict = Judgement::of_all(decisions);
     if (!failing.empty()) {
         outcome.note = "fails in " + std::to_string(failing.size()) + " of " + of_scenes +
                        ", as in " + failing.front()->scene;
-        if (!failing.front()->where.empty()) {
-            outcome.note += " at " + failing.front()->where.front();
+        if (const auto& place = failing.front()->decisive; place && place->fraction > 0) {
+            outcome.note += " at u/L = " + fraction_text(place->fraction);
         }
     } else if (found.empty() || unclear > 0 || places == 0) {
         outcome.note =

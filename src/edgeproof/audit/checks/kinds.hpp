@@ -8,19 +8,15 @@
 namespace edgeproof::audit {
 
 using Check = Outcome(const Claim& claim, const AuditContext& context);
+/// Compares a quoted number with an exact quantity, by rounding.
+[[nodiscard]] Check compare_figure;
 
-/// Compares a formula with a computed quantity at every sample.
-[[nodiscard]] Check check_value;
-/// Compares a formula with a derived quantity by symbols, and at samples.
-[[nodiscard]] Check check_identity;
+/// Compares a formula with an exact quantity by symbols and at every sample; or a quoted number.
+[[nodiscard]] Check check_compare;
 /// Compares an expansion with a function, by powers, and checks the remainder in real contacts.
 [[nodiscard]] Check check_expansion;
 /// Checks a condition in the whole contact, near the edge only, or from value to value of a sweep.
 [[nodiscard]] Check check_condition;
-/// Checks the orders of the remainder of the pressure after each term of an expansion.
-[[nodiscard]] Check check_series;
-/// Compares a quoted number with a computed one.
-[[nodiscard]] Check check_figure;
 /// Checks if a quantity is a function of others, where P', P'', b', b'', ... are free.
 [[nodiscard]] Check check_relations;
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/audit/ledger/judgement.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
-#include "edgeproof/audit/sample/formal_values.hpp"
 #include "edgeproof/formula/expr.hpp"
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,8 +40,8 @@ struct RefutedFormula {
     EditAlphabet alphabet;
     /// A cheap test: true if a formula agrees with the exact one at a few points, to a few digits.
     std::function<bool(const Expr&)> passes_screening;
-    /// The complete check; returns the verdict if it is proved or confirmed.
-    std::function<std::optional<Verdict>(const Expr&)> verdict_of;
+    /// The complete check: true if the formula is proved or confirmed.
+    std::function<bool(const Expr&)> is_right;
     std::optional<Expr> ratio;   ///< printed/exact, if a closed form was recognised
     std::optional<Expr> derived; ///< the exact formula, if it is derived or known
 };
@@ -58,7 +59,7 @@ void diagnose(const RefutedFormula& refuted, Outcome& outcome);
 
 /// The ratio printed/exact for given values of the parameters.
 struct RatioSample {
-    Variables parameters;
+    std::map<std::string, Real, std::less<>> parameters;
     Real ratio;
 };
 

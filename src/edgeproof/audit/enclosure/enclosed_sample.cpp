@@ -67,14 +67,8 @@ struct EnclosedSample::State {
     }
     /// Returns the value of a name of a quantity of the contact; nothing for other names.
     [[nodiscard]] std::optional<Ball> quantity(std::string_view name) const;
-    [[nodiscard]] Ball left_edge() const { return contact().b(); }
     [[nodiscard]] Ball length() const { return contact().a() + contact().b(); }
     [[nodiscard]] bool axisymmetric() const { return sample.scene.axisymmetric; }
-    [[nodiscard]] Ball force() const {
-        return axisymmetric() ? ball_of(sample.scene.total_force(), bits) : contact().force();
-    }
-    [[nodiscard]] Ball approach() const { return ball_of(sample.scene.approach(), bits); }
-    [[nodiscard]] Ball moment() const { return contact().moment(); }
     [[nodiscard]] Ball force_derivative(std::size_t k) const {
         if (k == 1 && contact().closed_form() == nullptr) {
             // c_0 = 2 P'(a)/(pi sqrt(a + b)): docs/expansions.md
@@ -92,14 +86,7 @@ struct EnclosedSample::State {
     [[nodiscard]] Ball coefficient(Edge edge, std::size_t k) const {
         return contact().expansion(edge, k + 1).back();
     }
-    [[nodiscard]] Ball shear_coefficient(Edge edge, std::size_t k) const {
-        return full_stick_expansion(length(), load(), edge, k + 1).back();
-    }
     [[nodiscard]] bool slips() const { return sample.scene.slips(); }
-    [[nodiscard]] Ball slip_size(Edge edge) const { return partial_slip().slip().size(edge); }
-    [[nodiscard]] Ball stick_edge(Edge edge) const {
-        return partial_slip().slip().stick().at(edge);
-    }
     [[nodiscard]] Ball x() const {
         return sample.edge == Edge::right ? contact().a() - *u : *u - contact().b();
     }
@@ -275,19 +262,19 @@ Ball EnclosedSample::State::symbol(std::string_view name) const {
 
 std::optional<Ball> EnclosedSample::State::quantity(std::string_view name) const {
     if (name == "b") {
-        return left_edge();
+        return contact().b();
     }
     if (name == "L") {
         return length();
     }
     if (name == "P") {
-        return force();
+        return axisymmetric() ? ball_of(sample.scene.total_force(), bits) : contact().force();
     }
     if (axisymmetric() && name == "delta") {
-        return approach();
+        return ball_of(sample.scene.approach(), bits);
     }
     if (name == "M") {
-        return moment();
+        return contact().moment();
     }
     if (const auto k = order_behind(name, "P")) {
         return force_derivative(*k);
@@ -302,13 +289,13 @@ std::optional<Ball> EnclosedSample::State::quantity(std::string_view name) const
             return coefficient(edge, *k);
         }
         if (const auto k = order_behind(name, side + "s")) {
-            return shear_coefficient(edge, *k);
+            return full_stick_expansion(length(), load(), edge, *k + 1).back();
         }
         if (slips() && name == side + "d") {
-            return slip_size(edge);
+            return partial_slip().slip().size(edge);
         }
         if (slips() && name == (right ? "stick_a" : "stick_b")) {
-            return stick_edge(edge);
+            return partial_slip().slip().stick().at(edge);
         }
     }
     return std::nullopt;

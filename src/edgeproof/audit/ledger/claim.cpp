@@ -216,13 +216,12 @@ const Field::Table& Claim::table(std::string_view key) const {
     return value<Field::Table>(key, "table", "{ name = \"...\" }");
 }
 
-/// Calls read(), whose errors get the line of the field and what the program computes.
+/// Calls read(), whose errors get the line of the field.
 template <class Read> void Claim::at_field(std::string_view key, const Read& read) const {
     try {
         read();
     } catch (const InputError& error) {
-        const InputError scoped = with_scope(error);
-        reject(key, scoped.problem(), scoped.instead());
+        reject(key, error.problem(), error.instead());
     }
 }
 
@@ -278,11 +277,6 @@ void Claim::read_condition(std::string_view key) {
         }
     });
     parsed_.insert_or_assign(std::string(key), std::move(p));
-}
-
-void Claim::replace_formula(std::string_view key, std::string text) {
-    fields.find(key)->second.value = std::move(text);
-    read_formula(key);
 }
 
 const Claim::Parsed& Claim::parsed(std::string_view key) const {

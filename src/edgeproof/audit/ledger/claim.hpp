@@ -107,8 +107,6 @@ struct Claim {
     void read_condition(std::string_view key);
     void read_formulas(std::string_view key);
     void read_formula_table(std::string_view key);
-    /// Sets another text for a formula and parses it.
-    void replace_formula(std::string_view key, std::string text);
 
     /// Throws `problem; instead` at the line of a field (of the claim, if it has no such field).
     [[noreturn]] void reject(std::string_view key, const std::string& problem,
@@ -163,6 +161,7 @@ struct KeySpec {
     Type type = Type::text;
     bool required = false;
     std::vector<std::string_view> choices = {};
+    std::string_view unless = {}; ///< not required if the claim has this key
 };
 
 /// A kind of claim, defined in checks/.
@@ -170,15 +169,12 @@ struct CheckKind {
     std::string_view name;
     std::vector<KeySpec> keys;
     std::function<Outcome(const Claim&, const AuditContext&)> check;
-    bool sampled = true; ///< false: a confirmation does not depend on what lies between samples
 };
 
 /// Returns all kinds, in the order of checks/kinds.cpp.
 [[nodiscard]] const std::vector<CheckKind>& check_kinds();
 /// Returns nullptr if there is no kind of that name.
 [[nodiscard]] const CheckKind* find_check_kind(std::string_view name);
-/// Returns what to write in place of a kind that is no longer known; empty for other names.
-[[nodiscard]] std::string_view instead_of_kind(std::string_view name);
 /// The keys that claims of every kind may have: over, edge, where, quoted, with, vary, points,
 /// sizes, remark, decimals.
 [[nodiscard]] const std::vector<KeySpec>& common_keys();

@@ -143,10 +143,4 @@ std::string_view name_of(Verdict verdict) {
     return names.at(static_cast<std::size_t>(verdict));
 }
 
-std::optional<Verdict> find_verdict(std::string_view name) {
-    const auto* const found =
-        std::ranges::find(all_verdicts, name, [](Verdict v) { return name_of(v); });
-    return found == all_verdicts.end() ? std::nullopt : std::optional(*found);
-}
-
 } // namespace edgeproof::audit

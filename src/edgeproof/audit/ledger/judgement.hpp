@@ -30,7 +30,6 @@ inline constexpr std::array all_verdicts{
     Verdict::underspecified, Verdict::undecided, Verdict::definition};
 
 [[nodiscard]] std::string_view name_of(Verdict verdict);
-[[nodiscard]] std::optional<Verdict> find_verdict(std::string_view name);
 
 /// True if the claim is right as it stands.
 [[nodiscard]] constexpr bool holds(Verdict verdict) {

@@ -157,10 +157,6 @@ private:
         claim.kind = table.written("kind");
         const CheckKind* kind = find_check_kind(claim.kind);
         if (kind == nullptr) {
-            if (const auto instead = instead_of_kind(claim.kind); !instead.empty()) {
-                table.reject("kind", "the kind '" + claim.kind + "' is no longer known",
-                             std::string(instead));
-            }
             Keys known;
             for (const CheckKind& k : check_kinds()) {
                 known.push_back(k.name);
@@ -227,7 +223,7 @@ private:
         for (const auto& keys : {common_keys(), kind.keys}) {
             for (const KeySpec& key : keys) {
                 if (!claim.has(key.name)) {
-                    if (key.required && complete) {
+                    if (key.required && complete && !claim.has(key.unless)) {
                         claim.reject(key.name,
                                      "claim " + claim.id + " of kind " + claim.kind + " has no " +
                                          std::string(key.name),

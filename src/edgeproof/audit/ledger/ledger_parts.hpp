@@ -51,12 +51,4 @@ void refuse_unused_parameters(const Ledger& ledger);
 [[nodiscard]] bool is_full_stick_symbol(std::string_view name);
 [[nodiscard]] const std::vector<std::pair<std::string, unsigned>>& scene_functions();
 
-/// For a name that is not available in formulas: its usual meaning in the literature, if that is a
-/// part of mechanics which formulas write otherwise: "stress below the surface" for tau_max,
-/// "friction" for mu, a "point contact" for sphere. Nothing for any other name.
-[[nodiscard]] std::optional<std::string_view> outside_of_scope(std::string_view name);
-
-/// Returns the same error; for an unknown name outside the scope, it adds what is computed.
-[[nodiscard]] InputError with_scope(const InputError& error);
-
 } // namespace edgeproof::audit

@@ -20,7 +20,8 @@ using algebra::Form;
 /// True for names that may be negative or zero.
 bool has_either_sign(std::string_view name) {
     static constexpr std::string_view names[] = {"x", "s", "M", "alpha", "Q", "sig0", "y"};
-    return std::ranges::find(names, name) != std::end(names) ||
+    return std::ranges::find(names, name) != std::end(names) || name.starts_with("right_s") ||
+           name.starts_with("left_s") || name.starts_with("stick_") ||
            (name.size() == 2 && (name[0] == 'P' || name[0] == 'b') && name[1] >= '1' &&
             name[1] <= '9');
 }
@@ -120,7 +121,7 @@ private:
                 return k == 0 ? symbol_alone("a") : Form(k == 1 ? 1 : 0);
             }
         }
-        return symbol_alone(name);
+        return under_.either_sign.contains(name) ? Form::name(name, false) : symbol_alone(name);
     }
     [[nodiscard]] static Form derivative(Form f, unsigned k) {
         for (; k > 0; --k) {
@@ -285,12 +286,7 @@ L expansion_through(const Expr& e, const ExpansionIn& in, const SymbolField& fie
 
 } // namespace
 
-bool ExpansionComparison::equal() const { return first_wrong() == nullptr; }
-
-const ExpansionComparison::Term* ExpansionComparison::first_wrong() const {
-    const auto it = std::ranges::find_if(terms, [](const Term& t) { return !t.equal; });
-    return it == terms.end() ? nullptr : &*it;
-}
+bool ExpansionComparison::equal() const { return std::ranges::all_of(terms, &Term::equal); }
 
 Form form_in(const Expr& e, const SymbolicCase& under) { return meaning_of(e, SymbolField(under)); }
 
@@ -301,18 +297,6 @@ Expr derivative(const Expr& e, const std::string& name) { return from(e).derivat
 bool proved_equal(const Expr& x, const Expr& y, const SymbolicCase& under) {
     const SymbolField field(under);
     return meaning_of(x, field) == meaning_of(y, field);
-}
-
-std::vector<ExpansionTerm> expand(const Expr& e, const ExpansionIn& in, const SymbolicCase& under) {
-    const SymbolField field(under);
-    const L series = expansion_through(e, in, field);
-    std::vector<ExpansionTerm> terms;
-    for (long k = series.lowest(); Rational(k, 2) <= in.through; ++k) {
-        if (const Form c = series[k]; !c.is_zero()) {
-            terms.push_back({Rational(k, 2), c.expr()});
-        }
-    }
-    return terms;
 }
 
 ExpansionComparison compare_expansions(const Expr& printed, const Expr& derived,

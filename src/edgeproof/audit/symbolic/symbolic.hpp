@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ struct SymbolicCase {
     std::map<std::string, Expr, std::less<>> names = {};
     /// right_s0, left_s0, ... are the multipliers of the shear under full stick, not free.
     bool full_stick = false;
+    /// Names that are not positive in all contacts considered.
+    std::set<std::string, std::less<>> either_sign = {};
 };
 
 /// One term of an expansion: coefficient times variable^exponent.
@@ -54,8 +57,6 @@ struct ExpansionComparison {
     };
     std::vector<Term> terms;
     [[nodiscard]] bool equal() const;
-    /// Returns nullptr if there is none.
-    [[nodiscard]] const Term* first_wrong() const;
 };
 
 /// Returns the form of e (algebra/form.hpp) with right_c0, ... derived and derivatives taken.
@@ -67,9 +68,7 @@ struct ExpansionComparison {
 [[nodiscard]] Expr derivative(const Expr& e, const std::string& name);
 /// True if x - y is shown to vanish identically (lengths positive); false shows nothing.
 [[nodiscard]] bool proved_equal(const Expr& x, const Expr& y, const SymbolicCase& under);
-/// Returns the nonzero terms of e up to `in.through`. Throws DomainError if e has no expansion.
-[[nodiscard]] std::vector<ExpansionTerm> expand(const Expr& e, const ExpansionIn& in,
-                                                const SymbolicCase& under);
+/// Compares the terms up to `in.through`. Throws DomainError where there is no expansion.
 [[nodiscard]] ExpansionComparison compare_expansions(const Expr& printed, const Expr& derived,
                                                      const ExpansionIn& in,
                                                      const SymbolicCase& under);

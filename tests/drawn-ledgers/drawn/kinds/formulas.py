@@ -30,7 +30,7 @@ def draw_value(rng, digits):
     return _formula(rng, digits, of_family, of, says, nature)
 
 
-def _formula(rng, digits, of_family, of, says, label, kind="value"):
+def _formula(rng, digits, of_family, of, says, label, kind="compare"):
     times = rng.choice((0, 1, 1, 2))
     edge = {"edge": rng.choice(("left", "right"))}
     if rng.random() < 0.6:
@@ -54,10 +54,10 @@ def _on_knot(rng, digits):
             ("0", f"sqrt({x}^2)", "a"), ("0", f"min({x}, 0)", "a"), ("2*t", f"max({x}, 0) + 2*t", "a"))
     of, says, scale = rng.choice(true)
     if rng.random() < 0.7:
-        return Claim("value", {"says": says, "of": of, "scale": scale}, at, "true", "on a knot")
+        return Claim("compare", {"says": says, "of": of, "scale": scale}, at, "true", "on a knot")
     wrong = rng.choice((f"{says} + ({scale})/7", f"{says} - ({scale})*1e-{digits - 7}",
                         f"({says}) + ({scale})*(step({x}) + 1/2)"))
-    return Claim("value", {"says": wrong, "of": of, "scale": scale}, at, "false", "on a knot")
+    return Claim("compare", {"says": wrong, "of": of, "scale": scale}, at, "false", "on a knot")
 
 
 def _zero(rng, digits, of_family, zero):
@@ -66,9 +66,9 @@ def _zero(rng, digits, of_family, zero):
         says, of = of, says
     form = {"scale": scale} if rng.random() < 0.7 or "integral" in scale else {}
     if rng.random() < 0.6:
-        return Claim("value", {"says": says, "of": of, **form}, of_family, "true", "zero"
+        return Claim("compare", {"says": says, "of": of, **form}, of_family, "true", "zero"
                      + ("" if form else " without a scale"))
-    return Claim("value",
+    return Claim("compare",
                  {"says": f"{says} {rng.choice('+-')} {rng.randint(1, 9)}e-{rng.randint(1, digits - 7)}*({scale})",
                            "of": of, "scale": scale}, of_family, "false", "zero")
 
@@ -100,7 +100,7 @@ def _no_value(rng):
                        "log(-P)",
                        "acos(2)", "p(2*a)", "1/sin(0)", "P*log(b-a)", "P/(right.c0-left.c0)",
                        "P/g1(0)", "P*log(M)", "P/(p(x)-p(-x))", "P/step(b-a-1)"))
-    return Claim("value", {"says": says, "of": "P"}, scenes.power_law(rng, "1"), "no value", "no value in print")
+    return Claim("compare", {"says": says, "of": "P"}, scenes.power_law(rng, "1"), "no value", "no value in print")
 
 
 # Identities for every profile; `over` names a family in which an edit shows.
@@ -140,17 +140,17 @@ def draw_identity(rng, digits):
         of, says = rng.choice(table)
     if says == "0":
         if rng.random() < 0.6:
-            return Claim("identity", {"says": says, "of": of, **keys}, at, "true", "zero")
+            return Claim("compare", {"says": says, "of": of, **keys}, at, "true", "zero")
         unit = {"a - b": "a", "b2": "1/a", "P3": "P1/a^2", "P2": "P1/a", "P - a*P1/2": "P", "acos(a/b)": "1",
                 "sgn(b - a)": "1",
                 "sqrt(b - a)": "sqrt(a)"}.get(of, "right.c0")
-        return Claim("identity", {"says": f"{rng.randint(1, 9)}e-{rng.randint(1, digits - 7)}*{unit}", "of": of,
+        return Claim("compare", {"says": f"{rng.randint(1, 9)}e-{rng.randint(1, digits - 7)}*{unit}", "of": of,
                                   **keys}, at, "false", "zero")
     times = rng.choice((0, 1, 1, 2))
     if rng.random() < 0.6:
-        return Claim("identity", {"says": equivalent(rng, says, times, names), "of": of, **keys}, at, "true", which)
+        return Claim("compare", {"says": equivalent(rng, says, times, names), "of": of, **keys}, at, "true", which)
     edit, error = spoiled(rng, says, digits)
-    return Claim("identity", {"says": equivalent(rng, edit, times, names), "of": of, **keys}, at, "false", which,
+    return Claim("compare", {"says": equivalent(rng, edit, times, names), "of": of, **keys}, at, "false", which,
                  f"off by {error} of itself")
 
 
@@ -184,7 +184,7 @@ def _quote(rng, number, places, label, of, at):
     percent = places >= 2 and rng.random() < 0.3
     text = _decimal(units + off, places - 2) + " %" if percent else _decimal(units + off, places)
     truth = "true" if off == 0 else "imprecise" if abs(off) == 1 else "false"
-    return Claim("figure", {"quoted": text, "of": of}, at, truth, label, f"the value is {mpmath.nstr(number, 25)}")
+    return Claim("compare", {"quoted": text, "of": of}, at, truth, label, f"the value is {mpmath.nstr(number, 25)}")
 
 
 FIGURES = (("rational", ("1/3", "2/3", "1/7", "22/7", "1/8", "1/1000", "5/8", "1/64", "3/2", "0", "a - a", "1/2 + 0",

@@ -27,15 +27,15 @@ def draw_zero(rng, digits):
     keys = {"of": ratio}
     if rng.random() < 0.6:
         text = says if says == "0" else equivalent(rng, says, rng.choice((0, 1, 2)), ("a", "Es", "L", "b"))
-        return Claim("value", {"says": text, **keys}, at, "true", "zero" if says == "0" else "tiny"
+        return Claim("compare", {"says": text, **keys}, at, "true", "zero" if says == "0" else "tiny"
                      if says == "1e-30" else "ratio", group="zero of a quantity")
     if says in ("0", "1e-30"):
-        return Claim("value", {"says": f"{rng.randint(2, 9)}e-{rng.randint(1, min(25, digits - 7))}", **keys}, at,
+        return Claim("compare", {"says": f"{rng.randint(2, 9)}e-{rng.randint(1, min(25, digits - 7))}", **keys}, at,
                      "false", "zero")
     edit, error = (f"-({says})",
                    "twice") if rng.random() < 0.2 and "^2" not in says and "exp" not in says else spoiled(rng, says,
                                                                                                           digits)
-    return Claim("value", {"says": edit, **keys}, at, "false", "ratio", f"off by {error} of itself")
+    return Claim("compare", {"says": edit, **keys}, at, "false", "ratio", f"off by {error} of itself")
 
 
 # Sums of s0 at one edge and k times s0 at the other: (text, signs of the parts by Q and by sig0).

@@ -65,7 +65,7 @@ def draw_extent(rng, digits):
             continue
         truth = "true" if off == 0 else "imprecise" if abs(off) == 1 else "false"
         keys = {"quoted": _decimal(units + off, places), "of": f"exit({terms}, {tolerance})/({base})", "edge": edge}
-        return Claim("figure", keys, at, truth, at.profile, f"it is {mp.nstr(number, 15)}", group="exit")
+        return Claim("compare", keys, at, truth, at.profile, f"it is {mp.nstr(number, 15)}", group="exit")
 
 
 def draw_size_extent(rng, digits):
@@ -98,7 +98,7 @@ def _size_extent(rng):
     side = "(a+b)" if base == "whole" else "a" if edge == "right" else "b"
     keys = {"edge": edge, "of": f"exit({terms}, {tolerance})/{side}", "sizes": ["1/10", "1", "10"],
             "quoted": _decimal(units + off, places)}
-    return Claim("figure", keys, at, "false" if off else "true", shape, f"it is {mp.nstr(number, 15)}",
+    return Claim("compare", keys, at, "false" if off else "true", shape, f"it is {mp.nstr(number, 15)}",
                  group="exit at sizes")
 
 

@@ -83,13 +83,13 @@ OTHERS = (
     ("expansion", "Pof(a-eps)", {"says": "P - P1*eps + {0}*P2*eps^2", "through": "2"}, "1/2"),
     ("expansion", "sqrt(1 + eps/a)", {"says": "1 + {0}*eps/a - eps^2/(8*a^2)", "through": "2"}, "1/2"),
     ("expansion", "log(7 + eps/a)", {"says": "log(7) + {0}*eps/a", "through": "1"}, "1/7"),
-    ("series", None, {"terms": ["{0}*Es*C*sqrt(a)"], "orders": ["1/2"]}, "1/sqrt(2)"),
-    ("series", None, {"terms": ["{0}*P/a^(3/2)"], "orders": ["1/2", "3/2"]}, "2*sqrt(2)/Pi"),
-    ("series", None, {"terms": ["Es*C*sqrt(a)/sqrt(2)", "-{0}*Es*C/sqrt(a)"], "orders": ["1/2", "3/2"]}, "sqrt(2)/8"),
-    ("value", ZERO.format("right.s1"), {"says": "{0}"}, "8/(3*Pi)"),
-    ("value", ZERO.format("left.s0"), {"says": "{0}"}, "8/Pi"),
-    ("value", ZERO.format("right.s1") + "/L", {"says": "{0}/L"}, "8/(3*Pi)"),
-    ("value", ZERO.format("right.s0"), {"says": "-{0}"}, "8/Pi"))
+    ("expansion", "p(x)", {"says": "{0}*Es*C*sqrt(a*u)", "through": "1/2"}, "1/sqrt(2)"),
+    ("expansion", "p(x)", {"says": "{0}*P/a^(3/2)*sqrt(u)", "through": "1/2"}, "2*sqrt(2)/Pi"),
+    ("expansion", "p(x)", {"says": "Es*C*sqrt(a*u)/sqrt(2) - {0}*Es*C/sqrt(a)*u^(3/2)", "through": "3/2"}, "sqrt(2)/8"),
+    ("compare", ZERO.format("right.s1"), {"says": "{0}"}, "8/(3*Pi)"),
+    ("compare", ZERO.format("left.s0"), {"says": "{0}"}, "8/Pi"),
+    ("compare", ZERO.format("right.s1") + "/L", {"says": "{0}/L"}, "8/(3*Pi)"),
+    ("compare", ZERO.format("right.s0"), {"says": "-{0}"}, "8/Pi"))
 
 
 def printed(number, digits):
@@ -193,9 +193,8 @@ def draw_rounded(rng, digits):
             return _curved(rng)
         shape = rng.choice(("hertz", "hertz", "hertz", "wedge", "flat", "tilted"))
         profile, table = PROFILES[shape]
-        kind = "value"
         if rng.random() < 0.1:
-            kind, table, (profile, _), shape = "identity", IDENTITIES, PROFILES["tilted"], "tilted"
+            table, (profile, _), shape = IDENTITIES, PROFILES["tilted"], "tilted"
         formula = rng.choice(table)
         count = rng.choice((1, 1, 2, 3, 4))
         u = ["1/5", "1/20", "3/7", "1/1000"]
@@ -220,7 +219,7 @@ def draw_rounded(rng, digits):
         true = _fits(formula, at, intervals, samples)
     label = f"{formula.label}, {len(texts)} constants" + (", one sample" if one else "") + (", moved" if moved
                                                                                             else "")
-    return Claim(kind, {"says": formula.says.format(*texts), "of": formula.of}, at, "true" if true else "false",
+    return Claim("compare", {"says": formula.says.format(*texts), "of": formula.of}, at, "true" if true else "false",
                  label,
                  "exact: " + ", ".join(formula.constants), most_digits=50, group="rounded")
 
@@ -233,7 +232,7 @@ def _exponent(rng):
                                   ("a^Pi", "a^{0}", "Pi")))
     texts, intervals, moved = _drawn(rng, (exact,))
     true = intervals[0][0] <= value(exact, Plain()) <= intervals[0][1] or a == ["1"]
-    return Claim("value", {"says": says.format(*texts), "of": of}, at, "true" if true else "false", "exponent"
+    return Claim("compare", {"says": says.format(*texts), "of": of}, at, "true" if true else "false", "exponent"
                  + (", moved" if moved else ""),
                  f"exact: {exact}", most_digits=50, group="rounded")
 
@@ -252,7 +251,7 @@ def _curved(rng):
                                   ("g1(x)", "{0}*x + {1}*x^3", (f"1/{n}", f"1/{k}"))))
     texts, intervals, moved = _drawn(rng, exact)
     true = all(lo <= value(c, Plain()) <= hi for c, (lo, hi) in zip(exact, intervals))
-    return Claim("value", {"says": says.format(*texts), "of": of}, at, "true" if true else "false", "curved"
+    return Claim("compare", {"says": says.format(*texts), "of": of}, at, "true" if true else "false", "curved"
                  + (", moved" if moved else ""),
                  "exact: " + ", ".join(exact), most_digits=30, group="rounded")
 
@@ -260,14 +259,14 @@ def _curved(rng):
 def _other(rng):
     kind, of, keys, exact = rng.choice(OTHERS)
     texts, intervals, moved = _drawn(rng, (exact,))
-    fill = lambda v: [t.format(*texts) for t in v] if isinstance(v, list) else v.format(*texts)
-    keys = {**({"of": of} if of else {}), **{key: fill(v) for key, v in keys.items()}}
-    if kind == "value":
+    keys = {"of": of, **{key: v.format(*texts) for key, v in keys.items()}}
+    if kind == "compare":
         at = scenes.sheared(rng)
     else:
         at = scenes.power_law(rng, "1")
         if kind == "expansion":
-            keys |= {"variable": "eps", "vary": {"eps": ["a*1e-14", "a*3e-15"]}}
+            variable = "u" if of == "p(x)" else "eps"
+            keys |= {"variable": variable, "vary": {variable: ["a*1e-14", "a*3e-15"]}}
     true = intervals[0][0] <= value(exact, Plain()) <= intervals[0][1]
     return Claim(kind, keys, at, "true" if true else "false", f"in a claim of the kind {kind}"
                  + (", moved" if moved else ""),

@@ -139,35 +139,43 @@ SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context) {
         }
         (name == "P" ? under.P : under.b) = formula;
     }
+    for (const Sample& sample :
+         claim.has("over") ? context.samples(claim) : std::vector<Sample>()) {
+        for (const auto* values : {&sample.variables, &sample.scene.parameters}) {
+            for (const auto& [name, value] : *values) {
+                if (value.sign() <= 0) {
+                    under.either_sign.insert(name);
+                }
+            }
+        }
+    }
     return under;
 }
 
-Screening::Screening(const Claim& claim, const AuditContext& context, const Expr& exact)
-    : claim_(claim), digits_(screening_digits + 10) {
-    const PrecisionScope scope(digits_);
-    tolerance_ = pow(Real(10), -static_cast<int>(screening_digits - 2));
+Screening::Screening(const Claim& claim, const AuditContext& context) : claim_(claim) {
+    const PrecisionScope scope(screening_digits + 10);
     std::vector<Sample> samples = context.samples(claim);
     // Samples far from the edge come first, as integrals converge fastest there.
     std::ranges::stable_sort(samples, {}, away_from);
     const Sample first = samples.empty() ? Sample() : samples.front();
-    for (std::size_t i = 0; i < samples.size() && points() < most_screening_samples; ++i) {
+    for (std::size_t i = 0; i < samples.size() && points_.size() < most_screening_samples; ++i) {
         if (is_admitted(claim, samples[i])) {
-            add_contact(samples[i], exact);
+            add_contact(samples[i]);
         }
     }
-    if (points() > 0) {
+    if (!points_.empty()) {
         for (const Sample& other : other_contacts(first)) {
-            add_contact(other, exact);
+            add_contact(other);
         }
     }
 }
 
-void Screening::add_contact(const Sample& sample, const Expr& exact) {
+void Screening::add_contact(const Sample& sample) {
     try {
-        const auto contact = std::make_shared<EnclosedSample>(
+        auto contact = std::make_shared<EnclosedSample>(
             sample, 2 * formula::bits_for(screening_digits), screening_digits);
-        const auto value = [contact](const Expr& e) { return contact->finite(e).midpoint(); };
-        add_point(value, value(exact));
+        Real exact = contact->finite(claim_.formula("of")).midpoint();
+        points_.emplace_back(std::move(contact), std::move(exact));
     } catch (const Error&) {
         return; // no enclosure here
     }
@@ -175,10 +183,11 @@ void Screening::add_contact(const Sample& sample, const Expr& exact) {
 
 bool Screening::operator()(const Expr& written) const {
     const Expr e = expand_definitions(written, claim_.vocabulary);
-    const PrecisionScope scope(digits_);
+    const PrecisionScope scope(screening_digits + 10);
+    const Real tolerance = pow(Real(10), -static_cast<int>(screening_digits - 2));
     return !points_.empty() && std::ranges::all_of(points_, [&](const auto& point) {
-        const auto& [evaluation, exact] = point;
-        return abs(evaluation(e) - exact) <= tolerance_ * abs(exact);
+        const auto& [contact, exact] = point;
+        return abs(contact->finite(e).midpoint() - exact) <= tolerance * abs(exact);
     });
 }
 
@@ -278,7 +287,7 @@ std::optional<Expr> FormulaComparison::ratio(Evidence& evidence) const {
     std::vector<RatioSample> samples;
     const PrecisionScope scope(30);
     const auto add = [&](const Sample& sample, const EnclosedSample& at, const Ball& ratio) {
-        Variables parameters;
+        std::map<std::string, Real, std::less<>> parameters;
         for (const auto* values : {&sample.variables, &sample.scene.parameters}) {
             for (const auto& [name, value] : *values) {
                 parameters.emplace(name, value.to<Real>());

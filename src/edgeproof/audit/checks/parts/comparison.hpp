@@ -28,29 +28,17 @@ void add_hypotheses(const Claim& claim, const std::function<std::string(const Ex
 [[nodiscard]] SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context);
 
 /// Tests candidates for a correction in numbers, to a few digits: true for a formula (as written
-/// in the claim) that has the exact value at all points.
+/// in the claim) that has the exact value at a few samples of the claim and at other contacts.
 class Screening {
 public:
-    /// `digits`: the working digits; differences are compared with `tolerance` times the value.
-    Screening(const Claim& claim, unsigned digits, Real tolerance)
-        : claim_(claim), digits_(digits), tolerance_(std::move(tolerance)) {}
-    /// A few samples of the claim and other contacts, and the exact formula there.
-    Screening(const Claim& claim, const AuditContext& context, const Expr& exact);
-
-    using Evaluation = std::function<Real(const Expr&)>;
-    void add_point(Evaluation evaluation, Real exact) {
-        points_.emplace_back(std::move(evaluation), std::move(exact));
-    }
-    [[nodiscard]] std::size_t points() const { return points_.size(); }
+    Screening(const Claim& claim, const AuditContext& context);
     [[nodiscard]] bool operator()(const Expr& written) const;
 
 private:
-    void add_contact(const Sample& sample, const Expr& exact);
+    void add_contact(const Sample& sample);
 
     const Claim& claim_;
-    unsigned digits_;
-    Real tolerance_;
-    std::vector<std::pair<Evaluation, Real>> points_;
+    std::vector<std::pair<std::shared_ptr<const EnclosedSample>, Real>> points_; ///< exact values
 };
 
 /// The formulas `says` and `of` of a claim, compared at its samples; `scale`, if the claim has it,

@@ -21,10 +21,25 @@ ConditionInScene::ConditionInScene(const Sample& sample, PrintedCondition condit
     : sample_(sample), printed_(std::move(condition)), condition_(printed_.as_printed),
       where_(std::move(where)), digits_(digits), in_balls_(sample, first_digits, digits + 2) {}
 
-void ConditionInScene::place(EnclosedSample& at, const Real* fraction) const {
-    if (fraction != nullptr) {
-        at.set_place(sample_.edge, Ball(*fraction, at.bits()) * at.length());
-    }
+template <class Look>
+bool ConditionInScene::looks_at(const Real* fraction, SidesThatAgree agreeing,
+                                const Look& look) const {
+    bool admitted = !where_;
+    static_cast<void>(in_balls_.until([&](EnclosedSample& at) {
+        if (fraction != nullptr) {
+            at.set_place(sample_.edge, Ball(*fraction, at.bits()) * at.length());
+        }
+        if (!admitted) {
+            const Decision there =
+                decide(*where_, at, AuditContext::digits_needed(digits_), agreeing);
+            admitted = confirms(there);
+            if (!admitted) {
+                return refutes(there);
+            }
+        }
+        return look(at);
+    }));
+    return admitted;
 }
 
 std::optional<Decision> ConditionInScene::decide_at(const Real* fraction) const {
@@ -39,16 +54,7 @@ std::optional<Decision> ConditionInScene::decide_at(const Real* fraction,
                                                     SidesThatAgree agreeing) const {
     const double needed = AuditContext::digits_needed(digits_);
     Decision found;
-    bool admitted = !where_;
-    static_cast<void>(in_balls_.until([&](EnclosedSample& at) {
-        place(at, fraction);
-        if (!admitted) {
-            const Decision there = decide(*where_, at, needed, agreeing);
-            admitted = confirms(there);
-            if (!admitted) {
-                return refutes(there);
-            }
-        }
+    const bool admitted = looks_at(fraction, agreeing, [&](EnclosedSample& at) {
         found = decide(printed_.as_printed, at, needed, agreeing);
         if (refutes(found) && !printed_.decimals.empty()) {
             Decimals intervals;
@@ -63,7 +69,7 @@ std::optional<Decision> ConditionInScene::decide_at(const Real* fraction,
             }
         }
         return !is_open(found);
-    }));
+    });
     return admitted ? std::optional(found) : std::nullopt;
 }
 
@@ -129,20 +135,11 @@ Margin ConditionInScene::margin_at(const EnclosedSample& at) const {
 
 std::optional<Margin> ConditionInScene::margin(const Real* fraction) const {
     std::optional<Margin> m;
-    bool admitted = true;
-    static_cast<void>(in_balls_.until([&](EnclosedSample& at) {
-        place(at, fraction);
-        if (where_) {
-            const Decision there = decide(*where_, at, AuditContext::digits_needed(digits_),
-                                          SidesThatAgree::undecided);
-            admitted = confirms(there);
-            if (!admitted) {
-                return refutes(there);
-            }
-        }
-        m = margin_at(at);
-        return m->clear;
-    }));
+    const bool admitted =
+        looks_at(fraction, SidesThatAgree::undecided, [&](const EnclosedSample& at) {
+            m = margin_at(at);
+            return m->clear;
+        });
     if (!admitted) {
         return std::nullopt;
     }
@@ -265,41 +262,6 @@ bool MarginScan::nearly_changes(bool holding) const {
         }
     }
     return false;
-}
-
-Real MarginScan::change_between(Real lo, Real hi, bool holds_at_lo) const {
-    for (int k = 0; k < 45; ++k) {
-        const Real middle = (lo + hi) / 2;
-        const auto margin = condition_.margin(&middle);
-        if (!margin) {
-            break;
-        }
-        ((margin->value > 0) == holds_at_lo ? lo : hi) = middle;
-    }
-    return hi;
-}
-
-std::vector<std::pair<Real, Real>> MarginScan::intervals(bool holding) const {
-    const PrecisionScope scope(scan_digits);
-    std::vector<std::pair<Real, Real>> found;
-    bool inside = false;
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-        const bool here = (places_[i].value > 0) == holding;
-        if (here && !inside) {
-            const Real from =
-                i == 0 ? places_[i].fraction
-                       : change_between(places_[i - 1].fraction, places_[i].fraction, !holding);
-            found.emplace_back(from, places_[i].fraction);
-        } else if (!here && inside) {
-            found.back().second =
-                change_between(places_[i - 1].fraction, places_[i].fraction, holding);
-        }
-        if (here) {
-            found.back().second = places_[i].fraction;
-        }
-        inside = here;
-    }
-    return found;
 }
 
 } // namespace edgeproof::audit

@@ -50,7 +50,11 @@ public:
 private:
     [[nodiscard]] std::optional<Decision> decide_at(const Real* fraction,
                                                     SidesThatAgree agreeing) const;
-    void place(EnclosedSample& at, const Real* fraction) const;
+    /// Calls look(EnclosedSample&) at the place until it returns true; false if `where` does not
+    /// certainly hold there.
+    template <class Look>
+    [[nodiscard]] bool looks_at(const Real* fraction, SidesThatAgree agreeing,
+                                const Look& look) const;
     [[nodiscard]] Margin margin_at(const EnclosedSample& at) const;
 
     Sample sample_;
@@ -78,14 +82,10 @@ public:
     /// its sides is so small at one place, compared with its neighbours, that the condition may
     /// fail (or hold) at a point between them.
     [[nodiscard]] bool nearly_changes(bool holding) const;
-    /// Intervals in which the condition holds (or fails), their ends isolated to 12 digits, one
-    /// end being a place of the scan where the condition is not asked beyond it.
-    [[nodiscard]] std::vector<std::pair<Real, Real>> intervals(bool holding) const;
 
 private:
     void look(const Real& fraction, bool at_knot);
     void seek_extrema();
-    [[nodiscard]] Real change_between(Real lo, Real hi, bool holds_at_lo) const;
 
     const ConditionInScene& condition_;
     std::vector<Margin> places_;

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/checks/parts/comparison.hpp"
+#include "edgeproof/audit/sample/body_fields.hpp"
+#include "edgeproof/precision/error.hpp"
+
+#include <algorithm>
+
+namespace edgeproof::audit {
+namespace {
+
+/// The exact formula in symbols, and whether the printed one is identically equal to it.
+struct Derivation {
+    std::optional<Expr> exact;
+    bool proved = false;
+};
+
+/// The derivations are those of plane contacts.
+Derivation derivation_of(const Claim& claim, const AuditContext& context) {
+    Derivation found;
+    const SymbolicCase under = symbolic_case(claim, context);
+    if (claim.has("over") && context.ledger().family(claim.text("over")).axisymmetric) {
+        return found;
+    }
+    try {
+        const Expr& exact = claim.formula("of");
+        found.proved = proved_equal(claim.formula("says"), exact, under);
+        found.exact = derive(exact, under);
+    } catch (const Error&) {
+        return found; // without algebra
+    }
+    return found;
+}
+
+/// True for a formula in the derivatives of P and b, which the derived formula contains.
+bool holds_derivative(const Expr& e) {
+    return std::ranges::any_of(free_symbols(e), [](const std::string& name) {
+        return order_behind(name, "P") || order_behind(name, "b");
+    });
+}
+
+/// Compares at the samples, with the `digits` of the context, or fewer.
+Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned digits,
+                       const Derivation& derivation) {
+    const FormulaComparison comparison(claim, context, digits);
+    Outcome outcome;
+    if (comparison.samples() == 0) {
+        outcome.note = "no sample fulfils the condition";
+        return outcome;
+    }
+    outcome.evidence.add("of", claim.text("of"));
+    if (derivation.proved) {
+        outcome.evidence.add("derived", to_text(*derivation.exact));
+    }
+    comparison.judge(outcome);
+    if (derivation.proved && outcome.verdict == Verdict::confirmed && !is_rounded(outcome)) {
+        outcome.verdict = Judgement::proved_by_symbols();
+        outcome.note = "identically equal to the derived form; " + outcome.note;
+    } else if (derivation.proved && outcome.verdict == Verdict::refuted) {
+        outcome.verdict = {};
+        outcome.note = "equal in symbols but not at the samples";
+    } else if (comparison.needs_correction(outcome)) {
+        RefutedFormula refuted = comparison.refuted(outcome.evidence);
+        if (derivation.exact && holds_derivative(claim.formula("says"))) {
+            refuted.derived = derivation.exact;
+        }
+        refuted.passes_screening = Screening(claim, context);
+        refuted.is_right = [&](const Expr& e) {
+            return comparison.confirms(expand_definitions(e, claim.vocabulary));
+        };
+        diagnose(refuted, outcome);
+    }
+    return outcome;
+}
+
+/// True if a confirmed claim holds to all digits, at samples spread evenly over the others.
+bool holds_to_all_digits(const Claim& claim, const AuditContext& context, Evidence& evidence) {
+    Outcome more;
+    FormulaComparison(claim, context, context.digits(), ManyDigits::samples).judge(more);
+    evidence.add("all_digits", std::move(more.evidence));
+    return more.verdict == Verdict::confirmed;
+}
+
+} // namespace
+
+Outcome check_compare(const Claim& claim, const AuditContext& context) {
+    if (claim.has("quoted")) {
+        return compare_figure(claim, context);
+    }
+    const Derivation derivation = derivation_of(claim, context);
+    const bool integrals = has_binder(claim.formula("says")) || has_binder(claim.formula("of"));
+    if (integrals && context.digits() > ManyDigits::everywhere) {
+        Outcome outcome = compare_values(claim, context, ManyDigits::everywhere, derivation);
+        if (outcome.verdict == Verdict::refuted || is_rounded(outcome) ||
+            (holds(outcome.verdict) && holds_to_all_digits(claim, context, outcome.evidence))) {
+            return outcome;
+        }
+    }
+    return compare_values(claim, context, context.digits(), derivation);
+}
+
+} // namespace edgeproof::audit

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/algebra/identity.hpp"
+#include "edgeproof/audit/agreement/samples.hpp"
+#include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/enclosure/sample_in_balls.hpp"
+#include "edgeproof/audit/ledger/printed_formula.hpp"
+#include "edgeproof/precision/arithmetic.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace edgeproof::audit {
+namespace {
+
+/// Computed figures are assumed to be right to all working digits except these last ones.
+constexpr int lost_digits = 25;
+
+/// A figure as it is quoted: "6.4 %", "0.03", "17". Its unit is one unit of the last place.
+class QuotedFigure {
+public:
+    /// Reads the field `quoted`: a decimal, with or without a per cent sign.
+    explicit QuotedFigure(const Claim& claim);
+
+    /// True if the computed value lies half-way between two numbers with the quoted places, up to
+    /// the error of the working digits.
+    [[nodiscard]] bool half_way(const Real& computed) const;
+    /// Rounds the computed value to the quoted place and returns the difference from the quoted
+    /// figure, in units of that place. A half is rounded up.
+    [[nodiscard]] long units_off(const Real& computed) const;
+    /// Confirmed if all numbers in the ball round to the figure, imprecise if all are one unit off,
+    /// refuted if all are farther off, else undecided.
+    [[nodiscard]] Judgement verdict(const Ball& computed) const;
+    /// Judges a constant that is proved by exact algebra to lie half-way between two numbers with
+    /// the quoted places; undecided for other constants.
+    [[nodiscard]] Judgement verdict_half_way(const Exact& computed) const;
+    /// The number of decimal digits of the figure, counted from the first nonzero digit.
+    [[nodiscard]] unsigned digits() const;
+    /// Returns the computed value in the quoted notation, rounded to the quoted place.
+    [[nodiscard]] std::string rounded(const Real& computed) const;
+    /// Returns the computed value in the quoted notation with `digits` significant digits.
+    [[nodiscard]] std::string text(const Real& computed, unsigned digits = 5) const;
+    /// Returns a note such as "rounds to 49 %: 3 units of the last quoted place above".
+    [[nodiscard]] std::string note(const Real& computed) const;
+
+private:
+    /// Decides if a number is within `units` units of the last quoted place of the figure.
+    [[nodiscard]] Decision within(const Ball& x, const Rational& units) const {
+        const Rational lower = value_ - units * unit_;
+        const Rational upper = value_ + units * unit_;
+        const auto below = Refutation::less(x, Ball(lower, x.bits()));
+        return decision(below ? below : Refutation::less(Ball(upper, x.bits()), x),
+                        Confirmation::within(x, lower, upper));
+    }
+
+    Rational value_;
+    Rational unit_;
+    unsigned decimals_ = 0;
+    bool percent_ = false;
+};
+
+QuotedFigure::QuotedFigure(const Claim& claim) {
+    std::string number = claim.text("quoted");
+    if (number.ends_with('%')) {
+        percent_ = true;
+        number.pop_back();
+        while (number.ends_with(' ')) {
+            number.pop_back();
+        }
+    }
+    const auto plain = [](char c) { return (c >= '0' && c <= '9') || c == '.'; };
+    if (number.empty() || !std::ranges::all_of(number, plain)) {
+        claim.reject("quoted", "the figure '" + claim.text("quoted") + "' is not a decimal number",
+                     "write it as quoted, such as \"6.4 %\" or \"0.03\"");
+    }
+    try {
+        value_ = parse_decimal(number);
+    } catch (const InputError& error) {
+        claim.reject("quoted", error.problem(), error.instead());
+    }
+    const std::size_t point = number.find('.');
+    if (point != std::string::npos) {
+        decimals_ = static_cast<unsigned>(number.size() - point - 1);
+    }
+    unit_ = Rational(Integer(1), Integer(boost::multiprecision::pow(Integer(10), decimals_)));
+    if (percent_) {
+        value_ /= 100;
+        unit_ /= 100;
+    }
+}
+
+bool QuotedFigure::half_way(const Real& computed) const {
+    const Real steps = computed / Real(unit_);
+    const Real from_half = abs(Real(steps - floor(steps) - Real(1) / 2));
+    return from_half <=
+           (abs(steps) + 1) * pow(Real(10), lost_digits - static_cast<int>(working_digits()));
+}
+
+long QuotedFigure::units_off(const Real& computed) const {
+    const Real steps = computed / Real(unit_);
+    const Real quoted(Rational(value_ / unit_));
+    // A half is rounded up, even if roundoff has moved the value slightly to either side of it.
+    const Real rounded =
+        half_way(computed) ? Real(floor(steps) + 1) : Real(floor(Real(steps + Real(1) / 2)));
+    const Real off = rounded - quoted;
+    constexpr long most = 1000000000;
+    return abs(off) > most ? (off > 0 ? most : -most) : off.convert_to<long>();
+}
+
+Judgement QuotedFigure::verdict(const Ball& computed) const {
+    const Decision rounds = within(computed, rounding_units());
+    const Decision near = within(computed, neighbour_units());
+    if (confirms(rounds) || !confirms(near)) {
+        return Judgement(confirms(rounds) ? rounds : near);
+    }
+    return refutes(rounds) ? Judgement::imprecise(std::get<Confirmation>(near)) : Judgement();
+}
+
+Judgement QuotedFigure::verdict_half_way(const Exact& computed) const {
+    const PrecisionScope scope(digits() + 40);
+    const Rational steps = Rational(
+        floor(Real(computed.to<Real>() / from_rational<Real>(unit_))).convert_to<Integer>());
+    for (const int offset : {-1, 0, 1}) {
+        const Rational middle = (steps + offset + rounding_units()) * unit_;
+        if (algebra::proved_zero(computed.expr() - Expr::number(middle))) {
+            return verdict(Ball(Rational(middle + rounding_units() * unit_), 64 + 4 * digits()));
+        }
+    }
+    return {};
+}
+
+unsigned QuotedFigure::digits() const {
+    Rational steps = abs(Rational(value_ / unit_));
+    unsigned count = 1;
+    for (; steps >= 10; steps /= 10) {
+        ++count;
+    }
+    return count;
+}
+
+std::string QuotedFigure::rounded(const Real& computed) const {
+    Real shown = percent_ ? Real(computed * 100) : computed;
+    if (half_way(computed)) {
+        shown = (floor(Real(computed / Real(unit_))) + 1) * Real(unit_) * (percent_ ? 100 : 1);
+    }
+    return shown.str(decimals_, std::ios_base::fixed) + (percent_ ? " %" : "");
+}
+
+std::string QuotedFigure::text(const Real& computed, unsigned digits) const {
+    return to_decimal(percent_ ? Real(computed * 100) : computed, digits) + (percent_ ? " %" : "");
+}
+
+std::string QuotedFigure::note(const Real& computed) const {
+    const long off = units_off(computed);
+    const std::string between =
+        half_way(computed) ? " (half-way between two, to the digits computed: rounded up)" : "";
+    if (off == 0) {
+        return "rounds to it" + between;
+    }
+    const long size = std::labs(off);
+    return "rounds to " + rounded(computed) + ": " + std::to_string(size) +
+           (size == 1 ? " unit" : " units") + " of the last quoted place " +
+           (off > 0 ? "above" : "below") + between;
+}
+
+/// Returns the rank of a verdict on a figure, from good to bad.
+int badness(Verdict v) {
+    switch (v) {
+    case Verdict::confirmed:
+        return 0;
+    case Verdict::imprecise:
+        return 1;
+    case Verdict::refuted:
+        return 3;
+    default:
+        return 2;
+    }
+}
+
+struct FigureAt {
+    Judgement verdict;
+    std::optional<Ball> value;
+    std::string problem;
+};
+
+/// Uses an exact number, or an enclosure with enough bits to round it and to show `digits`.
+FigureAt figure_at(const Sample& sample, const Expr& of, const QuotedFigure& figure,
+                   unsigned digits) {
+    FigureAt found;
+    SampleInBalls in_balls(sample, digits);
+    const bool decided = in_balls.until([&](const EnclosedSample& at) {
+        const Ball x = at.evaluate(of);
+        if (!x.is_finite()) {
+            return false;
+        }
+        found.value = x;
+        found.verdict = figure.verdict(x);
+        return found.verdict != Verdict::undecided &&
+               x.relative_accuracy_bits() >= formula::bits_for(digits);
+    });
+    if (found.verdict == Verdict::undecided) {
+        if (const auto exact = exact_value(of, sample)) {
+            found.verdict = figure.verdict_half_way(*exact);
+        }
+    }
+    if (!decided) {
+        found.problem = in_balls.problem();
+    }
+    return found;
+}
+
+} // namespace
+
+Outcome compare_figure(const Claim& claim, const AuditContext& context) {
+    const QuotedFigure figure(claim);
+    const Expr of = claim.formula("of");
+    const unsigned digits = std::max(context.digits(), figure.digits() + 10);
+    const ClaimSamples samples(claim, context);
+    const PrecisionScope scope(digits + 20);
+    Outcome outcome;
+    outcome.evidence.add("of", claim.text("of")).add("samples", samples.all().size());
+    std::optional<Real> least;
+    std::optional<Real> most;
+    std::optional<Real> at_worst;
+    int worst = -1;
+    for (const Sample& sample : samples.all()) {
+        const FigureAt found = figure_at(sample, of, figure, digits);
+        if (!found.value) {
+            outcome.verdict = {};
+            outcome.note = found.problem + ", at " + full_text(sample);
+            return outcome;
+        }
+        const Real value = found.value->midpoint();
+        if (badness(found.verdict) > worst) {
+            worst = badness(found.verdict);
+            at_worst = value;
+            outcome.verdict = found.verdict;
+            outcome.computed = figure.text(value);
+            outcome.evidence.add("at", full_text(sample))
+                .add("value", value_text(value, context.digits()))
+                .add("rounds_to", figure.rounded(value))
+                .add("units_off", figure.units_off(value))
+                .add("enclosure", ball_text(*found.value, context.digits()));
+        }
+        least = !least || value < *least ? value : *least;
+        most = !most || value > *most ? value : *most;
+    }
+    if (!least) {
+        outcome.note = "no sample fulfils the condition";
+        return outcome;
+    }
+    outcome.evidence.add("range",
+                         std::vector<std::string>{figure.text(*least, 12), figure.text(*most, 12)});
+    outcome.note = outcome.verdict == Verdict::undecided
+                       ? "the enclosure does not decide how it is rounded"
+                       : figure.note(*at_worst);
+    return outcome;
+}
+
+} // namespace edgeproof::audit

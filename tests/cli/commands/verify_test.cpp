@@ -86,9 +86,10 @@ TEST_CASE("verify: a record that cannot be compared is refused; exit 2") {
 
 TEST_CASE("verify: the verdict itself says where it rests on samples") {
     const Folder folder;
-    folder.write("own.toml", head + right + wrong +
-                                 "[[claim]]\nid = \"figure\"\nkind = \"compare\"\nover = \"hertz\"\n"
-                                 "of = \"u/L*0 + 1/3\"\nquoted = \"0.333\"\n");
+    folder.write("own.toml",
+                 head + right + wrong +
+                     "[[claim]]\nid = \"figure\"\nkind = \"compare\"\nover = \"hertz\"\n"
+                     "of = \"u/L*0 + 1/3\"\nquoted = \"0.333\"\n");
     const Outcome o = run(folder, "verify own.toml --out out");
     CHECK(has(o.out, "\nright   confirmed at the samples  agrees at "));
     CHECK(has(o.out, "\nwrong   refuted                   "));

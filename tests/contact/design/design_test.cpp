@@ -39,7 +39,7 @@ void check_error(const ErrorFamily& family, const Profile& profile, const Load& 
 } // namespace
 
 TEST_CASE("design: the error as a function of a parameter is that of the contact") {
-    const auto exponent = power_law_errors(in("m", {"m"}), {}, about("m", 3));
+    const auto exponent = power_law_errors(in("m", {"m"}), {}, about(3));
     for (const Rational& m : {Rational(2, 3), Rational(1, 10), Rational(5, 2)}) {
         check_error(*exponent, Profile::power_law(Exact::of(1), Exact::of(m)),
                     Load::right_edge(Exact::of(1)), Edge::right, 3, m);
@@ -49,7 +49,7 @@ TEST_CASE("design: the error as a function of a parameter is that of the contact
             ParametricLoad load;
             load.contact_modulus = in("1", {});
             (by_force ? load.P : load.a) = in("1/4", {});
-            const auto flat = linear_slope_errors(punch_of_flat("t"), load, about("t", 2, edge));
+            const auto flat = linear_slope_errors(punch_of_flat("t"), load, about(2, edge));
             const Exact quarter = Exact::of(Rational(1, 4));
             check_error(*flat,
                         Profile::tilted_flat_and_rounded(Exact::parse("1/10"), Exact::parse("1/3"),
@@ -61,13 +61,13 @@ TEST_CASE("design: the error as a function of a parameter is that of the contact
     }
     check_jet(*exponent, Rational(1, 6), Rational(2, 3));
     check_jet(*exponent, Rational(2, 5), Rational(2, 3));
-    check_jet(*full_stick_errors(in("1", {}), in("s", {"s"}), in("2", {}), about("s", 2)),
+    check_jet(*full_stick_errors(in("1", {}), in("s", {"s"}), in("2", {}), about(2)),
               Rational(1, 3), Rational(1, 2));
 }
 
 TEST_CASE("design: the exponent for which one term reaches farthest" *
           doctest::test_suite("slow")) {
-    const auto errors = power_law_errors(in("m", {"m"}), {}, about("m"));
+    const auto errors = power_law_errors(in("m", {"m"}), {}, about());
     ReachProblem problem;
     problem.edges = {errors.get()};
     problem.tolerance = Rational(1, 100);
@@ -97,7 +97,7 @@ TEST_CASE("design: the tension for which one term of the shear reaches farthest"
     // Let Q = 1, a + b = 2 and kappa = B/A. Then f + 1 = sqrt(1 - z)/(1 - kappa z), whose maximum
     // is 1/(2 sqrt(kappa (1 - kappa))) at z = 2 - 1/kappa: it equals 1 + eps for kappa = (1 +
     // sqrt(1 - (1 + eps)^-2))/2, and sigma_0 = kappa/pi/(1/2 - kappa/4).
-    const auto errors = full_stick_errors(in("1", {}), in("s", {"s"}), in("2", {}), about("s"));
+    const auto errors = full_stick_errors(in("1", {}), in("s", {"s"}), in("2", {}), about());
     ReachProblem problem;
     problem.edges = {errors.get()};
     problem.tolerance = Rational(1, 100);
@@ -132,7 +132,7 @@ TEST_CASE("design: an end of the range, and both edges" * doctest::test_suite("s
     ParametricLoad load;
     load.a = in("1", {});
     load.contact_modulus = in("1", {});
-    const auto flat = linear_slope_errors(pad, load, about("t"));
+    const auto flat = linear_slope_errors(pad, load, about());
     ReachProblem problem;
     problem.edges = {flat.get()};
     problem.tolerance = Rational(1, 20);
@@ -146,8 +146,8 @@ TEST_CASE("design: an end of the range, and both edges" * doctest::test_suite("s
     wedge.knots = {in("0", {})};
     wedge.pieces = {{in("-(1 + s)", {"s"}), in("0", {})}, {in("1 - s", {"s"}), in("0", {})}};
     wedge.corners = {true};
-    const auto right = linear_slope_errors(wedge, load, about("s", 1, Edge::right));
-    const auto left = linear_slope_errors(wedge, load, about("s", 1, Edge::left));
+    const auto right = linear_slope_errors(wedge, load, about(1, Edge::right));
+    const auto left = linear_slope_errors(wedge, load, about(1, Edge::left));
     problem.edges = {right.get(), left.get()};
     problem.tolerance = Rational(1, 100);
     const BestReach upright = best_reach(problem, {Rational(-1, 3), Rational(1, 2)}, {});

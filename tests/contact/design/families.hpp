@@ -18,10 +18,8 @@ inline formula::Expr in(const std::string& text, const std::set<std::string>& na
     return formula::parse(text, formula::Symbols(names));
 }
 
-inline ErrorQuestion about(const std::string& name, std::size_t terms = 1,
-                           Edge edge = Edge::right) {
+inline ErrorQuestion about(std::size_t terms = 1, Edge edge = Edge::right) {
     ErrorQuestion q;
-    q.name = name;
     q.terms = terms;
     q.edge = edge;
     return q;
@@ -56,9 +54,9 @@ inline void check_jet(const ErrorFamily& family, const Rational& u, const Ration
     close(jet.v, value(u, t));
     close(jet.g[0], (value(u + h, t) - value(u - h, t)) / two_h);
     close(jet.g[1], (value(u, t + h) - value(u, t - h)) / two_h);
-    close(jet.h[Jet::second(0, 0)], (value(u + h, t) - value(u, t) * 2 + value(u - h, t)) / hh);
-    close(jet.h[Jet::second(1, 1)], (value(u, t + h) - value(u, t) * 2 + value(u, t - h)) / hh);
-    close(jet.h[Jet::second(0, 1)],
+    close(jet.h[0], (value(u + h, t) - value(u, t) * 2 + value(u - h, t)) / hh);
+    close(jet.h[2], (value(u, t + h) - value(u, t) * 2 + value(u, t - h)) / hh);
+    close(jet.h[1],
           (value(u + h, t + h) - value(u + h, t - h) - value(u - h, t + h) + value(u - h, t - h)) /
               (hh * 4));
 }

@@ -53,7 +53,7 @@ Ball best_value(const SceneSpec& scene, const ReachQuestion& question, const std
     }
     const auto errors = contact::power_law_errors(
         Expr::symbol("m"), {},
-        {question.edge, number_of_terms(question), contact::ReachUnit::fraction, "m"});
+        {question.edge, number_of_terms(question), contact::ReachUnit::fraction});
     contact::ReachProblem problem;
     problem.edges = {errors.get()};
     problem.tolerance = question.tolerance.rational();

@@ -8,21 +8,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace edgeproof::contact {
 namespace {
 
 constexpr long reach_bits = 192;
-constexpr double bits_a_digit = 3.3219281;
 constexpr int most_better_values = 12;   ///< the most that branch and bound may find
 constexpr double share_of_samples = 0.4; ///< share of the budget
 constexpr double share_of_best = 0.7;    ///< for samples and for the proof of the best value
 constexpr double jump_of_reach = 1e-5;   ///< a larger difference of reaches is a jump
-constexpr double touching_excess =
-    1e-2; ///< for an extremum that may touch the tolerance, relative to it
+constexpr double farthest_jump = 1e-4;   ///< from the best sample, relative to the range
 constexpr double farthest_from_sample =
     1e-4; ///< between the best value and the best sample, relative to the range
-constexpr double nearest_to_middle = 1e-6; ///< for extrema at a cusp, relative to a + b
+constexpr double nearest_to_middle = 1e-5; ///< for extrema at a cusp, relative to a + b
 
 /// Returns a short rational near x, on one side of it (on any side for 0).
 Rational short_rational(const Ball& x, int side, const Rational& distance) {
@@ -35,7 +34,7 @@ class DesignSearch {
 public:
     DesignSearch(ReachProblem problem, ParameterRange range, const DesignOptions& options)
         : problem_(std::move(problem)), range_(std::move(range)), options_(options),
-          bits_(static_cast<long>(options.digits * bits_a_digit) * 2 + 128) {
+          bits_(formula::bits_for(options.digits) * 2 + 128) {
         problem_.count = &count_;
     }
 
@@ -62,8 +61,12 @@ public:
 
 private:
     void sample(const ParameterRange& range, const SampleGrid& grid) {
-        sampled_ =
-            sampled_best([&](double x) { return sampled_reach(problem_, x).reach; }, range, grid);
+        sampled_ = sampled_best(
+            [&](double x) {
+                const auto at = reach_near(problem_, x);
+                return at ? approximate(at->reach) : std::numeric_limits<double>::quiet_NaN();
+            },
+            range, grid);
     }
     [[nodiscard]] BestReach from_sample() {
         count_.most = share_of_best * options_.budget;
@@ -81,7 +84,7 @@ private:
     }
     /// Starts from values that branch and bound found, and from their neighbours.
     [[nodiscard]] BestReach from_better(const ParameterRange& better) {
-        sample({std::max(better.from, range_.from), std::min(better.to, range_.to)}, {16, 8, 14});
+        sample({std::max(better.from, range_.from), std::min(better.to, range_.to)}, {16, 8, 21});
         return from_sample();
     }
     [[nodiscard]] double span() const {
@@ -96,8 +99,11 @@ private:
         const double step = std::max(8 * sampled_.width, 1e-12 * span());
         const double from = range_.from.convert_to<double>();
         const double to = range_.to.convert_to<double>();
-        const SampledReach here = sampled_reach(problem_, x);
-        if (!here.leaves && show(best, exact_value(Real(x)))) {
+        const auto here = reach_near(problem_, x);
+        if (!here) {
+            return;
+        }
+        if (!here->leaves && show(best, exact_value(Real(x)))) {
             best.kind = BestReach::Kind::everywhere;
             best.value = Ball(*best.shown_at, bits_);
             best.reach = best.shown_reach;
@@ -113,91 +119,98 @@ private:
                 return;
             }
         }
-        const SampledReach before = sampled_reach(problem_, x - step);
-        const SampledReach after = sampled_reach(problem_, x + step);
-        const auto jumps = [&](const SampledReach& there) {
-            return here.reach - there.reach > jump_of_reach * here.reach;
-        };
-        if (jumps(before) || jumps(after)) {
-            touching(best, here, jumps(before) ? 1 : -1, x);
+        for (double off = step; off < farthest_jump * span(); off *= 100) {
+            for (const int good : {1, -1}) { // the side of the value on which the reach is long
+                if (best.kind != BestReach::Kind::box) {
+                    break;
+                }
+                const auto there = reach_near(problem_, x - good * off);
+                if (there && approximate(here->reach - there->reach) >
+                                 jump_of_reach * approximate(here->reach)) {
+                    touching(best, *here, *there, good, x);
+                } else if (!there) { // the scan does not end at a cusp in the middle
+                    for (const int side : {1, -1}) {
+                        const Ball centre = Ball(Real(length_at(x, here->edge) / 2), reach_bits);
+                        touching(best, *here, {centre, true, here->edge, side}, good, x);
+                    }
+                }
+            }
         }
         if (best.kind == BestReach::Kind::box && problem_.edges.size() == 2) {
             const auto errors = problem_.over(Ball(Real(x), reach_bits));
-            const Ball other = errors[1 - here.edge].at(Ball(Real(here.reach), reach_bits));
+            const Ball other = errors[1 - here->edge].at(middle(here->reach));
             at_point(best,
-                     {BestReach::Kind::two_edges, here.edge, here.side,
+                     {BestReach::Kind::two_edges, here->edge, here->side,
                       certainly_negative(other) ? -1 : 1},
-                     here, x);
+                     *here, x);
         }
         if (best.kind == BestReach::Kind::box) {
-            at_point(best, {BestReach::Kind::smooth, here.edge, here.side, 1}, here, x);
+            at_point(best, {BestReach::Kind::smooth, here->edge, here->side, 1}, *here, x);
         }
     }
+    [[nodiscard]] double length_at(double x, std::size_t edge) const {
+        return approximate(problem_.over(Ball(Real(x), reach_bits))[edge].length);
+    }
+    [[nodiscard]] DesignPoint start(const ProvedReach& at, double x) const {
+        return {middle(at.reach).with_bits(bits_), Ball(Real(x), bits_)};
+    }
+    /// Beyond a jump the first exit is next to the extremum that touches the tolerance.
     /// `good`: the side of the value on which the reach is long.
-    void touching(BestReach& best, const SampledReach& here, int good, double x) {
-        for (const SampledReach::Extremum& e : here.extrema) {
-            if (std::fabs(e.excess) > touching_excess * problem_.tolerance.convert_to<double>()) {
-                break;
-            }
-            const double middle = length_at(x, e.edge) / 2;
-            const auto point =
-                std::fabs(e.u - middle) < nearest_to_middle * middle
-                    ? touching_at_middle(problem_, e.edge, e.side, Real(x), bits_)
-                    : design_point(problem_, {BestReach::Kind::touching, e.edge, e.side, 1},
-                                   Real(e.u), Real(x), bits_);
-            if (!point || !near_sample(point->parameter, x)) {
-                continue;
-            }
-            const auto errors = problem_.over(point->parameter);
-            const Ball level = Ball(problem_.tolerance, bits_) * here.side;
-            const auto exit = here.leaves
-                                  ? exit_near(errors[here.edge], level, Real(here.reach), bits_)
-                                  : std::nullopt;
-            if (here.leaves && !exit) {
-                continue;
-            }
-            Rational distance = (range_.to - range_.from) / 1'000'000'000;
-            for (int k = 0; k < 3; ++k) {
-                if (show(best, short_rational(point->parameter, good, distance))) {
-                    break;
-                }
-                distance *= 100;
-            }
-            const Ball reach = exit ? *exit : best.shown_reach;
-            if (!best.shown_at ||
-                certainly_less(Ball(options_.gap, bits_), abs(reach - best.shown_reach))) {
-                best.shown_at.reset();
-                continue;
-            }
-            best.kind = BestReach::Kind::touching;
-            best.value = point->parameter;
+    void touching(BestReach& best, const ProvedReach& here, const ProvedReach& beyond, int good,
+                  double x) {
+        const DesignEquations of{BestReach::Kind::touching, beyond.edge, beyond.side, 1};
+        const Ball centre = Ball(Real(length_at(x, beyond.edge) / 2), reach_bits);
+        const DesignPoint from = start(beyond, x);
+        const bool in_middle = certainly_less(abs(from.u - centre),
+                                              centre * Ball(Real(nearest_to_middle), reach_bits));
+        const auto point = in_middle ? touching_at_middle(problem_, of, from.parameter)
+                                     : design_point(problem_, of, from);
+        if (best.kind != BestReach::Kind::box || !point || !near_sample(point->parameter, x)) {
+            return;
+        }
+        const auto errors = problem_.over(point->parameter);
+        const Ball level = Ball(problem_.tolerance, bits_) * here.side;
+        const auto exit =
+            here.leaves ? exit_near(errors[here.edge], level, start(here, x).u) : std::nullopt;
+        if (here.leaves && !exit) {
+            return;
+        }
+        Rational distance = (range_.to - range_.from) / 1'000'000'000;
+        for (int k = 0; k < 3 && !show(best, short_rational(point->parameter, good, distance));
+             ++k) {
+            distance *= 100;
+        }
+        const Ball reach = exit ? *exit : best.shown_reach;
+        if (take(best, BestReach::Kind::touching, point->parameter, reach)) {
             best.touches_at = point->u;
             best.attained = false;
-            best.reach = reach;
-            return;
         }
     }
-    void at_point(BestReach& best, const DesignEquations& equations, const SampledReach& here,
+    void at_point(BestReach& best, const DesignEquations& equations, const ProvedReach& here,
                   double x) {
-        const auto point = design_point(problem_, equations, Real(here.reach), Real(x), bits_);
-        if (!point || !near_sample(point->parameter, x) ||
-            !show(best, short_rational(point->parameter, 0, 0)) ||
-            certainly_less(Ball(options_.gap, bits_), abs(point->u - best.shown_reach))) {
-            best.shown_at.reset();
-            return;
+        const auto point = design_point(problem_, equations, start(here, x));
+        if (point && near_sample(point->parameter, x) &&
+            show(best, short_rational(point->parameter, 0, 0))) {
+            (void)take(best, equations.kind, point->parameter, point->u);
         }
-        best.kind = equations.kind;
-        best.value = point->parameter;
-        best.reach = point->u;
+    }
+    /// Takes the value if the reach shown near it is as long.
+    [[nodiscard]] bool take(BestReach& best, BestReach::Kind kind, const Ball& value,
+                            const Ball& reach) const {
+        if (!best.shown_at ||
+            certainly_less(Ball(options_.gap, bits_), abs(reach - best.shown_reach))) {
+            best.shown_at.reset();
+            return false;
+        }
+        best.kind = kind;
+        best.value = value;
+        best.reach = reach;
+        return true;
     }
     [[nodiscard]] bool near_sample(const Ball& parameter, double x) const {
         const Ball off = abs(parameter - Ball(Real(x), bits_));
         return in_range(parameter) &&
                certainly_less(off, Ball(Real(farthest_from_sample * span()), bits_));
-    }
-    [[nodiscard]] double length_at(double x, std::size_t edge) const {
-        const auto errors = problem_.over(Ball(Real(x), reach_bits));
-        return errors[edge].length.midpoint().convert_to<double>();
     }
     /// Proves the reach for an exact parameter.
     bool show(BestReach& best, const Rational& at) const {
@@ -217,7 +230,7 @@ private:
     [[nodiscard]] Ball to_all_digits(const ProvedReach& r, const Rational& at) const {
         const auto errors = problem_.over(Ball(at, bits_));
         const Ball level = Ball(problem_.tolerance, bits_) * r.side;
-        const auto exit = exit_near(errors[r.edge], level, r.reach.midpoint(), bits_);
+        const auto exit = exit_near(errors[r.edge], level, middle(r.reach).with_bits(bits_));
         return exit && contains(r.reach, *exit) ? *exit : r.reach;
     }
     void estimate(BestReach& best) const {

@@ -39,26 +39,11 @@ struct ProvedReach {
 };
 /// Throws BudgetError if the bits do not decide, because the error touches the tolerance.
 [[nodiscard]] ProvedReach proved_reach(const ReachProblem& problem, const Ball& parameter);
-
-/// An estimate of the same by samples. NaN if no sample has a value.
-struct SampledReach {
-    double reach = 0;
-    double measure = 0; ///< the total length of the places within the tolerance
-    bool leaves = true;
-    std::size_t edge = 0;
-    int side = 0;
-    /// Extrema of |f| before the exit that are near the tolerance, nearest first.
-    struct Extremum {
-        std::size_t edge;
-        double u;
-        double excess; ///< |f| - tolerance
-        int side;
-    };
-    std::vector<Extremum> extrema;
-};
-/// `whole`: also compute the measure, for which the whole contact is sampled.
-[[nodiscard]] SampledReach sampled_reach(const ReachProblem& problem, double parameter,
-                                         bool whole = false);
+/// The same for a binary64 with few bits; nothing where it is not decided.
+[[nodiscard]] std::optional<ProvedReach> reach_near(const ReachProblem& problem, double parameter);
+/// An estimate of the total length of the places within the tolerance, by samples. NaN if there is
+/// none.
+[[nodiscard]] double sampled_measure(const ReachProblem& problem, double parameter);
 
 struct ParameterRange {
     Rational from;
@@ -120,9 +105,9 @@ struct SampledBest {
 /// the number of later grids.
 struct SampleGrid {
     int first = 96;
-    int later = 16;
+    int later = 8;
     int rounds =
-        14; ///< until binary64 cannot separate values; this matters near a root of the parameter
+        21; ///< until binary64 cannot separate values; this matters near a root of the parameter
     /// The number of all values, with the ends of cells.
     [[nodiscard]] int count() const { return first + 1 + rounds * (later + 1); }
 };
@@ -138,7 +123,7 @@ struct CoveredRange {
     /// The hull of the open boxes and of those whose distance is above `shown`. It contains the
     /// best value.
     std::optional<ParameterRange> best;
-    /// A box whose middle seems to reach farther than `shown` + gap: the search ended there.
+    /// A box whose middle reaches farther than `shown` + gap: the search ended there.
     std::optional<ParameterRange> better;
 };
 [[nodiscard]] CoveredRange covered_by_exits(const ReachProblem& problem,
@@ -156,22 +141,17 @@ struct DesignEquations {
     int side = 1;       ///< the sign of the error at the tolerance
     int other_side = 1; ///< for two_edges: that sign at the second edge
 };
-/// Returns the only solution near a start, to a number of bits; nothing if it is not isolated.
+/// Returns the only solution near a start, to the bits of the start; nothing if it is not isolated.
 [[nodiscard]] std::optional<DesignPoint> design_point(const ReachProblem& problem,
                                                       const DesignEquations& equations,
-                                                      const Real& u, const Real& parameter,
-                                                      long bits);
+                                                      const DesignPoint& start);
 /// The same for a touching extremum at the middle of the contact, where f may have a cusp: only the
 /// parameter is unknown.
 [[nodiscard]] std::optional<DesignPoint> touching_at_middle(const ReachProblem& problem,
-                                                            std::size_t edge, int side,
-                                                            const Real& parameter, long bits);
-/// Returns the only root of a function near a start, from its value and derivative over a ball.
-using ValueAndRate = std::function<std::pair<Ball, Ball>(const Ball&)>;
-[[nodiscard]] std::optional<Ball> isolated_root(const ValueAndRate& f, const Real& start,
-                                                long bits);
-/// Encloses the root of f = side * tolerance near a start, for every parameter of the ball.
+                                                            const DesignEquations& equations,
+                                                            const Ball& start);
+/// Encloses the root of f = level near a start, for every parameter of the ball.
 [[nodiscard]] std::optional<Ball> exit_near(const ErrorOverBox& f, const Ball& level,
-                                            const Real& start, long bits);
+                                            const Ball& start);
 
 } // namespace edgeproof::contact

@@ -110,7 +110,8 @@ private:
                 }
                 // Mean value form (moore-kearfott-cloud2009).
                 const Ball f = in_middle[e].at(place);
-                if (beyond(f) && beyond(f + over[e].jet(place).g[1] * (whole - middle))) {
+                if (beyond(f) &&
+                    beyond(f + over[e].along(place, Along::parameter)[1] * (whole - middle))) {
                     return true;
                 }
             }
@@ -130,8 +131,7 @@ private:
         std::swap(fresh, box.places);
         if (box.places.empty() &&
             by_parents == BoxState::open) { // the middle may reach farther than all others
-            if (sampled_reach(problem_, approximate(middle)).reach > target_.convert_to<double>() &&
-                certainly_less(Ball(target_, cover_bits), proved_at(middle))) {
+            if (certainly_less(Ball(target_, cover_bits), proved_at(middle))) {
                 return BoxState::better;
             }
         }
@@ -209,8 +209,8 @@ private:
     [[nodiscard]] static Rational extremum_near(const ErrorOverBox& f, const Rational& start) {
         Rational u = start;
         for (int k = 0; k < 5 && u > 0; ++k) {
-            const Jet at = f.jet(Ball(u, cover_bits));
-            const Ball step = at.g[0] / at.h[Jet::second(0, 0)];
+            const BallSeries at = f.along(Ball(u, cover_bits), Along::u);
+            const Ball step = at[1] / (at[2] * 2);
             if (!step.is_finite()) {
                 break;
             }

@@ -38,8 +38,8 @@ EquationValues equations_at(const ReachProblem& problem, const DesignEquations& 
     }
     const std::size_t by = of.kind == BestReach::Kind::touching ? 0 : 1;
     e.f[1] = f.g[by];
-    e.rates[2] = f.h[Jet::second(0, by)];
-    e.rates[3] = f.h[Jet::second(1, by)];
+    e.rates[2] = f.h[by];
+    e.rates[3] = f.h[by + 1];
     return e;
 }
 
@@ -55,10 +55,11 @@ bool strictly_inside(const Ball& inner, const Ball& outer) {
 } // namespace
 
 std::optional<DesignPoint> design_point(const ReachProblem& problem,
-                                        const DesignEquations& equations, const Real& u,
-                                        const Real& parameter, long bits) {
-    Ball x(u, bits);
-    Ball y(parameter, bits);
+                                        const DesignEquations& equations,
+                                        const DesignPoint& start) {
+    const long bits = start.u.bits();
+    Ball x = start.u;
+    Ball y = start.parameter;
     Ball last(1, bits);
     std::array<Ball, 4> Y;
     for (int k = 0; k < most_newton_steps_of_a_point; ++k) {
@@ -107,8 +108,13 @@ std::optional<DesignPoint> design_point(const ReachProblem& problem,
     return {};
 }
 
-std::optional<Ball> isolated_root(const ValueAndRate& f, const Real& start, long bits) {
-    Ball x(start, bits);
+namespace {
+
+/// The only root of a function near a start, from its value and derivative over a ball.
+template <class ValueAndRate>
+std::optional<Ball> isolated_root(const ValueAndRate& f, const Ball& start) {
+    const long bits = start.bits();
+    Ball x = start;
     Ball last(1, bits);
     for (int k = 0; k < most_newton_steps_of_a_point; ++k) {
         check_interruption();
@@ -141,28 +147,29 @@ std::optional<Ball> isolated_root(const ValueAndRate& f, const Real& start, long
     return {};
 }
 
-std::optional<Ball> exit_near(const ErrorOverBox& f, const Ball& level, const Real& start,
-                              long bits) {
+} // namespace
+
+std::optional<Ball> exit_near(const ErrorOverBox& f, const Ball& level, const Ball& start) {
     return isolated_root(
         [&](const Ball& u) {
-            const Jet at = f.jet(u);
-            return std::pair(at.v - level, at.g[0]);
+            const BallSeries at = f.along(u, Along::u);
+            return std::pair(at[0] - level, at[1]);
         },
-        start, bits);
+        start);
 }
 
-std::optional<DesignPoint> touching_at_middle(const ReachProblem& problem, std::size_t edge,
-                                              int side, const Real& parameter, long bits) {
-    const Ball level = Ball(problem.tolerance, bits) * side;
+std::optional<DesignPoint> touching_at_middle(const ReachProblem& problem,
+                                              const DesignEquations& equations, const Ball& start) {
+    const Ball level = Ball(problem.tolerance, start.bits()) * equations.side;
     std::optional<Ball> middle;
     const auto root = isolated_root(
         [&](const Ball& t) {
             const auto errors = problem.over(t);
-            middle = errors[edge].length / 2;
-            const Jet at = errors[edge].jet(*middle);
-            return std::pair(at.v - level, at.g[1]);
+            middle = errors[equations.edge].length / 2;
+            const BallSeries at = errors[equations.edge].along(*middle, Along::parameter);
+            return std::pair(at[0] - level, at[1]);
         },
-        parameter, bits);
+        start);
     return root ? std::optional(DesignPoint{*middle, *root}) : std::nullopt;
 }
 

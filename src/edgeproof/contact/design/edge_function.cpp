@@ -3,6 +3,7 @@
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/ball/acb_values.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -102,12 +103,13 @@ Ball both(const Ball& x, const Ball& y) {
     return x.is_finite() && y.is_finite() ? Ball::hull(x, y) : unknown_ball(x.bits());
 }
 
+thread_local EdgeSum edge_sum; // searches need many places for one b
+
 /// F(y, b) and its derivatives by b, divided by factorials, for an exact b.
 std::vector<Ball> edge_series_at(const Ball& b, const Ball& y, std::size_t count) {
-    thread_local EdgeSum sum;
     const long bits = y.bits();
-    if (const auto value = count == 1 ? sum(b, y) : std::nullopt) {
-        return {*value};
+    if (const auto value = count == 1 ? edge_sum(b, y, 1) : std::nullopt) {
+        return *value;
     }
     if (near_far_end(y)) {
         std::vector<Ball> f = series_by_far_end(b, y, count);
@@ -149,7 +151,8 @@ std::vector<Ball> edge_series(const Ball& y, const Ball& b, std::size_t count) {
     return f;
 }
 
-template <class T> T argument(const T& z) { return z * (1 - z) * 4; }
+Ball argument(const Ball& z) { return z * (1 - z) * 4; }
+bool certainly_zero(const Ball& x) { return arb_is_zero(x.data()) != 0; }
 
 /// 1/F for exact arguments, y <= 1; 0 where F is infinite: y = 1 and m <= 0.
 Ball reciprocal_at(const Ball& b, const Ball& y) {
@@ -179,77 +182,87 @@ Ball reciprocal_edge_function(const Ball& z, const Ball& b) {
     return both(greatest, reciprocal_at(b_high, certainly_negative(b_high) ? least : most));
 }
 
-Jet reciprocal_edge_function(const Jet& z, const Jet& b) {
-    const Ball y = argument(z.v);
-    const std::vector<Ball> f = edge_series(y, b.v, 3);
+BallSeries reciprocal_edge_function(const BallSeries& z, const BallSeries& b) {
+    const long bits = z.bits();
+    const Ball one(1, bits);
+    const Ball y = argument(z[0]);
+    const Ball b0 = b[0];
+    const bool by_b = !certainly_zero(b[1]) || !certainly_zero(b[2]);
+    BallSeries dy = z * (-z + one) * Ball(4, bits);
+    dy.set(0, Ball(0, bits));
+    if (const auto by_y = by_b || !b0.is_exact() ? std::nullopt : edge_sum(b0, y, 3)) {
+        const std::vector<Ball>& d = *by_y;
+        return BallSeries(one, z.order()) / (dy * dy * d[2] + dy * d[1] + d[0]);
+    }
+    const std::vector<Ball> f = edge_series(y, b0, by_b ? 3 : 1);
     const Ball& F = f[0];
-    Ball F_y = F;
-    Ball F_yb = F;
-    Ball F_yy = F;
-    if (near_far_end(y)) {
-        // The series satisfies y (1 - y) F' + (1/2 - b y) F = 1/2.
-        const Ball half(Rational(1, 2), y.bits());
-        const Ball weight = half - b.v * y;
-        const Ball scale = y * (1 - y);
-        F_y = (half - weight * F) / scale;
-        F_yb = (y * F - weight * f[1]) / scale;
-        F_yy = (b.v * F - (weight + 1 - y * 2) * F_y) / scale;
-    } else if (certainly_less(y, Ball(1, y.bits()))) {
-        // d^k/dy^k 2F1(1, b; 3/2; y) = (1)_k (b)_k/(3/2)_k 2F1(1 + k, b + k; 3/2 + k; y):
-        // DLMF 15.5.2.
-        const std::vector<Ball> first = series_by_b(b.v, y, 1, 2);
-        F_y = b.v * first[0] * 2 / 3;
-        F_yb = (first[0] + b.v * first[1]) * 2 / 3;
-        F_yy = b.v * (b.v + 1) * series_by_b(b.v, y, 2, 1)[0] * 8 / 15;
-    } else { // the pressure need not have a derivative at the middle
-        F_y = F_yb = F_yy = unknown_ball(y.bits());
-    }
-    const Ball y_z = (1 - z.v * 2) * 4;
-    const Ball F_z = F_y * y_z;
-    const Ball F_zb = F_yb * y_z;
-    const Ball F_zz = F_yy * y_z * y_z - F_y * 8;
-    // A quantity that does not depend on z has derivatives at the middle, too.
-    const auto times = [](const Ball& rate, const Ball& by) {
-        return arb_is_zero(by.data()) != 0 ? by : rate * by;
-    };
-    Jet r(F);
-    for (std::size_t i = 0; i < Jet::variables; ++i) {
-        r.g[i] = times(F_z, z.g[i]) + f[1] * b.g[i];
-        for (std::size_t j = i; j < Jet::variables; ++j) {
-            const std::size_t k = Jet::second(i, j);
-            r.h[k] = times(F_z, z.h[k]) + f[1] * b.h[k] + times(F_zz, z.g[i] * z.g[j]) +
-                     times(F_zb, z.g[i] * b.g[j] + z.g[j] * b.g[i]) + f[2] * 2 * b.g[i] * b.g[j];
+    BallSeries db = b;
+    db.set(0, Ball(0, bits));
+    BallSeries sum = by_b ? db * db * f[2] + db * f[1] + F : BallSeries(F, z.order());
+    const bool moves = !certainly_zero(z[1]) || !certainly_zero(z[2]);
+    if (moves) {
+        Ball F_y(0, bits);
+        Ball F_yb(0, bits);
+        Ball F_yy(0, bits);
+        if (near_far_end(y)) {
+            // The series satisfies y (1 - y) F' + (1/2 - b y) F = 1/2.
+            const Ball half(Rational(1, 2), bits);
+            const Ball weight = half - b0 * y;
+            const Ball scale = y * (1 - y);
+            F_y = (half - weight * F) / scale;
+            F_yb = by_b ? (y * F - weight * f[1]) / scale : F_yb;
+            F_yy = (b0 * F - (weight + 1 - y * 2) * F_y) / scale;
+        } else if (certainly_less(y, one)) {
+            // d^k/dy^k 2F1(1, b; 3/2; y) = (1)_k (b)_k/(3/2)_k 2F1(1 + k, b + k; 3/2 + k; y):
+            // DLMF 15.5.2.
+            const std::vector<Ball> first = series_by_b(b0, y, 1, by_b ? 2 : 1);
+            F_y = b0 * first[0] * 2 / 3;
+            F_yb = by_b ? (first[0] + b0 * first[1]) * 2 / 3 : F_yb;
+            F_yy = b0 * (b0 + 1) * series_by_b(b0, y, 2, 1)[0] * 8 / 15;
+        } else { // the pressure need not have a derivative at the middle
+            return BallSeries(std::vector<Ball>(z.order(), unknown_ball(bits)));
         }
+        sum = sum + dy * F_y + dy * dy * (F_yy / 2) + dy * db * F_yb;
     }
-    const Ball R = 1 / F;
-    return composed(r, R, -(R * R), R * R * R * 2);
+    return BallSeries(one, z.order()) / sum;
 }
 
 namespace {
 
-constexpr double most_terms_a_bit = 4;
+constexpr double most_terms_a_bit = 8;
 
 // Both types have the same memory layout.
 static_assert(sizeof(ArbValue) == sizeof(arb_struct));
 
 } // namespace
 
-void EdgeSum::carry(const Ball& b, long n, long bits) {
+void EdgeSum::carry(const Ball& b, long n, long bits, std::size_t count) {
     if (bits != bits_ || arb_equal(b.data(), b_) == 0) {
         bits_ = bits;
         arb_set(b_, b.data());
-        c_.resize(1);
-        arb_one(c_[0]);
+        c_.assign(1, std::vector<ArbValue>(1));
+        arb_one(c_[0][0]);
     }
-    for (auto k = static_cast<long>(c_.size()) - 1; k < n; ++k) {
+    for (auto k = static_cast<long>(c_[0].size()) - 1; k < n; ++k) {
         ArbValue next;
-        arb_mul(next, c_.back(), ((b + k) * 2).data(), bits);
+        arb_mul(next, c_[0].back(), ((b + k) * 2).data(), bits);
         arb_div_si(next, next, 2 * k + 3, bits);
-        c_.push_back(std::move(next));
+        c_[0].push_back(std::move(next));
+    }
+    c_.resize(std::max(c_.size(), count));
+    for (std::size_t d = 1; d < count; ++d) {
+        const auto order = static_cast<long>(d);
+        for (auto k = static_cast<long>(c_[d].size()); k + order <= n; ++k) {
+            ArbValue next;
+            arb_mul_si(next, c_[d - 1][static_cast<std::size_t>(k) + 1], k + 1, bits);
+            arb_div_si(next, next, order, bits);
+            c_[d].push_back(std::move(next));
+        }
     }
 }
 
-std::optional<Ball> EdgeSum::operator()(const Ball& b, const Ball& y) {
+std::optional<std::vector<Ball>> EdgeSum::operator()(const Ball& b, const Ball& y,
+                                                     std::size_t count) {
     const long bits = y.bits();
     const Ball size = abs(y);
     const double ratio = size.upper().convert_to<double>();
@@ -258,18 +271,28 @@ std::optional<Ball> EdgeSum::operator()(const Ball& b, const Ball& y) {
         !certainly_less(b, Ball(1, bits))) {
         return std::nullopt;
     }
-    const auto n = static_cast<long>(terms);
+    const auto n = std::max(static_cast<long>(terms), static_cast<long>(count));
     if (!certainly_positive(b + n)) {
         return std::nullopt;
     }
-    carry(b, n, bits);
-    Ball sum(0, bits);
-    _arb_poly_evaluate_rectangular(sum.data(), c_[0], n, y.data(), bits);
-    // Each term after the n-th is less than y times the one before, since 0 < b + k < 3/2 + k.
-    Ball rest = pow_int(size, n) / (1 - size);
-    arb_mul(rest.data(), rest.data(), c_[static_cast<std::size_t>(n)], bits);
-    arb_add_error(sum.data(), rest.data());
-    return sum;
+    carry(b, n, bits, count);
+    std::vector<Ball> sums;
+    for (std::size_t d = 0; d < count; ++d) {
+        const auto order = static_cast<long>(d);
+        Ball sum(0, bits);
+        _arb_poly_evaluate_rectangular(sum.data(), c_[d][0], n - order, y.data(), bits);
+        // Each term after the n-th is less than y (n + 1)/(n + 1 - d) times the one before, since
+        // 0 < b + k < 3/2 + k.
+        const Ball room = 1 - size * Ball(Rational(n + 1, n + 1 - order), bits);
+        if (!certainly_positive(room)) {
+            return std::nullopt;
+        }
+        Ball rest = pow_int(size, n - order) / room;
+        arb_mul(rest.data(), rest.data(), c_[d][static_cast<std::size_t>(n - order)], bits);
+        arb_add_error(sum.data(), rest.data());
+        sums.push_back(std::move(sum));
+    }
+    return sums;
 }
 
 } // namespace edgeproof::contact

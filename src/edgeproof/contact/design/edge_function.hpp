@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/design/jet.hpp"
 #include "edgeproof/precision/ball/arb_values.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
+#include "edgeproof/precision/ball/ball_series.hpp"
 
 #include <optional>
 #include <vector>
@@ -16,25 +16,26 @@ namespace edgeproof::contact {
 /// and falls where b < 0. Values at the ends of z and b therefore enclose all between, the middle
 /// of the contact (y = 1) included, where F has no derivative by z if m < 1.
 [[nodiscard]] Ball reciprocal_edge_function(const Ball& z, const Ball& b);
-/// At the middle only the derivatives by variables that do not change z are finite.
-[[nodiscard]] Jet reciprocal_edge_function(const Jet& z, const Jet& b);
+/// The same for series of three terms. At the middle it is finite only if z is a constant.
+[[nodiscard]] BallSeries reciprocal_edge_function(const BallSeries& z, const BallSeries& b);
 
 /// F(y, b) = 2F1(1, b; 3/2; y), the sum of c_k y^k with c_k = (b)_k/(3/2)_k (DLMF 15.2.1), at many
 /// places for one b: the c_k of the last b are kept. One object belongs to one thread.
 class EdgeSum {
 public:
-    /// Encloses F for all numbers of both balls, |y| < 1. Returns nothing if b may reach 1, if b +
-    /// k is still negative after the few terms that are needed, or if another series needs fewer
-    /// terms.
-    [[nodiscard]] std::optional<Ball> operator()(const Ball& b, const Ball& y);
+    /// Encloses F and its derivatives by y, divided by factorials, `count` numbers, for all numbers
+    /// of both balls, |y| < 1. Returns nothing if b may reach 1, if b + k is still negative after
+    /// the few terms that are needed, or if another series needs fewer terms.
+    [[nodiscard]] std::optional<std::vector<Ball>> operator()(const Ball& b, const Ball& y,
+                                                              std::size_t count);
 
 private:
-    /// Computes c_0 ... c_n.
-    void carry(const Ball& b, long n, long bits);
+    /// Computes c_0 ... c_n and the coefficients of `count` - 1 derivatives.
+    void carry(const Ball& b, long n, long bits, std::size_t count);
 
     ArbValue b_;
     long bits_ = 0;
-    std::vector<ArbValue> c_;
+    std::vector<std::vector<ArbValue>> c_; ///< c_[d][k] = C(k + d, d) c_(k + d)
 };
 
 } // namespace edgeproof::contact

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/design/jet.hpp"
+#include "edgeproof/contact/curved/curved_slope.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/law/linear_measure.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
-#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/expr.hpp"
+#include "edgeproof/precision/ball/ball_series.hpp"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -24,16 +26,37 @@ enum class ReachUnit {
     distance  ///< u
 };
 
+/// f with its derivatives by u and by the parameter, in this order, each a ball that encloses it
+/// for every choice of the arguments from their balls, as interval Newton and the mean value form
+/// need them (moore-kearfott-cloud2009).
+struct Jet {
+    Ball v;
+    std::array<Ball, 2> g;
+    std::array<Ball, 3> h; ///< by u twice, by both, by the parameter twice
+};
+
+/// The arguments that grow with t.
+enum class Along { u, parameter, both };
+/// The number of terms of a series in t.
+inline constexpr std::size_t jet_terms = 3;
+
 /// f for the parameter in one ball. A value that cannot be enclosed is not finite: the ball is too
 /// wide, or a knot is at the place or at an edge. An object belongs to one thread, and refers to
 /// its family.
 struct ErrorOverBox {
     /// Encloses f at every distance of a ball, zero included (f = 0 at the edge).
     std::function<Ball(const Ball& u)> at;
-    /// The same with derivatives, at distances > 0.
-    std::function<Jet(const Ball& u)> jet;
+    /// The same as a series in t, at distances > 0.
+    std::function<BallSeries(const Ball& u, Along way)> along;
     /// The length a + b in the unit of distances: 1 for fractions.
     Ball length;
+
+    [[nodiscard]] Jet jet(const Ball& u) const {
+        const BallSeries by_u = along(u, Along::u);
+        const BallSeries by_parameter = along(u, Along::parameter);
+        const Ball mixed = along(u, Along::both)[2] - by_u[2] - by_parameter[2];
+        return {by_u[0], {by_u[1], by_parameter[1]}, {by_u[2] * 2, mixed, by_parameter[2] * 2}};
+    }
 };
 
 /// The costs of evaluations, in units of about a microsecond on the machine on which they were
@@ -42,7 +65,7 @@ struct ErrorOverBox {
 struct EvaluationCost {
     double over; ///< cost of ErrorFamily::over
     double at;   ///< cost of ErrorOverBox::at
-    double jet;
+    double along;
 };
 
 struct ErrorFamily {
@@ -51,7 +74,7 @@ struct ErrorFamily {
     std::function<ErrorOverBox(const Ball& parameter)> over;
 };
 
-/// A scene's numbers as formulas in the name of its parameter.
+/// A scene's numbers as formulas in the name of its parameter, their only name.
 struct ParametricLoad {
     std::optional<Expr> a; ///< or
     std::optional<Expr> P;
@@ -61,7 +84,6 @@ struct ErrorQuestion {
     Edge edge = Edge::right;
     std::size_t terms = 1;
     ReachUnit unit = ReachUnit::fraction;
-    std::string name; ///< of the parameter
 };
 
 /// g' piecewise linear: pieces, knots and the half-planes' load as formulas. The origin is one of
@@ -84,53 +106,51 @@ struct ParametricSlope : LinearSlope<Expr> {
 [[nodiscard]] std::unique_ptr<ErrorFamily> linear_slope_errors(const ParametricSlope& slope,
                                                                const ParametricLoad& load,
                                                                const ErrorQuestion& question);
-/// Evaluates formulas in the parameter, over Ball or Jet.
-template <class T> class ParameterValues {
-public:
+/// Evaluates formulas in the parameter, as balls or as series in its change t.
+template <class T> struct ParameterValues {
     using Number = T;
-    ParameterValues(std::string_view name, const Ball& value) : name_(name), bits_(value.bits()) {
+    Ball at;
+    bool moves = false; ///< of series: the parameter is at + t
+
+    [[nodiscard]] T operator()(const Expr& e) const {
+        const std::vector<Ball> c = slope_series(e, at, moves ? jet_terms : 1, at.bits());
         if constexpr (std::is_same_v<T, Ball>) {
-            value_ = value;
+            return c[0];
         } else {
-            value_ = Jet::variable(value, 1);
+            BallSeries series(c[0], jet_terms);
+            for (std::size_t k = 1; k < c.size(); ++k) {
+                series.set(k, c[k]);
+            }
+            return series;
         }
     }
-    [[nodiscard]] T number(const Rational& q) const { return T(Ball(q, bits_)); }
-    [[nodiscard]] T pi() const { return T(Ball::pi(bits_)); }
-    [[nodiscard]] T symbol(std::string_view name) const {
-        if (name != name_) {
-            throw Error("'" + std::string(name) + "' is not the parameter");
-        }
-        return value_;
-    }
-    [[nodiscard]] T operator()(const Expr& e) const { return formula::evaluate<T>(e, *this); }
     [[nodiscard]] std::optional<T> operator()(const std::optional<Expr>& e) const {
         return e ? std::optional<T>((*this)(*e)) : std::nullopt;
     }
-    [[nodiscard]] long bits() const { return bits_; }
-
-private:
-    std::string_view name_;
-    long bits_;
-    T value_;
 };
 
-/// The family of an error in closed form. `form(values)` makes, for values of either type T, an
-/// object with `error(u)` and with `whole()`, the length in the unit of distances.
+/// The constant of a number or of a series.
+[[nodiscard]] inline const Ball& value_in(const Ball& x) { return x; }
+[[nodiscard]] inline Ball value_in(const BallSeries& x) { return x[0]; }
+
+/// f in closed form over a ball of the parameter. `form(values)` makes, for values of either type,
+/// an object with `error(u)`; `whole` is the length in the unit of distances.
 template <class Form>
-[[nodiscard]] std::unique_ptr<ErrorFamily>
-closed_form_errors(const ErrorQuestion& question, const EvaluationCost& cost, const Form& form) {
-    return std::make_unique<ErrorFamily>(
-        ErrorFamily{cost, [name = question.name, form](const Ball& at) {
-                        auto balls = form(ParameterValues<Ball>(name, at));
-                        Ball whole = balls.whole();
-                        return ErrorOverBox{
-                            [balls = std::move(balls)](const Ball& u) { return balls.error(u); },
-                            [jets = form(ParameterValues<Jet>(name, at))](const Ball& u) {
-                                return jets.error(Jet::variable(u, 0));
-                            },
-                            std::move(whole)};
-                    }});
+[[nodiscard]] ErrorOverBox closed_form_error(const Ball& parameter, const Form& form,
+                                             const Ball& whole) {
+    using Series = decltype(form(ParameterValues<BallSeries>{}));
+    return {
+        [balls = form(ParameterValues<Ball>{parameter})](const Ball& u) { return balls.error(u); },
+        [form, parameter, made = std::array<std::optional<Series>, 2>()](const Ball& u,
+                                                                         Along way) mutable {
+            auto& series = made.at(way == Along::u ? 0 : 1); // made on first use
+            if (!series) {
+                series = form(ParameterValues<BallSeries>{parameter, way != Along::u});
+            }
+            return series->error(way == Along::parameter ? BallSeries(u, jet_terms)
+                                                         : BallSeries::variable(u, jet_terms));
+        },
+        whole};
 }
 
 } // namespace edgeproof::contact

@@ -10,15 +10,13 @@
 
 namespace edgeproof::contact {
 
-/// A contact on a piecewise linear slope whose knots, slopes and edges are balls or jets. The
+/// A contact on a piecewise linear slope whose knots, slopes and edges are balls or series. The
 /// integrals are those of contact/law over these types. A result is not finite if an edge may lie
 /// on a knot.
 template <class T> struct LinearContact {
     LinearSlope<T> slope;
     T modulus; ///< E*
-    long bits = 64;
 
-    LinearContact() = default;
     LinearContact(const ParametricSlope& of, const Expr& contact_modulus,
                   const ParameterValues<T>& value);
     /// Positive if the left edge must lie further out (moore-hills EQ20).
@@ -34,21 +32,20 @@ template <class T> struct LinearContact {
 };
 
 extern template struct LinearContact<Ball>;
-extern template struct LinearContact<Jet>;
+extern template struct LinearContact<BallSeries>;
 
 /// Encloses the edges over a box of parameters by interval Newton, which proves that for each
-/// parameter of the box an edge lies in the ball and is the only one there. Returns nothing if the
-/// box is too wide, or if an edge may lie on a knot. `in_middle`: the contact in the middle of the
-/// box.
-[[nodiscard]] std::optional<Extent<Ball>> solve_edges(const LinearContact<Ball>& contact,
-                                                      const LinearContact<Ball>& in_middle,
-                                                      bool symmetric, const std::optional<Ball>& a,
-                                                      const std::optional<Ball>& P);
-/// Adds the derivatives, by the implicit function theorem, to edges that are enclosed.
-[[nodiscard]] Extent<Jet> differentiated_edges(const LinearContact<Jet>& contact,
-                                               const Extent<Ball>& edges, bool symmetric,
-                                               const std::optional<Jet>& a,
-                                               const std::optional<Jet>& P);
+/// parameter of the box an edge lies in the ball and is the only one there. Throws BudgetError if
+/// the box is too wide, or if an edge may lie on a knot, DomainError if there is no contact.
+/// `in_middle`: the contact in the middle of the box.
+[[nodiscard]] Extent<Ball> solve_edges(const LinearContact<Ball>& contact,
+                                       const LinearContact<Ball>& in_middle, bool symmetric,
+                                       const std::optional<Ball>& a, const std::optional<Ball>& P);
+/// The edges as series, by the implicit function theorem, from edges that are enclosed.
+[[nodiscard]] Extent<BallSeries> moving_edges(const LinearContact<BallSeries>& contact,
+                                              const Extent<Ball>& edges, bool symmetric,
+                                              const std::optional<BallSeries>& a,
+                                              const std::optional<BallSeries>& P);
 
 /// artanh(sqrt(x))/sqrt(x), 0 <= x < 1. It increases, since its power series has positive terms.
 inline Ball arc_over_root(const Ball& x) {
@@ -79,12 +76,12 @@ template <class T> struct LinearError {
     std::vector<T> inverse_powers; ///< powers of 1/length
     std::vector<T> coefficients;   ///< c_k times 2 pi/E*
     bool fraction = true;
-    long bits = 64;
+    Ball one; ///< at the working precision
 
     LinearError(const LinearContact<T>& contact, const Extent<T>& edges,
                 const ErrorQuestion& question)
         : length(edges.length()), arc(arc_of(contact.slope, edges, contact.marks(edges))),
-          fraction(question.unit == ReachUnit::fraction), bits(contact.bits) {
+          fraction(question.unit == ReachUnit::fraction), one(1, value_in(length).bits()) {
         const bool right = question.edge == Edge::right;
         for (std::size_t i = 0; i < contact.slope.knots.size(); ++i) {
             const T from_right = edges.a - contact.slope.knots[i];
@@ -93,12 +90,11 @@ template <class T> struct LinearError {
                 certainly_negative(value_in(from_left))) {
                 continue;
             }
-            T drop = contact.slope.rate_drop(i);
-            drop *= right ? 1 : -1;
-            knots.push_back({right ? from_right : from_left, contact.slope.jump(i), drop,
-                             contact.slope.has_corner(i)});
+            const T drop = contact.slope.rate_drop(i);
+            knots.push_back({right ? from_right : from_left, contact.slope.jump(i),
+                             right ? drop : T(-drop), contact.slope.has_corner(i)});
         }
-        inverse_powers = {number(Rational(1))};
+        inverse_powers = {length * number(0) + one};
         for (std::size_t k = 0; k < question.terms; ++k) {
             coefficients.push_back(coefficient(k));
             inverse_powers.push_back(inverse_powers.back() / length);
@@ -113,19 +109,20 @@ template <class T> struct LinearError {
         }
         return q;
     }
-    [[nodiscard]] T number(const Rational& q) const { return T(Ball(q, bits)); }
+    [[nodiscard]] Ball number(const Rational& q) const { return {q, one.bits()}; }
+    [[nodiscard]] static T twice(const T& x) { return x + x; }
     /// The coefficient of u^k in G/sqrt(u), which is 2 sqrt(kappa) times the sum of kappa^j (1 -
     /// u/D)^(-j-1/2) u^j/(2j + 1), kappa = (D - u_v)/(D u_v).
     [[nodiscard]] T green_coefficient(const Knot& knot, std::size_t k) const {
         const T kappa = kappa_of(knot);
-        T sum = number(Rational(0));
-        T kappa_j = number(Rational(1));
+        T sum = kappa * Ball(0, one.bits());
+        T kappa_j = sum + one;
         for (std::size_t j = 0; j <= k; ++j) {
             const Rational s(2 * static_cast<long>(j) + 1, 2);
-            sum += kappa_j * number(rising(s, k - j) / (2 * s)) * inverse_powers[k - j];
-            kappa_j *= kappa;
+            sum = sum + kappa_j * number(rising(s, k - j) / (2 * s)) * inverse_powers[k - j];
+            kappa_j = kappa_j * kappa;
         }
-        return sum * Field<T>::root(kappa) * 2;
+        return twice(sum * Field<T>::root(kappa));
     }
     [[nodiscard]] T kappa_of(const Knot& knot) const {
         return (length - knot.distance) / (length * knot.distance);
@@ -135,15 +132,15 @@ template <class T> struct LinearError {
         T sum = arc * sqrt(length) * number(rising(Rational(-1, 2), k)) * inverse_powers[k];
         for (const Knot& knot : knots) {
             if (k == 0) { // u_v sqrt(kappa), which is small for a knot near the edge
-                sum -= knot.drop *
-                       Field<T>::root(knot.distance * (length - knot.distance) / length) * 2;
+                sum = sum - twice(knot.drop * Field<T>::root(knot.distance *
+                                                             (length - knot.distance) / length));
                 if (knot.corner) {
-                    sum += knot.jump * Field<T>::root(kappa_of(knot)) * 2;
+                    sum = sum + twice(knot.jump * Field<T>::root(kappa_of(knot)));
                 }
                 continue;
             }
-            sum += (knot.jump - knot.drop * knot.distance) * green_coefficient(knot, k);
-            sum += knot.drop * green_coefficient(knot, k - 1);
+            sum = sum + (knot.jump - knot.drop * knot.distance) * green_coefficient(knot, k) +
+                  knot.drop * green_coefficient(knot, k - 1);
         }
         return sum;
     }
@@ -152,9 +149,9 @@ template <class T> struct LinearError {
         const T u = fraction ? given * length : given;
         T sum = arc * sqrt(length - u);
         for (const Knot& knot : knots) {
-            sum += part_of(knot, u);
+            sum = sum + part_of(knot, u);
         }
-        return horner(coefficients, u) / sum - 1;
+        return horner(coefficients, u) / sum + -one;
     }
 
 private:
@@ -164,7 +161,7 @@ private:
         const T knot_in = (length - u) * knot.distance;
         // s, or 1/s beyond the knot
         const auto by_logarithm = [&](const T& s) {
-            return T(weight * log1p(s * 2 / (1 - s)) / sqrt(u));
+            return T(weight * log1p(twice(s) / (-s + one)) / sqrt(u));
         };
         if (certainly_positive(value_in(offset))) {
             return by_logarithm(Field<T>::root(knot_in / ((length - knot.distance) * u)));
@@ -172,7 +169,7 @@ private:
         const T ratio = (length - knot.distance) / knot_in;
         const T z = ratio * u;
         if constexpr (std::is_same_v<T, Ball>) {
-            if (certainly_less(z, Ball(Rational(1, 4), bits))) {
+            if (certainly_less(z, number(Rational(1, 4)))) {
                 return weight * Field<T>::root(ratio) * arc_over_root(clamped(z)) * 2;
             }
             if (contains_zero(offset) && !knot.corner) {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/best_reach.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <string>
 
 namespace edgeproof::contact {
@@ -15,6 +18,8 @@ constexpr std::size_t most_intervals = 60'000;
 constexpr int most_halvings_at_edge = 400;
 constexpr int most_newton_images = 60;
 constexpr double bits_of_the_costs = 192;
+constexpr long sample_bits = 96;
+constexpr int sample_points = 160;
 const Rational narrowest_interval(1, Integer(1) << 44); // NOLINT: no exception can matter here
 
 void charge(EvaluationCount& count, double cost) {
@@ -35,9 +40,9 @@ ErrorOverBox counted(ErrorOverBox f, const EvaluationCost& cost, EvaluationCount
                 charge(count, cost);
                 return at(u);
             },
-            [jet = std::move(f.jet), cost = cost.jet, &count](const Ball& u) {
+            [along = std::move(f.along), cost = cost.along, &count](const Ball& u, Along way) {
                 charge(count, cost);
-                return jet(u);
+                return along(u, way);
             },
             std::move(length)};
 }
@@ -87,14 +92,13 @@ private:
         const Rational m = middle(lo, hi);
         const Ball whole = Ball::hull(Ball(lo, bits_), Ball(hi, bits_));
         const Ball h = whole - Ball(m, bits_);
-        const Jet over = f_.jet(whole);
-        const Ball& curvature = over.h[Jet::second(0, 0)];
-        if (curvature.is_finite()) {
-            const Jet at = f_.jet(Ball(m, bits_));
-            if (within(at.v + at.g[0] * h + curvature * h * h / 2)) {
+        const Ball bend = f_.along(whole, Along::u)[2]; // half the second derivative
+        if (bend.is_finite()) {
+            const BallSeries at = f_.along(Ball(m, bits_), Along::u);
+            if (within(at[0] + at[1] * h + bend * h * h)) {
                 return {};
             }
-            const Ball rate = at.g[0] + curvature * h;
+            const Ball rate = at[1] + bend * h * 2;
             if (certainly_positive(rate) || certainly_negative(rate)) {
                 const Ball there = f_.at(Ball(hi, bits_));
                 if (within(there)) {
@@ -123,7 +127,7 @@ private:
         const Ball level = side > 0 ? tolerance_ : -tolerance_;
         for (int k = 0; k < most_newton_images; ++k) {
             const Ball m(x.midpoint(), bits_);
-            Ball image = m - (f_.at(m) - level) / f_.jet(x).g[0];
+            Ball image = m - (f_.at(m) - level) / f_.along(x, Along::u)[1];
             if (!image.is_finite()) {
                 image = x; // bisect below
             }
@@ -166,7 +170,7 @@ std::vector<ErrorOverBox> ReachProblem::over(const Ball& parameter) const {
         }
         EvaluationCost cost = family->cost;
         const double more = cost_of_bits(parameter.bits());
-        cost = {cost.over * more, cost.at * more, cost.jet * more};
+        cost = {cost.over * more, cost.at * more, cost.along * more};
         charge(*count, cost.over);
         all.push_back(counted(family->over(parameter), cost, *count));
     }
@@ -194,6 +198,83 @@ ProvedReach proved_reach(const ReachProblem& problem, const Ball& parameter) {
         }
     }
     return *least;
+}
+
+std::optional<ProvedReach> reach_near(const ReachProblem& problem, double parameter) {
+    try {
+        return proved_reach(problem, Ball(Real(parameter), sample_bits));
+    } catch (const BudgetError&) {
+        if (problem.count != nullptr && problem.count->spent > problem.count->most) {
+            throw;
+        }
+        return {};
+    }
+}
+
+double sampled_measure(const ReachProblem& problem, double parameter) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const ErrorOverBox& f : problem.over(Ball(Real(parameter), sample_bits))) {
+        const double end = approximate(f.length) * problem.part.convert_to<double>();
+        const Ball tolerance(problem.tolerance, sample_bits);
+        // At a corner, where p is infinite, f = -1.
+        const auto within = [&](double u) {
+            return certainly_less(abs(f.at(Ball(Real(u), sample_bits))), tolerance);
+        };
+        double measure = 0;
+        double before = 0;
+        bool was = true;
+        for (int k = 1; k <= sample_points; ++k) {
+            check_interruption();
+            const double s = static_cast<double>(k) / sample_points;
+            const double u = end * (k == sample_points ? 1 - 1e-9 : s * s * s);
+            const bool is = within(u);
+            double lo = before;
+            double hi = u;
+            for (int halvings = 0; was != is && halvings < 50; ++halvings) {
+                const double m = (lo + hi) / 2;
+                (within(m) == was ? lo : hi) = m;
+            }
+            measure += was && is ? u - before : was ? lo - before : is ? u - hi : 0;
+            before = u;
+            was = is;
+        }
+        least = std::min(least, std::isnan(end) ? end : measure);
+    }
+    return least;
+}
+
+SampledBest sampled_best(const std::function<double(double)>& score, const ParameterRange& range,
+                         const SampleGrid& samples) {
+    double lo = range.from.convert_to<double>();
+    double hi = range.to.convert_to<double>();
+    SampledBest best;
+    std::map<double, double> known; // grids share places
+    // Tries a grid with its ends, and keeps the cells next to the best value.
+    const auto refine = [&](int cells) {
+        best.width = (hi - lo) / cells;
+        for (int k = 0; k <= cells; ++k) {
+            check_interruption();
+            const double x = k == cells ? hi : lo + (hi - lo) * k / cells;
+            const auto at = known.find(x);
+            const double s = at != known.end() ? at->second : known[x] = score(x);
+            if (!std::isnan(s) && (!best.value || s > best.score)) {
+                best.value = x;
+                best.score = s;
+            }
+        }
+        if (best.value) {
+            lo = std::max(lo, *best.value - best.width);
+            hi = std::min(hi, *best.value + best.width);
+        }
+    };
+    try {
+        refine(samples.first);
+        for (int k = 0; k < samples.rounds && best.value; ++k) {
+            refine(samples.later);
+        }
+    } catch (const BudgetError&) { // the best of the values tried is returned
+    }
+    return best;
 }
 
 } // namespace edgeproof::contact

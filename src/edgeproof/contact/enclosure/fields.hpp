@@ -51,7 +51,17 @@ template <> struct Field<BallSeries> {
     static BallSeries over(const BallSeries& x, int k) {
         return x * Ball(Rational(1, k), x.bits());
     }
-    static BallSeries times(const Ball& weight, const BallSeries& x) { return x * weight; }
+    static bool vanishes(const BallSeries& x) {
+        for (std::size_t k = 0; k < x.order(); ++k) {
+            if (!Field<Ball>::vanishes(x[k])) {
+                return false;
+            }
+        }
+        return true;
+    }
+    template <class W> static BallSeries times(const W& weight, const BallSeries& x) {
+        return x * weight;
+    }
     static void add_product(BallSeries& sum, const Ball& x, const BallSeries& y) {
         sum = sum + y * x;
     }

@@ -103,6 +103,11 @@ BallSeries sqrt(const BallSeries& x) {
     arb_poly_sqrt_series(r.poly_, x.poly_, static_cast<slong>(x.order_), x.bits_);
     return r;
 }
+BallSeries log1p(const BallSeries& x) {
+    BallSeries r(x.order_, x.bits_);
+    arb_poly_log1p_series(r.poly_, x.poly_, static_cast<slong>(x.order_), x.bits_);
+    return r;
+}
 BallSeries atan(const BallSeries& x) {
     BallSeries r(x.order_, x.bits_);
     arb_poly_atan_series(r.poly_, x.poly_, static_cast<slong>(x.order_), x.bits_);

@@ -35,6 +35,7 @@ public:
     friend BallSeries operator+(const BallSeries& x, const Ball& c);
     friend BallSeries operator-(const BallSeries& x);
     friend BallSeries sqrt(const BallSeries& x);
+    friend BallSeries log1p(const BallSeries& x);
     friend BallSeries atan(const BallSeries& x);
     friend BallSeries pow(const BallSeries& x, const Ball& exponent);
     /// Returns the series y with x(y(z)) = z; x has no constant term.

@@ -242,7 +242,6 @@ std::vector<std::unique_ptr<contact::ErrorFamily>> DesignScene::errors(std::stri
     contact::ErrorQuestion question;
     question.terms = terms;
     question.unit = unit;
-    question.name = parameter;
     const DesignFormulas of(*top_, parameter);
     const std::string kind = of.kind();
     std::vector<std::unique_ptr<contact::ErrorFamily>> all;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/design/design_file.hpp"
 #include "edgeproof/io/error_place.hpp"
-#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
-#include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -246,11 +244,6 @@ DesignScene parse_design(std::string_view text, const std::string& file,
                        "add [shear] with Q or bulk_tension");
     }
     return design;
-}
-
-DesignScene read_design(const std::filesystem::path& file) {
-    return parse_design(io::read_text(file, "scene (TOML)", io::most_toml_bytes),
-                        io::input_name(file));
 }
 
 } // namespace edgeproof::scene

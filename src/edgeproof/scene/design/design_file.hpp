@@ -3,7 +3,6 @@
 #include "edgeproof/contact/design/best_reach.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,7 +50,6 @@ private:
 
 /// Reads a design. `instead`: keys that replace those of the file. Throws InputError with file and
 /// line.
-[[nodiscard]] DesignScene read_design(const std::filesystem::path& file);
 [[nodiscard]] DesignScene parse_design(std::string_view text, const std::string& file,
                                        const std::vector<io::TomlTable>& instead = {});
 

@@ -2,6 +2,7 @@
 #include "edgeproof/scene/design/design_file.hpp"
 
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/scene/route/value_route.hpp"
@@ -126,8 +127,11 @@ DesignResult run_design(const DesignScene& design, const DesignRunOptions& optio
         if (errors.empty()) {
             return by_scenes(x);
         }
-        const contact::SampledReach r = sampled_reach(problem, x, measure);
-        return measure ? r.measure : r.reach;
+        if (measure) {
+            return sampled_measure(problem, x);
+        }
+        const auto at = reach_near(problem, x);
+        return at ? contact::approximate(at->reach) : std::numeric_limits<double>::quiet_NaN();
     };
     if (errors.empty() || measure) {
         if (errors.empty() && design.shear) {

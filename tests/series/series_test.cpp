@@ -3,7 +3,6 @@
 #include "edgeproof/precision/real.hpp"
 #include "edgeproof/series/functions.hpp"
 #include "edgeproof/series/laurent.hpp"
-#include "edgeproof/series/polynomial.hpp"
 #include "edgeproof/series/truncated.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -121,18 +120,4 @@ TEST_CASE("elementary functions invert each other to the last term") {
 TEST_CASE("a truncated antiderivative undoes the derivative") {
     const S s = sample();
     check_equal(antiderivative(derivative(s), s[0]), s);
-}
-
-TEST_CASE("the beta weight of a polynomial in sigma") {
-    // The integral of sigma^j (1 - sigma)^(-1/2) is 2, 4/3, 16/15, 32/35 (B(j+1, 1/2)).
-    using P = Polynomial<Rational>;
-    CHECK(P(q(1)).integrate_beta() == 2);
-    CHECK(P::monomial(q(1), 1).integrate_beta() == q(4, 3));
-    CHECK(P::monomial(q(1), 2).integrate_beta() == q(16, 15));
-    CHECK(P::monomial(q(3), 3).integrate_beta() == q(96, 35));
-    // (1 - sigma^3)/(1 - sigma) = 1 + sigma + sigma^2
-    const P p(std::vector<Rational>{1, 0, 0, -1});
-    CHECK(p.at_one() == 0);
-    CHECK(p.over_one_minus_sigma() == P(std::vector<Rational>{1, 1, 1}));
-    CHECK_THROWS_AS(P(q(1)) / P::monomial(q(1), 1), DomainError);
 }

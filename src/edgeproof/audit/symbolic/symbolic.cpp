@@ -74,8 +74,9 @@ public:
         const contact::LawSeries<Form> law{series::Series<Form>(std::move(rate)),
                                            series::Series<Form>(std::move(b))};
         const Form a = symbol("a");
-        std::vector<Form> c = edge == Edge::right ? right_edge_brackets(law, a)
-                                                  : left_edge_derivation(law, a).brackets;
+        std::vector<Form> c = edge == Edge::right
+                                  ? right_edge_brackets(law, a)
+                                  : right_edge_brackets(mirrored(law, a), symbol("b"));
         c.resize(count, Form(0));
         return contact::coefficients_of(std::move(c), Form(a + symbol("b")), pi());
     }

@@ -3,7 +3,6 @@
 #include "edgeproof/contact/law/field.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/series/polynomial.hpp"
 #include "edgeproof/series/truncated.hpp"
 
 #include <algorithm>
@@ -131,87 +130,16 @@ template <class T>
     return coefficients_of(std::move(brackets), length, Field<T>::pi(length));
 }
 
-/// The steps of the paper's derivation for the left edge (moore-hills EQ41 to EQ48;
-/// docs/expansions.md, "The left edge"), u the distance from -b:
-/// s = a + B sigma with B(u) = b^{-1}(b - u) - a, so that
-/// p(-b + u) = -(B/u) sqrt(u)/(pi sqrt(D)) times the integral of
-/// P'(a + B sigma) nearby^(-1/2) last^(-1/2) (1 - sigma)^(-1/2).
-template <class T> struct LeftEdgeDerivation {
-    series::Series<T> B;                          ///< b^{-1}(b - u) - a
-    series::Series<series::Polynomial<T>> rate;   ///< P'(a + B sigma)
-    series::Series<series::Polynomial<T>> nearby; ///< (s - x)/D = 1 - (u - B sigma)/D
-    series::Series<series::Polynomial<T>> last;   ///< (x + b(s))/(u (1 - sigma)), exactly divisible
-    /// The integral of their product over sigma, for each power of u: the paper's I_1 + I_2 times
-    /// sqrt(u) sqrt(D) (with F = P'; moore-hills EQ46).
-    std::vector<T> integral;
-    std::vector<T> brackets; ///< -(B/u) times the integral: c_k pi sqrt(D)
-};
-
-template <class T>
-[[nodiscard]] LeftEdgeDerivation<T> left_edge_derivation(const LawSeries<T>& law, const T& a) {
-    using P = series::Polynomial<T>;
-    const std::size_t n = std::min(law.force_rate.order(), law.b.order());
-    const T D = a + law.b[0];
-    series::Series<T> shift = law.b.truncated(n);
+/// The law of the mirror image, whose right edge is the left edge of the contact: a(b + z), and
+/// P'(a(b + z)) a'(b + z), with one term less. `law` has at least two terms.
+template <class T> [[nodiscard]] LawSeries<T> mirrored(const LawSeries<T>& law, const T& a) {
+    series::Series<T> shift = law.b;
     shift[0] = T(0);
-    LeftEdgeDerivation<T> d;
-    // The series needs no further term of b, since B begins with u.
-    d.B = n > 1 ? revert(shift) : series::Series<T>(T(0), 1);
-    for (std::size_t k = 1; k < n; k += 2) {
-        d.B[k] = -d.B[k];
-    }
-    // Powers of B sigma as series in u, whose coefficients are polynomials in sigma.
-    series::Series<P> step(P(T(0)), n);
-    for (std::size_t k = 1; k < n; ++k) {
-        step[k] = P::monomial(d.B[k], 1);
-    }
-    const auto along = [&](const series::Series<T>& f) {
-        series::Series<P> sum(P(f[n - 1]), n);
-        for (std::size_t k = n - 1; k-- > 0;) {
-            sum = sum * step;
-            sum[0] += P(f[k]);
-        }
-        return sum;
-    };
-    d.rate = along(law.force_rate);
-    d.nearby = step;
-    for (std::size_t k = 0; k < n; ++k) {
-        d.nearby[k] /= P(D);
-    }
-    d.nearby[0] += P(T(1));
-    if (n > 1) {
-        d.nearby[1] -= P(T(T(1) / D));
-    }
-    // x + b(s) = u + (b(a + B sigma) - b) vanishes identically at sigma = 1.
-    const series::Series<P> gap = along(shift);
-    std::vector<P> last;
-    for (std::size_t k = 1; k < n; ++k) {
-        P whole = gap[k];
-        if (k == 1) {
-            whole += P(T(1));
-        }
-        last.push_back(whole.over_one_minus_sigma());
-    }
-    // The highest term of `last` would need one more term of b than of P'; it is not used.
-    d.last = last.empty() ? series::Series<P>(P(T(1)), 1) : series::Series<P>(std::move(last));
-    const P minus_half(T(T(-1) / T(2)));
-    const std::size_t m = d.last.order();
-    const series::Series<P> product =
-        d.rate.truncated(m) * pow_with_constant<P>(d.nearby.truncated(m), minus_half, P(T(1))) *
-        pow_with_constant<P>(d.last, minus_half, P(T(1)));
-    for (std::size_t k = 0; k < m; ++k) {
-        d.integral.push_back(product[k].integrate_beta());
-    }
-    if (n > 1) {
-        for (std::size_t k = 0; k < m; ++k) {
-            T sum(0);
-            for (std::size_t j = 0; j <= k; ++j) {
-                sum -= d.B[j + 1] * d.integral[k - j];
-            }
-            d.brackets.push_back(sum);
-        }
-    }
-    return d;
+    series::Series<T> edge = revert(shift); // a(b + z) - a
+    const series::Series<T> rate = compose(law.force_rate, edge);
+    const series::Series<T> rate_by_b = rate.truncated(edge.order() - 1) * derivative(edge);
+    edge[0] = a;
+    return {rate_by_b, edge};
 }
 
 } // namespace edgeproof::contact

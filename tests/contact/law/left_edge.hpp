@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/precision/error.hpp"
+#include "edgeproof/contact/law/edge_expansion.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
-namespace edgeproof::series {
+namespace edgeproof::contact {
 
-/// A polynomial q_0 + q_1 sigma + ... over a field T. It serves as a coefficient of a Series in u
-/// whose terms are integrated over sigma (docs/expansions.md).
+/// A polynomial q_0 + q_1 sigma + ... over a field T. A coefficient of a Series in u whose terms
+/// are integrated over sigma.
 template <class T> class Polynomial {
 public:
     Polynomial() = default;
@@ -109,13 +109,6 @@ public:
         }
         return Polynomial(std::move(r));
     }
-    [[nodiscard]] T at_one() const {
-        T sum(0);
-        for (const T& c : q_) {
-            sum += c;
-        }
-        return sum;
-    }
 
 private:
     void grow(std::size_t n) {
@@ -126,4 +119,78 @@ private:
     std::vector<T> q_;
 };
 
-} // namespace edgeproof::series
+/// The steps of the paper's derivation for the left edge (moore-hills EQ41 to EQ48;
+/// docs/expansions.md, "The left edge"), u the distance from -b:
+/// s = a + B sigma with B(u) = b^{-1}(b - u) - a, so that
+/// p(-b + u) = -(B/u) sqrt(u)/(pi sqrt(D)) times the integral of
+/// P'(a + B sigma) nearby^(-1/2) last^(-1/2) (1 - sigma)^(-1/2).
+template <class T>
+[[nodiscard]] std::vector<T> left_edge_brackets(const LawSeries<T>& law, const T& a) {
+    using P = Polynomial<T>;
+    const std::size_t n = std::min(law.force_rate.order(), law.b.order());
+    const T D = a + law.b[0];
+    series::Series<T> shift = law.b.truncated(n);
+    shift[0] = T(0);
+    // The series needs no further term of b, since B begins with u.
+    series::Series<T> B = n > 1 ? revert(shift) : series::Series<T>(T(0), 1);
+    for (std::size_t k = 1; k < n; k += 2) {
+        B[k] = -B[k];
+    }
+    // Powers of B sigma as series in u, whose coefficients are polynomials in sigma.
+    series::Series<P> step(P(T(0)), n);
+    for (std::size_t k = 1; k < n; ++k) {
+        step[k] = P::monomial(B[k], 1);
+    }
+    const auto along = [&](const series::Series<T>& f) {
+        series::Series<P> sum(P(f[n - 1]), n);
+        for (std::size_t k = n - 1; k-- > 0;) {
+            sum = sum * step;
+            sum[0] += P(f[k]);
+        }
+        return sum;
+    };
+    const series::Series<P> rate = along(law.force_rate);
+    series::Series<P> nearby = step;
+    for (std::size_t k = 0; k < n; ++k) {
+        nearby[k] /= P(D);
+    }
+    nearby[0] += P(T(1));
+    if (n > 1) {
+        nearby[1] -= P(T(T(1) / D));
+    }
+    // x + b(s) = u + (b(a + B sigma) - b) vanishes identically at sigma = 1.
+    const series::Series<P> gap = along(shift);
+    std::vector<P> last;
+    for (std::size_t k = 1; k < n; ++k) {
+        P whole = gap[k];
+        if (k == 1) {
+            whole += P(T(1));
+        }
+        last.push_back(whole.over_one_minus_sigma());
+    }
+    // The highest term of `last` would need one more term of b than of P'; it is not used.
+    const series::Series<P> root =
+        last.empty() ? series::Series<P>(P(T(1)), 1) : series::Series<P>(std::move(last));
+    const P minus_half(T(T(-1) / T(2)));
+    const std::size_t m = root.order();
+    const series::Series<P> product =
+        rate.truncated(m) * pow_with_constant<P>(nearby.truncated(m), minus_half, P(T(1))) *
+        pow_with_constant<P>(root, minus_half, P(T(1)));
+    std::vector<T> integral;
+    for (std::size_t k = 0; k < m; ++k) {
+        integral.push_back(product[k].integrate_beta());
+    }
+    std::vector<T> brackets;
+    if (n > 1) {
+        for (std::size_t k = 0; k < m; ++k) {
+            T sum(0);
+            for (std::size_t j = 0; j <= k; ++j) {
+                sum -= B[j + 1] * integral[k - j];
+            }
+            brackets.push_back(sum);
+        }
+    }
+    return brackets;
+}
+
+} // namespace edgeproof::contact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/stress/greatest_stress.hpp"
 
+#include "edgeproof/contact/stress/isolated_pair.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
@@ -16,115 +17,22 @@ namespace {
 
 using Kind = GreatestPlace::Kind;
 
-Ball exactly(const Ball& x) { return Ball(x.midpoint(), x.bits()); }
 Ball zero_like(const Ball& x) { return {0, x.bits()}; }
 
-/// A solution of the equations of a stationary place in one or two unknowns, by Newton's method and
-/// then, with proof, by its interval form (Krawczyk's; `moore-kearfott-cloud2009`).
-class Stationary {
-public:
-    Stationary(const StressMeasure& F, Kind kind, Ball x, Ball z)
-        : F_(F), kind_(kind), at_{exactly(x), exactly(z)} {}
-
-    [[nodiscard]] std::optional<std::array<Ball, 2>> solve() {
-        std::array<Ball, 2> step = newton_step();
-        for (int i = 0; i < most_steps; ++i) {
-            check_interruption();
-            if (!step[0].is_finite() || !step[1].is_finite()) {
-                return {};
-            }
-            move(step);
-            const std::array<Ball, 2> next = newton_step();
-            const bool smaller = size(next) < size(step);
-            step = next;
-            if (!smaller) {
-                break;
-            }
+/// The place near (x, z) at which the derivatives of F by the free coordinates are zero.
+std::optional<BallPair> stationary(const StressMeasure& F, Kind kind, const Ball& x,
+                                   const Ball& z) {
+    const auto equations = [&](const BallPair& at) -> PairOfEquations {
+        if (kind != Kind::surface && !certainly_positive(at[1])) {
+            const Ball unknown = unknown_ball(at[1].bits());
+            return {{unknown, unknown}, {{{unknown, unknown}, {unknown, unknown}}}};
         }
-        // The last step, and the rounding of the place.
-        Real width = Real(size(step) * 4 + ldexp(size(at_), -static_cast<int>(F_.field().bits())));
-        for (int i = 0; i < most_widths; ++i, width = ldexp(width, widening)) {
-            if (auto proved = krawczyk(width)) {
-                return proved;
-            }
-        }
-        return {};
-    }
-
-private:
-    static constexpr int most_steps = 40;
-    static constexpr int most_widths = 5;
-    static constexpr int widening = 12;
-
-    static Real size(const std::array<Ball, 2>& v) {
-        return std::max(Real(abs(v[0]).upper()), Real(abs(v[1]).upper()));
-    }
-    [[nodiscard]] PlaneJet jet(const std::array<Ball, 2>& at) const {
-        return F_.jet(Box(at[0], at[1]));
-    }
-    void move(const std::array<Ball, 2>& step) {
-        for (std::size_t i = 0; i < at_.size(); ++i) {
-            at_[i] = exactly(at_[i] + step[i]);
-        }
-        if (certainly_negative(at_[1])) {
-            at_[1] = zero_like(at_[1]);
-        }
-    }
-    /// Multiplies by the inverse of the matrix of second derivatives, where the unknowns are free.
-    [[nodiscard]] std::array<Ball, 2> solved(const PlaneJet& j,
-                                             const std::array<Ball, 2>& g) const {
+        const PlaneJet j = F.jet(Box(at[0], at[1]));
         const auto& [xx, xz, zz] = j.second;
-        if (kind_ == Kind::surface) {
-            return {g[0] / xx, zero_like(g[1])};
-        }
-        if (kind_ == Kind::axis) {
-            return {zero_like(g[0]), g[1] / zz};
-        }
-        const Ball det = xx * zz - xz * xz;
-        return {(zz * g[0] - xz * g[1]) / det, (xx * g[1] - xz * g[0]) / det};
-    }
-    [[nodiscard]] std::array<Ball, 2> newton_step() const {
-        const PlaneJet j = jet(at_);
-        const std::array<Ball, 2> step = solved(j, j.first);
-        return {-step[0], -step[1]};
-    }
-    /// The interval Newton operator over at_ +- width maps the box into itself.
-    [[nodiscard]] std::optional<std::array<Ball, 2>> krawczyk(const Real& width) const {
-        const long bits = F_.field().bits();
-        const Ball error = Ball::around(Real(0), width, bits);
-        const std::array<Ball, 2> offset{kind_ == Kind::axis ? zero_like(error) : error,
-                                         kind_ == Kind::surface ? zero_like(error) : error};
-        const std::array<Ball, 2> box{at_[0] + offset[0], at_[1] + offset[1]};
-        if (kind_ != Kind::surface && !certainly_positive(box[1])) {
-            return {};
-        }
-        const PlaneJet middle = jet(at_);
-        const PlaneJet over = jet(box);
-        if (!middle.is_finite() || !over.is_finite()) {
-            return {};
-        }
-        // x - Y g(x) - Y (H - H_0) (X - x) with Y = 1/H_0, H_0 the matrix in the middle
-        PlaneJet matrix = middle;
-        for (Ball& x : matrix.second) {
-            x = exactly(x);
-        }
-        std::array<Ball, 3> change = over.second;
-        for (std::size_t i = 0; i < change.size(); ++i) {
-            change[i] -= matrix.second[i];
-        }
-        const std::array<Ball, 2> residual{
-            middle.first[0] + change[0] * offset[0] + change[1] * offset[1],
-            middle.first[1] + change[1] * offset[0] + change[2] * offset[1]};
-        const std::array<Ball, 2> step = solved(matrix, residual);
-        const std::array<Ball, 2> image{at_[0] - step[0], at_[1] - step[1]};
-        return contains(box[0], image[0]) && contains(box[1], image[1]) ? std::optional(image)
-                                                                        : std::nullopt;
-    }
-
-    const StressMeasure& F_;
-    Kind kind_;
-    std::array<Ball, 2> at_;
-};
+        return {j.first, {{{xx, xz}, {xz, zz}}}};
+    };
+    return isolated_pair(equations, {x, z}, {kind != Kind::axis, kind != Kind::surface});
+}
 
 /// A rectangle in units of a power of two, with its middle and its half widths, which are powers of
 /// two: it is represented exactly, and ends exactly at z = 0 where it meets the surface.
@@ -432,8 +340,7 @@ std::optional<GreatestPlace> refined(const StressMeasure& F, GreatestPlace place
         return place.F.is_finite() ? std::optional(place) : std::nullopt;
     }
     const long bits = F.field().bits();
-    const auto at =
-        Stationary(F, place.kind, place.x.with_bits(bits), place.z.with_bits(bits)).solve();
+    const auto at = stationary(F, place.kind, place.x.with_bits(bits), place.z.with_bits(bits));
     if (!at || !contains(place.region.real(), (*at)[0]) ||
         !contains(place.region.imaginary(), (*at)[1])) {
         return {};

@@ -11,28 +11,30 @@ namespace edgeproof::contact {
 
 namespace {
 
-/// The integral of g'(y) - g'(a) over a < y < a + beyond: each bend of the slope beyond the edge
+Ball positive_part(const Ball& x) { return max(x, Ball(0, x.bits())); }
+
+/// The integral of g'(y) - g'(a) over y from the right edge a to a place, which is `outwards`
+/// beyond it, or `inwards` before it; the other one is 0. Each bend of the slope on the way
 /// contributes its jump times the distance from it, and its change of g'' times half the square.
-Ball gap_of_profile(const BallContact& contact, const Ball& beyond) {
+Ball rise_of_profile(const BallContact& contact, const Ball& inwards, const Ball& outwards) {
     const LinearSlope<Ball>& slope = contact.slope();
-    const Ball zero(0, beyond.bits());
-    Ball rate = slope.rate(slope.knots.size());
-    Ball sum = zero;
-    for (std::size_t i = slope.knots.size(); i-- > 0;) {
-        const Ball outside = slope.knots[i] - contact.a();
-        if (contact.knot_marks()[i].end != Edge::right) {
-            if (certainly_negative(outside)) {
-                break;
-            }
-            // It counts as inside; if it is beyond, the error is at most that of its distance.
-            sum += up_to(abs(outside) * (abs(slope.jump(i)) + abs(slope.rate_drop(i)) * beyond));
-            continue;
-        }
-        const Ball distance = max(zero, beyond - max(zero, outside));
-        sum += slope.jump(i) * distance - slope.rate_drop(i) * distance * distance / 2;
-        rate = slope.rate(i);
+    std::size_t at_edge = 0; // the first knot beyond the edge
+    while (at_edge < slope.knots.size() && contact.knot_marks()[at_edge].end != Edge::right) {
+        ++at_edge;
     }
-    return sum + rate * beyond * beyond / 2;
+    Ball sum = slope.rate(at_edge) * (inwards * inwards + outwards * outwards) / 2;
+    for (std::size_t i = 0; i < slope.knots.size(); ++i) {
+        const Ball outside = slope.knots[i] - contact.a();
+        if (i < at_edge && !certainly_negative(outside)) {
+            // It counts as inside; if it is beyond, the error is at most that of its distance.
+            sum += up_to(abs(outside) * (abs(slope.jump(i)) + abs(slope.rate_drop(i)) * outwards));
+        }
+        const Ball passed = i < at_edge ? positive_part(inwards - positive_part(-outside))
+                                        : positive_part(outwards - positive_part(outside));
+        const Ball change = slope.rate_drop(i) * passed * passed / 2;
+        sum += slope.jump(i) * passed + (i < at_edge ? change : -change);
+    }
+    return sum;
 }
 
 // docs/stress.md, "The gap": the integral of h' = g' - (2/(pi E*)) P_1 from the edge, with g'(a) by
@@ -60,7 +62,8 @@ Ball linear_gap(const BallContact& contact, const Ball& beyond) {
     }
     const Ball at_edge =
         over_linear_measure<LeftBalanceKernel>(slope, e, contact.knot_marks()); // pi g'(a)
-    return gap_of_profile(contact, beyond) + (beyond * at_edge - lost) / pi;
+    return rise_of_profile(contact, Ball(0, beyond.bits()), beyond) +
+           (beyond * at_edge - lost) / pi;
 }
 
 // docs/stress.md, "The gap": h = C x^(m+1)/(m+1) - (2/(pi E* (m+1))) (a P'(a) arcosh(x/a)
@@ -79,32 +82,6 @@ Ball power_law_gap(const BallContact& contact, const Ball& beyond) {
         growth / a * gamma(power / 2) / gamma(m / 2 + 1) / sqrt(pi) * pow(x / a, m); // E* C x^m
     const Ball lift = cauchy_integral(contact, Box(x, Ball(0, bits))).value.real();
     return (slope * x - (growth * arcosh + x * lift) * 2 / pi) / power / contact.modulus();
-}
-
-Ball positive_part(const Ball& x) { return max(x, Ball(0, x.bits())); }
-
-/// The integral of g'(y) - g'(a) over y from the right edge a to x.
-Ball rise_of_profile(const BallContact& contact, const Ball& x) {
-    const LinearSlope<Ball>& slope = contact.slope();
-    const Ball inwards = positive_part(contact.a() - x);
-    const Ball outwards = positive_part(x - contact.a());
-    const Ball& rate = [&]() -> const Ball& {
-        std::size_t at_edge = 0;
-        while (at_edge < slope.knots.size() && contact.knot_marks()[at_edge].end != Edge::right) {
-            ++at_edge;
-        }
-        return slope.rate(at_edge);
-    }();
-    Ball sum = rate * (inwards * inwards + outwards * outwards) / 2;
-    for (std::size_t i = 0; i < slope.knots.size(); ++i) {
-        const bool beyond = contact.knot_marks()[i].end == Edge::right;
-        const Ball& v = slope.knots[i];
-        const Ball passed = beyond ? positive_part(x - max(v, contact.a()))
-                                   : positive_part(min(v, contact.a()) - x);
-        const Ball change = slope.rate_drop(i) * passed * passed / 2;
-        sum += slope.jump(i) * passed + (beyond ? -change : change);
-    }
-    return sum;
 }
 
 // docs/pressure.md, "Closed form: piecewise linear slopes", integrated over x: with the angle h of
@@ -143,8 +120,10 @@ SurfacePotential of_power_law(const BallContact& contact, const Ball& x) {
 
 Ball lift_of_linear(const BallContact& contact, const Ball& x) {
     const Ball factor = Ball::pi(x.bits()) * contact.modulus() / 2;
-    return cauchy_integral_at_edge(contact, Edge::right) * (x - contact.a()) +
-           (rise_of_profile(contact, x) - gap_at(contact, x)) * factor;
+    const Ball beyond = x - contact.a();
+    const Ball rise = rise_of_profile(contact, positive_part(-beyond), positive_part(beyond));
+    return cauchy_integral_at_edge(contact, Edge::right) * beyond +
+           (rise - gap_at(contact, x)) * factor;
 }
 
 /// The potential where x is known only to be within `slack` of an edge: the force carried decreases

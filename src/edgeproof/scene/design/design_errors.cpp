@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/algebra/form.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -94,69 +95,11 @@ ParametricSlope tilted_flat_and_rounded(const DesignFormulas& of) {
              .origin = 2}};
 }
 
-/// Upper bounds of the degrees of a quotient of polynomials in the parameter.
-struct Degrees {
-    long over;
-    long under;
-};
-std::optional<Degrees> degrees_of(const Expr& e) {
-    using Kind = Expr::Kind;
-    if (e.rational() != nullptr) {
-        return Degrees{0, 0};
-    }
-    if (e.kind() == Kind::symbol) {
-        return Degrees{1, 0};
-    }
-    if (e.kind() == Kind::neg) {
-        return degrees_of(e.arg(0));
-    }
-    if (e.args().size() != 2) {
-        return {};
-    }
-    const auto x = degrees_of(e.arg(0));
-    if (e.kind() == Kind::pow) {
-        const Rational* n = e.arg(1).rational();
-        if (!x || n == nullptr || denominator(*n) != 1 || *n < 0 || *n > 20) {
-            return {};
-        }
-        const long k = n->convert_to<long>();
-        return Degrees{x->over * k, x->under * k};
-    }
-    const auto y = degrees_of(e.arg(1));
-    if (!x || !y) {
-        return {};
-    }
-    switch (e.kind()) {
-    case Kind::add:
-    case Kind::sub:
-        return Degrees{std::max(x->over + y->under, y->over + x->under), x->under + y->under};
-    case Kind::mul:
-        return Degrees{x->over + y->over, x->under + y->under};
-    case Kind::div:
-        return Degrees{x->over + y->under, x->under + y->over};
-    default:
-        return {};
-    }
-}
-
-/// True if a quotient of polynomials in the parameter is identically zero. It is, if it is exactly
-/// zero for more values of the parameter than its numerator can have roots.
-bool identically_zero(const Expr& e, const DesignScene& design) {
-    const auto degrees = degrees_of(e);
-    if (!degrees || degrees->over > 40) {
-        return false;
-    }
-    const long values = degrees->over + 1;
-    const auto& [from, to] = design.range;
-    for (long k = 0; k < values; ++k) {
-        const Rational value = from + (to - from) * (2 * k + 1) / (2 * values);
-        const Expr at = substitute(e, design.parameter, Expr::number(value));
-        const Rational* q = at.rational();
-        if (q == nullptr || *q != 0) {
-            return false;
-        }
-    }
-    return true;
+/// True if exact algebra shows that a formula in the parameter is zero for all its values.
+bool identically_zero(const Expr& e) {
+    return algebra::form_of(e,
+                            [](std::string_view name) { return algebra::Form::name(name, false); })
+        .is_zero();
 }
 
 /// Returns the number of knots left of the origin for one value of the parameter.
@@ -204,7 +147,7 @@ std::optional<ParametricSlope> piecewise(const DesignFormulas& of, const DesignS
             return {};
         }
         const auto at = static_cast<std::ptrdiff_t>(s.origin);
-        if (s.origin == knots.size() || !identically_zero(knots[s.origin], design)) {
+        if (s.origin == knots.size() || !identically_zero(knots[s.origin])) {
             pieces.insert(pieces.begin() + at, pieces[s.origin]);
             knots.insert(knots.begin() + at, whole(0));
         }
@@ -215,7 +158,7 @@ std::optional<ParametricSlope> piecewise(const DesignFormulas& of, const DesignS
         const auto value = [&](const ParametricSlope::Piece& p) {
             return p.at_origin + p.rate * s.knots[i];
         };
-        s.corners.push_back(!identically_zero(value(s.pieces[i + 1]) - value(s.pieces[i]), design));
+        s.corners.push_back(!identically_zero(value(s.pieces[i + 1]) - value(s.pieces[i])));
     }
     return s;
 }

@@ -66,7 +66,7 @@ public:
                                                   : Real(value(at_u(decimal_of(u))) *
                                                          f(Real(ends[i] + width * lo), apart));
             };
-            sum += width * quadrature::tanh_sinh<Real>(integrand, {.target_digits = 14}).value;
+            sum += width * quadrature::tanh_sinh(integrand, {.target_digits = 14}).value;
         }
         return sum;
     }

@@ -86,7 +86,7 @@ public:
                     }
                     return Real(load / (r2 * r2) * length);
                 };
-                sum[k] += quadrature::tanh_sinh<Real>(f, {.target_digits = target}).value;
+                sum[k] += quadrature::tanh_sinh(f, {.target_digits = target}).value;
             }
         }
         for (Real& x_k : sum) {

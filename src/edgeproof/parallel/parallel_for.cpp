@@ -10,50 +10,39 @@
 #include <ctime>
 #include <exception>
 #include <limits>
-#include <memory>
 #include <mutex>
 
 namespace edgeproof::parallel {
 
-unsigned usual_threads() { return static_cast<unsigned>(tbb::info::default_concurrency()); }
-
-PieceSource all_pieces(std::size_t n) {
-    auto given = std::make_shared<std::atomic<std::size_t>>(0);
-    return [n, given]() -> std::optional<std::size_t> {
-        const std::size_t p = (*given)++;
-        return p < n ? std::optional(p) : std::nullopt;
-    };
-}
-
-void work_through(const PieceSource& next, unsigned threads,
-                  const std::function<void(std::size_t)>& work) {
+void parallel_for(std::size_t n, unsigned threads, const std::function<void(std::size_t)>& work) {
+    std::atomic<std::size_t> next{0};
     std::mutex failing;
     std::exception_ptr error;
     std::atomic<std::size_t> failed{std::numeric_limits<std::size_t>::max()};
     const auto fail = [&](std::size_t p) {
         const std::lock_guard lock(failing);
-        if (p < failed || !error) {
+        if (p < failed) {
             failed = p;
             error = std::current_exception();
         }
     };
     const auto loop = [&] {
-        std::optional<std::size_t> p;
+        std::size_t p = 0;
         try {
-            while ((p = next()) && *p < failed) {
-                work(*p);
+            while ((p = next++) < n && p < failed) {
+                work(p);
             }
         } catch (...) {
-            fail(p.value_or(std::numeric_limits<std::size_t>::max()));
+            fail(p);
         }
     };
     // The threads of the pool live longer than this call, so that their tables and constants are
     // reused.
-    const unsigned wanted = threads == 0 ? usual_threads() : threads;
-    tbb::task_arena arena(static_cast<int>(wanted));
+    const int wanted = threads == 0 ? tbb::info::default_concurrency() : static_cast<int>(threads);
+    tbb::task_arena arena(wanted);
     arena.execute([&] {
         tbb::parallel_for(
-            tbb::blocked_range<unsigned>(0, wanted, 1), [&](const auto&) { loop(); },
+            tbb::blocked_range<int>(0, wanted, 1), [&](const auto&) { loop(); },
             tbb::simple_partitioner{});
     });
     if (error) {

@@ -35,7 +35,6 @@ public:
     }
 
     [[nodiscard]] std::size_t size() const { return entries_.size(); }
-    [[nodiscard]] std::size_t capacity() const { return capacity_; }
 
 private:
     struct Entry {

@@ -13,15 +13,12 @@
 ///   ball_series.hpp BallSeries: truncated power series with balls as coefficients
 ///   interval.hpp    Interval: both ends of a range, whose signs are exact
 ///   arb_values.hpp  values of Arb's types that clear themselves
-///   elementary.hpp  the arc tangent, sinh x and e^x - 1 of Real, by Arb
 ///   bounded_cache.hpp  tables of bounded size
-///   arithmetic.hpp  the number types for which code is compiled
 ///   escalate.hpp    precision doubled until an enclosure is narrow enough
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/ball_series.hpp"
 #include "edgeproof/precision/ball/interval.hpp"
-#include "edgeproof/precision/elementary/elementary.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rational.hpp"

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/quadrature/gauss_legendre.hpp"
-#include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/bounded_cache.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
-#include <cmath>
 #include <mutex>
 #include <utility>
 
 namespace edgeproof::quadrature {
 namespace {
-
-Real rounded(const Ball& x, long bits) {
-    Real r;
-    mpfr_set_prec(r.backend().data(), bits);
-    arf_get_mpfr(r.backend().data(), arb_midref(x.data()), MPFR_RNDN);
-    return r;
-}
 
 GaussLegendreBalls build(std::size_t n, long bits) {
     GaussLegendreBalls rule;
@@ -58,17 +49,6 @@ std::shared_ptr<const GaussLegendreBalls> gauss_legendre_balls(std::size_t n, lo
     }
     std::call_once(slot->once, [&] { slot->rule = build(n, bits); });
     return {slot, &slot->rule};
-}
-
-GaussLegendreRule gauss_legendre_rule(std::size_t n, long bits) {
-    constexpr long guard = 16;
-    const auto balls = gauss_legendre_balls(n, bits + guard);
-    GaussLegendreRule rule;
-    for (std::size_t k = 0; k < balls->x.size(); ++k) {
-        rule.x.push_back(rounded(balls->x[k], bits));
-        rule.weight.push_back(rounded(balls->weight[k], bits));
-    }
-    return rule;
 }
 
 } // namespace edgeproof::quadrature

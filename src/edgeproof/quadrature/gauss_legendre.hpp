@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/precision/ball/ball.hpp"
-#include "edgeproof/precision/real.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -21,13 +20,5 @@ struct GaussLegendreBalls {
 /// threads, and never changed; the most recent tables are kept.
 [[nodiscard]] std::shared_ptr<const GaussLegendreBalls> gauss_legendre_balls(std::size_t n,
                                                                              long bits);
-/// The same rule; the error of each number is at most about one unit in its last bit.
-struct GaussLegendreRule {
-    std::vector<Real> x;
-    std::vector<Real> weight;
-};
-
-/// The rule in numbers of `bits` of precision, n >= 1.
-[[nodiscard]] GaussLegendreRule gauss_legendre_rule(std::size_t n, long bits);
 
 } // namespace edgeproof::quadrature

@@ -2,59 +2,133 @@
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 
 #include "edgeproof/precision/arithmetic.hpp"
+#include "edgeproof/precision/ball/arb_values.hpp"
+#include "edgeproof/precision/bounded_cache.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/quadrature/tanh_sinh_nodes.hpp"
 
-#include <cmath>
+#include <deque>
+#include <memory>
 #include <optional>
 #include <utility>
 
 namespace edgeproof::quadrature {
-
 namespace {
 
-/// The predicted error of a level (growth_of_level): `difference` is that from the level before,
-/// `last` the difference before.
-template <Arithmetic T> T foreseen(const T& difference, const T& last) {
-    using std::log;
-    using std::pow;
-    if (!(difference > T(0)) || !(difference < last) || !(last < T(1) / T(8))) {
-        return difference;
+constexpr std::size_t most_tables = 16; ///< the most tables of nodes that a thread keeps
+constexpr int first_level = 3;          ///< the first level that may be the result
+
+/// The abscissas and weights of tanh-sinh (`takahasi-mori1974`) on the unit interval at one
+/// precision. Level k holds the nodes that are not in a lower level, from the middle outwards; it
+/// is computed at its first use. An object belongs to one thread and one precision.
+class Nodes {
+public:
+    struct Node {
+        Real t;      ///< abscissa in the transformed variable, t >= 0
+        Real near;   ///< distance from the nearer end point, with all its digits
+        Real far;    ///< distance from the other end point
+        Real weight; ///< d near/dt
+    };
+
+    Nodes()
+        // The outermost node is so near the end that even an integrand like d^(-1/2) is negligible
+        // beyond it.
+        : end_(asinh(log(Real(10)) * (2 * working_digits() + 20) / pi<Real>())) {}
+
+    [[nodiscard]] const Real& end() const noexcept { return end_; }
+    [[nodiscard]] static Real step(int level) { return ldexp(Real(1), -level); }
+
+    /// The nodes that are new in `level`.
+    [[nodiscard]] const std::vector<Node>& level(int level) const {
+        while (levels_.size() <= static_cast<std::size_t>(level)) {
+            add_level();
+        }
+        return levels_[static_cast<std::size_t>(level)];
     }
-    const auto d1 = static_cast<double>(log(difference));
-    const auto d2 = static_cast<double>(log(last));
-    return pow(difference, T(growth_of_level(d1, d2)));
+
+private:
+    void add_level() const {
+        const int level = static_cast<int>(levels_.size());
+        const Real h = step(level);
+        std::vector<Node> nodes;
+        const int stride = level == 0 ? 1 : 2;
+        for (int j = level == 0 ? 0 : 1;; j += stride) {
+            const Real t = h * j;
+            if (t > end_) {
+                break;
+            }
+            const Real e = exp(Real(pi<Real>() * sinh(t)));
+            // near = (1 - tanh((pi/2) sinh t))/2 = 1/(1 + exp(pi sinh t)) (`takahasi-mori1974`)
+            const Real sum = 1 + e;
+            // d/dt 1/(1 + exp(pi sinh t)) = pi cosh t e/(1 + e)^2
+            nodes.push_back({t, 1 / sum, e / sum, Real(pi<Real>() * cosh(t)) * e / sum / sum});
+        }
+        levels_.push_back(std::move(nodes));
+    }
+
+    Real end_;
+    mutable std::deque<std::vector<Node>> levels_;
+};
+
+/// The nodes of this thread at its working precision.
+std::shared_ptr<const Nodes> nodes_of_thread() {
+    thread_local BoundedCache<unsigned, const Nodes> tables(most_tables);
+    return tables.get(working_digits(), [] { return std::make_shared<const Nodes>(); });
+}
+
+/// e^x - 1 by Arb, which is several times faster than MPFR up to some hundreds of digits; its error
+/// is little more than that of rounding.
+Real exp_less_one(const Real& x) {
+    constexpr long guard_bits = 20;
+    Real result = x; // with its precision
+    ArbValue value;
+    arf_set_mpfr(arb_midref(value), x.backend().data());
+    arb_expm1(value, value, mpfr_get_prec(x.backend().data()) + guard_bits);
+    arf_get_mpfr(result.backend().data(), arb_midref(value), MPFR_RNDN);
+    return result;
+}
+
+/// |x - y| in units of `scale`.
+Real distance(const Real& x, const Real& y, const Real& scale) {
+    const Real d = abs(Real(x - y));
+    return scale > 0 ? Real(d / scale) : d;
 }
 
 } // namespace
 
-template <Arithmetic T, class R>
-QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOptions& options) {
-    using std::pow;
-    using V = QuadratureValue<R>;
-    const auto kept = tanh_sinh_nodes<T>();
-    const TanhSinhNodes<T>& nodes = *kept;
-    const T tolerance = options.target_digits == 0 || options.target_digits + 2 >= digits_of<T>()
-                            ? T(T(100) * unit_roundoff<T>())
-                            : T(pow(T(10), -static_cast<int>(options.target_digits)));
+void QuadratureResult::add(const QuadratureResult& other) {
+    value += other.value;
+    evaluations += other.evaluations;
+    converged = converged && other.converged;
+    if (other.estimate > estimate) {
+        estimate = other.estimate;
+    }
+}
 
-    std::optional<R> sum;
-    std::optional<R> magnitude;
-    std::size_t evaluations = 0;
-    const auto accumulate = [&](const T& weight, const R& value) {
+QuadratureResult tanh_sinh(const Integrand& f, const QuadratureOptions& options) {
+    const auto kept = nodes_of_thread();
+    const Nodes& nodes = *kept;
+    const Real tolerance =
+        options.target_digits == 0 || options.target_digits + 2 >= working_digits()
+            ? Real(100 * unit_roundoff<Real>())
+            : Real(pow(Real(10), -static_cast<int>(options.target_digits)));
+
+    QuadratureResult result;
+    std::optional<Real> sum;
+    std::optional<Real> magnitude;
+    const auto accumulate = [&](const Real& weight, const Real& value) {
         if (!sum) {
-            sum = value * T(0);
-            magnitude = value * T(0);
+            sum = value * 0;
+            magnitude = value * 0;
         }
-        V::add(*sum, weight, value);
-        V::add_magnitude(*magnitude, weight, value);
+        *sum += weight * value;
+        *magnitude += abs(Real(weight * value));
     };
-    const auto evaluate = [&](const T& lo, const T& hi) {
-        ++evaluations;
+    const auto evaluate = [&](const Real& lo, const Real& hi) {
+        ++result.evaluations;
         check_interruption();
-        R value = f(lo, hi);
-        if (!V::finite(value)) {
+        Real value = f(lo, hi);
+        if (!isfinite(value)) {
             throw DomainError("an integrand is not finite inside its interval");
         }
         return value;
@@ -62,36 +136,32 @@ QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOp
 
     // A tail ends after three successive terms below roundoff; higher levels do not go beyond this
     // abscissa.
-    const T negligible = tolerance / T(1 << 11);
-    T end_lo = nodes.end();
-    T end_hi = nodes.end();
-    std::optional<R> previous;
-    T before_last(0); // the difference two levels ago
-    T last(0);        // the difference one level ago
-    QuadratureResult<R> result{};
+    const Real negligible = tolerance / (1 << 11);
+    Real end_lo = nodes.end();
+    Real end_hi = nodes.end();
     for (int level = 0; level <= options.last_level; ++level) {
         const auto& table = nodes.level(level);
         for (const bool left : {true, false}) {
             int quiet = 0;
-            T& end = left ? end_lo : end_hi;
+            Real& end = left ? end_lo : end_hi;
             for (const auto& node : table) {
                 if (node.t > end) {
                     break;
                 }
-                if (node.t == T(0)) {
+                if (node.t == 0) {
                     if (left) {
                         accumulate(node.weight, evaluate(node.near, node.far));
                     }
                     continue;
                 }
-                const R value =
+                const Real value =
                     left ? evaluate(node.near, node.far) : evaluate(node.far, node.near);
                 accumulate(node.weight, value);
                 const bool small =
-                    node.near < T(1) / T(8) &&
-                    V::distance(value * node.weight, value * T(0), *magnitude) < negligible;
+                    node.near < Real(1) / 8 &&
+                    distance(value * node.weight, value * 0, *magnitude) < negligible;
                 quiet = small ? quiet + 1 : 0;
-                if (quiet == 3 && level <= options.first_level) {
+                if (quiet == 3 && level <= first_level) {
                     end = node.t;
                     break;
                 }
@@ -99,37 +169,96 @@ QuadratureResult<R> tanh_sinh_of(const IntegrandRef<T, R>& f, const QuadratureOp
         }
         // The step of a level is h = 2^-level: the integral is h times the sum over all levels
         // (`takahasi-mori1974`).
-        R estimate_now = *sum * T(nodes.step(level));
-        if (level >= options.first_level && previous) {
-            const R scale = *magnitude * T(nodes.step(level));
-            const T difference = V::distance(estimate_now, *previous, scale);
-            result.estimate = options.foresees ? foreseen<T>(difference, last) : difference;
-            if (result.estimate <= tolerance) {
-                result.value = std::move(estimate_now);
-                result.evaluations = evaluations;
-                result.converged = true;
-                return result;
-            }
-            // Only far from convergence: near the end roundoff may be the reason.
-            if (options.gives_up && level >= 8 && result.estimate > T(1) / T(1 << 16) &&
-                difference * T(8) > before_last) {
-                previous = std::move(estimate_now);
+        const Real before = std::exchange(result.value, *sum * Nodes::step(level));
+        if (level >= first_level) {
+            result.estimate = distance(result.value, before, *magnitude * Nodes::step(level));
+            result.converged = result.estimate <= tolerance;
+            if (result.converged) {
                 break;
             }
-            before_last = std::exchange(last, difference);
         }
-        previous = std::move(estimate_now);
     }
-    result.value = std::move(*previous);
-    result.evaluations = evaluations;
     return result;
 }
 
-// NOLINTBEGIN(bugprone-macro-parentheses): a type, not a value
-#define EDGEPROOF_INSTANTIATE(T)                                                                   \
-    template QuadratureResult<T> tanh_sinh_of(const IntegrandRef<T, T>&, const QuadratureOptions&);
-// NOLINTEND(bugprone-macro-parentheses)
-EDGEPROOF_FOR_EACH_ARITHMETIC(EDGEPROOF_INSTANTIATE)
-#undef EDGEPROOF_INSTANTIATE
+QuadratureResult integrate_one_sided(const Integrand& f, const Real& length, const Real& beyond,
+                                     bool at_lo, const QuadratureOptions& options) {
+    QuadratureResult result;
+    if (beyond > 0 && beyond < length / 8) {
+        const Real y_end = log1p(Real(length / beyond));
+        const Real whole = length + beyond;
+        const Real half = Real(1) / 2;
+        result = tanh_sinh(
+            [&](const Real& lo, const Real& hi) {
+                const Real& y = at_lo ? lo : hi;
+                const Real& y_rest = at_lo ? hi : lo;
+                // The double exponential rule (takahasi-mori1974) in y with
+                // r = beyond (e^(y_end y) - 1), rest = whole (1 - e^(-y_end y_rest)), and
+                // dr = y_end (r + beyond) dy. The larger of r and rest is the length less the
+                // other, so that only one exponential is needed.
+                const Real to_go = y_end * y_rest;
+                Real r;
+                Real rest;
+                if (to_go < half) {
+                    rest = -whole * exp_less_one(Real(-to_go));
+                    r = length - rest;
+                } else {
+                    r = beyond * exp_less_one(Real(y_end * y));
+                    rest = length - r;
+                }
+                return Real((at_lo ? f(r, rest) : f(rest, r)) * Real(r + beyond));
+            },
+            options);
+        result.value = result.value * y_end;
+        return result;
+    }
+    result = tanh_sinh(
+        [&](const Real& lo, const Real& hi) { return f(Real(length * lo), Real(length * hi)); },
+        options);
+    result.value = result.value * length;
+    return result;
+}
+
+QuadratureResult integrate_near(const Integrand& f, const Real& length, const Real& beyond_lo,
+                                const Real& beyond_hi, const QuadratureOptions& options) {
+    const Real close = length / 8;
+    const bool near_lo = beyond_lo > 0 && beyond_lo < close;
+    const bool near_hi = beyond_hi > 0 && beyond_hi < close;
+    if (!(near_lo && near_hi)) {
+        return integrate_one_sided(f, length, near_hi ? beyond_hi : beyond_lo, !near_hi, options);
+    }
+    const Real half = length / 2;
+    QuadratureResult sum =
+        integrate_one_sided([&](const Real& lo, const Real& hi) { return f(lo, Real(half + hi)); },
+                            half, beyond_lo, true, options);
+    sum.add(
+        integrate_one_sided([&](const Real& lo, const Real& hi) { return f(Real(half + lo), hi); },
+                            half, beyond_hi, false, options));
+    return sum;
+}
+
+QuadratureResult
+integrate_pieces(const std::function<Real(std::size_t, const Real& lo, const Real& hi)>& f,
+                 const std::vector<Real>& lengths, const Real& beyond_first,
+                 const Real& beyond_last, const QuadratureOptions& options) {
+    std::optional<QuadratureResult> total;
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+        if (!(lengths[i] > 0)) {
+            continue;
+        }
+        auto part = integrate_near([&](const Real& lo, const Real& hi) { return f(i, lo, hi); },
+                                   lengths[i], i > 0 ? lengths[i - 1] : beyond_first,
+                                   i + 1 < lengths.size() ? lengths[i + 1] : beyond_last, options);
+        if (total) {
+            total->add(part);
+        } else {
+            total = std::move(part);
+        }
+    }
+    if (!total) {
+        throw DomainError("an integral over an empty interval");
+    }
+    return std::move(*total);
+}
 
 } // namespace edgeproof::quadrature

@@ -141,7 +141,7 @@ void compute_binary64(const Scene& scene, Body body, std::span<const double> x,
                       unsigned threads) {
     Stresses all(scene, body, x, z, stresses);
     const std::size_t pieces = (x.size() + points_of_a_piece - 1) / points_of_a_piece;
-    parallel::work_through(parallel::all_pieces(pieces), threads, [&](std::size_t k) {
+    parallel::parallel_for(pieces, threads, [&](std::size_t k) {
         all.piece(k * points_of_a_piece, std::min(x.size(), (k + 1) * points_of_a_piece));
     });
 }

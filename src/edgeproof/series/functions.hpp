@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/precision/arithmetic.hpp"
-#include "edgeproof/precision/elementary/elementary.hpp"
+#include "edgeproof/precision/elementary/gamma_taylor.hpp"
 #include "edgeproof/series/truncated.hpp"
 
 #include <cmath>
@@ -85,12 +85,6 @@ template <class T> [[nodiscard]] Series<T> exp(const Series<T>& x) {
 template <class T> [[nodiscard]] Series<T> atan(const Series<T>& x) {
     using std::atan;
     return integrate_along(T(1) / (T(1) + x * x), x, T(atan(x[0])));
-}
-
-/// atan by the function of precision/elementary.
-template <class T> [[nodiscard]] Series<T> arc_tangent(const Series<T>& x) {
-    using edgeproof::arc_tangent; // the function of numbers
-    return integrate_along(T(1) / (T(1) + x * x), x, T(arc_tangent(x[0])));
 }
 
 template <class T> [[nodiscard]] Series<T> asin(const Series<T>& x) {

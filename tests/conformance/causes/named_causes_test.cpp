@@ -420,7 +420,7 @@ test::MistakeCounts count_named(std::uint64_t seed, const std::vector<std::strin
     options.threads = 1; // each contact has a thread
     const std::vector<TestedProfile> profiles = tested_profiles();
     std::vector<std::vector<test::MistakeTrial>> trials(profiles.size());
-    parallel::work_through(parallel::all_pieces(profiles.size()), 0, [&](std::size_t i) {
+    parallel::parallel_for(profiles.size(), 0, [&](std::size_t i) {
         if (contacts.empty() || std::ranges::find(contacts, profiles[i].name) != contacts.end()) {
             // The same answers whichever contacts are tested.
             trials[i] = trials_of(profiles[i], seed * 1'000'003 + i * 10'007, options);

@@ -3,7 +3,7 @@
 
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
-#include "edgeproof/quadrature/near_singularity.hpp"
+#include "edgeproof/quadrature/tanh_sinh.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -65,7 +65,7 @@ struct Forward {
             return (lo < hi ? lo : hi) < e.length() * Real("1e-45") ? Real(0)
                                                                     : Real(f(i, lo, hi, point));
         };
-        const auto r = integrate_pieces<Real>(at, lengths, Real(0), Real(0), {.target_digits = 22});
+        const auto r = integrate_pieces(at, lengths, Real(0), Real(0), {.target_digits = 22});
         REQUIRE(r.converged);
         return r.value;
     }

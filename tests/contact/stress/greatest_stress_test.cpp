@@ -219,7 +219,7 @@ TEST_CASE("derivatives of the Cauchy integral agree with quadrature") {
                         return Real(p.midpoint() * size * length *
                                     (imaginary ? sin(angle) : cos(angle)));
                     };
-                    sum += quadrature::tanh_sinh<Real>(f, {.target_digits = 20}).value;
+                    sum += quadrature::tanh_sinh(f, {.target_digits = 20}).value;
                 }
                 const Ball part = imaginary ? t[n].imaginary() : t[n].real();
                 const Real scale = Real(abs(factor) * c.force().midpoint() / pow(z, Real(n + 1)));

@@ -55,7 +55,7 @@ JohnsonIntegrals stress_by_quadrature(const BallContact& c, const SurfaceTractio
         }
         const auto part = [&](const auto& kernel) {
             return Real(
-                quadrature::tanh_sinh<Real>(
+                quadrature::tanh_sinh(
                     [&](const Real& lo, const Real& hi) {
                         const Real s = at[i] + length * lo;
                         const Edge edge = s > 0 ? Edge::right : Edge::left;

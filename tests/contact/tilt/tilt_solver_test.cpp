@@ -90,7 +90,7 @@ TEST_CASE("the moment is the integral of x p") {
     Real sum = 0;
     for (const bool right : {true, false}) {
         const Real length = right ? e.a : e.b;
-        const auto part = integrate_one_sided<Real>(
+        const auto part = integrate_one_sided(
             [&](const Real& from_edge, const Real& from_apex) {
                 if (from_apex < length * Real("1e-40")) {
                     return Real(0);

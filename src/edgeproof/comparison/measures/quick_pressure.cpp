@@ -29,11 +29,12 @@ QuickPressure::QuickPressure(const contact::Profile& profile, double contact_mod
     const double centre = (a - b) / 2;
     const double half = (a + b) / 2;
     for (std::size_t k = 0; k < rules_.size(); ++k) {
-        const auto rule = quadrature::gauss_legendre_rule(nodes_of_a_piece[k], 64);
+        const auto rule = quadrature::gauss_legendre_balls(nodes_of_a_piece[k], 80);
         const auto add = [&](std::size_t piece, double from, double to) {
-            for (std::size_t i = 0; i < rule.x.size(); ++i) {
-                const double t = rule.x[i].convert_to<double>();
-                const double weight = rule.weight[i].convert_to<double>() * (to - from) / 2;
+            for (std::size_t i = 0; i < rule->x.size(); ++i) {
+                const double t = rule->x[i].midpoint().convert_to<double>();
+                const double weight =
+                    rule->weight[i].midpoint().convert_to<double>() * (to - from) / 2;
                 for (const double side : {-1.0, 1.0}) {
                     const double theta = (from + to + side * t * (to - from)) / 2;
                     const double s = centre + half * std::cos(theta);

@@ -187,7 +187,7 @@ Agreements held_against(std::vector<ReferenceOrWhy> found, const Answers& answer
     result.references.resize(found.size());
     constexpr std::size_t piece = 256;
     const std::size_t pieces = (found.size() + piece - 1) / piece;
-    parallel::work_through(parallel::all_pieces(pieces), options.threads, [&](std::size_t p) {
+    parallel::parallel_for(pieces, options.threads, [&](std::size_t p) {
         const PrecisionScope scope(result.digits + 20);
         for (std::size_t i = p * piece; i < std::min(found.size(), (p + 1) * piece); ++i) {
             const Question& q = questions.list[i];

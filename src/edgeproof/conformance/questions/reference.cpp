@@ -95,21 +95,20 @@ template <class Handle>
 void answer_all(const Questions& questions, const ReferenceOptions& options, const Handle& handle) {
     const std::vector<Piece> pieces = pieces_of(questions);
     std::atomic<std::size_t> done{0};
-    parallel::work_through(
-        parallel::all_pieces(pieces.size()), options.threads, [&](std::size_t p) {
-            std::optional<Answering> answers;
-            const auto answering = [&]() -> Answering& {
-                return answers ? *answers : answers.emplace(questions, pieces[p], options.digits);
-            };
-            for (const std::size_t i : pieces[p]) {
-                check_interruption();
-                handle(i, answering);
-                const std::size_t n = ++done;
-                if (options.progress) {
-                    options.progress(n, questions.list.size());
-                }
+    parallel::parallel_for(pieces.size(), options.threads, [&](std::size_t p) {
+        std::optional<Answering> answers;
+        const auto answering = [&]() -> Answering& {
+            return answers ? *answers : answers.emplace(questions, pieces[p], options.digits);
+        };
+        for (const std::size_t i : pieces[p]) {
+            check_interruption();
+            handle(i, answering);
+            const std::size_t n = ++done;
+            if (options.progress) {
+                options.progress(n, questions.list.size());
             }
-        });
+        }
+    });
 }
 
 } // namespace

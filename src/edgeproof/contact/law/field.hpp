@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/precision/elementary/elementary.hpp"
+#include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/series/functions.hpp"
 
 #include <cmath>
@@ -43,12 +43,14 @@ template <class U> struct Field {
     /// 2 atan sqrt(near/far), the angle h of docs/mechanics.md; the distances are known not to be
     /// negative.
     static U angle(const U& near, const U& far) {
-        return U(arc_tangent(U(root(U(near / far)))) * 2);
+        using std::atan;
+        return U(atan(U(root(U(near / far)))) * 2);
     }
     /// pi - h of a mark inside the contact, as 2 atan sqrt((v + b)/(a - v)): near the left edge the
     /// difference pi - h would lose digits.
     template <class Mark> static U other_angle(const Mark& m) {
-        return U(arc_tangent(U(m.w / m.right)) * 2);
+        using std::atan;
+        return U(atan(U(m.w / m.right)) * 2);
     }
 };
 

@@ -149,7 +149,7 @@ Integral EdgeEquations::over(const Stretches& list, std::size_t i, unsigned digi
         return Real(f(s, lo, hi) / sqrt(Real((r.right + hi) * (l.left + lo))));
     };
     // The neighbouring cuts are singularities beyond the ends.
-    return quadrature::integrate_near<Real>(
+    return quadrature::integrate_near(
         integrand, list.lengths[i], i > 0 ? list.lengths[i - 1] : Real(0),
         i + 1 < list.lengths.size() ? list.lengths[i + 1] : Real(0), {.target_digits = digits});
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/profile/slope.hpp"
-#include "edgeproof/quadrature/near_singularity.hpp"
+#include "edgeproof/quadrature/tanh_sinh.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -24,7 +24,7 @@ struct Place {
     Real x;
 };
 
-using Integral = quadrature::QuadratureResult<Real>;
+using Integral = quadrature::QuadratureResult;
 
 /// The number of decimal digits by which `part` is smaller than `whole`; 0 if it is not.
 [[nodiscard]] unsigned digits_lost(const Real& whole, const Real& part);

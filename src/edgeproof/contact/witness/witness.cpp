@@ -88,8 +88,8 @@ Integral mossakovskii(const EdgeEquations& law, const EdgeEquations& mirror, boo
         const Ends then = law.ends_at(Real(starts[i] + lo));
         return Real(law.rate(then, Edge::right) / sqrt(Real(from_x * (at.x + then.b))));
     };
-    return quadrature::integrate_pieces<Real>(integrand, lengths, Real(at.x - below), Real(0),
-                                              {.target_digits = target_digits});
+    return quadrature::integrate_pieces(integrand, lengths, Real(at.x - below), Real(0),
+                                        {.target_digits = target_digits});
 }
 
 } // namespace

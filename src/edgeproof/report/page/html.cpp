@@ -218,9 +218,8 @@ std::vector<DrawnFigure> drawn(const std::vector<FigureRecipe>& recipes,
         figures.push_back({recipe.id, recipe.title, recipe.caption, {}, {}});
     }
     std::mutex problems;
-    parallel::work_through(
-        parallel::all_pieces(jobs.size()), static_cast<unsigned>(std::max(threads, 0)),
-        [&](std::size_t i) {
+    parallel::parallel_for(
+        jobs.size(), static_cast<unsigned>(std::max(threads, 0)), [&](std::size_t i) {
             check_interruption();
             Job& job = jobs[i];
             try {

@@ -22,7 +22,7 @@ int main() {
     // Profiles, balls and contacts belong to one thread each: every piece of work makes its own.
     // What one piece throws ends the work and is thrown here.
     const unsigned all_processors = 0;
-    parallel::work_through(parallel::all_pieces(cells.size()), all_processors, [&](std::size_t i) {
+    parallel::parallel_for(cells.size(), all_processors, [&](std::size_t i) {
         const Profile profile =
             Profile::power_law(Exact::parse("1"), Exact::parse(m[i / u.size()])); // C, m
         const Ball p =

@@ -31,9 +31,7 @@ std::unique_ptr<ProvedContact> proved_contact(const Profile& profile, const Exac
     return std::make_unique<IntegratedContact>(profile, contact_modulus, load, bits);
 }
 
-bool ProvedSlip::admissible() const {
-    return !slip_->sliding() && !slip_->beyond();
-}
+bool ProvedSlip::admissible() const { return !slip_->sliding() && !slip_->beyond(); }
 
 IntegratedContact::IntegratedContact(const Profile& profile, const Exact& contact_modulus,
                                      const Ball& a, const Ball& b, long bits)

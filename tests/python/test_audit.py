@@ -50,7 +50,7 @@ def test_verdicts(ledger):
     assert audit["right"].verdict in ("proved", "confirmed") and audit["right"].holds
     assert audit["wrong"].verdict == "refuted" and not audit["wrong"].holds
     assert audit.refuted == (audit["wrong"],) and audit.counts["refuted"] == 1
-    assert audit["wrong"].correct and audit["wrong"].evidence["kind"] == "value"
+    assert audit["wrong"].correct and audit["wrong"].evidence["kind"] == "compare"
     assert audit["wrong"].rests_on == "enclosures" and audit["wrong"].certificate is None
     assert audit.differences is None and "1 refuted" in audit.summary
     assert calls and calls[-1][1] == 2

@@ -197,22 +197,39 @@ void read_load(const io::TomlSection& load, Scene& scene) {
     }
 }
 
+namespace {
+
+/// The end of the flat, g' = 0, that begins at the origin; empty if there is none.
+std::optional<Exact> flat_end(const Profile& profile) {
+    const auto is_flat = [&](std::size_t piece) {
+        const auto& line = profile.pieces()[piece].linear;
+        const auto zero = [](const Expr& e) { return e.rational() && *e.rational() == 0; };
+        return line && zero(line->at_origin) && zero(line->rate);
+    };
+    std::size_t knot = profile.origin();
+    while (knot + 1 < profile.knots().size() && is_flat(knot + 1)) {
+        ++knot;
+    }
+    return knot == profile.origin() ? std::nullopt : std::optional(profile.knots()[knot]);
+}
+
+} // namespace
+
 void check_reach(const io::TomlSection& load, const Scene& scene) {
     if (load.has("width") && !scene.symmetric()) {
         load.reject("width",
                     "the width is given, but the edges are at different distances from the origin",
                     "give a (the right edge) or P");
     }
-    if (scene.load.kind != Load::Kind::right_edge || !scene.profile ||
-        scene.profile->kind() != Profile::Kind::flat_and_rounded) {
+    if (scene.load.kind != Load::Kind::right_edge || !scene.profile) {
         return;
     }
-    const Exact& t = scene.profile->parameters().at("t");
-    if (sign_of(load, "a", Exact(scene.load.value.expr() - t.expr())) <= 0) {
+    const auto end = flat_end(*scene.profile);
+    if (end && sign_of(load, "a", Exact(scene.load.value.expr() - end->expr())) <= 0) {
         load.reject(load.has("a") ? "a" : "width",
                     "the half-width a = " + scene.load.value.text() +
-                        " does not reach beyond the flat, t = " + t.text(),
-                    "give a > t: under any load the whole flat is in contact");
+                        " does not reach beyond the flat, which ends at x = " + end->text(),
+                    "give a > " + end->text() + ": under any load the whole flat is in contact");
     }
 }
 

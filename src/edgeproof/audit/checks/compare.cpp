@@ -15,6 +15,13 @@ struct Derivation {
     bool proved = false;
 };
 
+/// True for a formula in the derivatives of P and b, which the derived formula contains.
+bool holds_derivative(const Expr& e) {
+    return std::ranges::any_of(free_symbols(e), [](const std::string& name) {
+        return order_behind(name, "P") || order_behind(name, "b");
+    });
+}
+
 /// The derivations are those of plane contacts.
 Derivation derivation_of(const Claim& claim, const AuditContext& context) {
     Derivation found;
@@ -24,19 +31,14 @@ Derivation derivation_of(const Claim& claim, const AuditContext& context) {
     }
     try {
         const Expr& exact = claim.formula("of");
-        found.proved = proved_equal(claim.formula("says"), exact, under);
-        found.exact = derive(exact, under);
+        const bool proved = proved_equal(claim.formula("says"), exact, under);
+        if (proved || holds_derivative(claim.formula("says"))) {
+            found = {derive(exact, under), proved};
+        }
     } catch (const Error&) {
-        return found; // without algebra
+        // without algebra
     }
     return found;
-}
-
-/// True for a formula in the derivatives of P and b, which the derived formula contains.
-bool holds_derivative(const Expr& e) {
-    return std::ranges::any_of(free_symbols(e), [](const std::string& name) {
-        return order_behind(name, "P") || order_behind(name, "b");
-    });
 }
 
 /// Compares at the samples, with the `digits` of the context, or fewer.
@@ -61,7 +63,7 @@ Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned
         outcome.note = "equal in symbols but not at the samples";
     } else if (comparison.needs_correction(outcome)) {
         RefutedFormula refuted = comparison.refuted(outcome.evidence);
-        if (derivation.exact && holds_derivative(claim.formula("says"))) {
+        if (derivation.exact) {
             refuted.derived = derivation.exact;
         }
         refuted.passes_screening = Screening(claim, context);

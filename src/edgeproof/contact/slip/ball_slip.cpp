@@ -19,13 +19,23 @@ BallSlip::BallSlip(const ProvedContact& contact, const ZoneSolver& zones, const 
       ratio_(abs(load.Q) / (friction * force)) {
     const Ball left = 1 - ratio_;
     if (certainly_positive(left)) {
-        if (!stick) {
-            look_beyond(load.bulk_tension);
+        BallZone near = whole_;
+        if (!stick && !contains_zero(over_Q_)) {
+            try {
+                near = zones_.search(force_ * left, tilt_at(ratio_), whole_);
+            } catch (const BudgetError&) {
+                look_beyond(load.bulk_tension); // before a longer search, which may not end
+                if (beyond_) {
+                    return;
+                }
+            }
         }
-        if (beyond_) {
-            return;
+        stick_ = stick ? *stick : zones_.zone(force_ * left, tilt_at(ratio_), near);
+        for (const Edge edge : {Edge::right, Edge::left}) {
+            if (certainly_negative(size(edge))) {
+                beyond_ = edge;
+            }
         }
-        stick_ = stick ? *stick : zones_.zone(force_ * left, tilt_at(ratio_), whole_);
         whole_ratio_ = direction_ * friction_;
         parts_.push_back({-whole_ratio_, *stick_});
     } else if (contains_zero(left) && !left.is_exact()) {
@@ -85,9 +95,6 @@ bool BallSlip::slips_from_the_first(Edge edge) const {
 // edge of the contact, at half the rate dP/da of its free edge. The signs of F - P on both sides of
 // the place found enclose the length.
 Ball BallSlip::tension_limit(Edge edge) const {
-    if (const auto known = limits_.find(edge); known != limits_.end()) {
-        return known->second;
-    }
     const long bits = zones_.bits();
     const Ball P = force_ * (1 - ratio_);
     const Ball& fixed = whole_.at(edge);
@@ -113,18 +120,13 @@ Ball BallSlip::tension_limit(Edge edge) const {
 
 // Without a bulk tension the stick zone lies within the contact: the limits have opposite signs.
 void BallSlip::look_beyond(const Ball& tension) {
-    if (contains_zero(tension)) {
-        return;
-    }
     const Edge edge = certainly_positive(over_Q_) ? Edge::left : Edge::right;
     try {
-        const Ball limit = tension_limit(edge);
-        limits_.emplace(edge, limit);
-        if (certainly_less(abs(limit), abs(tension))) {
+        if (certainly_less(abs(tension_limit(edge)), abs(tension))) {
             beyond_ = edge;
         }
     } catch (const BudgetError&) {
-        // The stick zone decides.
+        // More bits may decide.
     }
 }
 

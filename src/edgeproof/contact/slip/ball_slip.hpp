@@ -9,7 +9,6 @@
 #include "edgeproof/precision/ball/ball.hpp"
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -120,9 +119,8 @@ private:
     Ball ratio_;
     std::optional<BallZone> stick_;
     std::optional<Edge> beyond_;
-    std::map<Edge, Ball> limits_; ///< of the bulk tension, where they are known
-    bool sticks_ = false;         ///< nothing slipped in the last step of a history
-    Ball whole_ratio_;            ///< of the whole contact
+    bool sticks_ = false; ///< nothing slipped in the last step of a history
+    Ball whole_ratio_;    ///< of the whole contact
     std::vector<ShearPart> parts_;
 };
 

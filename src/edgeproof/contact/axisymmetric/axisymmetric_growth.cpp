@@ -58,7 +58,7 @@ AxisymmetricContact::radius(const Ball& A, std::optional<std::size_t> on, const 
             at.y.push_back(w);
             break;
         }
-        if (!certainly_less(v, A)) {
+        if (!on && !certainly_less(v, A)) { // the knots before ring `on` lie before A
             break;
         }
         at.y.push_back(principal_root(w2 + (A - v) * (A + v)));

@@ -209,7 +209,7 @@ Ball AxisymmetricContact::over_widths(const Place& at, bool moment) const {
     for (std::size_t i = on ? *on + 1 : 0;; ++i) {
         const bool last = i == rings_.size() || !inside(rings_[i].knot);
         if (!last && !certainly_less(A, rings_[i].v)) {
-            if (certainly_less(rings_[i].v, A) || (i == 0 && contains_zero(rings_[0].jump))) {
+            if (certainly_less(rings_[i].v, A) || (on_axis(i) && contains_zero(rings_[i].jump))) {
                 continue; // before r
             }
             return unknown_ball(bits_);

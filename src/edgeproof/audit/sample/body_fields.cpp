@@ -18,7 +18,7 @@ BodyFields::BodyFields(const SceneSpec& scene, const std::optional<contact::Shea
     }
     slip_ = std::make_unique<contact::ProvedSlip>(profile, modulus, edge, *load, *friction, bits,
                                                   scene.force_of_slip(bits));
-    if (slip_->admissible()) {
+    if (slip_->slip().admissible()) {
         const Ball& tension = load->bulk_tension;
         parts_.emplace(slip_->slip(), slip_->contact(), profile, modulus,
                        !tension.is_exact() || !contains_zero(tension));

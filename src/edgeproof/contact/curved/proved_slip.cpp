@@ -31,8 +31,6 @@ std::unique_ptr<ProvedContact> proved_contact(const Profile& profile, const Exac
     return std::make_unique<IntegratedContact>(profile, contact_modulus, load, bits);
 }
 
-bool ProvedSlip::admissible() const { return !slip_->sliding() && !slip_->beyond(); }
-
 IntegratedContact::IntegratedContact(const Profile& profile, const Exact& contact_modulus,
                                      const Ball& a, const Ball& b, long bits)
     : ProvedContact(profile, enclosed_constant(contact_modulus, bits), bits), zone_(true) {

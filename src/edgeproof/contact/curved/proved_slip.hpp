@@ -32,9 +32,6 @@ public:
 
     [[nodiscard]] const BallSlip& slip() const { return *slip_; }
     [[nodiscard]] const ProvedContact& contact() const { return *contact_; }
-    /// True unless the contact is proved to slide or an edge of the stick zone is proved to lie
-    /// outside the contact.
-    [[nodiscard]] bool admissible() const;
     /// Returns q (stress) at the distance `u` from an edge (length).
     [[nodiscard]] Ball traction(Edge edge, const Ball& u) const {
         return slip_->traction(edge, u, contact_->pressure(edge, u));

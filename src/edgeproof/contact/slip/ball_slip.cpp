@@ -19,10 +19,12 @@ BallSlip::BallSlip(const ProvedContact& contact, const ZoneSolver& zones, const 
       ratio_(abs(load.Q) / (friction * force)) {
     const Ball left = 1 - ratio_;
     if (certainly_positive(left)) {
-        BallZone near = whole_;
+        const Ball F = force_ * left;
+        const Ball tilt = tilt_at(ratio_);
+        std::optional<BallZone> found;
         if (!stick && !contains_zero(over_Q_)) {
             try {
-                near = zones_.search(force_ * left, tilt_at(ratio_), whole_);
+                found = zones_.search(F, tilt, whole_);
             } catch (const BudgetError&) {
                 look_beyond(load.bulk_tension); // before a longer search, which may not end
                 if (beyond_) {
@@ -30,7 +32,9 @@ BallSlip::BallSlip(const ProvedContact& contact, const ZoneSolver& zones, const 
                 }
             }
         }
-        stick_ = stick ? *stick : zones_.zone(force_ * left, tilt_at(ratio_), near);
+        stick_ = stick   ? *stick
+                 : found ? zones_.proved(F, tilt, *found)
+                         : zones_.zone(F, tilt, whole_);
         for (const Edge edge : {Edge::right, Edge::left}) {
             if (certainly_negative(size(edge))) {
                 beyond_ = edge;

@@ -67,13 +67,16 @@ public:
     [[nodiscard]] const Ball& friction() const { return friction_; }
     /// |Q| >= f P: nothing sticks.
     [[nodiscard]] bool sliding() const { return !stick_ && !beyond_; }
+    /// True unless the contact is proved to slide, or an edge of the stick zone to lie outside it.
+    [[nodiscard]] bool admissible() const { return stick_ && !beyond_; }
     /// The edge beyond which the bulk tension moves the stick zone: it would slip against Q.
     [[nodiscard]] std::optional<Edge> beyond() const { return beyond_; }
+    /// Only of an admissible state.
     [[nodiscard]] const BallZone& stick() const { return *stick_; }
     /// q is the sum of these parts and of whole_ratio() times p. Empty if the contact slides.
     [[nodiscard]] const std::vector<ShearPart>& parts() const { return parts_; }
     [[nodiscard]] const Ball& whole_ratio() const { return whole_ratio_; }
-    /// The size d of the slip zone at an edge (length).
+    /// The size d of the slip zone at an edge (length); only of an admissible state.
     [[nodiscard]] Ball size(Edge edge) const {
         return sticks_ ? Ball(0, zones_.bits()) : whole_.at(edge) - stick_->at(edge);
     }

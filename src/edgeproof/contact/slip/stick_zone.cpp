@@ -165,14 +165,7 @@ BallZone ZoneSolver::search(const Ball& force, const Ball& tilt, const BallZone&
 // one zone (moore-kearfott-cloud2009). The sum and the difference of F - P and D turn_of have the
 // derivatives (dP/da + turn, turn) and (-turn, dP/db - turn), where turn is 0 at the zone: no
 // matrix is inverted (docs/partial-slip.md, "The corrective contact").
-BallZone ZoneSolver::zone(const Ball& force, const Ball& tilt, const BallZone& near) const {
-    const BallZone m = [&] {
-        try {
-            return search(force, tilt, near);
-        } catch (const BudgetError&) {
-            return search(force, tilt, from_afar(*this, force, tilt, near));
-        }
-    }();
+BallZone ZoneSolver::proved(const Ball& force, const Ball& tilt, const BallZone& m) const {
     const ZoneValues at = values(m);
     const Ball missing = at.force - force;
     const Ball turn = m.length() * turn_of(*this, at, tilt);
@@ -195,6 +188,17 @@ BallZone ZoneSolver::zone(const Ball& force, const Ball& tilt, const BallZone& n
     }
     throw BudgetError("ball arithmetic at " + std::to_string(bits()) +
                       " bits does not isolate the stick zone");
+}
+
+BallZone ZoneSolver::zone(const Ball& force, const Ball& tilt, const BallZone& near) const {
+    const BallZone found = [&] {
+        try {
+            return search(force, tilt, near);
+        } catch (const BudgetError&) {
+            return search(force, tilt, from_afar(*this, force, tilt, near));
+        }
+    }();
+    return proved(force, tilt, found);
 }
 
 std::unique_ptr<ZoneSolver> closed_form_zones(const BallContact& contact) {

@@ -65,6 +65,9 @@ public:
                                         const BallZone& near) const;
     /// Finds the zone by Newton's method on midpoints, which proves nothing.
     [[nodiscard]] BallZone search(const Ball& force, const Ball& tilt, const BallZone& near) const;
+    /// Encloses the zone that a search has found. Throws BudgetError where the bits do not isolate
+    /// it.
+    [[nodiscard]] BallZone proved(const Ball& force, const Ball& tilt, const BallZone& found) const;
     /// Returns the coefficients of dP/da (force/length) at the radius a - d in powers of d, of an
     /// axisymmetric contact; none for plane contacts.
     [[nodiscard]] virtual std::vector<Ball> force_rates(const Ball& /*a*/,

@@ -31,7 +31,7 @@ Compliances compliances_of(const Scene& scene, Body body, long bits) {
 } // namespace
 
 const contact::TractionParts* BallLevel::traction_parts() {
-    if (!traction_parts_ && slip() != nullptr && !slip()->sliding()) {
+    if (!traction_parts_ && slip() != nullptr && slip()->admissible()) {
         traction_parts_.emplace(*slip(), *contact_, tilt_ ? tilt_->near : *scene_.profile,
                                 scene_.contact_modulus, scene_.shear->bulk_tension.sign() != 0);
     }
@@ -260,7 +260,7 @@ Ball BallLevel::round_slip(const Ball& r) {
                          std::string(scene_.history ? "" : "add nu to [load], or ") +
                              "give places outside the contact, |x| > a");
     }
-    if (slip() == nullptr || slip()->sliding()) {
+    if (slip() == nullptr || !slip()->admissible()) {
         return not_known();
     }
     const contact::ShearPart& part = slip()->parts().front();

@@ -202,4 +202,12 @@ TEST_CASE("the enclosure of a tilt ends at every precision that is too low for t
                                            exact("1"), exact("1"), exact("-1 + 1e-90"), bits),
                         BudgetError);
     }
+    // d(M)/d(alpha) = pi E* c^2/4 - P R at alpha = 0, with the half-width c of the upright punch
+    const EnclosedTilt enough = enclose_tilt(TiltedPunch::flat_and_rounded(exact("1"), exact("2")),
+                                             exact("1"), exact("1"), exact("-1 + 1e-90"), 900);
+    const BallContact upright(Profile::flat_and_rounded(exact("1"), exact("2")), exact("1"),
+                              Load::force(exact("1")), 900);
+    const Ball rate = Ball::pi(900) * upright.a() * upright.a() / 4 - 2;
+    const Ball near = Ball(Rational(1, pow(Integer(10), 90)), 900) / rate;
+    CHECK(certainly_less(abs(enough.alpha - near), near * power_of_two(-250, 900)));
 }

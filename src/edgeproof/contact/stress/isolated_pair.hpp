@@ -25,8 +25,9 @@ struct PairOfEquations {
 };
 
 /// Encloses the only zero near a start, to its bits, by Newton's method on midpoints and then, with
-/// proof, by Krawczyk's operator: where m - Y f(m) + (1 - Y J(X)) (X - m) lies inside X, there is
-/// one zero in X, and no other (`moore-kearfott-cloud2009`). Nothing if the zero is not isolated.
+/// proof, by Krawczyk's operator: where m - Y f(m) + (1 - Y J(X)) (X - m) lies in the inner
+/// part of X, there is one zero in X, and no other (`moore-kearfott-cloud2009`). Nothing if the
+/// zero is not isolated.
 /// @param equations PairOfEquations over a pair of balls
 /// @param free false for an unknown that keeps its value
 template <class Equations>
@@ -89,8 +90,10 @@ isolated_pair(const Equations& equations, const BallPair& start,
                 image[i] += ((i == j ? 1 : 0) - product) * around[j];
             }
         }
-        if (image[0].is_finite() && image[1].is_finite() && contains(X[0], image[0]) &&
-            contains(X[1], image[1])) {
+        const auto inside = [&](std::size_t i) {
+            return !free[i] || certainly_less(abs(image[i] - x[i]), radius);
+        };
+        if (image[0].is_finite() && image[1].is_finite() && inside(0) && inside(1)) {
             return image;
         }
     }

@@ -4,6 +4,7 @@
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/enclosure/isolate_zero.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -13,6 +14,7 @@ namespace edgeproof::contact {
 namespace {
 
 constexpr long fewest_bits = 80; ///< of the search from which the last steps start
+constexpr int most_steps = 60;
 
 Expr number(long k) { return Expr::number(Rational(k)); }
 
@@ -77,35 +79,49 @@ EnclosedTilt tilt_of_flat(const TiltedPunch& punch, const Exact& modulus, const 
     };
     const bool near = certainly_less(enclosed_constant(M, bits),
                                      contact_at(enclosed_constant(lift, bits) / 2).moment());
-    // M rises with alpha: dM/dalpha = pi E* c^2/4 - P R (docs/mechanics.md, "Profiles").
-    const auto search = [&](const Ball& start, bool coarse) {
-        const long b = start.bits();
-        const Ball most = enclosed_constant(lift, b);
-        const Ball given = enclosed_constant(M, b);
-        const Ball carried = enclosed_constant(P, b) * enclosed_constant(punch.R, b);
-        Ball last_place(0, b);
-        std::optional<BallContact> last;
-        const auto contact_of = [&](const Ball& v) -> const BallContact& {
-            if (!last || arb_equal(v.data(), last_place.data()) == 0) {
-                last.emplace(contact_at(near ? v : most - v));
-                last_place = v;
-            }
-            return *last;
-        };
-        return isolate_zero(
-            [&](const Ball& v) {
-                const Ball moment = contact_of(v).moment();
-                return near ? given - moment : moment - given;
-            },
-            [&](const Ball& v) {
-                const BallContact& contact = contact_of(v);
-                const Ball c = contact.length() / 2;
-                return carried - Ball::pi(b) * contact.modulus() * c * c / 4;
-            },
-            start, "the tilt", {.prove = !coarse, .near = !coarse, .to_roundoff = true});
+    // y(v), the moment less that at v = 0, or its negative, rises with v; |dM/dalpha| = pi E* c^2/4
+    // - P R (docs/mechanics.md, "Profiles").
+    const Exact of_end(near ? M.expr() + punch.t.expr() * P.expr() : -M.expr());
+    struct Values {
+        Ball y;
+        Ball rate;
     };
-    const Ball rough = search(enclosed_constant(lift, std::max(fewest_bits, bits / 2)) / 2, true);
-    const Ball v = search(rough.with_bits(bits), false);
+    const auto values = [&](const Ball& v) -> Values {
+        const long b = v.bits();
+        const BallContact contact = contact_at(near ? v : enclosed_constant(lift, b) - v);
+        const Ball at_end =
+            near ? enclosed_constant(punch.t, b) * enclosed_constant(P, b) : Ball(0, b);
+        const Ball c = contact.length() / 2;
+        return {near ? contact.moment() + at_end : -contact.moment(),
+                Ball::pi(b) * contact.modulus() * c * c / 4 -
+                    enclosed_constant(P, b) * enclosed_constant(punch.R, b)};
+    };
+    // First Newton's method in logarithms: near the ends of the range y is like a power of v.
+    const long coarse = std::max(fewest_bits, bits / 2);
+    Ball rough = middle(enclosed_constant(lift, coarse) / 2);
+    Ball step(1, coarse);
+    for (int k = 0; !certainly_less(abs(step), power_of_two(-10, coarse)); ++k) {
+        check_interruption();
+        const Values at = values(rough);
+        step = middle(log(at.y / enclosed_constant(of_end, coarse)) * at.y / (rough * at.rate));
+        if (k == most_steps || !certainly_positive(at.y) || !step.is_finite()) {
+            throw BudgetError("too few bits to search for the tilt");
+        }
+        rough = middle(rough * exp(-step));
+    }
+    Ball last_place(0, bits);
+    std::optional<Values> last;
+    const auto values_at = [&](const Ball& v) -> const Values& {
+        if (!last || arb_equal(v.data(), last_place.data()) == 0) {
+            last.emplace(values(v));
+            last_place = v;
+        }
+        return *last;
+    };
+    const Ball v = isolate_zero(
+        [&](const Ball& at) { return enclosed_constant(of_end, bits) - values_at(at).y; },
+        [&](const Ball& at) { return -values_at(at).rate; }, rough.with_bits(bits), "the tilt",
+        {.near = true, .to_roundoff = true});
     return tilt_at(punch, v, near, lift, 1);
 }
 

@@ -38,6 +38,39 @@ TEST_CASE("the exact contact: Hertz by the textbook") {
     CHECK(exact().pressure(1.6) == 0);
 }
 
+// p = C acosh(a/|x|)/pi of a wedge with E* = 1 (Johnson, section 5.2). With a = 1 + 2^-60 no
+// distance from the edge in binary64 has the digits of a place near the apex.
+TEST_CASE("the exact contact: p and q near a corner have the digits of the place") {
+    const ExactContact wedge(scene::parse_scene(
+        "[profile]\nkind = \"power-law\"\nm = \"0\"\nC = \"1\"\n[load]\n"
+        "a = \"1 + 2^-60\"\ncontact_modulus = \"1\"\n[shear]\nQ = \"(1 + 2^-60)/8\"\n"
+        "path = \"together\"\n",
+        "wedge.toml"));
+    for (const double x : {3.3e-15, -1e-13, 1e-9, -1e-5, 1e-3, 0.3}) {
+        CAPTURE(x);
+        const ExactContact::Place place = wedge.at(Real(x));
+        const double p = std::acosh(1 / std::abs(x)) / std::numbers::pi;
+        CHECK(place.p.value() == doctest::Approx(p).epsilon(3e-15));
+        CHECK(wedge.traction(place).value() == doctest::Approx(p / 8).epsilon(3e-15));
+    }
+    CHECK_FALSE(wedge.at(Real(0)).p);
+}
+
+// P = pi/20 closes the contact up to the corner at 1; 1e-45 beyond it 128 bits do not separate
+// both.
+TEST_CASE("the exact contact: an edge that few bits do not separate from a corner") {
+    const ExactContact contact(
+        scene::parse_scene("[profile]\nkind = \"piecewise\"\nsymmetric = true\nknots = [\"1\"]\n"
+                           "slopes = [\"x/5\", \"x/5 + 1\"]\n[load]\nP = \"pi/20 + 1/10^45\"\n"
+                           "contact_modulus = \"1\"\n",
+                           "corner.toml"));
+    // Hertz with R = 5: p = sqrt(a^2 - x^2)/10
+    for (const double x : {0.0, -0.6, 0.8}) {
+        CHECK(contact.at(Real(x)).p.value() ==
+              doctest::Approx(std::sqrt(1 - x * x) / 10).epsilon(3e-15));
+    }
+}
+
 // Slopes with a corner, a jump of g'', a branch point and no symmetry, and a body of revolution
 // without a closed form; places from 1e-7 of the contact next to edges and knots. The exact
 // pressures are those of rigorous integration.

@@ -163,3 +163,11 @@ TEST_CASE("shear: the zone left out at the edges is left out at those of the sti
     CHECK(outside.shear->local == doctest::Approx(0.05 / 0.16).epsilon(1e-9)); // |Q|/(a + b)
     CHECK_FALSE(outside.passes());
 }
+
+TEST_CASE("shear: q that is written with too few digits hides its errors, and does not pass") {
+    const auto zero = [](double) { return 0.0; };
+    const FileComparison file =
+        shear_held("Q = \"0.2\"\nfriction = \"0.6\"\n", shear_rows(zero), shear_within(0.03));
+    REQUIRE_FALSE(file.passes());
+    CHECK(file.failures.back().starts_with("q is written with too few digits: they hide errors"));
+}

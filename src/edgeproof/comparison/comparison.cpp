@@ -80,28 +80,30 @@ private:
                              "few for a comparison",
                              errors.inside, file_.inside));
         }
-        digits();
-        hold("p", errors, tolerances_.pressure,
-             exact_.scale().mean ? "of the mean pressure" : "of the peak", [](const Node& node) {
-                 return std::pair{node.p, node.exact.p.value_or(0)};
-             });
+        const char* const of_scale = exact_.scale().mean ? "of the mean pressure" : "of the peak";
+        digits("p", tolerances_.pressure, exact_.scale().value, of_scale,
+               [](const Node& node, const ResultRow& row) {
+                   return std::min(std::abs(node.error), row.p_rounding);
+               });
+        hold("p", errors, tolerances_.pressure, of_scale, [](const Node& node) {
+            return std::pair{node.p, node.exact.p.value_or(0)};
+        });
     }
     /// Written digits may explain errors up to the tolerance, or the usual one: larger errors would
-    /// be hidden completely.
-    void digits() {
+    /// be hidden completely. `hidden` returns the part of a node's error that they explain.
+    template <class Hidden>
+    void digits(const char* symbol, double tolerance, double scale, const std::string& of_scale,
+                const Hidden& hidden) {
         double explained = 0;
         for (std::size_t i = 0; i < file_.data.nodes.size(); ++i) {
             const Node& node = file_.data.nodes[i];
             if (is_counted(node, tolerances_.zone, file_.contact)) {
-                explained = std::max(
-                    explained, std::min(std::abs(node.error), file_.table.rows[i].p_rounding));
+                explained = std::max(explained, hidden(node, file_.table.rows[i]) / scale);
             }
         }
-        explained /= exact_.scale().value;
-        if (!(explained <= std::max(tolerances_.pressure, Tolerances::usual))) {
-            fail(fmt::format("p is written with too few digits: they hide errors of {} {}",
-                             percent(explained),
-                             exact_.scale().mean ? "of the mean pressure" : "of the peak"));
+        if (!(explained <= std::max(tolerance, Tolerances::usual))) {
+            fail(fmt::format("{} is written with too few digits: they hide errors of {} {}", symbol,
+                             percent(explained), of_scale));
         }
     }
     void shear() {
@@ -120,10 +122,17 @@ private:
                              file_.shear->inside, file_.inside));
             return;
         }
-        hold("q", *file_.shear, tolerances_.q.value_or(tolerances_.pressure),
-             ("of " + exact_.shear()->scale_text()).c_str(), [](const Node& node) {
-                 return std::pair{node.shear->q, node.shear->exact.value_or(0)};
-             });
+        const double tolerance = tolerances_.q.value_or(tolerances_.pressure);
+        const std::string of_scale = "of " + exact_.shear()->scale_text();
+        digits("q", tolerance, exact_.shear()->scale(), of_scale,
+               [](const Node& node, const ResultRow& row) {
+                   return node.shear && node.shear->exact
+                              ? std::min(std::abs(node.shear->error), row.q_rounding)
+                              : 0.0;
+               });
+        hold("q", *file_.shear, tolerance, of_scale.c_str(), [](const Node& node) {
+            return std::pair{node.shear->q, node.shear->exact.value_or(0)};
+        });
     }
     /// `values` returns data and exact value of a node.
     template <class Values>

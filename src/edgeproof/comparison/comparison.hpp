@@ -4,8 +4,7 @@
 ///   input/result_table.hpp      ResultTable: a program's table, with any columns and separators
 ///   measures/exact_contact.hpp  ExactContact: the scene's own solution
 ///   measures/alignment.hpp      AlignedResult: sign, origin, nodes with their exact pressure
-///   measures/measures.hpp       DataContact: edges and force of the data; EdgeFit: its c_0 and
-///   c_1;
+///   measures/measures.hpp       DataContact: edges and force of the data; EdgeFit: c_0, c_1;
 ///                               Errors: relative to the peak, to p itself, in the L2 norm;
 ///                               the error that a correct mesh has by itself
 ///   causes/causes.hpp           Diagnosis: mistakes that would explain wrong data

@@ -56,9 +56,11 @@ public:
         if (const auto closed = closed_form_contact(scene_, 2 * first_bits)) {
             profile_ = closed->profile;
             solved_ = closed->at;
-            balls_ = solved_(first_bits);
-            if (DoubleWordPressure::has_form(*profile_)) {
-                words_.emplace(*profile_, solved_(DoubleWordPressure::contact_bits));
+            balls_ = at_bits(first_bits);
+            const bool form = balls_ && DoubleWordPressure::has_form(*profile_);
+            if (const auto closer = form ? at_bits(DoubleWordPressure::contact_bits) : balls_;
+                form && closer) {
+                words_.emplace(*profile_, *closer);
             }
         } else {
             profile_ = scene_.profile;
@@ -112,6 +114,14 @@ private:
         std::optional<Rational> exactly;
     };
 
+    /// The contact of p; nothing where these bits do not separate an edge from a corner.
+    [[nodiscard]] std::optional<BallContact> at_bits(long bits) const {
+        try {
+            return solved_(bits);
+        } catch (const BudgetError&) {
+            return {};
+        }
+    }
     [[nodiscard]] bool is_traction() const {
         return question_.quantity == Quantity::p || question_.quantity == Quantity::q;
     }
@@ -185,15 +195,18 @@ private:
         bool is_inside = false;
         bool on_corner = false;
         for (long bits = 2 * first_bits; solved_ && bits <= most_bits; bits *= 2) {
-            const BallContact closer = solved_(bits);
-            if (const auto value = pressure(closer, edge, place)) {
+            const auto closer = at_bits(bits);
+            if (!closer) {
+                continue;
+            }
+            if (const auto value = pressure(*closer, edge, place)) {
                 return value;
             }
             const Edge from = nearer(edge, place);
             const Ball u =
-                distance(from, edge, Ball(exact_rational(place), bits), closer.a(), closer.b());
-            is_inside = certainly_positive(u) && certainly_less(u, Ball(closer.a() + closer.b()));
-            on_corner = is_inside && std::ranges::any_of(closer.corners(from), [&](const Ball& x) {
+                distance(from, edge, Ball(exact_rational(place), bits), closer->a(), closer->b());
+            is_inside = certainly_positive(u) && certainly_less(u, Ball(closer->a() + closer->b()));
+            on_corner = is_inside && std::ranges::any_of(closer->corners(from), [&](const Ball& x) {
                             return overlaps(x, u);
                         });
         }

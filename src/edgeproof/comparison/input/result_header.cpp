@@ -319,7 +319,13 @@ private:
     /// Finds units after names, or in a row of their own.
     void find_units() {
         for (std::size_t i = 0; i < text_.first_row; ++i) {
-            const auto cells = cells_in(without_comment_mark(text_.lines[i]));
+            const std::string line = without_comment_mark(text_.lines[i]);
+            const auto cells = cells_in(line);
+            if (text_.lines[i].comment && lower_case(line).find("unit") != std::string::npos) {
+                found_.findings.push_back(fmt::format(
+                    "line {} is a comment: units in it are not read; write them after the names",
+                    text_.lines[i].number));
+            }
             if (cells.size() == text_.size && all_units(cells)) {
                 for (UsedColumn* c : {&found_.x, &found_.p}) {
                     const std::string_view text = without_brackets(cells[c->index]);

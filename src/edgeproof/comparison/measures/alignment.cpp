@@ -17,6 +17,9 @@
 namespace edgeproof::comparison {
 namespace {
 
+/// Errors below it are those of the exact value and its place in binary64.
+constexpr double of_binary64 = 0x1p-52;
+
 class Aligner {
 public:
     Aligner(const ResultTable& table, const ExactContact& exact) : table_(table), exact_(exact) {
@@ -111,6 +114,7 @@ private:
             node.exact = exact_.at(x);
             node.rounding = row.p_rounding;
             if (node.exact.p) {
+                node.rounding += of_binary64 * *node.exact.p;
                 const Real p = Real(row.p) * Real(result_.sign);
                 node.error = Real(p - *node.exact.p).convert_to<double>();
                 node.rounding +=
@@ -120,7 +124,7 @@ private:
                 NodeShear shear;
                 shear.q = row.q->convert_to<double>();
                 shear.exact = exact_.traction(node.exact);
-                shear.rounding = row.q_rounding;
+                shear.rounding = row.q_rounding + of_binary64 * std::abs(shear.exact.value_or(0));
                 if (shear.exact && node.exact.inside()) {
                     shear.rounding +=
                         moved_by_rounding(i, x, node.exact, [this](const auto& place) {

@@ -26,7 +26,7 @@ struct Node {
     double x = 0; ///< from the scene's origin
     double p = 0; ///< of the data, positive in compression
     ExactContact::Place exact;
-    double error = 0;    ///< p - exact p, both unrounded; 0 on a corner
+    double error = 0;    ///< p of the data, unrounded, - exact p; 0 on a corner
     double rounding = 0; ///< the change of `error` by the rounding of the written p and x
     std::optional<NodeShear> shear = {}; ///< if data and scene have one
 };

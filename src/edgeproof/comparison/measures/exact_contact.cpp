@@ -23,6 +23,8 @@ constexpr unsigned value_digits = 20;
 constexpr unsigned contact_digits = 40;
 constexpr long tilt_bits = 192;       ///< for `contact_digits`
 constexpr double on_a_corner = 1e-15; ///< relative to a + b
+/// The same: within it, a distance from an edge in binary64 has too few digits for p.
+constexpr double near_a_corner = 1e-3;
 
 contact::Profile profile_of(const scene::Scene& scene) {
     return scene.profile ? *scene.profile
@@ -66,10 +68,24 @@ struct ExactContact::Solved {
         return io::at_place(scene.file, scene.load_line, [&] { return run_scene(of); });
     }
 
+    /// p or q at the place x, in full.
+    [[nodiscard]] double in_full(scene::Quantity quantity, const Real& x) {
+        const scene::AskedValue asked = asked_at(quantity, x);
+        auto& values = quantity == scene::Quantity::p ? full_pressure : full_traction;
+        if (!values) {
+            values.emplace(quantity == scene::Quantity::p ? scene.without_shear() : scene,
+                           std::vector{asked},
+                           scene::Digits{value_digits, Rounding::nearest, false});
+        }
+        return exact_value(values->value(asked)).value;
+    }
+
     scene::Scene scene;
     contact::Profile profile;
     std::optional<scene::Binary64Values> pressures; ///< made when needed
     std::optional<scene::Binary64Values> tractions; ///< the same
+    std::optional<scene::SceneValues> full_pressure;
+    std::optional<scene::SceneValues> full_traction;
     /// Set for a curved slope in the plane.
     std::optional<QuickPressure> quick;
     Real right; ///< a
@@ -205,18 +221,29 @@ ExactContact::Place ExactContact::at(const Real& x) const {
     const PrecisionScope scope(place_digits);
     const Real right = solved_->right - x;
     const Real left = solved_->left + x;
-    Place place{right.convert_to<double>(), left.convert_to<double>(), 0.0};
+    Place place{right.convert_to<double>(), left.convert_to<double>(), 0.0, {}};
     if (!(right > 0) || !(left > 0)) {
         return place;
     }
-    const bool corner = std::ranges::any_of(knots_, [&](const ContactKnot& knot) {
-        return knot.corner && abs(Real(x - knot.x)) <= on_a_corner * length();
-    });
+    const auto corner_within = [&](double share) {
+        return std::ranges::any_of(knots_, [&](const ContactKnot& knot) {
+            return knot.corner && abs(Real(x - knot.x)) <= share * length();
+        });
+    };
+    if (corner_within(on_a_corner)) {
+        place.p.reset();
+        return place;
+    }
     try {
+        if (corner_within(near_a_corner)) {
+            place.near_corner = x;
+            place.p = solved_->in_full(scene::Quantity::p, x);
+            return place;
+        }
         if (!solved_->pressures) {
             solved_->pressures.emplace(solved_->scene.without_shear());
         }
-        const double p = corner ? HUGE_VAL : (*solved_->pressures)(place.nearer(), place.u());
+        const double p = (*solved_->pressures)(place.nearer(), place.u());
         place.p = std::isfinite(p) ? std::optional(p) : std::nullopt;
     } catch (const Error&) { // not enclosed
         place.p.reset();
@@ -244,6 +271,9 @@ std::optional<double> ExactContact::traction(const Place& place) const {
         return {};
     }
     try {
+        if (place.near_corner) {
+            return s.in_full(scene::Quantity::q, *place.near_corner);
+        }
         if (!s.tractions) {
             s.tractions.emplace(s.scene, scene::Binary64Question{.quantity = scene::Quantity::q});
         }

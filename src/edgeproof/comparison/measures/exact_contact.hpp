@@ -58,7 +58,7 @@ struct ExactValue {
 };
 
 /// The exact solution of a scene for comparison, by the scene's own routes: sizes, loads,
-/// coefficients and the pressures nearest in binary64. One object belongs to one thread.
+/// coefficients and pressures in binary64. One object belongs to one thread.
 class ExactContact {
 public:
     /// Keeps no reference to the scene. Throws as run_scene does for a load that no
@@ -108,7 +108,8 @@ public:
     struct Place {
         double from_right = 0;
         double from_left = 0;
-        std::optional<double> p; ///< the nearest binary64
+        std::optional<double> p;         ///< in binary64, to about its last digit
+        std::optional<Real> near_corner; ///< x, if the place is near a corner
         [[nodiscard]] bool inside() const { return from_right > 0 && from_left > 0; }
         [[nodiscard]] contact::Edge nearer() const {
             return from_right <= from_left ? contact::Edge::right : contact::Edge::left;
@@ -123,7 +124,7 @@ public:
 
     /// The shear, if the scene has it; otherwise null.
     [[nodiscard]] const ExactShear* shear() const;
-    /// The exact q at a place of this contact, the nearest binary64: 0 outside; empty where it is
+    /// The exact q at a place of this contact, in binary64: 0 outside; empty where it is
     /// infinite (an edge under full stick, a corner where q is proportional to p), and without
     /// shear.
     [[nodiscard]] std::optional<double> traction(const Place& place) const;

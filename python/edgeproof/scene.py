@@ -338,7 +338,7 @@ class Scene:
         """The pressure p at the distance u from an edge ("right" or "left"), or at the place x.
 
         p is in the unit of the contact modulus, a Value. A list of places gives a list of Values, a
-        numpy array an array of Values, and the contact is solved once. x is a number, or a formula
+        numpy array an array of Values, and the contact is solved once. u and x are numbers, or formulas
         in a, b and the parameters of the profile ("a/2"). For arrays of float see pressures().
         """
         places, points = self._points(u, x, edge, "pressure", (), digits)

@@ -172,6 +172,9 @@ def test_stresses_under_hertz():
     one = scene.stress(x="1/2", z="1/4")
     assert one.to_dict()["x"] == "1/2" and one.sxz.text == scene.stress(u="1/2", z="1/4").sxz.text
     assert scene.stress(u="1/2", z=0, edge="left").sxx.text == scene.stress("-1/2").sxx.text
+    assert scene.stress("a/2", "a/4").sxz.text == scene.stress(u="a/2", z="1/4").sxz.text == one.sxz.text
+    with pytest.raises(edgeproof.InputError, match='x = "foo": unknown name'):
+        scene.stress("foo", 1)
 
 
 def test_stresses_of_both_bodies_and_their_places(sticking):

@@ -15,10 +15,19 @@ Texts texts_in(const std::map<std::string, KeyValue>& asked, const char* name) {
     return found == asked.end() ? Texts{} : std::get<Texts>(found->second);
 }
 
-std::vector<scene::BodyPoint> points_of(const Texts& x, const Texts& z, scene::Body body) {
+std::vector<scene::BodyPoint> points_of(const Texts& x, const Texts& z, scene::Body body,
+                                        const scene::Place::Names& names) {
+    const auto number = [&](const char* key, const std::string& text) {
+        try {
+            return scene::exact_in(text, names);
+        } catch (const InputError& error) {
+            throw InputError(std::string(key) + " = \"" + text + "\": " + error.problem(),
+                             error.instead());
+        }
+    };
     std::vector<scene::BodyPoint> points;
     for (std::size_t i = 0; i < x.size(); ++i) {
-        points.push_back({formula::Exact::parse(x[i]), formula::Exact::parse(z.at(i)), body});
+        points.push_back({number("x", x[i]), number("z", z.at(i)), body});
         if (points.back().z.sign() < 0) {
             throw InputError("the depth z = " + z[i] + " is negative",
                              "give z >= 0, the depth into the body");
@@ -79,7 +88,7 @@ scene::Scene NativeScene::asking(std::map<std::string, KeyValue> asked) const {
     scene.ask.digits = digits_asked(scene.ask.digits.count);
     scene.ask.surface_of = of;
     if (!x.empty()) {
-        scene.ask.in_bodies = points_of(x, z, of);
+        scene.ask.in_bodies = points_of(x, z, of, scene::exact_names_of(scene));
     }
     return scene;
 }

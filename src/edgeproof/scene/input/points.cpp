@@ -91,7 +91,7 @@ std::vector<Exact> points_of_range(const io::TomlSection& section, std::string_v
                            (even ? " needs points" : " needs one of per_decade and points"),
                        "write " + name +
                            (even ? " = { from = \"-0.5\", to = \"0.5\", points = 11 }"
-                                 : " = { from = \"1\", to = \"20\", points = 20 }"));
+                                 : " = { from = \"1e-3\", to = \"0.5\", points = 20 }"));
     }
     return io::at_place(section.file(), line, [&] {
         const Exact from = end(range, "from");

@@ -227,7 +227,8 @@ void check_reach(const io::TomlSection& load, const Scene& scene) {
     const auto end = flat_end(*scene.profile);
     if (end && sign_of(load, "a", Exact(scene.load.value.expr() - end->expr())) <= 0) {
         load.reject(load.has("a") ? "a" : "width",
-                    "the half-width a = " + scene.load.value.text() +
+                    (scene.symmetric() ? "the half-width a = " : "the right edge a = ") +
+                        scene.load.value.text() +
                         " does not reach beyond the flat, which ends at x = " + end->text(),
                     "give a > " + end->text() + ": under any load the whole flat is in contact");
     }

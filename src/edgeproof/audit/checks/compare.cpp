@@ -87,6 +87,13 @@ bool holds_to_all_digits(const Claim& claim, const AuditContext& context, Eviden
 
 Outcome check_compare(const Claim& claim, const AuditContext& context) {
     if (claim.has("quoted")) {
+        for (const char* const key : {"says", "scale", "given"}) {
+            if (claim.has(key)) {
+                claim.reject(key,
+                             "a quoted number is compared by rounding, without " + std::string(key),
+                             "write says or quoted, not both");
+            }
+        }
         return compare_figure(claim, context);
     }
     const Derivation derivation = derivation_of(claim, context);

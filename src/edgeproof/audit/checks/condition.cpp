@@ -210,10 +210,13 @@ Outcome summed_up(const std::vector<RelationInScene>& found, const std::string& 
     if (!failing.empty()) {
         outcome.note = "fails in " + std::to_string(failing.size()) + " of " + of_scenes +
                        ", as in " + failing.front()->scene;
-        if (const auto& place = failing.front()->decisive; place && place->fraction > 0) {
+        if (const auto& place = failing.front()->decisive;
+            holds != "somewhere" && place && place->fraction > 0) {
             outcome.note += " at u/L = " + fraction_text(place->fraction);
         }
-    } else if (found.empty() || unclear > 0 || places == 0) {
+    } else if (found.empty()) {
+        outcome.note = "no sample fulfils the condition";
+    } else if (unclear > 0 || places == 0) {
         outcome.note =
             "the enclosures do not decide in " + std::to_string(unclear) + " of " + of_scenes;
     } else {

@@ -97,6 +97,8 @@ bool QuotedFigure::half_way(const Real& computed) const {
            (abs(steps) + 1) * pow(Real(10), lost_digits - static_cast<int>(working_digits()));
 }
 
+constexpr long most_units = 1000000000;
+
 long QuotedFigure::units_off(const Real& computed) const {
     const Real steps = computed / Real(unit_);
     const Real quoted(Rational(value_ / unit_));
@@ -104,8 +106,7 @@ long QuotedFigure::units_off(const Real& computed) const {
     const Real rounded =
         half_way(computed) ? Real(floor(steps) + 1) : Real(floor(Real(steps + Real(1) / 2)));
     const Real off = rounded - quoted;
-    constexpr long most = 1000000000;
-    return abs(off) > most ? (off > 0 ? most : -most) : off.convert_to<long>();
+    return abs(off) > most_units ? (off > 0 ? most_units : -most_units) : off.convert_to<long>();
 }
 
 Judgement QuotedFigure::verdict(const Ball& computed) const {
@@ -159,8 +160,8 @@ std::string QuotedFigure::note(const Real& computed) const {
         return "rounds to it" + between;
     }
     const long size = std::labs(off);
-    return "rounds to " + rounded(computed) + ": " + std::to_string(size) +
-           (size == 1 ? " unit" : " units") + " of the last quoted place " +
+    return "rounds to " + rounded(computed) + ": " + (size == most_units ? "at least " : "") +
+           std::to_string(size) + (size == 1 ? " unit" : " units") + " of the last quoted place " +
            (off > 0 ? "above" : "below") + between;
 }
 

@@ -65,6 +65,10 @@ std::optional<PolynomialRelation> search(const Claim& claim,
 } // namespace
 
 Outcome check_relations(const Claim& claim, const AuditContext& context) {
+    if (claim.has("where")) {
+        claim.reject("where", "relations hold for all contacts of a family, without conditions",
+                     "leave out `where`, and list the family's values");
+    }
     const SymbolicCase under = symbolic_case(claim, context);
     std::vector<RelatedQuantity> quantities{{claim.text("of"), claim.formula("of")}};
     for (const auto& [text, formula] : named_formulas(claim, "from")) {

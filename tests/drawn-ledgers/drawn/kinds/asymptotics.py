@@ -19,7 +19,7 @@ def _claim(terms, edge, at, truth, label, why=""):
 
 def draw_series(rng, digits):
     if rng.random() < 0.15:  # near m = 5/8, where the second term vanishes
-        m = rng.choice(("5/8+1e-3", "5/8-1e-6"))  # with 15 digits, a smaller term counts as none
+        m = rng.choice(("5/8+1e-3", "5/8-1e-6"))  # at 15 digits a smaller term agrees to all digits needed
         return _claim(COEFFICIENTS["5/8"], "right", scenes.power_law(rng, m), "false",
                       "a coefficient that nearly vanishes")
     m = rng.choice(("1", "0", "5/8", "any", "any"))

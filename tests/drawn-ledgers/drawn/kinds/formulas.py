@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Claims of the kinds value, identity, figure and definition: a formula or a number for a
-quantity."""
+"""Claims of the kinds compare and definition: a formula or a number for a quantity."""
 import decimal
 
 from mpmath import mp, mpf

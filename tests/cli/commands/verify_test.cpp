@@ -6,6 +6,8 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 #include <sys/stat.h>
 
 using namespace edgeproof::test;
@@ -45,6 +47,29 @@ TEST_CASE("verify: the table, the files, and the JSON that other programs read")
     CHECK(claims[1].at("evidence").at("ratio") == "2/3");
     CHECK(file_text(folder.path() / "out/report.html").find("id=\"erratum-wrong\"") !=
           std::string::npos);
+}
+
+TEST_CASE("verify: a bad list of figures is refused before the audit, with its place") {
+    const Folder folder;
+    folder.write("own.toml", head + right);
+    std::filesystem::create_directory(folder.path() / "figures");
+    folder.write("figures/tilted.toml",
+                 "[profile]\nkind = \"tilted-wedge\"\nphi = \"0.1\"\n[load]\nP = \"1\"\n"
+                 "M = \"-0.1\"\ncontact_modulus = \"100\"\n");
+    const std::string figure = "[[figure]]\nid = \"f\"\ntitle = \"\"\ncaption = \"\"\n";
+    for (const auto& [text, begins] :
+         {std::pair{figure + "panel = \"error\"\nscenes = []\n", "figures/own.toml:5: there is no"},
+          {figure + "panel = \"errors\"\nscenes = [\"none.toml\"]\n", "figures/none.toml: "},
+          {std::string("residuals = [\"tilted.toml\"]\n"),
+           "figures/tilted.toml:4: the tilt of this scene is not given"}}) {
+        CAPTURE(text);
+        folder.write("figures/own.toml", text);
+        const Outcome o = run(folder, "verify own.toml --out out");
+        CHECK(o.code == 2);
+        CHECK_MESSAGE(o.err.starts_with(begins), o.err);
+        CHECK(std::ranges::count(o.err, '\n') == 1);
+        CHECK_FALSE(std::filesystem::exists(folder.path() / "out"));
+    }
 }
 
 TEST_CASE("verify: exit 0 if the verdicts are those recorded, 1 if they differ") {

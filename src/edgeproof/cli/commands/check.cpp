@@ -210,9 +210,10 @@ void add_check(CLI::App& app, int& code) {
     sub.add_option("answers", o.answers,
                    "the questions of `edgeproof points` with a column value (CSV; - reads stdin); "
                    "with --exec the recipe");
-    sub.add_option("--recipe", o.recipe,
-                   "what was asked: names what is missing or twice; rows may then stand in any "
-                   "order and hold id and value alone");
+    sub.add_option(
+        "--recipe", o.recipe,
+        "what was asked: names what is missing or twice; rows may then stand in any "
+        "order and hold id and value alone; the inputs are those of `points`, in binary64");
     sub.add_option("--exec", o.command,
                    "run this command: it reads the questions and writes rows with id and value");
     sub.add_option("--only", o.only,

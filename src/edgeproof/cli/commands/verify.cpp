@@ -59,14 +59,14 @@ std::string command_text(const VerifyOptions& o) {
 }
 
 void write_files(const audit::AuditResult& result, const audit::Ledger& ledger,
-                 const VerifyOptions& o) {
+                 const report::FiguresOfSource& figures, const VerifyOptions& o) {
     io::write_folder(o.out, [&](const std::filesystem::path& out) {
         io::write_whole(out / "verdicts.json", report::verdicts_json(result));
         io::write_whole(out / "verdicts.csv", report::verdicts_csv(result));
         io::write_whole(out / "verdicts.md", report::verdicts_markdown(result));
         io::write_whole(out / "verdicts.tex", report::verdicts_latex(result));
-        report::write_html_report(result, ledger, out, static_cast<int>(threads_of(o.threads)),
-                                  command_text(o));
+        report::write_html_report(result, ledger, figures, out,
+                                  static_cast<int>(threads_of(o.threads)), command_text(o));
     });
 }
 
@@ -89,8 +89,10 @@ int verify(VerifyOptions& o) {
     if (ledger.claims.empty() && !ledger.errors.empty()) {
         return report_claim_errors(ledger.errors);
     }
-    if (!o.out.empty()) {
-        io::check_folder(o.out); // fails before minutes of work, not after them
+    report::FiguresOfSource figures;
+    if (!o.out.empty()) { // fails before minutes of work, not after them
+        figures = report::figures_of_source(ledger.file);
+        io::check_folder(o.out);
         for (const char* name : {"verdicts.json", "verdicts.csv", "verdicts.md", "verdicts.tex",
                                  "report.html", "errata.tex"}) {
             io::check_output(std::filesystem::path(o.out) / name);
@@ -105,7 +107,7 @@ int verify(VerifyOptions& o) {
                                      std::filesystem::path(o.ledger).parent_path() / "certificates",
                                      "certificates");
     if (!o.out.empty()) {
-        write_files(result, ledger, o);
+        write_files(result, ledger, figures, o);
     }
     std::fputs(report::verdicts_terminal(result, terminal_width(), stdout_takes_colour()).c_str(),
                stdout);

@@ -206,6 +206,10 @@ FiguresOfSource figures_of_source(const std::filesystem::path& ledger) {
     for (const std::string& name :
          top.has("residuals") ? top.texts("residuals") : std::vector<std::string>{}) {
         const scene::Scene scene = scene::read_scene(folder / name);
+        if (!scene.profile) {
+            throw InputError("the tilt of this scene is not given", "give alpha instead of M")
+                .at(scene.file, scene.load_line);
+        }
         const std::string id =
             own_id(top, "residuals", "residual-" + std::filesystem::path(name).stem().string());
         FigureRecipe figure{id,

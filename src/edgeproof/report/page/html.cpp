@@ -189,7 +189,7 @@ std::string html_page(const audit::AuditResult& result, const PageFigures& figur
          {"summary", summary(result)},
          {"errata", errata_list(errata, result, figures, head)},
          {"doubtful", doubtful(result, head)},
-         {"figures", own_figures_html(figures.paper)},
+         {"figures", own_figures_html(figures.printed)},
          {"residuals", own_figures_html(figures.residuals)},
          {"claims", claims},
          {"footer", "Made by edgeproof verify at " + std::to_string(result.digits) +
@@ -302,11 +302,10 @@ std::string theorem_statements(std::string_view file) {
 }
 
 void write_html_report(const audit::AuditResult& result, const audit::Ledger& ledger,
-                       const std::filesystem::path& folder, int threads,
-                       const std::string& command) {
+                       const FiguresOfSource& figures, const std::filesystem::path& folder,
+                       int threads, const std::string& command) {
     const std::filesystem::path figures_folder = folder / "figures";
     io::make_folder(figures_folder);
-    const FiguresOfSource figures = figures_of_source(ledger.file);
     std::vector<FigureRecipe> errata;
     for (const audit::ClaimResult& r : result.claims) {
         if (r.outcome.verdict == audit::Verdict::refuted) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/run.hpp"
-#include "edgeproof/report/figures/figures.hpp"
+#include "edgeproof/report/figures/audit_figures.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -35,7 +35,7 @@ struct DrawnFigure {
 [[nodiscard]] std::string figures_html(const std::vector<DrawnFigure>& figures);
 
 struct PageFigures {
-    std::vector<DrawnFigure> paper;
+    std::vector<DrawnFigure> printed;
     std::vector<DrawnFigure> residuals;
     std::vector<DrawnFigure> errata; ///< with the claims' ids, and one panel or none
 };
@@ -72,7 +72,7 @@ struct PageHead {
 /// the machine has) with the same result. `command` is the command named on the page; the date is
 /// that of SOURCE_DATE_EPOCH if this is set. Throws InputError if the folder is not writable.
 void write_html_report(const audit::AuditResult& result, const audit::Ledger& ledger,
-                       const std::filesystem::path& folder, int threads = 0,
-                       const std::string& command = "");
+                       const FiguresOfSource& figures, const std::filesystem::path& folder,
+                       int threads = 0, const std::string& command = "");
 
 } // namespace edgeproof::report

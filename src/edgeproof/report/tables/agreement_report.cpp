@@ -60,7 +60,7 @@ std::string shortened(const std::string& text) {
 
 /// Returns what to write in place of a text that is no number, in parentheses.
 std::string remedy(const std::string& text) {
-    return text.find_first_of(",.' _") != std::string::npos &&
+    return (text.find_first_of(",' _") != std::string::npos || text.find('.') != text.rfind('.')) &&
                    text.find_first_of("0123456789") != std::string::npos &&
                    text.find_first_not_of("0123456789+-eE,.' _") == std::string::npos
                ? " (write a decimal point, and no marks between thousands)"

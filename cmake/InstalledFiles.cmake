@@ -50,8 +50,7 @@ if(PROJECT_IS_TOP_LEVEL AND TARGET edgeproof)
     endif()
     add_custom_command(OUTPUT ${manual}/made
         COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual}
-        # CLN does not free its memory at the end, and the tests' suppressions are not set in a
-        # build.
+        # FLINT keeps memory until the end (tests/lsan.supp, which is not set in a build).
         COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0
                 $<TARGET_FILE:edgeproof_lab_program> --write-manual ${manual}
         ${compress}

@@ -12,11 +12,6 @@
 #include <map>
 #include <string_view>
 
-/// For the leak sanitizer: CLN does not free a few bytes at the end.
-extern "C" __attribute__((used)) const char* __lsan_default_suppressions() { // NOLINT
-    return "leak:libcln";
-}
-
 namespace {
 
 const std::map<std::string_view, void (*)(std::string_view)> readers{

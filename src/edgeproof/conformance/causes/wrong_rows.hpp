@@ -106,7 +106,8 @@ struct Reading {
 
 /// The interpretations that change a question about the contacts of failing rows: the mistakes of
 /// the catalogue, x for u, another edge, terms of the expansion for the pressure, the constant of
-/// the gap for that of the slope, and functions of the value. Each value is computed once.
+/// the gap for that of the slope, and the decimal logarithm of the value. Each value is computed
+/// once.
 class Readings {
 public:
     Readings(const Answers& answers, const Agreements& agreements,

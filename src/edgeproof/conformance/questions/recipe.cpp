@@ -274,7 +274,7 @@ AskedContact contact_of(const GridScene& scene, const std::vector<std::size_t>& 
     return make_asked_contact(std::move(parameters), file, scene.line);
 }
 
-/// The questions of all scenes. Throws InputError for ids that may coincide, for a question that a
+/// The questions of all scenes. Throws InputError for a question asked twice, for one that a
 /// contact cannot answer, and for more than a million questions.
 Questions questions_of(const std::vector<GridScene>& scenes, const std::string& file) {
     Questions all;

@@ -61,7 +61,7 @@ TEST_CASE("verify: a bad list of figures is refused before the audit, with its p
          {std::pair{figure + "panel = \"error\"\nscenes = []\n", "figures/own.toml:5: there is no"},
           {figure + "panel = \"errors\"\nscenes = [\"none.toml\"]\n", "figures/none.toml: "},
           {std::string("residuals = [\"tilted.toml\"]\n"),
-           "figures/tilted.toml:4: the tilt of this scene is not given"}}) {
+           "figures/tilted.toml:5: the tilt of this scene is not given"}}) {
         CAPTURE(text);
         folder.write("figures/own.toml", text);
         const Outcome o = run(folder, "verify own.toml --out out");

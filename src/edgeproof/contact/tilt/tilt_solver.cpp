@@ -79,35 +79,51 @@ EnclosedTilt tilt_of_flat(const TiltedPunch& punch, const Exact& modulus, const 
     };
     const bool near = certainly_less(enclosed_constant(M, bits),
                                      contact_at(enclosed_constant(lift, bits) / 2).moment());
-    // y(v), the moment less that at v = 0, or its negative, rises with v; |dM/dalpha| = pi E* c^2/4
-    // - P R (docs/mechanics.md, "Profiles").
+    // y(v), the moment less that at v = 0, or its negative, rises with v to t P at the other end;
+    // |dM/dalpha| = pi E* c^2/4 - P R (docs/mechanics.md, "Profiles").
     const Exact of_end(near ? M.expr() + punch.t.expr() * P.expr() : -M.expr());
+    const Exact to_other_end(near ? -M.expr() : M.expr() + punch.t.expr() * P.expr());
     struct Values {
         Ball y;
+        Ball to_other_end; // t P - y
         Ball rate;
     };
     const auto values = [&](const Ball& v) -> Values {
         const long b = v.bits();
         const BallContact contact = contact_at(near ? v : enclosed_constant(lift, b) - v);
-        const Ball at_end =
-            near ? enclosed_constant(punch.t, b) * enclosed_constant(P, b) : Ball(0, b);
+        const Ball from_upright =
+            contact.moment() + enclosed_constant(punch.t, b) * enclosed_constant(P, b);
         const Ball c = contact.length() / 2;
-        return {near ? contact.moment() + at_end : -contact.moment(),
+        return {near ? from_upright : -contact.moment(), near ? -contact.moment() : from_upright,
                 Ball::pi(b) * contact.modulus() * c * c / 4 -
                     enclosed_constant(P, b) * enclosed_constant(punch.R, b)};
     };
-    // First Newton's method in logarithms: near the ends of the range y is like a power of v.
+    // First Newton's method for log(y/(t P - y)) as a function of log(v/(lift - v)): near the ends,
+    // and between them where the corner is sharp, y and t P - y are like powers of v.
     const long coarse = std::max(fewest_bits, bits / 2);
-    Ball rough = middle(enclosed_constant(lift, coarse) / 2);
+    const Ball range = enclosed_constant(lift, coarse);
+    const Ball wanted = enclosed_constant(of_end, coarse) / enclosed_constant(to_other_end, coarse);
+    Ball odds(1, coarse);
+    const auto place = [&] { return middle(range * odds / (odds + 1)); };
     Ball step(1, coarse);
     for (int k = 0; !certainly_less(abs(step), power_of_two(-10, coarse)); ++k) {
         check_interruption();
-        const Values at = values(rough);
-        step = middle(log(at.y / enclosed_constant(of_end, coarse)) * at.y / (rough * at.rate));
-        if (k == most_steps || !certainly_positive(at.y) || !step.is_finite()) {
+        const Values at = values(place());
+        if (k == most_steps) {
             throw BudgetError("too few bits to search for the tilt");
         }
-        rough = middle(rough * exp(-step));
+        if (!certainly_positive(at.y) || !certainly_positive(at.to_other_end)) {
+            step = step / 2; // half of the last step back
+            odds = middle(odds * exp(step));
+            continue;
+        }
+        const Ball power =
+            at.rate * odds * range / pow_int(odds + 1, 2) * (1 / at.y + 1 / at.to_other_end);
+        step = middle(log(at.y / at.to_other_end / wanted) / power);
+        if (!step.is_finite()) {
+            throw BudgetError("too few bits to search for the tilt");
+        }
+        odds = middle(odds * exp(-step));
     }
     Ball last_place(0, bits);
     std::optional<Values> last;
@@ -120,7 +136,7 @@ EnclosedTilt tilt_of_flat(const TiltedPunch& punch, const Exact& modulus, const 
     };
     const Ball v = isolate_zero(
         [&](const Ball& at) { return enclosed_constant(of_end, bits) - values_at(at).y; },
-        [&](const Ball& at) { return -values_at(at).rate; }, rough.with_bits(bits), "the tilt",
+        [&](const Ball& at) { return -values_at(at).rate; }, place().with_bits(bits), "the tilt",
         {.near = true, .to_roundoff = true});
     return tilt_at(punch, v, near, lift, 1);
 }

@@ -38,10 +38,15 @@ RelativeError::RelativeError(const ProvedContact& contact, Edge edge, std::size_
     const long small = -arf_abs_bound_lt_2exp_si(arb_midref(tolerance_.data()));
     taylor_terms_ = static_cast<std::size_t>(
         std::clamp(fewest_taylor_terms + small / 4, fewest_taylor_terms, most_taylor_terms));
+    // A series of many terms loses bits with each of them: intervals of any width would then be
+    // undecided.
+    const Ball reach(contact.reach(edge).lower(), bits_);
+    Ball room = c_[0] * tolerance_ / 256;
     for (const Ball& c : c_) {
-        if (!c.is_finite()) {
+        if (!certainly_less(Ball(c.radius(), bits_), room)) {
             throw BudgetError("the expansion at the edge is not enclosed");
         }
+        room /= reach;
     }
 }
 

@@ -3,6 +3,7 @@
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/scene/input/scene_words.hpp"
 #include "tests/scene/scene_words.hpp"
 
 #include <doctest/doctest.h>
@@ -17,35 +18,11 @@ using namespace edgeproof::scenes;
 
 namespace {
 
-const std::map<std::string, Quantity> without_symbol{
-    {"local", Quantity::local},
-    {"rel", Quantity::rel},
-    {"q_local", Quantity::q_local},
-    {"q_rel", Quantity::q_rel},
-    {"extent_fraction", Quantity::extent_fraction},
-    {"measure_fraction", Quantity::measure_fraction},
-    {"crossing", Quantity::crossing},
-    {"load_ratio", Quantity::load_ratio},
-    {"least_tension", Quantity::least_tension},
-    {"most_tension", Quantity::most_tension},
-    {"slip_terms", Quantity::slip_terms},
-    {"slip_rel", Quantity::slip_rel},
-    {"slip_load", Quantity::slip_load},
-    {"x", Quantity::x},
-    {"s1", Quantity::s1},
-    {"s2", Quantity::s2},
-    {"s3", Quantity::s3},
-    {"gap", Quantity::gap},
-    {"moved", Quantity::slip_displacement},
-    {"ux", Quantity::ux},
-    {"uz", Quantity::uz},
-    {"slope", Quantity::slope},
-    {"dissipation", Quantity::dissipation}};
-
 /// A question of a cell; the cells of a row share the words of the place.
 struct Question {
     AskedValue asked;
-    std::map<std::string, std::string> place; ///< u, x, at, body, ref, tol, j, digits, edge
+    std::string name;
+    std::map<std::string, std::string> place; ///< its keys; also j and digits
     bool greatest = false;
 
     void read(const std::string& text);
@@ -62,7 +39,10 @@ void Question::read(const std::string& text) {
     for (const std::string& word : words_of(text)) {
         const std::size_t equals = word.find('=');
         if (equals != std::string::npos) {
-            place[word.substr(0, equals)] = word.substr(equals + 1);
+            const std::string key = word.substr(0, equals);
+            place[key == "tol"   ? "tolerance"
+                  : key == "ref" ? "reference"
+                                 : key] = word.substr(equals + 1);
             if (word[0] == 'u' || word[0] == 'x') {
                 place.erase(word[0] == 'u' ? "x" : "u");
             }
@@ -71,47 +51,15 @@ void Question::read(const std::string& text) {
         } else if (word == "greatest") {
             greatest = true;
         } else {
-            const std::size_t index = word.find_last_of('_');
-            const std::string name = word.substr(0, index);
-            const auto symbol = quantity_named(word);
-            asked = {};
-            if (symbol) {
-                asked.quantity = symbol->quantity;
-                asked.k = symbol->k;
-            } else if (without_symbol.contains(word)) {
-                asked.quantity = without_symbol.at(word);
-            } else {
-                REQUIRE_MESSAGE(without_symbol.contains(name), word);
-                asked.quantity = without_symbol.at(name);
-                asked.k = std::stoul(word.substr(index + 1));
-            }
+            name = word == "moved" ? "slip_displacement" : word;
         }
     }
-    const auto given = [&](const char* key) {
-        const auto found = place.find(key);
-        return found == place.end() ? std::optional<std::string>() : found->second;
-    };
-    const QuantityRow& row = row_of(asked.quantity);
-    asked.edge = edge_named(given("edge").value_or("right")).value();
-    if (const auto at = given("x"); at && (row.at_point() || row.of_bodies())) {
-        asked.place = Place::parse(*at, Place::From::origin, {}).distance(asked.edge);
-    } else if (const auto u = given("u"); u && row.at_point()) {
-        asked.place = Place::parse(*u, Place::From::edge, {}).distance(asked.edge);
-        asked.u = asked.place->number();
+    if (greatest) {
+        place.emplace("at", "0,0"); // not used
     }
-    const Body body = given("body") == "B" ? Body::B : Body::A;
-    if (const auto at = given("at"); at && row.place == QuantityRow::Place::body) {
-        const auto both = parts_of(*at, ",");
-        asked.in_body = {Exact::parse(both.at(0)), Exact::parse(both.at(1)), body};
-    } else if (row.place == QuantityRow::Place::surface) {
-        asked.in_body = {Exact(), Exact(), body};
-        asked.reference =
-            Place::parse(given("ref").value_or("0"), Place::From::origin, {}).distance(asked.edge);
-    }
-    if (row.tolerance) {
-        asked.tolerance = parse_tolerance(given("tol").value_or("1%"));
-    }
-    asked.j = std::stoul(given("j").value_or("0"));
+    asked = asked_value(name, place, {});
+    const auto j = place.find("j");
+    asked.j = j == place.end() ? 0 : std::stoul(j->second);
 }
 
 BoundedValue value_of(const std::string& scene, const Question& q, const Digits& digits) {

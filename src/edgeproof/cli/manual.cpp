@@ -117,7 +117,7 @@ std::vector<std::string> completions(const CLI::App& app, const std::vector<std:
             all = shipped_names(folder);
         }
         if (takes_words(*current)) {
-            const auto keys = keys_of_scene();
+            const auto keys = scene::keys_of_scene();
             all.insert(all.end(), keys.begin(), keys.end());
         }
     }

@@ -2,7 +2,6 @@
 #include "edgeproof/cli/scene_options.hpp"
 
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/rounding/text.hpp"
 
 #include <fmt/format.h>
 
@@ -10,28 +9,6 @@
 #include <charconv>
 
 namespace edgeproof::cli {
-
-void refuse_whole_tolerance(const std::string& option, const std::string& text) {
-    if (text.empty() || text.back() == '%' ||
-        text.find_first_not_of("0123456789.") != std::string::npos) {
-        return;
-    }
-    const Rational given = parse_decimal(text);
-    if (given >= 1) {
-        throw InputError(option + " " + text + " is " + exact_text(Rational(given * 100)) + " %",
-                         "write " + text + "% or " + exact_text(Rational(given / 100)));
-    }
-}
-
-std::vector<std::string> parts_of(const std::string& text) {
-    std::vector<std::string> parts;
-    for (std::size_t at = 0; at <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', at), text.size());
-        parts.push_back(text.substr(at, comma - at));
-        at = comma + 1;
-    }
-    return parts;
-}
 
 std::size_t whole_number(const std::string& option, const std::string& text, std::size_t least,
                          std::size_t most) {

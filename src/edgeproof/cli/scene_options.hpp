@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/report/tables/table.hpp"
+#include "edgeproof/scene/input/scene_words.hpp"
 #include "edgeproof/scene/scene.hpp"
 
 #include <CLI/CLI.hpp>
@@ -14,18 +14,13 @@
 /// InputError, which names the option.
 namespace edgeproof::cli {
 
-// A scene as words: its file, and key=value for the keys of a scene's file (scene_words.cpp).
+using scene::GivenScene;
+using scene::parts_of;
+using scene::refuse_whole_tolerance;
 
-struct GivenScene {
-    std::string file;                   ///< empty: the words are the whole scene
-    std::vector<io::TomlTable> instead; ///< the keys of the words, by sections
-};
-/// Reads the words. A list is separated by commas, FROM..TO is a range. Throws InputError for two
-/// files and for unknown keys. `folder`: the shipped files that a bare name may mean.
+/// Reads the words of a scene. `folder`: the shipped files that a bare name may mean.
 [[nodiscard]] GivenScene given_scene(const std::vector<std::string>& words,
                                      std::string_view folder);
-/// The value of a key among the words; empty if it is not given.
-[[nodiscard]] std::string value_of(const std::vector<std::string>& words, std::string_view key);
 
 /// Returns the command line with words in place of options for keys of a scene, if its command
 /// takes a scene: `--R 100` becomes R=100, `--u 1e-3 0.1` u=1e-3,0.1, and `--hertz` kind=hertz.
@@ -34,8 +29,6 @@ struct GivenScene {
 
 /// True if a command takes the words of a scene.
 [[nodiscard]] bool takes_words(const CLI::App& sub);
-/// Returns "kind=", "R=", ...
-[[nodiscard]] std::vector<std::string> keys_of_scene();
 
 /// The form and the place of a table.
 struct OutputOptions {
@@ -63,7 +56,9 @@ struct SceneOptions : OutputOptions {
     std::string step;   ///< of a load history; empty: the last one
 
     /// The value of a key among the words; empty: the file's or the command's own.
-    [[nodiscard]] std::string word(std::string_view key) const { return value_of(words, key); }
+    [[nodiscard]] std::string word(std::string_view key) const {
+        return scene::value_of(words, key);
+    }
 };
 
 /// The digits of a short answer on a terminal, unless --digits is given.
@@ -99,10 +94,6 @@ void ask_terms(scene::Scene& scene);
 void ask_for(scene::Scene& scene, const SceneOptions& options, scene::QuantityGroup own,
              const std::vector<scene::QuantityGroup>& other_groups);
 
-/// Refuses a number of 1 or more without a percent sign, which is a slip for a percentage.
-void refuse_whole_tolerance(const std::string& option, const std::string& text);
-/// Returns the parts of a list such as "1e-3,a/2".
-[[nodiscard]] std::vector<std::string> parts_of(const std::string& text);
 /// Reads the whole number of an option, in least ... most.
 [[nodiscard]] std::size_t whole_number(const std::string& option, const std::string& text,
                                        std::size_t least, std::size_t most);

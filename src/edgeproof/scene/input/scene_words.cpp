@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/input/scene_words.hpp"
+
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/scene/input/readers.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <sstream>
+
+namespace edgeproof::scene {
+namespace {
+
+/// The keys of each section that have one value, or a list (with a star).
+constexpr std::pair<const char*, const char*> keys_of_sections[] = {
+    {"profile", "kind geometry m C R R1 R2 t flat_width phi alpha knots* slopes* symmetric"},
+    {"load", "a width P M delta contact_modulus E nu E1 nu1 E2 nu2"},
+    {"shear", "Q q_ratio bulk_tension bulk_A friction path"},
+    {"ask", "edges* u* x* terms* tolerance process_zone quantities* reference part* route digits"},
+    {"units", "length force pressure"}};
+
+const std::vector<Key>& keys() {
+    static const std::vector<Key> all = [] {
+        std::vector<Key> made;
+        for (std::size_t i = 0; i < std::size(keys_of_sections); ++i) {
+            std::istringstream names(keys_of_sections[i].second);
+            for (std::string name; names >> name;) {
+                const bool list = name.back() == '*';
+                made.push_back({list ? name.substr(0, name.size() - 1) : name, i, list});
+            }
+        }
+        return made;
+    }();
+    return all;
+}
+
+io::TomlEntry entry_of(const Key& key, const std::string& value) {
+    if (key.name == "edges" && value == "both") {
+        return {key.name, std::vector<std::string>{"right", "left"}};
+    }
+    if (key.name == "symmetric") {
+        return {key.name, value != "false"};
+    }
+    if (key.list && !value.empty()) {
+        return {key.name, parts_of(value)};
+    }
+    const std::size_t dots = value.find("..");
+    if (dots != std::string::npos && dots > 0 && dots + 2 < value.size()) {
+        return {key.name, io::TomlRange{value.substr(0, dots), value.substr(dots + 2)}};
+    }
+    if (key.name == "tolerance") {
+        refuse_whole_tolerance("tolerance =", value);
+    }
+    return {key.name, value};
+}
+
+/// The columns of tables whose quantities have no symbol of their own, without the number of terms.
+constexpr std::pair<std::string_view, Quantity> columns[] = {
+    {"local", Quantity::local},
+    {"rel", Quantity::rel},
+    {"q_local", Quantity::q_local},
+    {"q_rel", Quantity::q_rel},
+    {"extent_fraction", Quantity::extent_fraction},
+    {"measure_fraction", Quantity::measure_fraction},
+    {"crossing", Quantity::crossing},
+    {"load_ratio", Quantity::load_ratio},
+    {"least_tension", Quantity::least_tension},
+    {"most_tension", Quantity::most_tension},
+    {"slip_terms", Quantity::slip_terms},
+    {"slip_rel", Quantity::slip_rel},
+    {"slip_load", Quantity::slip_load},
+    {"x", Quantity::x},
+    {"s1", Quantity::s1},
+    {"s2", Quantity::s2},
+    {"s3", Quantity::s3},
+    {"gap", Quantity::gap},
+    {"slip_displacement", Quantity::slip_displacement},
+    {"ux", Quantity::ux},
+    {"uz", Quantity::uz},
+    {"slope", Quantity::slope},
+    {"dissipation", Quantity::dissipation}};
+
+std::optional<NamedQuantity> column_named(std::string_view name) {
+    if (const auto named = quantity_named(name)) {
+        return named;
+    }
+    for (const auto& [column, quantity] : columns) {
+        const bool terms = row_of(quantity).index == QuantityRow::Index::terms;
+        const std::string_view k = name.substr(std::min(column.size() + 1, name.size()));
+        if (!terms && name == column) {
+            return NamedQuantity{quantity};
+        }
+        // extent_K has a symbol, and with it the rules for K.
+        const auto like = quantity_named("extent_" + std::string(k));
+        if (terms && like && name == std::string(column) + "_" + std::string(k)) {
+            return NamedQuantity{quantity, like->k};
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+void refuse_whole_tolerance(const std::string& option, const std::string& text) {
+    if (text.empty() || text.back() == '%' ||
+        text.find_first_not_of("0123456789.") != std::string::npos) {
+        return;
+    }
+    const Rational given = parse_decimal(text);
+    if (given >= 1) {
+        throw InputError(option + " " + text + " is " + exact_text(Rational(given * 100)) + " %",
+                         "write " + text + "% or " + exact_text(Rational(given / 100)));
+    }
+}
+
+std::vector<std::string> parts_of(const std::string& text) {
+    std::vector<std::string> parts;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', at), text.size());
+        parts.push_back(text.substr(at, comma - at));
+        at = comma + 1;
+    }
+    return parts;
+}
+
+const Key* key_named(std::string_view name) {
+    const auto found = std::ranges::find(keys(), name, &Key::name);
+    return found == keys().end() ? nullptr : &*found;
+}
+
+std::size_t key_length(const std::string& word) {
+    const std::size_t equals = word.find('=');
+    std::error_code failed;
+    const bool is_key =
+        equals != std::string::npos && equals > 0 &&
+        std::all_of(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(equals),
+                    [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; }) &&
+        !std::filesystem::is_regular_file(word, failed);
+    return is_key ? equals : std::string::npos;
+}
+
+std::string value_of(const std::vector<std::string>& words, std::string_view key) {
+    std::string value;
+    for (const std::string& word : words) {
+        const std::size_t length = key_length(word);
+        if (length != std::string::npos && word.substr(0, length) == key) {
+            value += (value.empty() ? "" : ",") + word.substr(length + 1);
+        }
+    }
+    return value;
+}
+
+std::vector<std::string> keys_of_scene() {
+    std::vector<std::string> all;
+    for (const Key& key : keys()) {
+        all.push_back(key.name + "=");
+    }
+    return all;
+}
+
+GivenScene given_scene(const std::vector<std::string>& words) {
+    GivenScene given;
+    std::vector<std::vector<io::TomlEntry>> entries(std::size(keys_of_sections));
+    for (const std::string& word : words) {
+        const std::size_t length = key_length(word);
+        if (length == std::string::npos) {
+            if (!given.file.empty()) {
+                throw InputError("there are two scenes, " + given.file + " and " + word,
+                                 "give one file, and key=value for what differs");
+            }
+            given.file = word;
+            continue;
+        }
+        const std::string name = word.substr(0, length);
+        const Key* const key = key_named(name);
+        if (key == nullptr) {
+            std::vector<std::string_view> names;
+            std::ranges::transform(keys(), std::back_inserter(names), &Key::name);
+            throw InputError("there is no key '" + name + "' of a scene", one_of(name, names));
+        }
+        io::TomlEntry entry = entry_of(*key, word.substr(length + 1));
+        auto& of_section = entries[key->section];
+        const auto same = std::ranges::find(of_section, name, &io::TomlEntry::key);
+        if (same == of_section.end()) {
+            of_section.insert(name == "kind" ? of_section.begin() : of_section.end(),
+                              std::move(entry));
+        } else if (key->list) {
+            auto& list = std::get<std::vector<std::string>>(same->value);
+            const auto& more = std::get<std::vector<std::string>>(entry.value);
+            list.insert(list.end(), more.begin(), more.end());
+        } else {
+            throw InputError(name + " is given twice", "give one value");
+        }
+    }
+    auto& ask = entries[3];
+    for (const auto& [place, other] : {std::pair{"u", "x"}, std::pair{"x", "u"}}) {
+        if (!given.file.empty() && std::ranges::count(ask, place, &io::TomlEntry::key) > 0 &&
+            std::ranges::count(ask, other, &io::TomlEntry::key) == 0) {
+            ask.push_back({other, std::string()}); // the points of the words replace all others
+            break;
+        }
+    }
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        if (!entries[i].empty() || (given.file.empty() && i < 2 && !words.empty())) {
+            given.instead.push_back({keys_of_sections[i].first, 0, std::move(entries[i])});
+        }
+    }
+    if (given.file.empty() && given.instead.empty()) {
+        throw InputError("no scene is given", "name its file, - for standard input, or give its "
+                                              "keys: kind=hertz R=100 P=120 ...");
+    }
+    return given;
+}
+
+AskedValue asked_value(std::string_view quantity, const std::map<std::string, std::string>& where,
+                       const Place::Names& names) {
+    const auto named = column_named(quantity);
+    if (!named) {
+        throw InputError("there is no quantity '" + std::string(quantity) + "'",
+                         quantity_advice(quantity));
+    }
+    const auto given = [&](const char* key) {
+        const auto found = where.find(key);
+        return found == where.end() ? std::optional<std::string>() : found->second;
+    };
+    const auto missing = [&](const std::string& keys) {
+        throw InputError(std::string(quantity) + " has a place", "add " + keys);
+    };
+    AskedValue asked{named->quantity, named->k};
+    const QuantityRow& row = row_of(asked.quantity);
+    const std::string edge = given("edge").value_or("right");
+    const auto at_edge = edge_named(edge);
+    require(at_edge.has_value(), "edge=" + edge + " is no edge", "write right or left");
+    asked.edge = *at_edge;
+    const std::string of_body = given("body").value_or("A");
+    require(of_body == "A" || of_body == "B", "body=" + of_body + " is no body",
+            "write A (on which Q acts) or B");
+    const Body body = of_body == "A" ? Body::A : Body::B;
+    const auto place = [&](const std::string& text, Place::From from) {
+        return Place::parse(text, from, names).distance(asked.edge);
+    };
+    if (row.at_point() || row.place == QuantityRow::Place::surface) {
+        const auto x = given("x");
+        const auto u = given("u");
+        if (x) {
+            asked.place = place(*x, Place::From::origin);
+        } else if (u && row.at_point()) {
+            asked.place = place(*u, Place::From::edge);
+            asked.u = asked.place->number();
+        } else {
+            missing(row.at_point() ? "u=, the distance from the edge, or x=" : "x=");
+        }
+    }
+    if (row.place == QuantityRow::Place::body) {
+        const std::vector<std::string> both = parts_of(given("at").value_or(""));
+        if (both.size() != 2) {
+            missing("at=X,Z, the place and the depth");
+        }
+        asked.in_body = {exact_in(both[0], names), exact_in(both[1], names), body};
+    } else if (row.place == QuantityRow::Place::surface) {
+        asked.in_body = {Exact(), Exact(), body};
+        asked.reference = place(given("reference").value_or("0"), Place::From::origin);
+    }
+    if (row.tolerance) {
+        asked.tolerance = parse_tolerance(given("tolerance").value_or("1%"));
+    }
+    return asked;
+}
+
+} // namespace edgeproof::scene

@@ -38,7 +38,6 @@ constexpr CommandHelp helps[] = {
      "examples/compare/cylinder.toml examples/compare/mesh-192.csv --edge-zone 2e"},
     {"relations", develop, "left.c1 left.c0 b1 --degree 2"},
     {"cost", develop, ""},
-    {"bounds", develop, ""},
     {"points", "", "power-law"}};
 
 using nlohmann::json;

@@ -11,8 +11,8 @@
 /// values, and the checks of formulas, programs and meshes. Link with edgeproof::edgeproof.
 ///
 /// p and q are 0 outside the contact. All functions throw InputError for input that makes no sense;
-/// DomainError where there is no value (on a corner); BudgetError if no number of bits that is tried
-/// gives the digits. All three are edgeproof::Error.
+/// DomainError where there is no value (on a corner); BudgetError if no number of bits that is
+/// tried gives the digits. All three are edgeproof::Error.
 namespace edgeproof {
 
 /// A value of a scene, as text.

@@ -88,21 +88,15 @@ TEST_CASE("third-party programs: 30 digits by mpmath and by PARI/GP") {
     }
 }
 
-TEST_CASE("third-party programs: a pipe of the shell, a figure") {
+TEST_CASE("third-party programs: a pipe of the shell") {
     const Programs programs;
     if (!have("python3 -c 'import csv'")) {
         return;
     }
     const std::string program = quoted(edgeproof::test::program());
     CHECK(programs.shell(program + " points questions.toml | python3 closed_forms.py | " + program +
-                         " check - --digits 13 --figure f.csv >piped"));
+                         " check - --digits 13 >piped"));
     CHECK(first_line(file_text(programs.folder.path() / "piped")) == all_pass);
-    const std::string figure = file_text(programs.folder.path() / "f.csv");
-    CHECK(has(figure, "u,p,q,inputs\n"));
-    CHECK(lines(figure).size() > 176);
-    CHECK(ask(programs.folder, "python3 closed_forms.py", "--figure f.svg").code == 0);
-    CHECK(has(file_text(programs.folder.path() / "f.svg"), "distance u from the edge"));
-    CHECK(ask(programs.folder, "python3 closed_forms.py", "--figure f.gif").code == 2);
 }
 
 TEST_CASE("third-party programs: each of the six deliberate mistakes of one program is named") {

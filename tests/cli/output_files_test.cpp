@@ -87,7 +87,7 @@ TEST_CASE("no temporary folder is needed before the input is read") {
     const Folder folder;
     folder.write("file", "old");
     const Outcome o = in_shell(folder, "TMPDIR=" + (folder.path() / "file").string() + " " +
-                                           called("check --figure f.svg a.csv"));
+                                           called("check --junit f.xml a.csv"));
     CHECK(o.code == 2);
     CHECK(has(o.err, "a.csv"));
 }
@@ -123,9 +123,8 @@ TEST_CASE("no output replaces a file of the user's or an input; a former result 
           "pressure in.toml --out a.tex --format tex", "pressure in.toml --out a.md --format md",
           "plot in.toml --out a.svg", "table recipe.toml --out t.csv",
           "verify ledger.toml --digits 10 --out audit",
-          "check answers.csv --out c.txt --junit c.xml",
-          "check answers.csv --json --out c.json --figure c.svg",
-          "compare in.toml mesh.csv --partial --out m.txt --junit m.xml --figures m",
+          "check answers.csv --out c.txt --junit c.xml", "check answers.csv --json --out c.json",
+          "compare in.toml mesh.csv --partial --out m.txt",
           "compare in.toml mesh.csv --partial --json --out m.json", "plot in.toml --out a.png",
           "plot in.toml --out a.pdf"}) {
         if (has(command, ".p") && !converts) {
@@ -138,8 +137,7 @@ TEST_CASE("no output replaces a file of the user's or an input; a former result 
     // Other results begin in another way.
     folder.write("other.toml", output_scene);
     folder.write("wrong.csv", "x,p\n-1,0\n-0.5,1\n0,1\n0.5,1\n1,0\n");
-    CHECK(run(folder, "compare other.toml wrong.csv --partial --out m.txt --junit m.xml").code ==
-          1);
+    CHECK(run(folder, "compare other.toml wrong.csv --partial --out m.txt").code == 1);
     CHECK(run(folder, "compare other.toml wrong.csv --partial --json --out m.json").code == 1);
     REQUIRE(run(folder, "check t.csv").code == 0);
     const std::string table = file_text(folder.path() / "t.csv");

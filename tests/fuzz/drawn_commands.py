@@ -194,7 +194,7 @@ def relations(rng, _library, command):
 def design(rng, library, command):
     command.files["in.toml"] = library.drawn("design" if rng.random() < 0.95 else "scene", rng)
     words = ["in.toml", "--digits", count(rng, ["3", "5"]), "--gap", value(rng, ["1e-2", "1e-3", "1e-1"])]
-    words += format_of(rng, command) + figure(rng, command, "--figure", 0.05)
+    words += format_of(rng, command)
     return words + output(rng, command, command.printed)
 
 
@@ -224,7 +224,6 @@ def check(rng, library, command):
     if rng.random() < 0.15:
         command.written["junit.xml"] = "xml"
         words += ["--junit", "junit.xml"]
-    words += figure(rng, command, "--figure", 0.03)
     draw = rng.random()
     if draw < 0.55:
         command.files["answers.csv"] = library.drawn("answers", rng)
@@ -261,10 +260,6 @@ def compare(rng, library, command):
     if rng.random() < 0.3:
         command.printed = "json"
         words.append("--json")
-    for option, name, form, chance in (("--junit", "junit.xml", "xml", 0.1), ("--figures", "figures", "folder", 0.03)):
-        if rng.random() < chance:
-            command.written[name] = form
-            words += [option, name]
     return words
 
 
@@ -280,7 +275,7 @@ def cost(rng, library, command):
 def verify(rng, library, command):
     command.files["in.toml"] = library.drawn("ledger", rng)
     words = ["in.toml", "--digits", count(rng, ["10", "15", "20"]), "--threads", "1"]
-    words += maybe(rng, 0.1, "--strict") + maybe(rng, 0.1, "--profile") + maybe(rng, 0.1, "--only", value(rng, ["?*", "x"]))
+    words += maybe(rng, 0.1, "--strict") + maybe(rng, 0.1, "--only", value(rng, ["?*", "x"]))
     if rng.random() < 0.08:
         command.written["verdicts"] = "folder"
         words += ["--out", "verdicts"]

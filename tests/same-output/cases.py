@@ -61,10 +61,10 @@ def shipped_examples():
     """The examples of design, compare and check, and the recipes of the reference tables."""
     for path in sorted((ROOT / "examples/design").glob("*.toml")):
         words = ["design", path.name, "--digits", "8", "--gap", "1e-1"]
-        yield Case(f"design {path.stem}", in_formats(*words) + [[*words, "--figure", "figure.csv"]], read(path), seconds=4)
+        yield Case(f"design {path.stem}", in_formats(*words), read(path), seconds=4)
     meshes = sorted((ROOT / "examples/compare").glob("*.csv"))
     for some in [*([m] for m in meshes), [m for m in meshes if m.stem.startswith("mesh")]]:
-        options = ["", "--json", "--junit j.xml", "--figures figures", "--of local", "--of L2",
+        options = ["", "--json", "--of local", "--of L2",
                    "--origin auto", "--edge-zone 2e", "--tolerance 0.1% --tolerance-c0 1%"]
         words = ["compare", "cylinder.toml", *(m.name for m in some)]
         yield Case("compare " + " ".join(m.stem for m in some), [words + o.split() for o in options],
@@ -75,7 +75,7 @@ def shipped_examples():
         ["points", "questions.toml"], ["points", "questions.toml", "--exact", "--out", "points.csv"],
         *([*asked, "python3 closed_forms.py", *o] for o in (["--digits", "13"], ["--ulps", "1"])),
         [*asked, "python3 closed_forms.py", "--conditioned", "--ulps", "2"],
-        [*asked, "python3 wrong_on_purpose.py", "--digits", "12", "--junit", "junit.xml", "--figure", "figure.csv"],
+        [*asked, "python3 wrong_on_purpose.py", "--digits", "12", "--junit", "junit.xml"],
         ["check", "--ledger", "formulas.toml", *ONE]],
         read(*("examples/third-party/" + n for n in ("questions.toml", "formulas.toml", *programs))), seconds=4)
     for path in sorted((ROOT / "reference").glob("*.toml")):
@@ -91,7 +91,7 @@ def shipped_checks(seed):
     ledger = ["moore-hills.toml", *ONE, "--only"]
     for group in sorted({i + "*" for i in re.findall(r'(?m)^id = "(\w{3})', files["moore-hills.toml"].decode())}):
         yield Case(f"verify moore-hills {group}", [["verify", *ledger, group, "--digits", "15", "--out", "verdicts"]], files, seconds=6)
-    yield Case("verify profile", [["verify", *ledger, "EQ05", "--digits", "20", "--profile", "--record", "--strict"]], files)
+    yield Case("verify record", [["verify", *ledger, "EQ05", "--digits", "20", "--record", "--strict"]], files)
     yield Case("relations", [s for words in (
         "left.c0 right.c0", "left.c1 left.c0 left.s0 --degree 2",
         "right.c1 right.c0 P --symmetric --given P2=m*P1/a --free m")
@@ -146,8 +146,7 @@ def command_cases(seed, count, library):
         rng = random.Random(f"{seed} command {number}")
         command = drawn_commands.drawn_command(rng, library)
         if not UNSTEADY & set(command.arguments):
-            words = [w for w in command.arguments if w != "--profile"]  # its rows are ordered by time
-            yield Case(f"drawn command {number}", [words], command.files, command.stdin)
+            yield Case(f"drawn command {number}", [command.arguments], command.files, command.stdin)
 
 
 def all_cases(options):

@@ -171,12 +171,8 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
     };
     const auto run_claim = [&](std::size_t i) {
         check_interruption();
-        const double begun = parallel::thread_seconds();
         try {
             judge(*chosen[i], result.claims[i]);
-            if (options.timed) {
-                result.claims[i].seconds = parallel::thread_seconds() - begun;
-            }
         } catch (const InputError& error) {
             if (options.errors == ClaimErrors::thrown) {
                 throw;

@@ -19,7 +19,6 @@ struct AuditOptions {
     std::string only = "*"; ///< a pattern of ids, with * and ? as in a shell
     /// Called from any thread.
     std::function<void(std::size_t done, std::size_t total)> progress = {};
-    bool timed = false; ///< measure the processor time of each claim
     /// The treatment of errors that are found in a claim only when it is checked.
     ClaimErrors errors = ClaimErrors::thrown;
 };

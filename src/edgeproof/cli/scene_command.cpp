@@ -83,9 +83,9 @@ std::vector<report::Plot> picture_of(const scene::Scene& scene) {
                         [&] { return report::scene_picture(scene, std::ref(progress)); });
 }
 
-void check_figure_option(const std::string& figure, bool or_csv) {
+void check_figure_option(const std::string& figure) {
     if (!figure.empty()) {
-        report::check_picture_name(figure, or_csv);
+        report::check_picture_name(figure);
         io::check_output(figure);
     }
 }

@@ -23,7 +23,7 @@ namespace edgeproof::cli {
 /// Draws the scene, with progress on a terminal.
 [[nodiscard]] std::vector<report::Plot> picture_of(const scene::Scene& scene);
 /// Checks the file of --figure before any work, and draws the scene into it.
-void check_figure_option(const std::string& figure, bool or_csv = false);
+void check_figure_option(const std::string& figure);
 void draw_figure_option(const scene::Scene& scene, const SceneOptions& options);
 
 /// Returns an empty table for such a result, with its title and facts: the digits, a and b, P and M

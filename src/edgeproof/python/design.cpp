@@ -34,8 +34,7 @@ py::dict design(const std::string& text, const std::string& file, const std::str
                 long digits, std::optional<std::string> maximise,
                 std::optional<std::string> tolerance, std::optional<std::string> edge,
                 std::optional<long> terms, py::object callback) {
-    scene::DesignRunOptions options;
-    options.search = search_of(gap, digits);
+    contact::DesignOptions options = search_of(gap, digits);
     io::TomlTable asked{"design", 0, {}};
     const auto ask = [&](const char* key, const std::optional<std::string>& value) {
         if (value) {
@@ -49,24 +48,24 @@ py::dict design(const std::string& text, const std::string& file, const std::str
     scene::DesignScene design;
     scene::DesignResult result;
     const std::string json = with_progress(std::move(callback), [&](Progress& progress) {
-        options.search.progress = std::ref(progress);
+        options.progress = std::ref(progress);
         design = scene::parse_design(
             text, file, asked.entries.empty() ? std::vector<io::TomlTable>{} : std::vector{asked});
         result = run_design(design, options);
-        return write_table(report::design_table(design, result, options.search),
+        return write_table(report::design_table(design, result, options),
                            report::TableFormat::json);
     });
     const auto value = [&](const Ball& x) {
         return py::cast(
             Value({x, result.proved(), result.proved() ? "branch-and-bound" : "samples", {}},
-                  options.search.digits));
+                  options.digits));
     };
     const auto optional_value = [&](const std::optional<Ball>& x) {
         return x ? value(*x) : py::object(py::none());
     };
-    const long bits = 4L * static_cast<long>(options.search.digits) + 64;
+    const long bits = 4L * static_cast<long>(options.digits) + 64;
     const auto given = [&](const Rational& q) {
-        return py::cast(Value({Ball(q, bits), true, "given", q}, options.search.digits));
+        return py::cast(Value({Ball(q, bits), true, "given", q}, options.digits));
     };
     const contact::BestReach& best = result.best;
     py::dict values;

@@ -169,30 +169,3 @@ TEST_CASE("verify --strict: 1 where a claim does not hold, recorded or not") {
     CHECK(run(folder, "verify own.toml").code == 0);
     CHECK(run(folder, "verify own.toml --strict").code == 1);
 }
-
-TEST_CASE("verify --profile: where the time goes by claim, and which samples decide") {
-    const Folder folder;
-    folder.write("own.toml", head + right + wrong);
-    const Outcome plain = run(folder, "verify own.toml --out plain");
-    const Outcome o = run(folder, "verify own.toml --profile --out out");
-    CHECK(o.code == 0);
-    const auto table = o.out.find("claim  kind");
-    REQUIRE(table != std::string::npos);
-    const std::string rows = o.out.substr(table);
-    CHECK(has(rows, "refuted at "));
-    CHECK(has(rows, ", first at 1"));
-    CHECK(has(rows, "in the first half 50.0 digits"));
-    CHECK(o.out.substr(0, table - 1) + rows.substr(rows.find("\n\n") + 2) == plain.out);
-    const auto claims =
-        nlohmann::json::parse(file_text(folder.path() / "out/verdicts.json")).at("claims");
-    const auto& first = claims.at(0).at("profile");
-    CHECK(first.at("seconds") > 0);
-    CHECK(first.at("samples") == claims.at(0).at("evidence").at("samples"));
-    CHECK(first.at("refuting") == 0);
-    CHECK(first.at("first_refuting").is_null());
-    CHECK(claims.at(1).at("profile").at("refuting") == claims.at(1).at("profile").at("samples"));
-    for (const auto& claim :
-         nlohmann::json::parse(file_text(folder.path() / "plain/verdicts.json")).at("claims")) {
-        CHECK_FALSE(claim.contains("profile"));
-    }
-}

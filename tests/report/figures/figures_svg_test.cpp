@@ -51,7 +51,6 @@ TEST_SUITE("report: pictures") {
             plot.title = plot.description = plot.x.label = plot.y.label = text;
             plot.curves.front().title = text;
             plot.level = {"1", text};
-            plot.bands.push_back({"0", "1", text});
             const std::string svg = draw_svg({plot});
             CHECK(test::well_formed(svg) == "");
             CHECK(test::well_formed(inline_svg(svg, plot)) == "");

@@ -103,27 +103,3 @@ TEST_CASE("plot: errors in percent, up to the other edge and no farther") {
     CHECK(plot.level->first == "1");
     CHECK(plot.level->second == "tolerance 1 %");
 }
-
-// johnson1985, eq. 4.45 and 4.48: the axis and the surface of a contact of Hertz, p_0 = 1/2.
-TEST_CASE("plot: a stress along a line") {
-    const scene::Scene cylinder = scene::parse_scene(
-        "[profile]\nkind = \"hertz\"\nR = 1\n[load]\na = 1\ncontact_modulus = 1\n", "s.toml");
-    const auto line = [&](scene::Quantity quantity, const char* from_x, const char* from_z,
-                          const char* to_x, const char* to_z) {
-        return stress_along(cylinder, quantity, {Exact::parse(from_x), Exact::parse(from_z)},
-                            {Exact::parse(to_x), Exact::parse(to_z)});
-    };
-    const Plot axis = line(scene::Quantity::szz, "0", "2", "0", "0");
-    CHECK(axis.x.label == "z");
-    CHECK(off(axis, [](double z) { return -0.5 / std::sqrt(1 + z * z); }) < 0.5 / 300);
-    const Plot surface = line(scene::Quantity::sxx, "-2", "0", "2", "0");
-    CHECK(surface.x.label == "x");
-    CHECK(off(surface, [](double x) {
-              return std::fabs(x) < 1 ? -0.5 * std::sqrt(1 - x * x) : 0.0;
-          }) < 0.5 / 300);
-    // The line begins at (0, 0) at 45 degrees; the distance along the line is sqrt(2) z.
-    const Plot slant = line(scene::Quantity::tau_max, "0", "0", "1", "1");
-    CHECK(slant.x.label == "distance from (0, 0)");
-    CHECK(slant.rows.size() > 60);
-    CHECK(std::fabs(slant.rows.back()[0]->convert_to<double>() - std::sqrt(2.0)) < 1e-15);
-}

@@ -167,25 +167,6 @@ const Pair& Agreement::worst() const {
     return *std::ranges::min_element(pairs_, {}, &Pair::digits);
 }
 
-SampleUse Agreement::use() const {
-    SampleUse use;
-    use.samples = samples_.all().size();
-    for (const Pair& pair : pairs_) {
-        if (pair.refutation(AuditContext::digits_needed(digits_))) {
-            use.first_refuting = use.refuting++ == 0 ? pair.sample + 1 : use.first_refuting;
-        }
-        const double digits = pair.digits();
-        if (use.worst == 0 || digits < use.digits) {
-            use.worst = pair.sample + 1;
-            use.digits = digits;
-        }
-        if (pair.sample < (use.samples + 1) / 2) {
-            use.first_half_digits = use.digits;
-        }
-    }
-    return use;
-}
-
 std::string_view name_of(Basis basis) {
     static constexpr std::array<std::string_view, all_bases.size()> names{
         "theorem", "identity", "enclosures", "text", "none"};

@@ -51,8 +51,6 @@ public:
     [[nodiscard]] const std::vector<Pair>& pairs() const noexcept { return pairs_; }
     /// The pair with the fewest digits of agreement.
     [[nodiscard]] const Pair& worst() const;
-    /// Returns how the verdict depends on the samples.
-    [[nodiscard]] SampleUse use() const;
     /// The number of other samples, at which the formulas agree to a few digits.
     [[nodiscard]] std::size_t screened() const noexcept { return screened_; }
     /// Confirmed if the balls prove D - 5 digits at every pair; refuted if they prove that the

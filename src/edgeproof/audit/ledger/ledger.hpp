@@ -76,7 +76,6 @@ struct ClaimResult {
     std::vector<std::pair<std::string, Outcome>> readings;
     std::optional<TheoremFile> certificate; ///< set by certificate::attach_certificates
     std::string fields_sha256;              ///< set by it, too
-    std::optional<double> seconds;          ///< processor time, if it was measured
 };
 
 /// The results of an audit, in the order of the ledger.

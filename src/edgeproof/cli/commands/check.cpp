@@ -6,7 +6,6 @@
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
-#include "edgeproof/report/figures/figure_option.hpp"
 #include "edgeproof/report/tables/agreement_report.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"
 
@@ -37,7 +36,6 @@ struct CheckOptions {
     std::string ulps;
     std::string errors = "5";
     std::string junit;
-    std::string figure;
     std::string threads;
     bool conditioned = false;
     bool json = false;
@@ -178,7 +176,6 @@ int check(CheckOptions& o) {
     }
     io::check_output(o.junit);
     io::check_output(o.out);
-    check_figure_option(o.figure, true);
     report::Conformance result;
     result.target = target_of(o);
     const std::size_t errors = whole_number("--errors", o.errors, 0, 1'000'000'000);
@@ -192,9 +189,6 @@ int check(CheckOptions& o) {
     });
     if (!o.junit.empty()) {
         io::write_output(o.junit, conformance_junit(result));
-    }
-    if (!o.figure.empty()) {
-        io::write_whole(o.figure, report::picture_file({agreement_plot(result)}, o.figure));
     }
     io::write_output(o.out.empty() ? "-" : o.out,
                      o.json ? conformance_json(result)
@@ -237,8 +231,6 @@ void add_check(CLI::App& app, int& code) {
         ->type_name("text|json");
     sub.add_option("--out", o.out, "write it to this file (-: standard output)");
     sub.add_option("--junit", o.junit, "write JUnit XML to this file");
-    sub.add_option("--figure", o.figure,
-                   "draw digits against u into this file (.svg, .png, .pdf or .csv)");
     sub.add_option("--ledger", o.ledger, "verify the formulas of this ledger instead");
     add_threads_option(sub, o.threads);
 }

@@ -4,7 +4,6 @@
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/message.hpp"
-#include "edgeproof/report/figures/comparison_figures.hpp"
 #include "edgeproof/report/tables/comparison_report.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 
@@ -32,8 +31,6 @@ struct CompareOptions {
     bool json = false;
     std::string format;
     std::string out;
-    std::string junit;
-    std::string figures;
 };
 
 struct ToleranceRow {
@@ -107,19 +104,6 @@ std::optional<Rational> origin_of(const std::string& text) {
     return number.value;
 }
 
-/// Writes all outputs except the text on standard output. All are made before the first is written.
-void write_outputs(const report::ComparisonReport& report, const CompareOptions& o) {
-    const std::string junit = o.junit.empty() ? "" : comparison_junit(report);
-    if (!o.figures.empty()) {
-        const std::vector<report::DrawnPlot> drawn = draw_comparison(report);
-        io::write_folder(
-            o.figures, [&](const std::filesystem::path& folder) { write_figures(drawn, folder); });
-    }
-    if (!o.junit.empty()) {
-        io::write_output(o.junit, junit);
-    }
-}
-
 int compare_results(const CompareOptions& o) {
     const bool json = o.json || text_or_json(o.format);
     io::check_output(o.out);
@@ -135,10 +119,6 @@ int compare_results(const CompareOptions& o) {
     if (!o.scale.empty()) {
         comparison::parse_scale(o.scale, reading);
     }
-    io::check_output(o.junit);
-    if (!o.figures.empty()) {
-        io::check_folder(o.figures); // the folder is made when there is something to write
-    }
     scene::Scene scene = scene::read_scene(file_or_shipped(o.scene, shipped_scenes));
     choose_step(scene, o.step);
     reading.units = scene.units;
@@ -152,7 +132,6 @@ int compare_results(const CompareOptions& o) {
         o.scene, scene.title, scene.units, &exact, with_progress("files", progress, [&] {
             return compare_tables(std::move(tables), scene, exact, tolerances, origin, progress);
         })};
-    write_outputs(report, o);
     const std::string text =
         json ? comparison_json(report) : printable_lines(comparison_text(report));
     const bool printed = o.out.empty() || o.out == "-";
@@ -168,10 +147,9 @@ void add_compare(CLI::App& app, int& code) {
         app, code, "compare", "results of a mesh (x and p), compared with the exact contact",
         compare_results);
     sub.add_option("scene", o.scene, "the scene (TOML)");
-    sub.add_option(
-        "results", o.results,
-        "tables of x and p, as programs write them (also .frd and .dat of CalculiX); several: "
-        "of finer and finer meshes");
+    sub.add_option("results", o.results,
+                   "tables of x and p, as programs write them (also .frd of CalculiX); several: "
+                   "of finer and finer meshes");
     add_step_option(sub, o.step);
     sub.add_option("--columns", o.columns, "x=1,p=3 or x=COORD1,p=CPRESS: which columns");
     sub.add_option("--scale", o.scale, "x=1e-3,p=1e6: multiply what the files have");
@@ -197,9 +175,6 @@ void add_compare(CLI::App& app, int& code) {
     sub.add_flag("--json", o.json, "as --format json");
     sub.add_option("--format", o.format, "default: text")->type_name("text|json");
     sub.add_option("--out", o.out, "write the comparison to this file (-: standard output)");
-    sub.add_option("--junit", o.junit, "write JUnit XML to this file");
-    sub.add_option("--figures,--out-dir", o.figures,
-                   "draw data and errors into this folder (SVG, CSV)");
 }
 
 } // namespace edgeproof::cli

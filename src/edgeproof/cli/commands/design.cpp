@@ -2,7 +2,6 @@
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
-#include "edgeproof/report/figures/figure_option.hpp"
 #include "edgeproof/report/tables/design_table.hpp"
 #include "edgeproof/report/text/percent.hpp"
 #include "edgeproof/scene/design/design_file.hpp"
@@ -89,19 +88,12 @@ int run(const DesignCommandOptions& o) {
                                      : 30;
     (void)o.table_format();
     io::check_output(o.out);
-    check_figure_option(o.figure, true);
-    scene::DesignRunOptions options;
-    options.search.digits = digits.count;
-    options.search.gap = gap_of(o.gap);
-    options.curve = !o.figure.empty();
-    const scene::DesignResult result =
-        with_progress("thousandths of the range", options.search.progress,
-                      [&] { return run_design(design, options); });
-    if (!o.figure.empty()) {
-        io::write_whole(o.figure,
-                        report::picture_file({report::design_plot(design, result)}, o.figure));
-    }
-    report::Table table = report::design_table(design, result, options.search);
+    contact::DesignOptions options;
+    options.digits = digits.count;
+    options.gap = gap_of(o.gap);
+    const scene::DesignResult result = with_progress("thousandths of the range", options.progress,
+                                                     [&] { return run_design(design, options); });
+    report::Table table = report::design_table(design, result, options);
     table.asked = fmt::format("the best value for the reach of {} term{} within {}", design.terms,
                               design.terms == 1 ? "" : "s", report::in_percent(design.tolerance));
     emit(table, o);
@@ -121,8 +113,6 @@ void add_design(CLI::App& app, int& code) {
     sub.add_option("--digits", o.digits, "significant digits (default: 30; 6 on a terminal)");
     sub.add_option("--gap", o.gap,
                    "nothing else in the range does better by more: proved (default: 1e-6)");
-    sub.add_option("--figure", o.figure,
-                   "reach against the parameter, as .svg, .png, .pdf or .csv");
     add_table_options(sub, o);
     sub.footer(
         "Words: one key is a range (t=0..0.9), with a tolerance; terms=1 and edges=right are "

@@ -10,25 +10,14 @@ namespace {
 struct PlotOptions : SceneOptions {
     std::string field; ///< the stress of which contours are drawn
     std::string body = "A";
-    std::string from; ///< "X,Z": the ends of a line, along which the stress is drawn
-    std::string to;
 };
 
-/// The picture of a stress: contours, or a curve along a line.
-report::Plot stress_of(const PlotOptions& o, const scene::Scene& scene) {
+report::Plot contours_of(const PlotOptions& o, const scene::Scene& scene) {
     const scene::Body body = body_of(o.body);
     for (const scene::QuantityRow& row : scene::quantity_rows()) {
         if (row.group == scene::QuantityGroup::stress && row.name == o.field) {
-            return io::at_place(scene.file, scene.load_line, [&] {
-                if (o.from.empty()) {
-                    return report::stress_picture(scene, row.quantity, body);
-                }
-                const scene::Place::Names names = exact_names_of(scene);
-                scene::BodyPoint from = point_of("--from", o.from, names);
-                scene::BodyPoint to = point_of("--to", o.to, names);
-                from.body = to.body = body;
-                return report::stress_along(scene, row.quantity, from, to);
-            });
+            return io::at_place(scene.file, scene.load_line,
+                                [&] { return report::stress_picture(scene, row.quantity, body); });
         }
     }
     throw InputError("--field " + o.field + ": there is no such stress",
@@ -42,13 +31,9 @@ int plot(PlotOptions& o) {
         throw InputError("there is no file for the picture", "add --out pad.svg");
     }
     check_figure_option(file);
-    scene::Scene scene = asked_scene(o);
-    if (o.from.empty() != o.to.empty() || (!o.from.empty() && o.field.empty())) {
-        throw InputError("a line has two ends, and a stress along it",
-                         "write --field mises --from X,Z --to X,Z");
-    }
+    const scene::Scene scene = asked_scene(o);
     const std::string text = report::picture_file(
-        o.field.empty() ? picture_of(scene) : std::vector{stress_of(o, scene)}, file);
+        o.field.empty() ? picture_of(scene) : std::vector{contours_of(o, scene)}, file);
     show_as_file(o);
     io::write_output(file, text);
     return 0;
@@ -66,9 +51,6 @@ void add_plot(CLI::App& app, int& code) {
     sub.add_option("--field", o.field,
                    "in place of the pressure the contours of a stress below the contact: sxx, szz, "
                    "sxz, tau_max or mises");
-    sub.add_option("--from", o.from,
-                   "X,Z: with --to, --field is drawn along the line between these points");
-    sub.add_option("--to", o.to, "X,Z: the other end of the line");
     sub.add_option("--body", o.body, "the body of --field: Q acts on A")
         ->capture_default_str()
         ->type_name("A|B");

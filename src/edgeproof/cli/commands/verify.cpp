@@ -22,7 +22,6 @@ struct VerifyOptions {
     std::string threads;
     bool record = false;
     bool strict = false;
-    bool profile = false;
 };
 
 constexpr long long most_digits_of_a_formula = 10000;
@@ -101,8 +100,7 @@ int verify(VerifyOptions& o) {
     audit::AuditResult result =
         judged_ledger(ledger, {.digits = static_cast<unsigned>(o.digits),
                                .threads = static_cast<int>(threads_of(o.threads)),
-                               .only = o.only,
-                               .timed = o.profile});
+                               .only = o.only});
     certificate::attach_certificates(result, ledger,
                                      std::filesystem::path(o.ledger).parent_path() / "certificates",
                                      "certificates");
@@ -111,10 +109,6 @@ int verify(VerifyOptions& o) {
     }
     std::fputs(report::verdicts_terminal(result, terminal_width(), stdout_takes_colour()).c_str(),
                stdout);
-    if (o.profile) {
-        std::printf("\n%s\n", printable_lines(report::profile_table(result)).c_str());
-    }
-
     if (!result.errors.empty()) {
         std::printf("%zu of %zu claims could not be judged\n", result.errors.size(),
                     result.errors.size() + result.claims.size());
@@ -176,9 +170,6 @@ void add_verify(CLI::App& app, int& code) {
     sub.add_flag("--strict", o.strict,
                  "exit with 1 also where a claim does not hold: any verdict but proved, confirmed "
                  "and definition");
-    sub.add_flag("--profile", o.profile,
-                 "also print where the processor time goes, claim by claim, and which samples "
-                 "decide");
 }
 
 } // namespace edgeproof::cli

@@ -153,8 +153,8 @@ struct CalculixContents {
     std::size_t steps = 0;
 };
 
-/// Reads an .frd or .dat file of CalculiX (calculix_table()); each node with contact output has a
-/// place. Returns nothing for any other text.
+/// Reads an .frd file of CalculiX (calculix_table()); each node with contact output has a place.
+/// Returns nothing for any other text.
 [[nodiscard]] std::optional<CalculixContents> calculix_contents(std::string_view text,
                                                                 const std::string& file);
 
@@ -167,15 +167,14 @@ struct CalculixTable {
     std::vector<std::string> findings; ///< of several steps, or planes of nodes
 };
 
-/// Reads the contact output of a text of CalculiX: an .frd file (in text, of the last step that has
-/// CONTACT, with SXX of STRESS), or a .dat file with CSTR, and CDIS if there is one. The places of
-/// the nodes of a .dat file are in the .frd or .inp file of the same name next to it. The contact
-/// lies along the coordinate with which the pressures change. Nodes of one plane across it are kept
-/// if the surface has several. Contact from surface to surface has rows of
-/// zeros for all nodes in no face in contact: the rows of the others are kept, and up to three
-/// places further on each side, without a gap. Returns nothing for any other text. Throws
-/// InputError, with the line, for a file without contact output, or with that of points inside
-/// faces, a binary .frd file, a node without a place, and a row that is not as CalculiX writes it.
+/// Reads the contact output of an .frd file of CalculiX (in text, of the last step that has
+/// CONTACT, with SXX of STRESS). The contact lies along the coordinate with which the pressures
+/// change. Nodes of one plane across it are kept if the surface has several. Contact from surface
+/// to surface has rows of zeros for all nodes in no face in contact: the rows of the others are
+/// kept, and up to three places further on each side, without a gap. Returns nothing for any other
+/// text. Throws InputError, with the line, for a file without contact output, a .dat file (which
+/// has no places), a binary .frd file, a node without a place, and a row that is not as CalculiX
+/// writes it.
 [[nodiscard]] std::optional<CalculixTable> calculix_table(std::string_view text,
                                                           const std::string& file);
 

@@ -92,20 +92,15 @@ void write_plot_files(const Plot& plot, const std::string& svg,
     }
 }
 
-void check_picture_name(const std::string& file, bool or_csv) {
+void check_picture_name(const std::string& file) {
     const std::filesystem::path ending = std::filesystem::path(file).extension();
-    if (ending != ".svg" && ending != ".png" && ending != ".pdf" && !(or_csv && ending == ".csv")) {
-        throw InputError(file + " is neither .svg, .png" +
-                             (or_csv ? ", .pdf nor .csv" : " nor .pdf"),
-                         "name the file so");
+    if (ending != ".svg" && ending != ".png" && ending != ".pdf") {
+        throw InputError(file + " is neither .svg, .png nor .pdf", "name the file so");
     }
 }
 
 std::string picture_file(const std::vector<Plot>& plots, const std::string& file) {
     const std::string ending = std::filesystem::path(file).extension();
-    if (ending == ".csv") {
-        return to_csv(plots.front());
-    }
     const std::string svg = draw_svg(plots);
     return ending == ".svg" ? svg : converted_svg(svg, ending.substr(1));
 }

@@ -25,10 +25,6 @@ std::vector<std::optional<Real>>& Plot::add_row(const Real& first) {
     return rows.back();
 }
 
-void Plot::sort_rows() {
-    std::ranges::stable_sort(rows, [](const auto& r, const auto& s) { return *r[0] < *s[0]; });
-}
-
 void Plot::add_curve(const std::string& column, std::string curve_title, const Pen& pen) {
     columns.push_back(column);
     curves.push_back({column, std::move(curve_title), pen});

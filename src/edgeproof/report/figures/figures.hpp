@@ -35,14 +35,6 @@ struct Axis {
     bool percent = false; ///< of y: fractions in the data are drawn as percent, as is the range
 };
 
-/// A part of the x axis, shaded over the whole height and named at its top. Numbers are texts.
-struct Band {
-    std::string from;
-    std::string to;
-    std::string title;
-    double darkness = 0.15; ///< between 0 and 1
-};
-
 /// Values at the points of a grid, drawn as colours and contours: values[i + j x.size()] at x[i],
 /// y[j]. Values that are not finite are left out. The colours of signed values are centred at 0.
 struct PlaneField {
@@ -67,14 +59,11 @@ struct Plot {
     std::vector<Curve> curves;
     /// A horizontal line: its position and its name.
     std::optional<std::pair<std::string, std::string>> level = {};
-    std::vector<Band> bands = {};
     /// Drawn in place of the curves, with y downwards.
     std::optional<PlaneField> field = {};
 
     /// Adds a row with a value in its first column only, and returns the row.
     std::vector<std::optional<Real>>& add_row(const Real& first);
-    /// Sorts the rows by their first column, and keeps the order of equal ones.
-    void sort_rows();
     /// Adds a column without values, and a curve for it.
     void add_curve(const std::string& column, std::string curve_title, const Pen& pen);
 };

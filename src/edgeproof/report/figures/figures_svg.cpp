@@ -29,8 +29,7 @@ constexpr int right_margin = 18;
 constexpr int bottom_margin = 52;
 constexpr int legend_line = 20;
 constexpr std::size_t short_name = 34; ///< letters of a name that fits in half a line
-constexpr int band_line = 15;
-constexpr double mark = 4; ///< half the size of a point
+constexpr double mark = 4;             ///< half the size of a point
 constexpr std::string_view background = R"(<rect width="100%" height="100%" fill="#ffffff"/>)";
 
 constexpr std::array<std::string_view, 8> colours{"currentColor", "#e69f00", "#56b4e9", "#009e73",
@@ -90,14 +89,6 @@ private:
         text += svg::axes(x_, y_, plot_, width(), drawing_height, false);
         text += fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\">\n", left_margin,
                             top_margin, width(), drawing_height);
-        for (int line = 0; const Band& band : plot_.bands) {
-            const double from = across(Real(band.from));
-            text += fmt::format("<rect x=\"{:.1f}\" y=\"0\" width=\"{:.1f}\" height=\"{}\" "
-                                "fill=\"#808080\" fill-opacity=\"{:g}\"/>\n",
-                                from, across(Real(band.to)) - from, drawing_height, band.darkness);
-            text +=
-                text_at(from + 4, 14 + band_line * line++, "start", 11, escape_html(band.title));
-        }
         if (plot_.level) {
             const double y = down(Real(plot_.level->first));
             text += fmt::format("<path d=\"M0 {0:.1f}H{1}\" {2}/>\n", y, width(),

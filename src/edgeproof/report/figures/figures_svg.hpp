@@ -21,11 +21,11 @@ void write_plot_files(const Plot& plot, const std::string& svg,
                       const std::filesystem::path& folder);
 
 /// Throws InputError for an ending that picture_file does not support: others than .svg, .png and
-/// .pdf, and .csv unless `or_csv`.
-void check_picture_name(const std::string& file, bool or_csv = false);
-/// Returns the picture, or the table of the first plot as .csv, in the format of the file's ending.
-/// `rsvg-convert` makes a .png (with two pixels for each of the SVG) and a .pdf. Throws InputError
-/// if there is no such program, Error if it fails.
+/// .pdf.
+void check_picture_name(const std::string& file);
+/// Returns the picture in the format of the file's ending. `rsvg-convert` makes a .png (with two
+/// pixels for each of the SVG) and a .pdf. Throws InputError if there is no such program, Error if
+/// it fails.
 [[nodiscard]] std::string picture_file(const std::vector<Plot>& plots, const std::string& file);
 
 } // namespace edgeproof::report

@@ -27,10 +27,4 @@ scene_picture(scene::Scene scene, const std::function<void(std::size_t, std::siz
 [[nodiscard]] Plot stress_picture(const scene::Scene& scene, scene::Quantity quantity,
                                   scene::Body body);
 
-/// A stress of the quantities of the group `stress` along the line between two points of a body,
-/// from values in balls. Throws InputError if both are one point, if the quantity needs a Poisson's
-/// ratio that the scene does not have, and as scene::SceneValues does.
-[[nodiscard]] Plot stress_along(const scene::Scene& scene, scene::Quantity quantity,
-                                const scene::BodyPoint& from, const scene::BodyPoint& to);
-
 } // namespace edgeproof::report

@@ -282,31 +282,4 @@ std::string comparison_text(const ComparisonReport& report) {
                                              files == 1 ? "" : "s"));
 }
 
-std::string comparison_junit(const ComparisonReport& report) {
-    std::string suites;
-    std::size_t failures = 0;
-    for (const FileComparison& file : report.comparison.files) {
-        std::string cases;
-        if (file.passes()) {
-            cases = fmt::format("    <testcase classname=\"compare\" name=\"{}\"/>\n",
-                                xml_text(tolerance_text(report.comparison.tolerances)));
-        }
-        for (const std::string& failure : file.failures) {
-            const std::string name = failure.substr(0, failure.find_first_of("=:,"));
-            cases += fmt::format("    <testcase classname=\"compare\" name=\"{}\">\n      <failure "
-                                 "message=\"{}\"/>\n    </testcase>\n",
-                                 xml_text(name), xml_text(failure));
-        }
-        failures += file.failures.size();
-        suites +=
-            fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n{}"
-                        "  </testsuite>\n",
-                        xml_text(file.table.file), std::max<std::size_t>(1, file.failures.size()),
-                        file.failures.size(), cases);
-    }
-    return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- {} -->\n"
-                       "<testsuites name=\"edgeproof compare\" failures=\"{}\">\n{}</testsuites>\n",
-                       xml_text(program_line()), failures, suites);
-}
-
 } // namespace edgeproof::report

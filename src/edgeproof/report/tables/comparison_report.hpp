@@ -39,7 +39,5 @@ struct HeldQuantity {
 [[nodiscard]] std::string comparison_text(const ComparisonReport& report);
 /// Returns the report as JSON; all numbers are binary64.
 [[nodiscard]] std::string comparison_json(const ComparisonReport& report);
-/// Returns JUnit XML: a suite per file, a case per quantity.
-[[nodiscard]] std::string comparison_junit(const ComparisonReport& report);
 
 } // namespace edgeproof::report

@@ -71,23 +71,6 @@ std::optional<std::string> lines_of(const audit::Claim& claim) {
                            : std::optional(fmt::format("{}-{}", first, last));
 }
 
-Json profile_json(const audit::ClaimResult& r, double most) {
-    Json profile = {{"seconds", *r.seconds}};
-    if (const auto& use = r.outcome.sample_use) {
-        const auto digits = [most](double d) {
-            return d < 0 ? Json(nullptr) : Json(std::min(d, most));
-        };
-        profile["samples"] = use->samples;
-        profile["refuting"] = use->refuting;
-        profile["first_refuting"] =
-            use->first_refuting > 0 ? Json(use->first_refuting) : Json(nullptr);
-        profile["worst"] = use->worst;
-        profile["digits"] = digits(use->digits);
-        profile["first_half_digits"] = digits(use->first_half_digits);
-    }
-    return profile;
-}
-
 /// LaTeX text that can be broken into lines in a narrow column: after operators, brackets and
 /// underscores, after the point of an id, and after every fifth digit of a long number.
 std::string breakable_latex(std::string_view text) {
@@ -174,9 +157,6 @@ std::string verdicts_json(const audit::AuditResult& result) {
             evidence[key] = to_json(item);
         }
         c["evidence"] = std::move(evidence);
-        if (r.seconds) {
-            c["profile"] = profile_json(r, result.digits);
-        }
         claims.push_back(std::move(c));
     }
     root["claims"] = std::move(claims);

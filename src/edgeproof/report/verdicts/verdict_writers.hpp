@@ -16,13 +16,7 @@ count_verdicts(const audit::AuditResult& result);
 /// Returns "61 proved, 30 confirmed, 12 refuted, ..." without zeros.
 [[nodiscard]] std::string counts_line(const audit::AuditResult& result);
 
-/// Returns the processor times: a row for each timed claim, the most expensive first, with its
-/// share of the total and the use of its samples: the number of samples that refute the printed
-/// formula and the first of them, or the sample with the worst agreement and the digits of
-/// agreement in the first half.
-[[nodiscard]] std::string profile_table(const audit::AuditResult& result);
-
-/// The results as text, identical in every byte for the same results (except times).
+/// The results as text, identical in every byte for the same results.
 [[nodiscard]] std::string verdicts_json(const audit::AuditResult& result);
 [[nodiscard]] std::string verdicts_csv(const audit::AuditResult& result);
 [[nodiscard]] std::string verdicts_markdown(const audit::AuditResult& result);

@@ -67,17 +67,11 @@ struct DesignResult {
     /// The reach for the printed value, proved if `best` is proved.
     std::optional<Ball> printed_reach;
     std::optional<Ball> falls_short; ///< 1 - printed_reach/best
-    /// Samples of value and reach (or measure), for a picture.
-    std::vector<std::pair<double, double>> curve;
-};
-
-struct DesignRunOptions {
-    contact::DesignOptions search;
-    bool curve = false;
 };
 
 /// Throws InputError, with the line, for a value that does not make a valid scene; BudgetError if
 /// no reach is found; Interrupted.
-[[nodiscard]] DesignResult run_design(const DesignScene& design, const DesignRunOptions& options);
+[[nodiscard]] DesignResult run_design(const DesignScene& design,
+                                      const contact::DesignOptions& options);
 
 } // namespace edgeproof::scene

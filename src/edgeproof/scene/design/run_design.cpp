@@ -15,10 +15,6 @@ namespace edgeproof::scene {
 namespace {
 
 constexpr unsigned estimate_digits = 12;
-constexpr int curve_points = 240;
-constexpr std::size_t most_curve_points = 2000;
-constexpr double steepest_step = 0.02; ///< of the highest reach, between neighbours
-constexpr double narrowest_step = 1e-6;
 constexpr long printed_bits = 256;
 /// For reaches without a closed form.
 constexpr contact::SampleGrid coarse_grid{16, 6, 4};
@@ -93,25 +89,9 @@ DesignResult estimated_design(const contact::ParameterRange& range,
     return result;
 }
 
-/// Adds points between neighbours that differ by more than `step`. If such neighbours are closer
-/// than `narrowest`, there is a jump between them.
-void refine_curve(std::vector<std::pair<double, double>>& curve,
-                  const std::function<double(double)>& score, double step, double narrowest) {
-    for (std::size_t k = 0; k + 1 < curve.size() && curve.size() < most_curve_points;) {
-        const auto& [x0, y0] = curve[k];
-        const auto& [x1, y1] = curve[k + 1];
-        if (!(std::fabs(y1 - y0) > step) || x1 - x0 < narrowest) {
-            ++k;
-            continue;
-        }
-        const double m = (x0 + x1) / 2;
-        curve.insert(curve.begin() + static_cast<std::ptrdiff_t>(k) + 1, {m, score(m)});
-    }
-}
-
 } // namespace
 
-DesignResult run_design(const DesignScene& design, const DesignRunOptions& options) {
+DesignResult run_design(const DesignScene& design, const contact::DesignOptions& options) {
     DesignResult result;
     std::string why_not;
     const auto errors = design.errors(why_not);
@@ -144,8 +124,8 @@ DesignResult run_design(const DesignScene& design, const DesignRunOptions& optio
         std::size_t done = 0;
         const auto counted = [&](double x) {
             const double s = score(x);
-            if (options.search.progress) {
-                options.search.progress(++done * 1000 / total, 1000);
+            if (options.progress) {
+                options.progress(++done * 1000 / total, 1000);
             }
             return s;
         };
@@ -154,7 +134,7 @@ DesignResult run_design(const DesignScene& design, const DesignRunOptions& optio
             errors.empty() ? why_not
                            : "the measure is found by samples: branch and bound is for first_exit";
     } else {
-        result.best = best_reach(problem, design.range, options.search);
+        result.best = best_reach(problem, design.range, options);
         result.missing = result.best.missing;
     }
     if (design.printed) {
@@ -164,30 +144,6 @@ DesignResult run_design(const DesignScene& design, const DesignRunOptions& optio
             result.printed_reach = Ball(Real(score(design.printed->convert_to<double>())), 64);
         }
         result.falls_short = 1 - *result.printed_reach / result.best.reach;
-    }
-    if (options.curve) {
-        const double from = design.range.from.convert_to<double>();
-        const double to = design.range.to.convert_to<double>();
-        const int points = errors.empty() ? curve_points / 4 : curve_points;
-        std::vector<double> at;
-        for (int k = 0; k <= points; ++k) {
-            at.push_back(from + (to - from) * k / points);
-        }
-        // Samples on both sides of the best value, where the reach may jump.
-        const double best = result.best.value.midpoint().convert_to<double>();
-        for (const double side : {-1.0, 1.0}) {
-            const double x = best + side * 1e-7 * (to - from);
-            if (x > from && x < to) {
-                at.push_back(x);
-            }
-        }
-        std::sort(at.begin(), at.end());
-        double highest = 0;
-        for (const double x : at) {
-            result.curve.emplace_back(x, score(x));
-            highest = std::fmax(highest, result.curve.back().second);
-        }
-        refine_curve(result.curve, score, steepest_step * highest, narrowest_step * (to - from));
     }
     return result;
 }

@@ -266,7 +266,6 @@ Judgement FormulaComparison::by_enclosures(Outcome& outcome) const {
 }
 
 void FormulaComparison::judge(Outcome& outcome) const {
-    outcome.sample_use = agreement_.use();
     report(outcome.evidence);
     outcome.verdict = samples() == 0 ? Judgement() : by_enclosures(outcome);
 }

@@ -221,7 +221,7 @@ std::string noisy_pressures(const ExactContact& computed, double noise, std::mt1
     const double length = computed.a().value + computed.b().value;
     const double left = -computed.b().value - 0.23 * length;
     return table(even_places(left, left + 1.46 * length, 120), [&](double x) {
-        return computed.at(Real(x)).p.value_or(0) * (1 + noise * normal(random));
+        return computed.p(computed.at(Real(x))).value_or(0) * (1 + noise * normal(random));
     });
 }
 

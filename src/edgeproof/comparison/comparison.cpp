@@ -80,25 +80,22 @@ private:
                              "few for a comparison",
                              errors.inside, file_.inside));
         }
-        const char* const of_scale = exact_.scale().mean ? "of the mean pressure" : "of the peak";
-        digits("p", tolerances_.pressure, exact_.scale().value, of_scale,
-               [](const Node& node, const ResultRow& row) {
-                   return std::min(std::abs(node.error), row.p_rounding);
-               });
-        hold("p", errors, tolerances_.pressure, of_scale, [](const Node& node) {
-            return std::pair{node.p, node.exact.p.value_or(0)};
-        });
+        const std::string of_scale = exact_.scale().mean ? "of the mean pressure" : "of the peak";
+        digits("p", tolerances_.pressure, exact_.scale().value, of_scale, p_of,
+               &ResultRow::p_rounding);
+        hold("p", errors, tolerances_.pressure, of_scale, p_of);
     }
     /// Written digits may explain errors up to the tolerance, or the usual one: larger errors would
-    /// be hidden completely. `hidden` returns the part of a node's error that they explain.
-    template <class Hidden>
+    /// be hidden completely.
     void digits(const char* symbol, double tolerance, double scale, const std::string& of_scale,
-                const Hidden& hidden) {
+                TractionOf of, double ResultRow::*rounding) {
         double explained = 0;
         for (std::size_t i = 0; i < file_.data.nodes.size(); ++i) {
             const Node& node = file_.data.nodes[i];
-            if (is_counted(node, tolerances_.zone, file_.contact)) {
-                explained = std::max(explained, hidden(node, file_.table.rows[i]) / scale);
+            const Traction* const t = of(node);
+            if (t != nullptr && t->exact && is_counted(node, tolerances_.zone, file_.contact)) {
+                const double hidden = std::min(std::abs(t->error), file_.table.rows[i].*rounding);
+                explained = std::max(explained, hidden / scale);
             }
         }
         if (!(explained <= std::max(tolerance, Tolerances::usual))) {
@@ -123,21 +120,12 @@ private:
             return;
         }
         const double tolerance = tolerances_.q.value_or(tolerances_.pressure);
-        const std::string of_scale = "of " + exact_.shear()->scale_text();
-        digits("q", tolerance, exact_.shear()->scale(), of_scale,
-               [](const Node& node, const ResultRow& row) {
-                   return node.shear && node.shear->exact
-                              ? std::min(std::abs(node.shear->error), row.q_rounding)
-                              : 0.0;
-               });
-        hold("q", *file_.shear, tolerance, of_scale.c_str(), [](const Node& node) {
-            return std::pair{node.shear->q, node.shear->exact.value_or(0)};
-        });
+        const std::string of_scale = "of " + exact_.shear()->scale_text;
+        digits("q", tolerance, exact_.shear()->scale, of_scale, q_of, &ResultRow::q_rounding);
+        hold("q", *file_.shear, tolerance, of_scale, q_of);
     }
-    /// `values` returns data and exact value of a node.
-    template <class Values>
-    void hold(const char* symbol, const Errors& errors, double tolerance, const char* of_scale,
-              const Values& values) {
+    void hold(const char* symbol, const Errors& errors, double tolerance,
+              const std::string& of_scale, TractionOf of) {
         const double error = in_norm(errors, tolerances_.of);
         if (error <= tolerance) {
             return;
@@ -147,15 +135,14 @@ private:
         bool outside = false;
         if (tolerances_.of != Norm::l2 && worst) {
             const Node& node = file_.data.nodes[*worst];
-            outside = !node.exact.inside();
-            const auto [data, exact] = values(node);
+            outside = !node.place.inside();
             where = fmt::format(": line {}, x = {:.6g}, {} = {:.6g}, exact {:.6g}", node.line,
-                                node.x, symbol, data, exact);
+                                node.x, symbol, of(node)->data, of(node)->exact.value_or(0));
         }
         fail(fmt::format("the error of {}, {} {}, is more than {}{}", symbol, percent(error),
                          tolerances_.of == Norm::l2 ? std::string("in the L2 norm")
                          : tolerances_.of == Norm::peak || outside
-                             ? std::string(of_scale)
+                             ? of_scale
                              : fmt::format("of {} itself", symbol),
                          percent(tolerance), where));
     }
@@ -227,7 +214,7 @@ std::optional<SuggestedZone> suggested_zone(const FileComparison& file, const Ex
     for (int elements = 1; elements <= most_elements; ++elements) {
         const EdgeZone zone{static_cast<double>(elements), {}};
         const auto left = std::ranges::count_if(file.data.nodes, [&](const Node& node) {
-            return node.exact.inside() && is_counted(node, zone, file.contact);
+            return node.place.inside() && is_counted(node, zone, file.contact);
         });
         const double error = in_norm(measure(file.data, exact, file.contact, zone), tolerances.of);
         if (2 * left < static_cast<std::ptrdiff_t>(file.inside)) {
@@ -245,24 +232,24 @@ std::optional<SuggestedZone> suggested_zone(const FileComparison& file, const Ex
 
 void count_nodes(FileComparison& file) {
     for (const Node& node : file.data.nodes) {
-        const bool inside = node.exact.inside();
+        const bool inside = node.place.inside();
         file.inside += inside ? 1 : 0;
         file.outside += inside ? 0 : 1;
         file.pressing_outside +=
-            !inside && std::abs(node.p) > pressing_fraction * file.contact.largest ? 1 : 0;
+            !inside && std::abs(node.p.data) > pressing_fraction * file.contact.largest ? 1 : 0;
     }
 }
 
 /// Integrates Q by trapezoids, for the data and for the exact q at the same nodes.
 void sum_shear(FileComparison& file, const ExactContact& contact) {
     const auto exact = [](const Node& node) {
-        return node.shear ? node.shear->exact : std::optional<double>();
+        return node.q ? node.q->exact : std::optional<double>();
     };
     if (!file.data.half && std::ranges::any_of(file.data.nodes, [&](const Node& node) {
             return exact(node).has_value();
         })) {
         file.Q = force_of(file.data, contact, [&](const Node& node) {
-            return exact(node) ? std::optional(node.shear->q) : std::nullopt;
+            return exact(node) ? std::optional(node.q->data) : std::nullopt;
         });
         file.Q_of_exact = force_of(file.data, contact, exact);
     }
@@ -292,7 +279,7 @@ void find_more(FileComparison& file, const ExactContact& exact) {
             file.contact.gaps == 1 ? "1 place" : fmt::format("{} places", file.contact.gaps)));
     }
     const auto corners = std::ranges::count_if(
-        file.data.nodes, [](const Node& node) { return !node.exact.p.has_value(); });
+        file.data.nodes, [](const Node& node) { return !node.p.exact.has_value(); });
     if (exact.scale().mean) {
         findings.push_back(
             "the exact pressure is infinite at a corner of the profile: errors of the "
@@ -330,7 +317,7 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
     file.contact = contact_of(file.data, exact);
     AlignedResult of_exact = file.data;
     for (Node& node : of_exact.nodes) {
-        node.p = node.exact.p.value_or(node.p);
+        node.p.data = node.p.exact.value_or(node.p.data);
     }
     file.of_exact = contact_of(of_exact, exact);
     if (const auto elements = sampled_elements(file.table)) {

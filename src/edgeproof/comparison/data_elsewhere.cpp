@@ -24,7 +24,7 @@ void require_nodes_inside(const FileComparison& file, const ExactContact& exact,
     };
     if (file.inside >= fewest_inside) {
         const bool any = std::ranges::any_of(file.data.nodes, [&](const Node& node) {
-            return node.exact.inside() && is_counted(node, zone, file.contact);
+            return node.place.inside() && is_counted(node, zone, file.contact);
         });
         if (!any) {
             reject(
@@ -38,9 +38,11 @@ void require_nodes_inside(const FileComparison& file, const ExactContact& exact,
     const double b = exact.b().value;
     double most = 0;
     for (const Node& node : nodes) {
-        most = std::max(most, std::abs(node.p));
+        most = std::max(most, std::abs(node.p.data));
     }
-    const auto pressing = [&](const Node& node) { return std::abs(node.p) > loaded_share * most; };
+    const auto pressing = [&](const Node& node) {
+        return std::abs(node.p.data) > loaded_share * most;
+    };
     const auto first = std::ranges::find_if(nodes, pressing);
     const std::string none =
         fmt::format("{} of the {} nodes {} inside the contact, {:.6g} < x < {:.6g}",

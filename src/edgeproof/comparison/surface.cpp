@@ -168,7 +168,7 @@ private:
         for (std::size_t i = 0; i < file_.data.nodes.size(); ++i) {
             const Node& node = file_.data.nodes[i];
             const auto& data = file_.table.rows[i].surface[k];
-            const bool inside = node.exact.inside();
+            const bool inside = node.place.inside();
             if (!data || !is_counted(node, tolerances_.zone, file_.contact) ||
                 (quantity == scene::Quantity::slip_displacement && !inside)) {
                 continue;
@@ -179,7 +179,7 @@ private:
                 pairs.push_back({i, *data, *value});
                 largest = std::max(largest, std::abs(*value));
                 given += closed ? 0 : 1;
-            } else if (std::abs(node.exact.u()) > on_an_edge * exact_.length()) {
+            } else if (std::abs(node.place.u()) > on_an_edge * exact_.length()) {
                 ++unknown;
             }
         }

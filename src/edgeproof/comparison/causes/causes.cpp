@@ -245,11 +245,7 @@ std::optional<Cause> own_force(const Observed& data, double force, SuspectContac
 Diagnosis diagnose_pressure(const ResultTable& table, const AlignedResult& data,
                             const DataContact& contact, SuspectContacts& suspects,
                             const ExactContact& exact, double mesh_error) {
-    Observed observed = observed_in(data, contact, exact);
-    for (std::size_t i = 0; i < observed.nodes.size(); ++i) {
-        observed.values.push_back(observed.nodes[i].p);
-        observed.right.values.push_back(observed.nodes[i].exact.p.value_or(std::nan("")));
-    }
+    const Observed observed = observed_in(data, contact, exact, p_of);
     Diagnosis diagnosis =
         diagnose_observed(observed, pressure_suspects(observed.nodes, suspects, exact), mesh_error);
     if (diagnosis.causes.empty() && !diagnosis.at_edges_only) {
@@ -272,12 +268,7 @@ Diagnosis diagnose_pressure(const ResultTable& table, const AlignedResult& data,
 
 Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
                          SuspectContacts& suspects, const ExactContact& exact, double mesh_error) {
-    Observed observed = observed_in(data, contact, exact);
-    for (const std::size_t i : observed.nodes.nodes) {
-        const auto& shear = data.nodes[i].shear;
-        observed.values.push_back(shear ? shear->q : 0);
-        observed.right.values.push_back(shear ? shear->exact.value_or(std::nan("")) : std::nan(""));
-    }
+    const Observed observed = observed_in(data, contact, exact, q_of);
     return diagnose_observed(observed, shear_suspects(observed.nodes, suspects, exact), mesh_error);
 }
 
@@ -300,8 +291,8 @@ bool rounding_explains(const AlignedResult& data, const ExactContact& exact,
     double squares = 0;
     std::size_t n = 0;
     for (const Node& node : data.nodes) {
-        if (node.exact.p && node.exact.u() > near_edge_share * exact.length()) {
-            const double part = std::abs(node.error) / std::max(allowed(node), node.rounding);
+        if (node.p.exact && node.place.u() > near_edge_share * exact.length()) {
+            const double part = std::abs(node.p.error) / std::max(allowed(node), node.p.rounding);
             largest = std::max(largest, part);
             squares += part * part;
             ++n;
@@ -318,7 +309,7 @@ std::optional<Cause> cause_in_digits(const ResultTable& table, const AlignedResu
     const CarriedDigits& digits = table.p_digits;
     const double factor = table.p_factor;
     const auto significant_unit = [&](const Node& node) {
-        const double p = std::abs(node.p / factor);
+        const double p = std::abs(node.p.data / factor);
         const double leading = p > 0 ? std::floor(std::log10(p * (1 + 1e-15))) : -300;
         return half_unit * factor * std::pow(10.0, leading - digits.significant + 1);
     };

@@ -193,9 +193,9 @@ struct Observed {
     /// weights 1/4, 1/2 and 1/4.
     [[nodiscard]] Observed part(std::optional<std::size_t> parity) const;
 };
-/// All nodes, or some at equal steps if there are many; without values.
+/// All nodes, or some at equal steps if there are many.
 [[nodiscard]] Observed observed_in(const AlignedResult& data, const DataContact& contact,
-                                   const ExactContact& exact);
+                                   const ExactContact& exact, TractionOf of);
 
 inline constexpr double share_left = 0.3; ///< of the error, that a cause may leave
 

@@ -76,7 +76,7 @@ Observed Observed::part(std::optional<std::size_t> parity) const {
 }
 
 Observed observed_in(const AlignedResult& data, const DataContact& contact,
-                     const ExactContact& exact) {
+                     const ExactContact& exact, TractionOf of) {
     Observed observed{{data, {}},
                       {},
                       {"", "", exact.a().value, exact.b().value, {}},
@@ -84,7 +84,11 @@ Observed observed_in(const AlignedResult& data, const DataContact& contact,
                       {}};
     const std::size_t step = (data.nodes.size() + most_nodes - 1) / most_nodes;
     for (std::size_t i = 0; i < data.nodes.size(); i += std::max<std::size_t>(1, step)) {
+        const Traction* const t = of(data.nodes[i]);
         observed.nodes.nodes.push_back(i);
+        observed.values.push_back(t != nullptr ? t->data : 0);
+        observed.right.values.push_back(t != nullptr ? t->exact.value_or(std::nan(""))
+                                                     : std::nan(""));
     }
     for (const ContactKnot& knot : exact.knots()) {
         if (knot.corner) {

@@ -53,8 +53,7 @@ public:
         const scene::Scene& scene = contacts_.scene();
         const auto factor = [&](const char* name, const std::string& what, double k) {
             add(name, what, [&](std::size_t i) {
-                return nodes_[i].shear && nodes_[i].shear->exact ? k * *nodes_[i].shear->exact
-                                                                 : no_value;
+                return nodes_[i].q ? k * nodes_[i].q->exact.value_or(no_value) : no_value;
             });
         };
         factor("factor-2", "q is twice too large", 2);
@@ -64,7 +63,7 @@ public:
         for (const diagnose::Mistake& mistake : diagnose::shear_mistakes(scene)) {
             if (const ExactContact* const contact = changed(mistake, mistake.change)) {
                 add(mistake.name, mistake.what, [&](std::size_t i) {
-                    return contact->traction(contact->at(Real(nodes_[i].x))).value_or(no_value);
+                    return contact->q(contact->at(Real(nodes_[i].x))).value_or(no_value);
                 });
             }
         }
@@ -76,7 +75,7 @@ public:
         if (!exact_.symmetric() || scene.shear->bulk_tension.sign() != 0) {
             add("mirrored", "x has the opposite direction", exact_.b().value, exact_.a().value,
                 [&](std::size_t i) {
-                    return exact_.traction(exact_.at(Real(-nodes_[i].x))).value_or(no_value);
+                    return exact_.q(exact_.at(Real(-nodes_[i].x))).value_or(no_value);
                 });
         }
         return std::move(list_);
@@ -111,7 +110,7 @@ private:
         const auto at = static_cast<std::ptrdiff_t>(nodes_.nodes[i]) + rows;
         return at < 0 || at >= std::ssize(nodes_.data.nodes)
                    ? no_value
-                   : nodes_.data.nodes[static_cast<std::size_t>(at)].exact.p.value_or(no_value);
+                   : nodes_.data.nodes[static_cast<std::size_t>(at)].p.exact.value_or(no_value);
     }
 
     void factors() {
@@ -149,73 +148,30 @@ private:
         scale("si-units", "x in m and p in Pa, for mm and MPa: --scale x=1e3,p=1e-6", 1e-3, 1e6);
     }
 
-    /// Finds the best small shift by the derivative of p. Returns nothing if the shift is not
-    /// small.
-    [[nodiscard]] std::optional<double> small_shift() const {
-        const double length = exact_.length();
-        double shift = 0;
-        for (int round = 0; round < 6; ++round) {
-            double top = 0;
-            double bottom = 0;
-            for (std::size_t i = 0; i < nodes_.size(); ++i) {
-                const Node& node = nodes_[i];
-                const double step = 1e-4 * length;
-                const double x = node.x - shift;
-                const double margin = 0.05 * length;
-                if (by_corner(x, 0.05) || x > exact_.a().value - margin ||
-                    x < -exact_.b().value + margin) {
-                    continue;
-                }
-                const double p = pressure(exact_, x);
-                const double slope =
-                    (pressure(exact_, x + step) - pressure(exact_, x - step)) / (2 * step);
-                if (std::isfinite(slope) && std::isfinite(p)) {
-                    top += slope * (p - node.p);
-                    bottom += slope * slope;
-                }
-            }
-            shift += bottom > 0 ? top / bottom : 0;
-            if (!(std::abs(shift) <= 0.1 * length)) {
-                return {};
-            }
-        }
-        return shift;
-    }
-
-    /// Finds the best shift of at least a fiftieth of a + b.
-    [[nodiscard]] std::optional<double> large_shift() const {
+    void shifts() {
         std::vector<RoughPoint> points;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
-            points.push_back({nodes_[i].x, nodes_[i].p});
+            points.push_back({nodes_[i].x, nodes_[i].p.data});
         }
-        const auto support = support_of(points, exact_);
-        const auto found =
-            support ? origin_of(points, *support, nodes_.data.half, exact_) : std::nullopt;
-        return found ? std::optional(found->exact.convert_to<double>()) : std::nullopt;
-    }
-
-    void shifts() {
-        const double origin = nodes_.data.origin;
-        const auto large = large_shift();
-        if (const auto shift = large ? large : small_shift()) {
+        if (const auto found = found_shift(points, nodes_.data.half, exact_)) {
+            const double shift = found->exact.convert_to<double>();
             add("shifted-origin",
                 fmt::format(
                     "x is shifted by {:.4g}: --origin {:.10g} if the data are measured from there",
-                    *shift, origin + *shift),
-                exact_.a().value + *shift, exact_.b().value - *shift,
-                [&](std::size_t i) { return moved_pressure(nodes_[i].x - *shift); });
+                    shift, nodes_.data.origin + shift),
+                exact_.a().value + shift, exact_.b().value - shift,
+                [&](std::size_t i) { return moved_pressure(nodes_[i].x - shift); });
         }
     }
 
-    [[nodiscard]] bool by_corner(double x, double near) const {
-        return std::ranges::any_of(exact_.knots(), [&](const ContactKnot& knot) {
-            return knot.corner && std::abs(x - knot.x) < near * exact_.length();
-        });
-    }
     /// The exact pressure at the place x, which the data give another coordinate. NaN near a
     /// corner, where the least shift can explain the noise of a node.
     [[nodiscard]] double moved_pressure(double x) const {
-        return by_corner(x, 0.02) ? no_value : pressure(exact_, x);
+        constexpr double near = 0.02; // of a + b
+        const bool by_corner = std::ranges::any_of(exact_.knots(), [&](const ContactKnot& knot) {
+            return knot.corner && std::abs(x - knot.x) < near * exact_.length();
+        });
+        return by_corner ? no_value : pressure(exact_, x);
     }
 
     /// Adds suspects in which a program confused the coordinate x, as in the data.
@@ -323,12 +279,12 @@ private:
     void soft_penalty() {
         const SoftContact& soft = contacts_.soft(exact_);
         const auto value = [&](const SoftContact::Solution& solution, std::size_t i) {
-            return nodes_[i].exact.p.value_or(no_value) + soft.change(solution, nodes_[i].x);
+            return nodes_[i].p.exact.value_or(no_value) + soft.change(solution, nodes_[i].x);
         };
         const auto fitted = soft.fitted([&](const SoftContact::Solution& solution) {
             double sum = 0;
             for (std::size_t i = 0; i < nodes_.size(); ++i) {
-                const double off = nodes_[i].p - value(solution, i);
+                const double off = nodes_[i].p.data - value(solution, i);
                 sum += std::isfinite(off) ? off * off : 0;
             }
             return sum;
@@ -365,7 +321,7 @@ private:
                 add(names[n - 1],
                     fmt::format("the first {} of the expansion at {} instead of p", count, where),
                     [&](std::size_t i) {
-                        const auto& place = nodes_[i].exact;
+                        const auto& place = nodes_[i].place;
                         if (!place.inside()) {
                             return 0.0;
                         }

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <iterator>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 namespace edgeproof::comparison {
@@ -19,6 +20,131 @@ namespace {
 
 /// Errors below it are those of the exact value and its place in binary64.
 constexpr double of_binary64 = 0x1p-52;
+
+constexpr double least_shift = 0.02;     ///< relative to a + b
+constexpr double loaded_fraction = 0.02; ///< of the largest pressure of the data
+constexpr std::size_t most_fitted = 300;
+constexpr double search_width = 1e-9; ///< relative to a + b
+constexpr double same_origin = 1e-4;  ///< the same
+/// Where a traction may be steep, relative to a + b: at edges and corners.
+constexpr double steep = 0.05;
+
+/// The loaded interval of the data, roughly.
+struct Support {
+    double left = 0;
+    double right = 0;
+    bool left_falls = false; ///< p falls to zero there, as at an edge
+    bool right_falls = false;
+};
+
+/// Returns nothing if no node is loaded. `points`: by x.
+std::optional<Support> support_of(const std::vector<RoughPoint>& points,
+                                  const ExactContact& exact) {
+    // The middle of a flat pad has a small part of the greatest pressure.
+    const double in_middle = exact.pressure(0.5 * (exact.a().value - exact.b().value));
+    const double least = loaded_fraction * std::min(1.0, in_middle / exact.scale().value);
+    double most = 0;
+    for (const RoughPoint& point : points) {
+        most = std::max(most, point.p);
+    }
+    const auto loaded = [&](const RoughPoint& point) { return point.p > least * most; };
+    const auto first = std::ranges::find_if(points, loaded);
+    if (first == points.end()) {
+        return {};
+    }
+    const auto last = std::find_if(points.rbegin(), points.rend(), loaded).base() - 1;
+    // p^2 vanishes linearly at an edge: within an element of the end of the data, or not there.
+    const auto falls = [](auto end, auto stop) {
+        const auto next =
+            std::find_if(end, stop, [&](const RoughPoint& point) { return point.x != end->x; });
+        return next != stop && 2 * end->p * end->p <= next->p * next->p;
+    };
+    Support s;
+    s.left = first == points.begin() ? first->x : 0.5 * (first->x + (first - 1)->x);
+    s.right = last + 1 == points.end() ? last->x : 0.5 * (last->x + (last + 1)->x);
+    s.left_falls = first != points.begin() || falls(points.begin(), points.end());
+    s.right_falls = last + 1 != points.end() || falls(points.rbegin(), points.rend());
+    return s;
+}
+
+/// The sum of squares of p minus the exact one, for an origin of the data at `origin`; with
+/// `any_scale` minus its best multiple, so that a wrong factor of p does not change the origin.
+double mismatch(const std::vector<RoughPoint>& points, const ExactContact& exact, double origin,
+                bool any_scale) {
+    std::vector<double> right;
+    double products = 0;
+    double squares = 0;
+    const auto width = [&](std::size_t i) { return width_of_node(points, i); };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        check_interruption();
+        right.push_back(exact.pressure(points[i].x - origin));
+        products += width(i) * points[i].p * right[i];
+        squares += width(i) * right[i] * right[i];
+    }
+    const double scale = any_scale && squares > 0 ? products / squares : 1;
+    double sum = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double difference = points[i].p - scale * right[i];
+        sum += width(i) * difference * difference;
+    }
+    return sum;
+}
+
+/// Some of the nodes that are not near an edge or a corner if the origin is at `start`.
+std::vector<RoughPoint> smooth_points(const std::vector<RoughPoint>& all, const ExactContact& exact,
+                                      double start) {
+    std::vector<double> places{exact.a().value, -exact.b().value};
+    for (const ContactKnot& knot : exact.knots()) {
+        if (knot.corner) {
+            places.push_back(knot.x);
+        }
+    }
+    std::vector<RoughPoint> points;
+    const std::size_t step = std::max<std::size_t>(1, all.size() / most_fitted);
+    for (std::size_t i = 0; i < all.size(); i += step) {
+        if (std::ranges::none_of(places, [&](double place) {
+                return std::abs(all[i].x - start - place) < steep * exact.length();
+            })) {
+            points.push_back(all[i]);
+        }
+    }
+    return points;
+}
+
+/// The shift near `start` that fits best, and whether it is clear.
+std::pair<double, bool> refined_shift(const std::vector<RoughPoint>& all, const ExactContact& exact,
+                                      double start) {
+    constexpr int steps = 40; // to `search_width`
+    const bool any_scale = start != 0;
+    bool clear = false;
+    for (int round = 0; round < 2; ++round) { // the second without the nodes at its own edges
+        const std::vector<RoughPoint> points = smooth_points(all, exact, start);
+        const auto squares = [&](double x) { return mismatch(points, exact, x, any_scale); };
+        start = roots::place_of_minimum(squares, start - 0.1 * exact.length(),
+                                        start + 0.1 * exact.length(), steps);
+        clear = squares(start) < 0.5 * squares(0);
+    }
+    return {start, clear};
+}
+
+/// Returns the power of ten between 10^-5 and 10^-4 of the length.
+Rational round_step(double length) {
+    Rational step(1, 100000);
+    for (double unit = 10; unit <= length; unit *= 10) {
+        step *= 10;
+    }
+    for (double unit = 1; unit > length; unit /= 10) {
+        step /= 10;
+    }
+    return step;
+}
+
+Integer floor(const Rational& q) {
+    const Integer n = numerator(q);
+    const Integer d = denominator(q);
+    Integer quotient = n / d; // rounded towards zero
+    return quotient * d > n ? Integer(quotient - 1) : quotient;
+}
 
 class Aligner {
 public:
@@ -39,8 +165,8 @@ public:
                 result_.findings.push_back(
                     fmt::format("x is measured from {:.6g} of the data, as given", result_.origin));
             }
-        } else if (support) {
-            find_origin(*support);
+        } else {
+            find_origin();
         }
         lay_over();
         return std::move(result_);
@@ -86,10 +212,10 @@ private:
                               scene::edge_name(*result_.half)));
     }
 
-    void find_origin(const Support& support) {
-        const auto found = origin_of(points_, support, result_.half, exact_);
-        if (!found) {
-            return;
+    void find_origin() {
+        const auto found = found_shift(points_, result_.half, exact_);
+        if (!found || !found->clear || abs(found->exact) < least_shift * exact_.length()) {
+            return; // the data's own edges may have shifted the middle
         }
         exact_origin_ = found->exact;
         origin_uncertainty_ = found->uncertainty;
@@ -103,65 +229,54 @@ private:
 
     void lay_over() {
         const PrecisionScope scope(ExactContact::place_digits);
+        double agreement = 0; // of the directions of q
         for (std::size_t i = 0; i < table_.rows.size(); ++i) {
             check_interruption();
             const ResultRow& row = table_.rows[i];
             const Real x = Real(row.x) - exact_origin_;
-            Node node;
-            node.line = row.line;
-            node.x = x.convert_to<double>();
-            node.p = points_[i].p;
-            node.exact = exact_.at(x);
-            node.rounding = row.p_rounding;
-            if (node.exact.p) {
-                node.rounding += of_binary64 * *node.exact.p;
-                const Real p = Real(row.p) * Real(result_.sign);
-                node.error = Real(p - *node.exact.p).convert_to<double>();
-                node.rounding +=
-                    moved_by_rounding(i, x, node.exact, [](const auto& place) { return place.p; });
-            }
+            Node node{row.line, x.convert_to<double>(), exact_.at(x), {}, {}};
+            node.p = traction(i, x, node.place, row.p, row.p_rounding, &ExactContact::p);
             if (row.q && exact_.shear() != nullptr) {
-                NodeShear shear;
-                shear.q = row.q->convert_to<double>();
-                shear.exact = exact_.traction(node.exact);
-                shear.rounding = row.q_rounding + of_binary64 * std::abs(shear.exact.value_or(0));
-                if (shear.exact && node.exact.inside()) {
-                    shear.rounding +=
-                        moved_by_rounding(i, x, node.exact, [this](const auto& place) {
-                            return exact_.traction(place);
-                        });
-                }
-                node.shear = shear;
+                node.q = traction(i, x, node.place, *row.q, row.q_rounding, &ExactContact::q);
+                agreement += node.q->data * node.q->exact.value_or(0);
             }
             result_.nodes.push_back(std::move(node));
         }
-        find_shear_sign();
-    }
-
-    /// Programs write q of either body: the direction with the better agreement is chosen.
-    void find_shear_sign() {
-        double agreement = 0;
-        for (const Node& node : result_.nodes) {
-            agreement += node.shear && node.shear->exact ? node.shear->q * *node.shear->exact : 0.0;
-        }
+        // Programs write q of either body: the direction with the better agreement is chosen.
         if (agreement < 0) {
             result_.shear_sign = -1;
             result_.findings.emplace_back("q has the opposite sign in the data");
         }
-        for (Node& node : result_.nodes) {
-            if (node.shear) {
-                node.shear->q *= result_.shear_sign;
-                node.shear->error = node.shear->exact ? node.shear->q - *node.shear->exact : 0;
+        for (std::size_t i = 0; i < table_.rows.size(); ++i) {
+            Node& node = result_.nodes[i];
+            set_error(node.p, table_.rows[i].p, result_.sign);
+            if (node.q) {
+                set_error(*node.q, *table_.rows[i].q, result_.shear_sign);
             }
         }
+    }
+    using Value = std::optional<double> (ExactContact::*)(const ExactContact::Place&) const;
+    [[nodiscard]] Traction traction(std::size_t i, const Real& x, const ExactContact::Place& place,
+                                    const Rational& written, double rounding, Value value) const {
+        Traction t{written.convert_to<double>(), (exact_.*value)(place), 0, rounding};
+        if (t.exact) {
+            t.rounding += of_binary64 * std::abs(*t.exact);
+            // Just inside an edge q may be infinite, which explains no q outside.
+            if (place.inside() || value == &ExactContact::p) {
+                t.rounding += moved_by_rounding(i, x, place, value);
+            }
+        }
+        return t;
+    }
+    static void set_error(Traction& t, const Rational& written, double sign) {
+        t.data *= sign;
+        t.error = t.exact ? Real(Real(written) * Real(sign) - *t.exact).convert_to<double>() : 0.0;
     }
 
     /// The change of an exact value when x changes by half a unit of its last digit. A grid of few
     /// decimals is taken to be exact: its step is not a rounding error.
-    template <class Value>
     [[nodiscard]] double moved_by_rounding(std::size_t i, const Real& x,
-                                           const ExactContact::Place& here,
-                                           const Value& value) const {
+                                           const ExactContact::Place& here, Value value) const {
         const double half = table_.rows[i].x_rounding + origin_uncertainty_;
         const double gap =
             std::min(i > 0 ? points_[i].x - points_[i - 1].x : exact_.length(),
@@ -172,10 +287,10 @@ private:
             return 0;
         }
         const Real step = here.nearer() == contact::Edge::right ? Real(half) : Real(-half);
-        const double value_here = *value(here);
+        const double value_here = *(exact_.*value)(here);
         double most = 0;
         for (const Real& neighbour : {Real(x + step), Real(x - step)}) {
-            const auto moved = value(exact_.at(neighbour));
+            const auto moved = (exact_.*value)(exact_.at(neighbour));
             most = std::max(most, moved ? std::abs(*moved - value_here) : 0.0);
         }
         return most;
@@ -197,123 +312,32 @@ AlignedResult align(const ResultTable& table, const ExactContact& exact,
     return Aligner(table, exact).align(origin);
 }
 
-namespace {
-
-constexpr double least_shift = 0.02;     ///< relative to a + b
-constexpr double loaded_fraction = 0.02; ///< of the largest pressure of the data
-constexpr std::size_t most_fitted = 300;
-constexpr double search_width = 1e-9; ///< relative to a + b
-
-/// The sum of squares of p minus the best multiple of the exact one, for an origin of the data at
-/// `origin`. The multiple is free, so that a wrong factor of p does not change the origin.
-double mismatch(const std::vector<RoughPoint>& points, const ExactContact& exact, double origin) {
-    std::vector<double> right;
-    double products = 0;
-    double squares = 0;
-    const auto width = [&](std::size_t i) { return width_of_node(points, i); };
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        check_interruption();
-        right.push_back(exact.pressure(points[i].x - origin));
-        products += width(i) * points[i].p * right[i];
-        squares += width(i) * right[i] * right[i];
-    }
-    const double scale = squares > 0 ? products / squares : 1;
-    double sum = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const double difference = points[i].p - scale * right[i];
-        sum += width(i) * difference * difference;
-    }
-    return sum;
-}
-
-double refined_origin(const std::vector<RoughPoint>& all, const ExactContact& exact, double start) {
-    std::vector<RoughPoint> points;
-    const std::size_t step = std::max<std::size_t>(1, all.size() / most_fitted);
-    for (std::size_t i = 0; i < all.size(); i += step) {
-        points.push_back(all[i]);
-    }
-    constexpr int steps = 40; // to `search_width`
-    return roots::place_of_minimum([&](double origin) { return mismatch(points, exact, origin); },
-                                   start - 0.1 * exact.length(), start + 0.1 * exact.length(),
-                                   steps);
-}
-
-/// Returns the power of ten between 10^-5 and 10^-4 of the length.
-Rational round_step(double length) {
-    Rational step(1, 100000);
-    for (double unit = 10; unit <= length; unit *= 10) {
-        step *= 10;
-    }
-    for (double unit = 1; unit > length; unit /= 10) {
-        step /= 10;
-    }
-    return step;
-}
-
-Integer floor(const Rational& q) {
-    const Integer n = numerator(q);
-    const Integer d = denominator(q);
-    Integer quotient = n / d; // rounded towards zero
-    return quotient * d > n ? Integer(quotient - 1) : quotient;
-}
-
-constexpr double same_origin = 1e-4; ///< relative to a + b
-
-} // namespace
-
-std::optional<Support> support_of(const std::vector<RoughPoint>& points,
-                                  const ExactContact& exact) {
-    // The middle of a flat pad has a small part of the greatest pressure.
-    const double in_middle = exact.pressure(0.5 * (exact.a().value - exact.b().value));
-    const double least = loaded_fraction * std::min(1.0, in_middle / exact.scale().value);
-    double most = 0;
-    for (const RoughPoint& point : points) {
-        most = std::max(most, point.p);
-    }
-    const auto loaded = [&](const RoughPoint& point) { return point.p > least * most; };
-    const auto first = std::ranges::find_if(points, loaded);
-    if (first == points.end()) {
+std::optional<FoundShift> found_shift(const std::vector<RoughPoint>& points,
+                                      const std::optional<contact::Edge>& half,
+                                      const ExactContact& exact) {
+    const auto support = support_of(points, exact);
+    if (!support) {
         return {};
     }
-    const auto last = std::find_if(points.rbegin(), points.rend(), loaded).base() - 1;
-    // p^2 vanishes linearly at an edge: within an element of the end of the data, or not there.
-    const auto falls = [](auto end, auto stop) {
-        const auto next =
-            std::find_if(end, stop, [&](const RoughPoint& point) { return point.x != end->x; });
-        return next != stop && 2 * end->p * end->p <= next->p * next->p;
-    };
-    Support s;
-    s.left = first == points.begin() ? first->x : 0.5 * (first->x + (first - 1)->x);
-    s.right = last + 1 == points.end() ? last->x : 0.5 * (last->x + (last + 1)->x);
-    s.left_falls = first != points.begin() || falls(points.begin(), points.end());
-    s.right_falls = last + 1 != points.end() || falls(points.rbegin(), points.rend());
-    return s;
-}
-
-std::optional<FoundOrigin> origin_of(const std::vector<RoughPoint>& points, const Support& support,
-                                     const std::optional<contact::Edge>& half,
-                                     const ExactContact& exact) {
     const double length = exact.length();
     const double left = -exact.b().value;
     const double right = exact.a().value;
-    double start = 0.5 * (support.left + support.right) - 0.5 * (left + right);
+    double start = 0.5 * (support->left + support->right) - 0.5 * (left + right);
     if (half) {
         start = *half == contact::Edge::right ? points.front().x : points.back().x;
-    } else if (!support.left_falls || !support.right_falls) {
+    } else if (!support->left_falls || !support->right_falls) {
         // The data end inside the contact: the one edge in them is aligned with the exact one.
-        start = support.right_falls  ? support.right - right
-                : support.left_falls ? support.left - left
-                                     : 0;
+        start = support->right_falls  ? support->right - right
+                : support->left_falls ? support->left - left
+                                      : 0;
     }
-    if (!(std::abs(start) >= least_shift * length)) {
-        return {};
+    FoundShift origin;
+    double found = 0;
+    if (std::abs(start) >= least_shift * length) {
+        std::tie(found, origin.clear) = refined_shift(points, exact, start);
     }
-    double found = refined_origin(points, exact, start);
-    if (!std::isfinite(found) || std::abs(found) < least_shift * length) {
-        return {}; // the data's own edges had shifted the middle
-    }
-    if (!(mismatch(points, exact, found) <= 0.5 * mismatch(points, exact, 0))) {
-        return {}; // no better than the present origin
+    if (!origin.clear) {
+        std::tie(found, origin.clear) = refined_shift(points, exact, 0);
     }
     // An origin that programs often use is preferred if the fitted one agrees with it.
     const std::pair<double, std::string_view> usual[] = {
@@ -323,7 +347,6 @@ std::optional<FoundOrigin> origin_of(const std::vector<RoughPoint>& points, cons
         {points.front().x, ": it is at the first node"},
         {points.back().x, ": it is at the last node"},
     };
-    FoundOrigin origin;
     const auto near = std::ranges::find_if(usual, [&](const auto& place) {
         return std::abs(place.first - found) < same_origin * length &&
                std::abs(place.first) > least_shift * length;

@@ -4,8 +4,10 @@
 #include "edgeproof/comparison/measures/exact_contact.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,23 +15,32 @@
 
 namespace edgeproof::comparison {
 
-struct NodeShear {
-    double q = 0;                ///< of the data, in the scene's direction
+/// The pressure, or the shear traction, at a node.
+struct Traction {
+    double data = 0;             ///< in the scene's direction; p is positive in compression
     std::optional<double> exact; ///< empty if it is infinite
-    double error = 0;            ///< q - exact q; 0 if that is infinite
-    double rounding = 0;         ///< the change of `error` by the rounding of the written q and x
+    double error = 0;            ///< of the data, unrounded; 0 if the exact one is infinite
+    double rounding = 0; ///< the change of `error` by the rounding of the written value and x
+
+    /// The error that the rounding does not explain; infinite if the value is not finite.
+    [[nodiscard]] double counted() const {
+        const double left = std::abs(error) - rounding;
+        return std::isfinite(left) ? std::max(0.0, left) : std::numeric_limits<double>::infinity();
+    }
 };
 
-/// A node of a result with the exact pressure.
+/// A node of a result with the exact tractions.
 struct Node {
     std::size_t line = 0;
     double x = 0; ///< from the scene's origin
-    double p = 0; ///< of the data, positive in compression
-    ExactContact::Place exact;
-    double error = 0;    ///< p of the data, unrounded, - exact p; 0 on a corner
-    double rounding = 0; ///< the change of `error` by the rounding of the written p and x
-    std::optional<NodeShear> shear = {}; ///< if data and scene have one
+    ExactContact::Place place;
+    Traction p;
+    std::optional<Traction> q; ///< if data and scene have one
 };
+/// The pressure of a node, or its shear traction; null if there is none.
+using TractionOf = const Traction* (*)(const Node&);
+[[nodiscard]] inline const Traction* p_of(const Node& node) { return &node.p; }
+[[nodiscard]] inline const Traction* q_of(const Node& node) { return node.q ? &*node.q : nullptr; }
 
 /// Data in the coordinates of the exact solution.
 struct AlignedResult {
@@ -46,9 +57,9 @@ struct AlignedResult {
     [[nodiscard]] bool has(contact::Edge edge) const { return !half || *half == edge; }
 };
 
-/// `origin`: the x of the data at the scene's origin; if empty, origin_of() the data, or 0 if that
-/// finds none. Leave it empty only if the user requests a fitted origin: a shift is an error of the
-/// data.
+/// `origin`: the x of the data at the scene's origin; if empty, that of found_shift(), or 0 if it
+/// is less than a fiftieth of a + b. Leave it empty only if the user requests a fitted origin: a
+/// shift is an error of the data.
 [[nodiscard]] AlignedResult align(const ResultTable& table, const ExactContact& exact,
                                   const std::optional<Rational>& origin);
 
@@ -89,35 +100,25 @@ template <class Nodes> [[nodiscard]] double width_of_node(const Nodes& nodes, st
     return 0.5 * (after - before) / static_cast<double>(here.size());
 }
 
-/// A node of the data in double precision, for the search of the origin.
+/// A node of the data in double precision, for the search of a shift.
 struct RoughPoint {
     double x;
     double p;
 };
 
-/// The loaded interval of the data, roughly.
-struct Support {
-    double left = 0;
-    double right = 0;
-    bool left_falls = false; ///< p falls to zero there, as at an edge
-    bool right_falls = false;
-};
-/// Returns nothing if no node is loaded. `points`: by x.
-[[nodiscard]] std::optional<Support> support_of(const std::vector<RoughPoint>& points,
-                                                const ExactContact& exact);
-
-/// The scene's origin in the x of the data.
-struct FoundOrigin {
+/// A shift of x: the scene's origin in the x of the data.
+struct FoundShift {
     Real exact;             ///< a round number or a usual place, if the fit agrees with it
     double uncertainty = 0; ///< of x, otherwise
     std::string_view what; ///< the usual place: ": x is measured from the left edge of the contact"
+    bool clear = false;    ///< it halves the squares of the errors
 };
-/// Starts from the middle of the loaded interval and refines it by least squares of p over all
-/// nodes. Returns nothing if the origin is less than a fiftieth of a + b from 0, or does not fit
-/// clearly better than 0. `half`: the half of a symmetric contact that the data contain.
-[[nodiscard]] std::optional<FoundOrigin> origin_of(const std::vector<RoughPoint>& points,
-                                                   const Support& support,
-                                                   const std::optional<contact::Edge>& half,
-                                                   const ExactContact& exact);
+/// Finds the shift with the least squares of p less the exact pressure, at nodes away from edges and
+/// corners: within a tenth of a + b of that of the loaded interval (with any factor of p), or of 0
+/// if the former is not clear. Returns nothing if no node is loaded. `points`: by x. `half`: the
+/// half of a symmetric contact that the data contain.
+[[nodiscard]] std::optional<FoundShift> found_shift(const std::vector<RoughPoint>& points,
+                                                    const std::optional<contact::Edge>& half,
+                                                    const ExactContact& exact);
 
 } // namespace edgeproof::comparison

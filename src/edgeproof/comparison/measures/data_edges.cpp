@@ -16,8 +16,8 @@ double scatter_outside(const AlignedResult& data, double element) {
     double sum = 0;
     std::size_t n = 0;
     for (const Node& node : data.nodes) {
-        if (node.exact.u() < -2 * element) {
-            sum += node.p * node.p;
+        if (node.place.u() < -2 * element) {
+            sum += node.p.data * node.p.data;
             ++n;
         }
     }
@@ -34,7 +34,7 @@ Inwards inwards(const AlignedResult& data, contact::Edge edge) {
     Inwards out;
     for (const Node& node : data.nodes) {
         out.d.push_back(edge == contact::Edge::right ? -node.x : node.x);
-        out.p.push_back(node.p);
+        out.p.push_back(node.p.data);
     }
     if (edge == contact::Edge::right) {
         std::ranges::reverse(out.d);
@@ -124,8 +124,8 @@ DataContact contact_of(const AlignedResult& data, const ExactContact& exact) {
     double last = 0;
     std::size_t inside = 0;
     for (const Node& node : data.nodes) {
-        found.largest = std::max(found.largest, node.p);
-        if (node.exact.inside()) {
+        found.largest = std::max(found.largest, node.p.data);
+        if (node.place.inside()) {
             first = inside == 0 ? node.x : first;
             last = node.x;
             ++inside;
@@ -134,7 +134,7 @@ DataContact contact_of(const AlignedResult& data, const ExactContact& exact) {
     if (inside > 1) {
         found.mean_element = (last - first) / static_cast<double>(inside - 1);
     }
-    found.force = force_of(data, exact, [](const Node& n) { return std::optional(n.p); });
+    found.force = force_of(data, exact, [](const Node& n) { return std::optional(n.p.data); });
     if (!(found.largest > 0)) {
         return found;
     }
@@ -151,7 +151,7 @@ DataContact contact_of(const AlignedResult& data, const ExactContact& exact) {
     bool pressed = false;
     bool gap = false;
     for (const Node& node : data.nodes) {
-        if (node.p > threshold) {
+        if (node.p.data > threshold) {
             found.gaps += gap ? 1 : 0;
             pressed = true;
             gap = false;
@@ -215,7 +215,7 @@ std::optional<double> missing_middle(const AlignedResult& data) {
 std::optional<std::string> no_force(const AlignedResult& data, const ExactContact& exact) {
     const double value = exact.force().value;
     const double found = // without corners
-        force_of(data, exact, [](const Node& n) { return n.exact.p; });
+        force_of(data, exact, [](const Node& n) { return n.p.exact; });
     const double widest = widest_interval(data, exact);
     if (const auto from = missing_middle(data)) {
         return fmt::format("P is not determined: the half of the contact begins {:.6g} from its "
@@ -254,7 +254,7 @@ std::vector<Undetermined> undetermined(const AlignedResult& data, const DataCont
     add(Determined::force, no_force(data, exact));
     double most = 0;
     for (const Node& node : data.nodes) {
-        most = std::max(most, node.exact.p.value_or(0));
+        most = std::max(most, node.p.exact.value_or(0));
     }
     if (!exact.scale().mean && !(most >= (1 - most_off) * exact.scale().value)) {
         add(Determined::largest,

@@ -21,12 +21,12 @@ NearNodes nodes_between(const AlignedResult& data, contact::Edge edge, double ou
                         double to) {
     NearNodes near;
     for (const Node& node : data.nodes) {
-        const double u = outwards + (edge == contact::Edge::right ? node.exact.from_right
-                                                                  : node.exact.from_left);
+        const double u = outwards + (edge == contact::Edge::right ? node.place.from_right
+                                                                  : node.place.from_left);
         if (u > 0 && u >= from && u <= to) {
             near.u.push_back(u);
-            near.p.push_back(node.p);
-            near.exact.push_back(node.exact.p.value_or(node.p));
+            near.p.push_back(node.p.data);
+            near.exact.push_back(node.p.exact.value_or(node.p.data));
         }
     }
     return near;

@@ -16,62 +16,43 @@ namespace {
 
 constexpr double most_digits = 16;
 
-/// The value of a node that is compared: its pressure, or its traction.
-struct HeldValue {
-    std::optional<double> exact;
-    double error = 0;
-    double rounding = 0;
-
-    /// Infinite if the value is not finite: such an error is never small.
-    [[nodiscard]] double counted() const {
-        const double left = std::abs(error) - rounding;
-        return std::isfinite(left) ? std::max(0.0, left) : std::numeric_limits<double>::infinity();
-    }
-};
-
-HeldValue held_pressure(const Node& node) { return {node.exact.p, node.error, node.rounding}; }
-HeldValue held_traction(const Node& node) {
-    return node.shear ? HeldValue{node.shear->exact, node.shear->error, node.shear->rounding}
-                      : HeldValue{};
-}
-
 /// `whole`: the norm of the exact value includes all nodes, not only those counted.
 Errors errors_of(const AlignedResult& data, double scale,
-                 const std::function<bool(const Node&)>& counts,
-                 HeldValue (*held)(const Node&) = held_pressure, bool whole = true) {
+                 const std::function<bool(const Node&)>& counts, TractionOf of = p_of,
+                 bool whole = true) {
     Errors errors;
     std::vector<double> local;
     double square = 0;
     double exact_square = 0;
     for (std::size_t i = 0; i < data.nodes.size(); ++i) {
         const Node& node = data.nodes[i];
-        const HeldValue value = held(node);
-        if (!value.exact) {
+        const Traction* const value = of(node);
+        if (value == nullptr || !value->exact) {
             continue;
         }
         const double width = width_of_node(data.nodes, i);
         const bool counted = counts(node);
-        exact_square += whole || counted ? width * *value.exact * *value.exact : 0;
+        exact_square += whole || counted ? width * *value->exact * *value->exact : 0;
         if (!counted) {
             continue;
         }
         ++errors.nodes;
-        const double error = value.counted();
+        const double error = value->counted();
         square += width * error * error;
         if (error / scale > errors.peak || !errors.worst) {
             errors.peak = error / scale;
             errors.worst = i;
         }
-        errors.inside += node.exact.inside() ? 1 : 0;
-        const bool has_size = node.exact.inside() && *value.exact != 0;
-        const double size = has_size ? std::abs(*value.exact) : scale;
+        errors.inside += node.place.inside() ? 1 : 0;
+        const bool has_size = node.place.inside() && *value->exact != 0;
+        const double size = has_size ? std::abs(*value->exact) : scale;
         if (error / size > errors.local || !errors.worst_local) {
             errors.local = error / size;
             errors.worst_local = i;
         }
         if (has_size) {
             local.push_back(error / size);
-            errors.as_written = std::max(errors.as_written, std::abs(value.error) / size);
+            errors.as_written = std::max(errors.as_written, std::abs(value->error) / size);
         }
     }
     errors.l2 = exact_square > 0 ? std::sqrt(square / exact_square) : 0;
@@ -109,8 +90,8 @@ bool is_counted(const Node& node, const EdgeZone& zone, const DataContact& conta
     constexpr double almost = 1 - 1e-9;
     const double right = zone.at(contact::Edge::right, contact) * almost;
     const double left = zone.at(contact::Edge::left, contact) * almost;
-    return node.exact.p && std::abs(node.exact.from_right) >= right &&
-           std::abs(node.exact.from_left) >= left;
+    return node.p.exact && std::abs(node.place.from_right) >= right &&
+           std::abs(node.place.from_left) >= left;
 }
 
 Errors measure(const AlignedResult& data, const ExactContact& exact, const DataContact& contact,
@@ -121,15 +102,15 @@ Errors measure(const AlignedResult& data, const ExactContact& exact, const DataC
 
 std::optional<Errors> measure_shear(const AlignedResult& data, const ExactContact& exact,
                                     const DataContact& contact, const EdgeZone& zone) {
-    if (data.nodes.empty() || !data.nodes.front().shear) {
+    if (data.nodes.empty() || !data.nodes.front().q) {
         return {};
     }
     const double width = zone.length.value_or(zone.elements * contact.mean_element);
-    const auto counts = [&, ends = exact.shear()->stick_edges()](const Node& node) {
+    const auto counts = [&, ends = exact.shear()->stick_edges](const Node& node) {
         return is_counted(node, zone, contact) &&
                std::ranges::none_of(ends, [&](double x) { return std::abs(node.x - x) < width; });
     };
-    return errors_of(data, exact.shear()->scale(), counts, held_traction, false);
+    return errors_of(data, exact.shear()->scale, counts, q_of, false);
 }
 
 std::vector<DistanceErrors> by_distance(const AlignedResult& data, const ExactContact& exact) {
@@ -140,8 +121,8 @@ std::vector<DistanceErrors> by_distance(const AlignedResult& data, const ExactCo
             const double to = k == 0 ? 0.5 : std::pow(10.0, -k);
             const double from = k + 1 == decades ? 0 : std::pow(10.0, -k - 1);
             const Errors errors = errors_of(data, exact.scale().value, [&](const Node& node) {
-                const double part = node.exact.u() / exact.length();
-                return node.exact.inside() && node.exact.nearer() == edge && part > from &&
+                const double part = node.place.u() / exact.length();
+                return node.place.inside() && node.place.nearer() == edge && part > from &&
                        part <= (k == 0 ? 1 : to);
             });
             if (errors.nodes > 0) {
@@ -158,7 +139,7 @@ std::vector<KnotErrors> errors_near_knots(const AlignedResult& data, const Exact
     const double near = std::max(0.01 * exact.length(), 2 * contact.mean_element);
     for (const ContactKnot& knot : exact.knots()) {
         const Errors errors = errors_of(data, exact.scale().value, [&](const Node& node) {
-            return node.exact.inside() && std::abs(node.x - knot.x) <= near;
+            return node.place.inside() && std::abs(node.x - knot.x) <= near;
         });
         if (errors.nodes > 0) {
             list.push_back({knot, errors});

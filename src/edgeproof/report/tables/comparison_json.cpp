@@ -87,9 +87,9 @@ ordered_json file_json(const ComparisonReport& report, const comparison::FileCom
     if (file.Q) {
         j["Q"] = {{"data", number_json(file.Q)},
                   {"of_exact_traction", number_json(file.Q_of_exact)},
-                  {"exact", exact.shear()->force()}};
+                  {"exact", exact.shear()->force}};
         j["shear_sign"] = file.data.shear_sign < 0 ? -1 : 1;
-        j["shear_scale"] = exact.shear()->scale();
+        j["shear_scale"] = exact.shear()->scale;
     }
     if (file.shear) {
         j["errors_of_q"] = errors_json(*file.shear);

@@ -156,7 +156,7 @@ std::string file_text(const ComparisonReport& report, const FileComparison& file
     if (file.shear) {
         out += fmt::format("  error of q, {} nodes: {} of {}, {} of q itself, {} in the L2 norm\n",
                            file.shear->nodes, percent_text(file.shear->peak),
-                           report.exact->shear()->scale_text(), percent_text(file.shear->local),
+                           report.exact->shear()->scale_text, percent_text(file.shear->local),
                            percent_text(file.shear->l2));
     }
     for (const comparison::SurfaceErrors& e : file.surface) {
@@ -204,7 +204,7 @@ std::vector<HeldQuantity> held_quantities(const ComparisonReport& report,
              exact.scale().value, ""});
     }
     if (file.Q) {
-        add({"Q", force, file.Q, 0, file.Q_of_exact, exact.shear()->force(), ""});
+        add({"Q", force, file.Q, 0, file.Q_of_exact, exact.shear()->force, ""});
     }
     for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
         const auto& fit = file.fits[index_of(edge)];

@@ -72,6 +72,21 @@ TEST_CASE("the integral is Gauss's 2F1, where Arb's gives a value") {
     }
 }
 
+TEST_CASE("the integral over a wide ball contains the values in it, and is not much wider") {
+    for (const char* m : {"1/3", "8/5", "0.62500000000000000001", "51/2", "1001/3"}) {
+        for (const char* at : {"0.2", "0.6", "0.95"}) {
+            CAPTURE(m);
+            CAPTURE(at);
+            const Ball width = ball("0.01");
+            const Ball low = integral(m, ball(at) - width);
+            const Ball high = integral(m, ball(at) + width);
+            const Ball over = integral(m, Ball::hull(ball(at) - width, ball(at) + width));
+            CHECK(contains(over, low));
+            CHECK(contains(over, high));
+        }
+    }
+}
+
 TEST_CASE("at the apex the integral is 1/m, and next to it narrow, for m from 1e-10 to 1e6") {
     const Ball zero(0, power_law_bits);
     for (const char* m :

@@ -5,6 +5,8 @@
 #include "edgeproof/contact/enclosure/fields.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace edgeproof::contact {
@@ -12,6 +14,8 @@ namespace {
 
 constexpr double most_terms = 4e6;
 constexpr double most_m = 1e12;
+constexpr long spare_bits = 16;
+constexpr long bits_of_rest = 64; ///< of the bound of the omitted terms
 
 /// The interval from 0 to the upper end of x.
 Ball from_zero(const Ball& x) { return Ball::from_interval(Real(0), x.upper(), x.bits()); }
@@ -22,23 +26,49 @@ bool negligible(const Ball& x, const Ball& sum) {
            arf_abs_bound_lt_2exp_si(arb_midref(sum.data())) - sum.bits() - 8;
 }
 
-/// Multiplies x by (1 + n/2 + k)/(k + 1).
-void to_next_term(Ball& x, const Ball& first, const std::optional<Rational>& n, long k, long bits) {
-    // A quotient of small integers needs no division of balls.
-    if (n && denominator(*n) < (1 << 20)) {
-        const long q = denominator(*n).convert_to<long>();
-        const long p = numerator(*n).convert_to<long>();
-        arb_mul_si(x.data(), x.data(), p + 2 * q * (k + 1), bits);
-        arb_div_si(x.data(), x.data(), 2 * q * (k + 1), bits);
-        return;
-    }
-    const Ball factor = (first + k) / (k + 1);
-    arb_mul(x.data(), x.data(), factor.data(), bits);
+/// The sum of the first `count` terms over[0]_k over[1]_k/(under[0]_k under[1]_k) x^k.
+Ball first_terms(const std::array<Rational, 2>& over, const std::array<Rational, 2>& under,
+                 const Ball& x, long count, long bits) {
+    using Parameters = std::array<FmpqValue, 2>;
+    static_assert(sizeof(Parameters) == 2 * sizeof(fmpq));
+    const Parameters a{to_fmpq(over[0]), to_fmpq(over[1])};
+    const Parameters b{to_fmpq(under[0]), to_fmpq(under[1])};
+    Ball sum(0, bits);
+    arb_hypgeom_sum_fmpq_arb(sum.data(), a[0], 2, b[0], 2, x.data(), 0, count, bits + spare_bits);
+    return sum;
 }
 
-/// m - 2 steps, if m is rational.
+/// -log2 of the upper end of x, 0 < x < 1.
+double fall_of(const Ball& x) {
+    MagValue most;
+    arb_get_mag(most, x.data());
+    return -mag_get_d_log2_approx(most);
+}
+
+/// The number of terms after which those of edge_sum add less than 2^-bits; 0 for too many.
+/// (1 + h)_k/k! is about (h + k)^(h + k)/(h^h k^k).
+long terms_of_edge_sum(double h, double fall, long bits) {
+    const auto size = [](double x) { return x > 0 ? x * std::log2(x) : 0.0; };
+    const auto wanted = static_cast<double>(bits + spare_bits);
+    double terms = 0;
+    for (double next = 1; terms < next;
+         next = (wanted + size(h + terms) - size(h) - size(terms)) / fall) {
+        terms = next + 1;
+        if (!(fall > 0 && terms < most_terms)) {
+            return 0;
+        }
+    }
+    return static_cast<long>(terms);
+}
+
+/// m - 2 steps, if it is the quotient of small integers.
 std::optional<Rational> less(const Exact& m, long steps) {
-    return m.is_rational() ? std::optional(Rational(m.rational() - 2 * steps)) : std::nullopt;
+    constexpr long largest = 1L << 20;
+    if (!m.is_rational()) {
+        return {};
+    }
+    const Rational n = m.rational() - 2 * steps;
+    return denominator(n) <= largest && numerator(n) <= largest ? std::optional(n) : std::nullopt;
 }
 long steps_down(const Exact& m, double about_m) {
     if (!m.is_rational()) {
@@ -48,21 +78,6 @@ long steps_down(const Exact& m, double about_m) {
 }
 
 } // namespace
-
-PowerLawIntegral::Exponent::Exponent(Ball enclosed, std::optional<Rational> exactly)
-    : n(std::move(enclosed)), exact(std::move(exactly)) {
-    constexpr long largest = 1L << 20;
-    if (!exact || denominator(*exact) > largest || numerator(*exact) > largest) {
-        return;
-    }
-    words = {numerator(*exact).convert_to<long>(), denominator(*exact).convert_to<long>()};
-    const auto [over, under] = *words;
-    by_edge = {{{{2 * under, over + 2 * under, 2 * under}, {2, 1, 3}}}};
-    if (over < 2 * under) {
-        by_apex = {{{{2, 3, 4}, {2 * under, 2 * under - over, 4 * under - over}}}};
-    }
-    few_words = under <= 64;
-}
 
 PowerLawIntegral::PowerLawIntegral(const Exact& m, const Ball& enclosed_m)
     : whole_(enclosed_m, less(m, 0)), about_m_(approximate(enclosed_m)),
@@ -79,20 +94,32 @@ PowerLawIntegral::PowerLawIntegral(const Exact& m, const Ball& enclosed_m)
 
 /// sqrt(y) q^n times the sum of (1 + n/2)_k/k! y^k/(2k + 1) (DLMF 15.8.1; docs/pressure.md, "Closed
 /// form: power laws"). All terms are positive, and the bound y (1 + n/2 + k)/(k + 1) of their ratio
-/// falls with k.
+/// falls with k, so that the rest is at most a geometric series.
 Ball PowerLawIntegral::edge_sum(const Exponent& of, const Ball& q, const Ball& y,
                                 const Ball& root) {
     const long bits = y.bits();
-    if (of.by_edge) {
-        if (const auto sum = of.by_edge->sum(y, bits)) {
-            return root * pow(q, of.n) * *sum;
-        }
-    }
     const Ball first = of.n / 2 + 1;
+    const auto with_rest = [&](const Ball& sum, const Ball& next, long k) {
+        const Ball room = 1 - y * (first + k) / (k + 1);
+        return certainly_positive(room) ? root * pow(q, of.n) * (sum + from_zero(next / room))
+                                        : unknown_ball(bits);
+    };
+    if (of.exact) {
+        const long count = terms_of_edge_sum(approximate(first) - 1, fall_of(y), bits);
+        if (count == 0) {
+            return unknown_ball(bits);
+        }
+        const Ball low = first.with_bits(bits_of_rest);
+        const Ball next = gamma(low + count) / (gamma(low) * gamma(Ball(count + 1, bits_of_rest))) *
+                          pow_int(y.with_bits(bits_of_rest), count) / (2 * count + 1);
+        return with_rest(
+            first_terms({*of.exact / 2 + 1, Rational(1, 2)}, {Rational(3, 2), 1}, y, count, bits),
+            next, count);
+    }
     Ball term(1, bits);
     Ball sum(0, bits);
     Ball share(0, bits);
-    for (long k = 0; k < static_cast<long>(most_terms); ++k) {
+    for (long k = 0; k < static_cast<long>(most_terms) && term.is_finite(); ++k) {
         // Terms that are small compared with the sum are computed with fewer bits.
         // The size of a term of midpoint 0 is no number.
         const long below = k == 0 || arf_is_zero(arb_midref(term.data())) != 0
@@ -101,21 +128,14 @@ Ball PowerLawIntegral::edge_sum(const Exponent& of, const Ball& q, const Ball& y
                                      arf_abs_bound_lt_2exp_si(arb_midref(term.data()));
         const long here = std::clamp(bits + 16 - below, 30L, bits);
         arb_div_si(share.data(), term.data(), 2 * k + 1, here);
-        if (k > 0 && negligible(share, sum)) {
-            Ball ratio = y;
-            to_next_term(ratio, first, of.exact, k, bits);
-            // The rest is at most a geometric series.
-            if (certainly_less(ratio, Ball(1, bits))) {
-                const Ball factor = pow(q, of.n);
-                return root * factor * (sum + from_zero(share / (1 - ratio)));
-            }
+        if (k > 0 && negligible(share, sum) &&
+            certainly_less(y * (first + k) / (k + 1), Ball(1, bits))) {
+            return with_rest(sum, share, k);
         }
         sum += share;
+        const Ball factor = (first + k) / (k + 1);
         arb_mul(term.data(), term.data(), y.data(), here);
-        to_next_term(term, first, of.exact, k, here);
-        if (!term.is_finite()) {
-            break;
-        }
+        arb_mul(term.data(), term.data(), factor.data(), here);
     }
     return unknown_ball(bits);
 }
@@ -139,10 +159,14 @@ Ball PowerLawIntegral::apex_sum(const Ball& q) const {
     const long bits = q.bits();
     const Ball square = q * q;
     const Ball& n = left_.n;
-    if (left_.by_apex) {
-        if (const auto sum = left_.by_apex->sum(square, bits)) {
-            return 1 / n - square / (2 * (2 - n)) * *sum + apex_power(q);
-        }
+    if (left_.exact) { // beta_(k + 1)/(2k + 2 - n), whose quotients are less than 1
+        const Rational half = *left_.exact / 2;
+        const auto count = std::max(
+            1L, static_cast<long>(static_cast<double>(bits + spare_bits) / fall_of(square)));
+        const Ball sum =
+            first_terms({Rational(3, 2), 1 - half}, {Rational(2), 2 - half}, square, count, bits);
+        const Ball rest = from_zero(pow_int(square, count) / (1 - square));
+        return 1 / n - square / (2 * (2 - n)) * (sum + rest) + apex_power(q);
     }
     Ball term(1, bits);
     Ball sum = 1 / n;
@@ -169,9 +193,8 @@ Ball PowerLawIntegral::rest(const Ball& q, const Ball& y, const Ball& root) cons
     }
     // For a wide ball neither series may converge.
     const bool by_apex = certainly_less(q, most_);
-    // With few words both series cost the same for each term; the series at the apex has a higher
-    // fixed cost.
-    const double most_y = left_.few_words ? 0.55 : 0.75;
+    // The series at the apex has a higher fixed cost.
+    constexpr double most_y = 0.6;
     if ((approximate(y) <= most_y || !by_apex) && certainly_less(y, most_)) {
         return edge_sum(left_, q, y, root);
     }
@@ -183,7 +206,8 @@ Ball PowerLawIntegral::rest(const Ball& q, const Ball& y, const Ball& root) cons
 Ball PowerLawIntegral::few_by_parts(const Ball& q, const Ball& y, const Ball& root) const {
     const long bits = root.bits();
     const Ball square = q * q;
-    const auto [over, under] = *left_.words;
+    const long over = numerator(*left_.exact).convert_to<long>();
+    const long under = denominator(*left_.exact).convert_to<long>();
     Ball sum = rest(q, y, root);
     for (long k = 1; k <= steps_; ++k) {
         const long p = over + 2 * k * under;
@@ -246,7 +270,7 @@ Ball PowerLawIntegral::operator()(const Ball& q, const Ball& y) const {
         return edge_sum(whole_, q, y, root);
     }
     constexpr long few = 16;
-    return steps_ <= few && left_.words && !contains_zero(q) ? few_by_parts(q, y, root)
+    return steps_ <= few && left_.exact && !contains_zero(q) ? few_by_parts(q, y, root)
                                                              : by_parts(q, y, root);
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
-#include "edgeproof/precision/elementary/ratio_series.hpp"
 
 #include <optional>
 
@@ -24,22 +23,10 @@ public:
     [[nodiscard]] Ball operator()(const Ball& q, const Ball& y) const;
 
 private:
-    /// n of I_n, and the parts of its sums that depend only on n.
+    /// n of I_n.
     struct Exponent {
-        Exponent(Ball enclosed, std::optional<Rational> exactly);
         Ball n;
-        std::optional<Rational> exact;
-        /// n = p/q, if p and q are small integers.
-        struct Words {
-            long p;
-            long q;
-        };
-        std::optional<Words> words;
-        std::optional<RatioSeries> by_edge; ///< the series of edge_sum
-        /// The series of apex_sum, for n < 2.
-        std::optional<RatioSeries> by_apex;
-        /// True if no quotient has a large denominator.
-        bool few_words = false;
+        std::optional<Rational> exact; ///< if it is the quotient of small integers
     };
     [[nodiscard]] static Ball edge_sum(const Exponent& of, const Ball& q, const Ball& y,
                                        const Ball& root);

@@ -2,13 +2,13 @@
 #include "edgeproof/contact/curved/curved_slope.hpp"
 
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/ball/acb_values.hpp"
 #include "edgeproof/precision/ball/interval.hpp"
-#include "edgeproof/precision/interruption.hpp"
 
 #include <vector>
 
@@ -16,146 +16,87 @@ namespace edgeproof::contact {
 
 namespace {
 
-/// Computes (g'(s) - T_k(s))/(s - x)^(k+1).
-void taylor_quotient(acb_ptr out, const acb_t theta, const acb_t s, const SlopeIntegrand& f,
-                     bool rooted, slong order, slong bits) {
-    const auto terms = static_cast<slong>(f.taylor->size());
-    AcbValue r;
-    AcbValue power;
+/// Returns the k-th coefficient of the Taylor series of a formula about a place.
+Box taylor_coefficient(const Expr& formula, const Box& at, std::size_t k) {
+    const bool real = arb_is_zero(acb_imagref(at.get())) != 0;
+    const auto order = static_cast<slong>(k);
     AcbPolyValue g;
-    const auto taylor = order == 0 ? formula::real_taylor : formula::complex_taylor;
-    if (f.from_right_edge && !rooted) {
-        // s - a = -2 d sin^2(theta/2).
-        acb_mul_2exp_si(r, theta, -1);
-        acb_sin(r, r, bits);
-        acb_mul(r, r, r, bits);
-        acb_mul_arb(r, r, f.half_length.data(), bits);
-        acb_mul_si(r, r, -2, bits);
-    } else {
-        acb_sub_arb(r, s, f.x->data(), bits);
-    }
-    if (f.holds_x && acb_contains_zero(r) != 0) {
-        // A divided difference is a mean of the derivative over the hull of its points.
-        acb_set_arb(power, f.x->data());
-        acb_union(power, power, s, bits);
-        taylor(g, *f.slope, power, terms + 1, bits);
-        acb_poly_get_coeff_acb(out, g, terms);
-    } else {
-        AcbValue sum;
-        for (slong k = terms; k-- > 0;) {
-            acb_mul(sum, sum, r, bits);
-            acb_add_arb(sum, sum, (*f.taylor)[static_cast<std::size_t>(k)].data(), bits);
-        }
-        taylor(g, *f.formula, rooted ? theta : s, 1, bits);
-        acb_poly_get_coeff_acb(out, g, 0);
-        acb_sub(out, out, sum, bits);
-        acb_pow_ui(power, r, static_cast<ulong>(terms), bits);
-        acb_div(out, out, power, bits);
-    }
+    Box c(at.bits());
+    (real ? formula::real_taylor : formula::complex_taylor)(g, formula, at.get(), order + 1,
+                                                            at.bits());
+    acb_poly_get_coeff_acb(c.get(), g, order);
+    return c;
 }
 
-/// Computes zeta - s from the nearer edge e, zeta - e +- 2 d sin^2(theta/2) or cos^2: over a wide
-/// theta the cosine itself is known only to the width of theta, so that near an edge very narrow
-/// pieces of the path would be needed.
-void distance_from_zeta(acb_ptr out, const acb_t theta, const SlopeIntegrand& f, slong bits) {
-    const bool right = arf_cmp_d(arb_midref(acb_realref(theta)), 1.5) < 0;
-    const Ball edge = right ? f.centre + f.half_length : f.centre - f.half_length;
-    AcbValue r;
-    acb_mul_2exp_si(r, theta, -1);
-    (right ? acb_sin : acb_cos)(r, r, bits);
-    acb_mul(r, r, r, bits);
-    acb_mul_arb(r, r, f.half_length.data(), bits);
-    acb_mul_si(r, r, right ? 2 : -2, bits);
-    acb_sub_arb(out, f.zeta->get(), edge.data(), bits);
-    acb_add(out, out, r, bits);
+/// 2 sin^2(t/2) = 1 - cos t, or 2 cos^2(t/2) = 1 + cos t.
+Box twice_square(decltype(acb_sin)& of_half, const Box& t) {
+    Box r(t.bits());
+    acb_mul_2exp_si(r.get(), t.get(), -1);
+    of_half(r.get(), r.get(), r.bits());
+    return r * r * Ball(2, r.bits());
 }
 
-/// For order = 0 an enclosure of the values on a piece of the path, which is real, suffices. No
-/// exception may pass through Arb: after an interruption all remaining values are zero, and
-/// `integrate` throws.
-struct Evaluation {
-    const SlopeIntegrand& f;
-    const quadrature::ThetaSpan& span;
-    bool interrupted = false;
-};
-/// Computes the integrand at theta for Arb's integrator (docs/curved-slopes.md, "What is
-/// integrated").
-int evaluate(acb_ptr out, const acb_t theta, void* parameter, slong order, slong bits) {
-    auto& evaluation = *static_cast<Evaluation*>(parameter);
-    const SlopeIntegrand& f = evaluation.f;
-    evaluation.interrupted = evaluation.interrupted || interruption_requested() != 0;
-    if (evaluation.interrupted) {
-        acb_zero(out);
-        return 0;
-    }
-    AcbValue rate;
-    AcbValue s;
-    AcbPolyValue g;
-    const auto taylor = order == 0 ? formula::real_taylor : formula::complex_taylor;
-    const bool rooted = evaluation.span.root != 0;
-    evaluation.span.map(s, rate, theta, f.centre, f.half_length, bits);
-    if (f.zeta != nullptr) {
-        taylor(g, *f.formula, rooted ? theta : s, 1, bits);
-        acb_poly_get_coeff_acb(out, g, 0);
-        acb_sub_arb(out, out, f.mean->data(), bits);
-        if (rooted) {
-            acb_sub(s, f.zeta->get(), s, bits);
-        } else {
-            distance_from_zeta(s, theta, f, bits);
-        }
-        acb_pow_ui(s, s, static_cast<ulong>(f.poles), bits);
-        acb_div(out, out, s, bits);
-    } else if (f.x != nullptr) {
-        taylor_quotient(out, theta, s, f, rooted, order, bits);
-    } else {
-        taylor(g, *f.formula, rooted ? theta : s, 1, bits);
-        acb_poly_get_coeff_acb(out, g, 0);
-        AcbValue cosine;
-        if (rooted) {
-            acb_sub_arb(cosine, s, f.centre.data(), bits);
-            acb_div_arb(cosine, cosine, f.half_length.data(), bits);
-            acb_chebyshev_t_ui(cosine, static_cast<ulong>(f.harmonic), cosine, bits);
-        } else {
-            acb_mul_si(cosine, theta, f.harmonic, bits);
-            acb_cos(cosine, cosine, bits);
-        }
-        acb_mul(out, out, cosine, bits);
-    }
-    if (rooted) {
-        acb_mul(out, out, rate, bits);
-    }
-    return 0;
+Box power(Box x, std::size_t n) {
+    acb_pow_ui(x.get(), x.get(), n, x.bits());
+    return x;
 }
 
 } // namespace
 
-// docs/curved-slopes.md, "What is integrated": the ball of a limit
-Box integrate_in_plane(const SlopeIntegrand& f, const quadrature::ThetaSpan& span, long bits) {
-    AcbValue from;
-    AcbValue to;
-    AcbValue end;
-    Box sum(bits);
-    arb_get_mid_arb(acb_realref(from), span.from.data());
-    arb_get_mid_arb(acb_realref(to), span.to.data());
-    MagValue tolerance;
-    mag_set_ui_2exp_si(tolerance, 1, -bits - 64);
-    Evaluation evaluation{f, span};
-    acb_calc_integrate(sum.get(), evaluate, &evaluation, from, to, f.goal != 0 ? f.goal : bits,
-                       tolerance, nullptr, bits);
-    for (const Ball* limit : {&span.from, &span.to}) {
-        acb_set_arb(from, limit->data());
-        evaluate(end, from, &evaluation, 0, bits);
-        const Ball radius(limit->radius(), bits);
-        sum = sum + Box(end, bits) * (radius * Ball::from_interval(Real(-1), Real(1), bits));
-    }
-    if (evaluation.interrupted) {
-        throw Interrupted();
-    }
-    return sum;
+Box SlopeOnSpan::value(const Box& t, const Box& s) const {
+    return taylor_coefficient(formula, span.root != 0 ? t : s, 0);
 }
 
-Ball integrate(const SlopeIntegrand& f, const quadrature::ThetaSpan& span, long bits) {
-    return integrate_in_plane(f, span, bits).real();
+Box SlopeOnSpan::cosine(long n, const Box& t, const Box& s) const {
+    Box c(t.bits());
+    if (span.root != 0) {
+        c = (s - centre) / half_length;
+        acb_chebyshev_t_ui(c.get(), static_cast<ulong>(n), c.get(), c.bits());
+    } else {
+        acb_mul_si(c.get(), t.get(), n, c.bits());
+        c = cos(c);
+    }
+    return c;
+}
+
+Box SlopeOnSpan::quotient(const Ball& x, const std::vector<Ball>& taylor, bool holds_x,
+                          bool from_right_edge, const Box& t, const Box& s) const {
+    const std::size_t terms = taylor.size();
+    const Box r =
+        from_right_edge && span.root == 0 ? -(twice_square(acb_sin, t) * half_length) : s - x;
+    if (holds_x && r.contains_zero()) {
+        // A divided difference is a mean of the derivative over the hull of its points.
+        return taylor_coefficient(slope, Box::hull(Box(x.with_bits(s.bits())), s), terms);
+    }
+    Box sum(s.bits());
+    for (std::size_t k = terms; k-- > 0;) {
+        sum = sum * r + taylor[k];
+    }
+    return (value(t, s) - sum) / power(r, terms);
+}
+
+// Over a wide t the cosine itself is known only to the width of t, so that near an edge very narrow
+// pieces of the path would be needed.
+Box SlopeOnSpan::over_distance(const Box& zeta, const Ball& mean, std::size_t poles, const Box& t,
+                               const Box& s) const {
+    const bool right = arf_cmp_d(arb_midref(acb_realref(t.get())), 1.5) < 0;
+    const Box distance =
+        span.root != 0 ? zeta - s
+        : right        ? zeta - (centre + half_length) + twice_square(acb_sin, t) * half_length
+                       : zeta - (centre - half_length) - twice_square(acb_cos, t) * half_length;
+    return (value(t, s) - mean) / power(distance, poles);
+}
+
+// docs/curved-slopes.md, "What is integrated"
+Box SlopeOnSpan::integral(const Integrand& f, long accuracy, long bits) const {
+    return integral_between(
+        [&](const Box& t) {
+            Box s(bits);
+            Box rate(bits);
+            span.map(s.get(), rate.get(), t.get(), centre, half_length, bits);
+            return span.root != 0 ? f(*this, t, s) * rate : f(*this, t, s);
+        },
+        span.from, span.to, accuracy, bits);
 }
 
 std::vector<Ball> slope_series(const Expr& slope, const Ball& x, std::size_t terms, long bits) {

@@ -7,42 +7,41 @@
 #include "edgeproof/quadrature/theta_cells.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
 namespace edgeproof::contact {
 
-/// An integrand over theta, s = c + d cos(theta) (docs/curved-slopes.md, "What is integrated").
-/// Without x it is g'(s) cos(n theta). With x and a Taylor polynomial T_k of g' about x it is
-/// (g'(s) - T_k(s))/(s - x)^(k+1): for k = 0 the quotient (g'(s) - g'(x))/(s - x), otherwise the
-/// k-th derivative of this quotient by x, divided by k!.
-struct SlopeIntegrand {
-    const Expr* slope;   ///< in s
-    const Expr* formula; ///< the same in the variable of the span
-    Ball centre;         ///< c
-    Ball half_length;    ///< d
-    long harmonic = 0;   ///< n
-    const Ball* x = nullptr;
-    bool holds_x = false; ///< x is on this piece, so that the quotient has no pole
-    const std::vector<Ball>* taylor = nullptr; ///< the k + 1 coefficients of T_k
-    bool from_right_edge = false; ///< x is the right edge: s - x is computed without cancellation
-    long goal = 0;                ///< accuracy wanted of the integral, in bits; 0: all bits
-    /// With zeta the integrand is (g'(s) - mean)/(zeta - s)^poles instead.
-    const Box* zeta = nullptr;
-    const Ball* mean = nullptr;
-    long poles = 1;
-};
+/// g' on a span of theta, s = c + d cos(theta), and what is integrated of it
+/// (docs/curved-slopes.md, "What is integrated"). The integrands are functions of the variable t of
+/// the span and of s: over a box of t that is not real they are holomorphic where they are finite;
+/// over a real one they enclose the values.
+struct SlopeOnSpan {
+    const Expr& slope;   ///< in s
+    const Expr& formula; ///< the same in the variable of the span
+    quadrature::ThetaSpan span;
+    Ball centre;      ///< c
+    Ball half_length; ///< d
 
-/// Returns an enclosure of the integral over a span by Arb's rigorous integration (johansson2018).
-/// Arb integrates between the midpoints of the ends of the span; the radius of each end adds the
-/// largest value of the integrand over that end.
-/// @param f integrand
-/// @param span range of theta
-/// @param bits working precision
-[[nodiscard]] Ball integrate(const SlopeIntegrand& f, const quadrature::ThetaSpan& span, long bits);
-/// The same for an integrand with zeta.
-[[nodiscard]] Box integrate_in_plane(const SlopeIntegrand& f, const quadrature::ThetaSpan& span,
-                                     long bits);
+    using Integrand = std::function<Box(const SlopeOnSpan& on, const Box& t, const Box& s)>;
+    /// Returns the enclosed integral of f over theta to `accuracy` bits.
+    [[nodiscard]] Box integral(const Integrand& f, long accuracy, long bits) const;
+
+    /// g'.
+    [[nodiscard]] Box value(const Box& t, const Box& s) const;
+    /// cos(n theta).
+    [[nodiscard]] Box cosine(long n, const Box& t, const Box& s) const;
+    /// (g'(s) - T(s))/(s - x)^n with the Taylor polynomial T of g' about x, of n terms: for n = 1
+    /// the quotient (g'(s) - g'(x))/(s - x), otherwise the (n-1)-th derivative of this quotient by
+    /// x, divided by (n-1)!. `holds_x`: x is on this piece, so that the quotient has no pole;
+    /// `from_right_edge`: x is the right edge.
+    [[nodiscard]] Box quotient(const Ball& x, const std::vector<Ball>& taylor, bool holds_x,
+                               bool from_right_edge, const Box& t, const Box& s) const;
+    /// (g'(s) - mean)/(zeta - s)^poles.
+    [[nodiscard]] Box over_distance(const Box& zeta, const Ball& mean, std::size_t poles,
+                                    const Box& t, const Box& s) const;
+};
 
 /// Returns the Taylor series of g' about x with `terms` terms; each coefficient is an enclosure for
 /// every point of the ball.

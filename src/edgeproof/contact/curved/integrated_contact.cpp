@@ -46,28 +46,14 @@ IntegratedContact::IntegratedContact(const Profile& profile, const Exact& contac
     check_reach(profile_, a_, b_);
 }
 
-template <class Set>
-Ball IntegratedContact::over_spans(const Ball& a, const Ball& b, const Set& set) const {
-    Ball sum(0, bits_);
-    for (const quadrature::ThetaSpan& span : spans(a, b)) {
-        SlopeIntegrand f{&profile_.pieces()[span.piece].slope, &roots().formulas[span.formula],
-                         (a - b) / 2, (a + b) / 2};
-        set(f, span);
-        sum += integrate(f, span, bits_);
-    }
-    return sum;
-}
-
-Box IntegratedContact::integral_of_poles(const Box& zeta, const Ball& mean, long poles) const {
+Box IntegratedContact::over_spans(const Ball& a, const Ball& b,
+                                  const SlopeOnSpan::Integrand& f) const {
+    const long accuracy = goal_between(a, b, bits_);
     Box sum(bits_);
-    for (const quadrature::ThetaSpan& span : spans(a_, b_)) {
-        SlopeIntegrand f{&profile_.pieces()[span.piece].slope, &roots().formulas[span.formula],
-                         (a_ - b_) / 2, (a_ + b_) / 2};
-        f.zeta = &zeta;
-        f.mean = &mean;
-        f.poles = poles;
-        f.goal = goal_between(a_, b_, bits_);
-        sum = sum + integrate_in_plane(f, span, bits_);
+    for (const quadrature::ThetaSpan& span : spans(a, b)) {
+        const SlopeOnSpan on{profile_.pieces()[span.piece].slope, roots().formulas[span.formula],
+                             span, (a - b) / 2, (a + b) / 2};
+        sum = sum + on.integral(f, accuracy, bits_);
     }
     return sum;
 }
@@ -94,17 +80,23 @@ CauchyIntegral IntegratedContact::cauchy_integral(const Box& zeta) const {
         return {Box(slope * pi * factor, -pi * p), unknown};
     }
     const Box root = root_outside({a_, b_}, zeta);
-    const Box once = integral_of_poles(zeta, mean, 1);
-    const Box twice = surface ? once : integral_of_poles(zeta, mean, 2); // not used there
+    const auto with_poles = [&](std::size_t poles) {
+        return over_spans(a_, b_, [&](const SlopeOnSpan& on, const Box& t, const Box& s) {
+            return on.over_distance(zeta, mean, poles, t, s);
+        });
+    };
+    const Box once = with_poles(1);
+    const Box twice = surface ? once : with_poles(2); // not used there
     return {root * once * factor, ((zeta - (a_ - b_) / 2) / root * once - root * twice) * factor};
 }
 
 // docs/curved-slopes.md, "What is integrated".
 Ball IntegratedContact::slope_integral(const Ball& a, const Ball& b, long harmonic) const {
-    return over_spans(a, b, [&](SlopeIntegrand& f, const quadrature::ThetaSpan&) {
-        f.harmonic = harmonic;
-        f.goal = zone_ ? goal_between(a, b, bits_) : 0;
-    });
+    return over_spans(a, b,
+                      [&](const SlopeOnSpan& on, const Box& t, const Box& s) {
+                          return on.value(t, s) * on.cosine(harmonic, t, s);
+                      })
+        .real();
 }
 
 /// P = (E*/2) times the integral of g'(s) (s - c)/w(s) ds (eqn:AppliedNormalForce_NonSym with
@@ -137,17 +129,21 @@ std::vector<Ball> IntegratedContact::expansion(Edge edge, std::size_t terms) con
 }
 
 // I_k (docs/expansions.md, "Coefficients of curved slopes").
+Ball IntegratedContact::coefficient(const Ball& x, const std::vector<SlopeAt>& here,
+                                    bool from_right_edge) const {
+    return over_spans(a_, b_,
+                      [&](const SlopeOnSpan& on, const Box& t, const Box& s) {
+                          const auto own = std::ranges::find(here, on.span.piece, &SlopeAt::piece);
+                          const bool holds_x = own != here.end();
+                          return on.quotient(x, (holds_x ? *own : here.front()).taylor, holds_x,
+                                             from_right_edge, t, s);
+                      })
+        .real();
+}
+
 Ball IntegratedContact::coefficient(std::size_t k, std::size_t piece, const Ball& x,
-                                    const std::vector<Ball>& taylor, bool from_right_edge) const {
-    const std::vector<Ball> head(taylor.begin(),
-                                 taylor.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-    return over_spans(a_, b_, [&](SlopeIntegrand& f, const quadrature::ThetaSpan& span) {
-        f.x = &x;
-        f.holds_x = span.piece == piece;
-        f.taylor = &head;
-        f.from_right_edge = from_right_edge;
-        f.goal = zone_ ? goal_between(a_, b_, bits_) : 0;
-    });
+                                    bool from_right_edge) const {
+    return coefficient(x, {{piece, series_of_slope(piece, x, k + 1)}}, from_right_edge);
 }
 
 std::vector<Ball> IntegratedContact::coefficients_by_disk(std::size_t piece,
@@ -177,9 +173,8 @@ std::vector<Ball> IntegratedContact::right_expansion(std::size_t terms) const {
     // "Coefficients of curved slopes").
     std::vector<Ball> I =
         terms < least_terms_of_disk ? std::vector<Ball>{} : coefficients_by_disk(last, terms);
-    const std::vector<Ball> taylor = series_of_slope(last, a_, terms);
     for (std::size_t k = I.size(); k < terms; ++k) {
-        I.push_back(coefficient(k, last, a_, taylor, true));
+        I.push_back(coefficient(k, last, a_, true));
     }
     for (std::size_t k = 1; k < terms; k += 2) {
         I[k] = -I[k];
@@ -236,18 +231,12 @@ Ball IntegratedContact::pressure_at_knot(Edge edge, std::size_t knot) const {
 Ball IntegratedContact::pressure_at(const Ball& from_edge, const Ball& x, std::size_t piece,
                                     const std::optional<std::size_t>& on_knot) const {
     const Ball other = a_ + b_ - from_edge;
-    const std::vector<Ball> slope = series_of_slope(piece, x, 1);
-    // Each of two pieces that meet at x is evaluated by its own expression; their values at x are
-    // equal.
-    const std::vector<Ball> next = on_knot ? series_of_slope(*on_knot + 1, x, 1) : slope;
-    const Ball sum = over_spans(a_, b_, [&](SlopeIntegrand& f, const quadrature::ThetaSpan& span) {
-        const bool beyond = on_knot && span.piece == *on_knot + 1;
-        f.x = &x;
-        f.taylor = beyond ? &next : &slope;
-        f.holds_x = span.piece == piece || beyond;
-    });
+    std::vector<SlopeAt> here{{piece, series_of_slope(piece, x, 1)}};
+    if (on_knot) { // each of two pieces that meet at x is evaluated by its own expression
+        here.push_back({*on_knot + 1, series_of_slope(*on_knot + 1, x, 1)});
+    }
     // eqn:SIEPressure regularised (docs/curved-slopes.md, "What is integrated")
-    return modulus_ / (Ball::pi(bits_) * 2) * sqrt(from_edge * other) * sum;
+    return modulus_ / (Ball::pi(bits_) * 2) * sqrt(from_edge * other) * coefficient(x, here, false);
 }
 
 std::vector<quadrature::ThetaSpan> IntegratedContact::piece_spans(const Ball& a,

@@ -88,15 +88,12 @@ private:
     };
     /// The formulas, computed when first needed.
     [[nodiscard]] const Roots& roots() const;
-    /// Returns the sum of the integrals over the spans of the contact -b < x < a of the integrand
-    /// that `set(f, span)` completes.
-    template <class Set>
-    [[nodiscard]] Ball over_spans(const Ball& a, const Ball& b, const Set& set) const;
+    /// Returns the integral of f over theta for the contact -b < x < a.
+    [[nodiscard]] Box over_spans(const Ball& a, const Ball& b,
+                                 const SlopeOnSpan::Integrand& f) const;
     /// p at x, which is on the piece, or on the knot at its right end.
     [[nodiscard]] Ball pressure_at(const Ball& from_edge, const Ball& x, std::size_t piece,
                                    const std::optional<std::size_t>& on_knot) const;
-    /// Returns the integral of (g' - mean)/(zeta - s)^poles over theta.
-    [[nodiscard]] Box integral_of_poles(const Box& zeta, const Ball& mean, long poles) const;
     /// Returns the integral of g' cos(harmonic theta) over theta.
     [[nodiscard]] Ball slope_integral(const Ball& a, const Ball& b, long harmonic) const;
     /// Returns P (force/length) of the contact -b < x < a.
@@ -129,9 +126,17 @@ private:
     [[nodiscard]] Ball gap_at(const Ball& x) const;
     /// The piece that contains all of x; nothing if x may contain a knot inside the contact.
     [[nodiscard]] std::optional<std::size_t> piece_of(const Ball& x) const;
-    /// Returns the k-th Taylor coefficient of I (pressure_disk.hpp) at x.
+    /// A piece that contains x, and the first Taylor coefficients of its g' about x.
+    struct SlopeAt {
+        std::size_t piece;
+        std::vector<Ball> taylor;
+    };
+    /// Returns the k-th Taylor coefficient of I (pressure_disk.hpp) at x, from k + 1 coefficients
+    /// of g'. On a knot two pieces contain x.
+    [[nodiscard]] Ball coefficient(const Ball& x, const std::vector<SlopeAt>& here,
+                                   bool from_right_edge) const;
     [[nodiscard]] Ball coefficient(std::size_t k, std::size_t piece, const Ball& x,
-                                   const std::vector<Ball>& taylor, bool from_right_edge) const;
+                                   bool from_right_edge = false) const;
     struct Disk {
         Ball u; ///< of the centre
         PressureDisk disk;

@@ -146,7 +146,7 @@ Ball IntegratedContact::pressure(Edge edge, const Ball& u) const {
         return with_root(u, over_knot(x, false));
     }
     if (is_point(u)) {
-        return with_root(u, coefficient(0, *piece, x, series_of_slope(*piece, x, 1), false));
+        return with_root(u, coefficient(0, *piece, x));
     }
     const Disk* found = disk_for(edge, u, 1);
     return with_root(u,
@@ -170,9 +170,8 @@ BallSeries IntegratedContact::pressure_series(Edge edge, const Ball& u, std::siz
     }
     std::vector<Ball> I;
     if (is_point(u) && order <= 2) {
-        const std::vector<Ball> taylor = series_of_slope(*piece, x, order);
         for (std::size_t k = 0; k < order; ++k) {
-            I.push_back(coefficient(k, *piece, x, taylor, false));
+            I.push_back(coefficient(k, *piece, x));
         }
     } else {
         const Disk* found = disk_for(edge, u, order);

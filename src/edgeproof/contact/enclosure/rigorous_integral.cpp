@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
@@ -95,6 +96,23 @@ Box inner_integral_of(const std::function<Box(const Box& t)>& f, const IntegralG
     acb_calc_integrate(sum.get(), evaluate, &evaluation, from, to, goal.accuracy, tolerance,
                        options, goal.bits);
     return evaluation.interrupted ? unknown_box(goal.bits) : sum;
+}
+
+Box integral_between(const std::function<Box(const Box& t)>& f, const Ball& from, const Ball& to,
+                     long accuracy, long bits) {
+    const Box begin = Box(from).middle();
+    const Box end = Box(to).middle();
+    MagValue tolerance;
+    mag_set_ui_2exp_si(tolerance, 1, -bits - 64);
+    Evaluation evaluation{f};
+    Box sum(bits);
+    acb_calc_integrate(sum.get(), evaluate, &evaluation, begin.get(), end.get(), accuracy,
+                       tolerance, nullptr, bits);
+    for (const Ball* limit : {&from, &to}) {
+        sum = sum + f(Box(limit->with_bits(bits))) * up_to(Ball(limit->radius(), bits));
+    }
+    check_interruption();
+    return sum;
 }
 
 Ball integral_of(const std::function<Box(const Box& t)>& f, const IntegralGoal& goal) {

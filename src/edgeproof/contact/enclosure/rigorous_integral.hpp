@@ -36,6 +36,12 @@ constexpr long narrow_integral_bits = 64;
 [[nodiscard]] Box inner_integral_of(const std::function<Box(const Box& t)>& f,
                                     const IntegralGoal& goal);
 
+/// The integral along the real axis between two places that may be wide balls: Arb integrates
+/// between their midpoints, and the radius of each adds the values over that ball. f encloses its
+/// values over real boxes; over other ones it is holomorphic, or not finite.
+[[nodiscard]] Box integral_between(const std::function<Box(const Box& t)>& f, const Ball& from,
+                                   const Ball& to, long accuracy, long bits);
+
 /// Returns the bits of accuracy that are useful in an integral whose parameters have `known` bits;
 /// exact parameters have more than any other number.
 [[nodiscard]] long useful_accuracy(long known, long bits);

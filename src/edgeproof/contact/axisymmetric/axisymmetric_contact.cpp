@@ -46,40 +46,6 @@ private:
     AxisymmetricContact contact_;
 };
 
-/// P is proportional to a^(m + 2) (docs/axisymmetric.md, "Power laws").
-class AxisymmetricPowerZones : public ZoneSolver {
-public:
-    AxisymmetricPowerZones(const BallContact& plane, const Ball& force)
-        : ZoneSolver(plane), plane_(plane), force_(force),
-          power_(plane.force_rate() * plane.a() / plane.force() + 1) {}
-    [[nodiscard]] ZoneValues values(const BallZone& zone) const override {
-        const Ball inner = force_ * pow(zone.a / plane_.a(), power_);
-        const Ball rate = inner * power_ / zone.a;
-        return {inner, Ball(0, bits()), rate, rate};
-    }
-    [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const override {
-        return plane_.between(zone.a, zone.b).pressure(edge, u);
-    }
-    [[nodiscard]] BallZone zone(const Ball& force, const Ball& /*tilt*/,
-                                const BallZone& /*near*/) const override {
-        const Ball a = plane_.a() * pow(force / force_, 1 / power_);
-        return {a, a};
-    }
-    [[nodiscard]] std::vector<Ball> force_rates(const Ball& a, std::size_t terms) const override {
-        const Ball rate = values({a, a}).right_rate;
-        const BallSeries rates =
-            pow(-BallSeries::variable(Ball(0, bits()), terms) * (1 / a) + Ball(1, bits()),
-                power_ - 1) *
-            rate;
-        return rates.coefficients();
-    }
-
-private:
-    BallContact plane_;
-    Ball force_;
-    Ball power_; ///< m + 2
-};
-
 } // namespace
 
 std::optional<Exact> AxisymmetricContact::not_analytic_at(const Profile& profile) {
@@ -193,10 +159,6 @@ Ball AxisymmetricContact::near_radius(const Ball& given, Integrand of) const {
 
 std::unique_ptr<ZoneSolver> axisymmetric_zones(const AxisymmetricContact& contact) {
     return std::make_unique<AxisymmetricZones>(contact);
-}
-
-std::unique_ptr<ZoneSolver> axisymmetric_zones(const BallContact& plane, const Ball& force) {
-    return std::make_unique<AxisymmetricPowerZones>(plane, force);
 }
 
 } // namespace edgeproof::contact

@@ -167,10 +167,6 @@ private:
 /// The zones of an axisymmetric contact under smaller forces, which bound its stick zone in partial
 /// slip (docs/axisymmetric.md, "Partial slip"). The solver keeps a copy of `contact`.
 [[nodiscard]] std::unique_ptr<ZoneSolver> axisymmetric_zones(const AxisymmetricContact& contact);
-/// The same for an axisymmetric power law: `plane` is the plane contact that has the same pressure,
-/// `force` the total force.
-[[nodiscard]] std::unique_ptr<ZoneSolver> axisymmetric_zones(const BallContact& plane,
-                                                             const Ball& force);
 
 /// The real part of the integral of h'(s) f(s) over 0 < s < a (AxisymmetricContact::over_approach)
 /// of an axisymmetric power law; `plane` is the plane contact that has the same pressure.

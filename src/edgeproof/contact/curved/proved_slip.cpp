@@ -12,17 +12,16 @@ ProvedSlip::ProvedSlip(const Profile& profile, const Exact& contact_modulus, con
                        const ShearLoad<Ball>& shear, const Ball& friction, long bits,
                        const std::optional<Ball>& total_force)
     : contact_(proved_contact(profile, contact_modulus, load, bits)),
-      zones_(total_force ? axisymmetric_zones(*contact_->closed_form(), *total_force)
-                         : zone_solver(*contact_, profile, contact_modulus,
-                                       !shear.bulk_tension.is_exact() ||
-                                           !contains_zero(shear.bulk_tension))) {
+      zones_(zone_solver(*contact_, profile, contact_modulus,
+                         !shear.bulk_tension.is_exact() || !contains_zero(shear.bulk_tension),
+                         total_force)) {
     slip_.emplace(*contact_, *zones_, total_force ? *total_force : contact_->force(), shear,
                   friction);
 }
 
 std::unique_ptr<ProvedContact> proved_contact(const Profile& profile, const Exact& contact_modulus,
                                               const Load& load, long bits) {
-    if (BallContact::has_closed_form(profile)) {
+    if (profile.has_closed_form()) {
         return std::make_unique<BallContact>(profile, contact_modulus, load, bits);
     }
     if (profile.axisymmetric()) {
@@ -64,8 +63,7 @@ Ball IntegratedContact::zone_rate(Edge edge) const {
 Ball IntegratedContact::zone_pressure(Edge edge, const Ball& u) const {
     const Ball x = place(edge, u);
     const auto piece = piece_of(x);
-    return with_root(u, piece ? coefficient(0, *piece, x, series_of_slope(*piece, x, 1), false)
-                              : over_knot(x, false));
+    return with_root(u, piece ? coefficient(0, *piece, x) : over_knot(x, false));
 }
 
 namespace {
@@ -166,7 +164,8 @@ private:
 } // namespace
 
 std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact, const Profile& profile,
-                                        const Exact& contact_modulus, bool tilted) {
+                                        const Exact& contact_modulus, bool tilted,
+                                        const std::optional<Ball>& total_force) {
     const BallContact* closed = contact.closed_form();
     if (profile.axisymmetric()) {
         return axisymmetric_zones(dynamic_cast<const AxisymmetricContact&>(contact));
@@ -177,7 +176,7 @@ std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact, const Prof
     if (tilted && !closed->piecewise_linear()) {
         return std::make_unique<TiltedPowerLawZones>(profile, contact_modulus, *closed);
     }
-    return closed_form_zones(*closed);
+    return closed_form_zones(*closed, total_force);
 }
 
 CauchyIntegral pressure_integral(const ProvedContact& contact, const Box& zeta) {

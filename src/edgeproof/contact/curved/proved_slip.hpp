@@ -50,10 +50,11 @@ private:
 proved_contact(const Profile& profile, const Exact& contact_modulus, const Load& load, long bits);
 
 /// Returns the solver for the stick zones of a contact made by proved_contact() or of one with a
-/// closed form. `tilted`: a bulk tension tilts the zones.
+/// closed form. `tilted`: a bulk tension tilts the zones; `total_force`: see ProvedSlip.
 [[nodiscard]] std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact,
                                                       const Profile& profile,
-                                                      const Exact& contact_modulus, bool tilted);
+                                                      const Exact& contact_modulus, bool tilted,
+                                                      const std::optional<Ball>& total_force = {});
 
 /// Returns the solver for zones of any slope that IntegratedContact handles, by rigorous
 /// integration. It keeps a copy of `contact`.

@@ -62,15 +62,17 @@ private:
     BallContact contact_;
 };
 
-/// P = K a^(m + 1) (docs/mechanics.md, "Closed forms of the law").
+/// P = K a^(m + 1) (docs/mechanics.md, "Closed forms of the law"); the total force of the body of
+/// revolution with the same pressure grows as a^(m + 2) (docs/axisymmetric.md, "Power laws").
 class PowerLawZones : public ZoneSolver {
 public:
-    explicit PowerLawZones(const BallContact& contact)
-        : ZoneSolver(contact), contact_(contact), force_(contact.force()),
-          rate_(contact.force_rate()), power_(rate_ * contact.a() / force_) {}
+    PowerLawZones(const BallContact& contact, const std::optional<Ball>& total_force)
+        : ZoneSolver(contact), contact_(contact), of_revolution_(total_force.has_value()),
+          force_(total_force ? *total_force : contact.force()),
+          power_(contact.force_rate() * contact.a() / contact.force() + (total_force ? 1 : 0)),
+          rate_(force_ * power_ / contact.a()) {}
     [[nodiscard]] ZoneValues values(const BallZone& zone) const override {
         const Ball part = zone.a / contact_.a();
-        // dP/da = P'(a) (zone.a/a)^m.
         const Ball rate = rate_ * pow(part, power_ - 1);
         return {force_ * pow(part, power_), Ball(0, bits()), rate, rate};
     }
@@ -81,12 +83,20 @@ public:
         const Ball a = contact_.a() * pow(force / force_, 1 / power_);
         return {a, a};
     }
+    [[nodiscard]] std::vector<Ball> force_rates(const Ball& a, std::size_t terms) const override {
+        const Ball one(1, bits());
+        const BallSeries inwards = BallSeries::variable(one * 0, terms) * (1 / a);
+        return of_revolution_
+                   ? (pow(-inwards + one, power_ - 1) * values({a, a}).right_rate).coefficients()
+                   : std::vector<Ball>();
+    }
 
 private:
     BallContact contact_;
+    bool of_revolution_;
     Ball force_;
+    Ball power_; ///< of the half width in the force
     Ball rate_;
-    Ball power_; ///< m + 1
 };
 
 } // namespace
@@ -201,11 +211,12 @@ BallZone ZoneSolver::zone(const Ball& force, const Ball& tilt, const BallZone& n
     return proved(force, tilt, found);
 }
 
-std::unique_ptr<ZoneSolver> closed_form_zones(const BallContact& contact) {
-    if (contact.piecewise_linear()) {
+std::unique_ptr<ZoneSolver> closed_form_zones(const BallContact& contact,
+                                              const std::optional<Ball>& total_force) {
+    if (contact.piecewise_linear() && !total_force) {
         return std::make_unique<LinearZones>(contact);
     }
-    return std::make_unique<PowerLawZones>(contact);
+    return std::make_unique<PowerLawZones>(contact, total_force);
 }
 
 } // namespace edgeproof::contact

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace edgeproof::contact {
@@ -85,7 +86,8 @@ private:
 };
 
 /// Returns the solver for piecewise linear slopes, or for power laws without a tilt, in closed
-/// form.
-[[nodiscard]] std::unique_ptr<ZoneSolver> closed_form_zones(const BallContact& contact);
+/// form. `total_force`: that of the axisymmetric power law with the same pressure as `contact`.
+[[nodiscard]] std::unique_ptr<ZoneSolver>
+closed_form_zones(const BallContact& contact, const std::optional<Ball>& total_force = {});
 
 } // namespace edgeproof::contact

@@ -60,11 +60,10 @@ BoundedSeries BallLevel::q_series(Edge edge) {
 void BallLevel::make_slip(const std::optional<contact::BallZone>& stick) {
     const ShearSpec& shear = *scene_.shear;
     try {
-        if (!zones_ && scene_.round && contact_->closed_form() != nullptr) {
-            zones_ = axisymmetric_zones(*contact_->closed_form(), whole_force());
-        } else if (!zones_) {
+        if (!zones_) {
             zones_ = zone_solver(*contact_, tilt_ ? tilt_->near : *scene_.profile,
-                                 scene_.contact_modulus, shear.bulk_tension.sign() != 0);
+                                 scene_.contact_modulus, shear.bulk_tension.sign() != 0,
+                                 scene_.round ? std::optional(whole_force()) : std::nullopt);
         }
         if (scene_.history) {
             std::vector<contact::ShearLayer> layers;

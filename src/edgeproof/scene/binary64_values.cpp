@@ -2,13 +2,13 @@
 #include "edgeproof/scene/binary64_values.hpp"
 
 #include "edgeproof/contact/double_word/double_word_pressure.hpp"
-#include "edgeproof/contact/tilt/tilt_solver.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/input/readers.hpp"
+#include "edgeproof/scene/route/ball_level.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>
@@ -29,10 +29,6 @@ constexpr long most_bits = 4096; ///< for places near the far edge and near corn
 constexpr unsigned first_digits = 25;
 constexpr unsigned most_digits = 800; ///< 1 - p_n/p cancels near an edge
 
-template <class... Rest> ClosedFormContact contact_of(Profile profile, Rest... rest) {
-    return {profile, [profile, rest...](long bits) { return BallContact(profile, rest..., bits); }};
-}
-
 std::optional<double> nearest(const Ball& x) {
     return x.is_finite() ? nearest_binary64(x) : std::nullopt;
 }
@@ -50,20 +46,19 @@ public:
              {std::pair{Edge::right, Quantity::a}, {Edge::left, Quantity::b}}) {
             end_[index_of(edge)] = {found.at(quantity).value, found.at(quantity).exactly};
         }
-        if (question_.quantity != Quantity::p) {
+        profile_ = scene_.profile;
+        plan_ = found.plan;
+        if (question_.quantity != Quantity::p || !plan_.closed) {
             return;
         }
-        if (const auto closed = closed_form_contact(scene_, 2 * first_bits)) {
-            profile_ = closed->profile;
-            solved_ = closed->at;
-            balls_ = at_bits(first_bits);
-            const bool form = balls_ && DoubleWordPressure::has_form(*profile_);
-            if (const auto closer = form ? at_bits(DoubleWordPressure::contact_bits) : balls_;
-                form && closer) {
-                words_.emplace(*profile_, *closer);
-            }
-        } else {
-            profile_ = scene_.profile;
+        balls_ = at_bits(first_bits);
+        if (scene_.punch) {
+            profile_ = BallLevel(scene_, plan_, {}, 2 * first_bits).tilt().near;
+        }
+        const bool form = balls_ && DoubleWordPressure::has_form(*profile_);
+        if (const auto closer = form ? at_bits(DoubleWordPressure::contact_bits) : balls_;
+            form && closer) {
+            words_.emplace(*profile_, *closer);
         }
     }
 
@@ -117,7 +112,7 @@ private:
     /// The contact of p; nothing where these bits do not separate an edge from a corner.
     [[nodiscard]] std::optional<BallContact> at_bits(long bits) const {
         try {
-            return solved_(bits);
+            return *BallLevel(scene_, plan_, {}, bits).contact().closed_form();
         } catch (const BudgetError&) {
             return {};
         }
@@ -194,7 +189,7 @@ private:
     [[nodiscard]] std::optional<double> near_edge_or_corner(Edge edge, double place) const {
         bool is_inside = false;
         bool on_corner = false;
-        for (long bits = 2 * first_bits; solved_ && bits <= most_bits; bits *= 2) {
+        for (long bits = 2 * first_bits; plan_.closed && bits <= most_bits; bits *= 2) {
             const auto closer = at_bits(bits);
             if (!closer) {
                 continue;
@@ -213,7 +208,7 @@ private:
         if (on_corner) {
             return std::numeric_limits<double>::infinity();
         }
-        return is_inside || !solved_ ? std::nullopt : std::optional(0.0);
+        return is_inside || !plan_.closed ? std::nullopt : std::optional(0.0);
     }
 
     /// Computes one value by the route of the scene.
@@ -266,27 +261,12 @@ private:
     Binary64Question question_;
     std::array<End, 2> end_;
     std::optional<Profile> profile_;
-    std::function<BallContact(long)> solved_; ///< the contact of p at these bits
-    std::optional<BallContact> balls_;        ///< the same at first_bits
+    Plan plan_;
+    std::optional<BallContact> balls_;        ///< the contact of p at first_bits
     std::optional<DoubleWordPressure> words_; ///< decides nearly all places
     /// Decide the others, each to twice the digits of the one before.
     mutable std::vector<std::unique_ptr<SceneValues>> levels_;
 };
-
-std::optional<ClosedFormContact> closed_form_contact(const Scene& scene, long tilt_bits) {
-    if (scene.punch) {
-        contact::EnclosedTilt tilt = enclose_tilt(*scene.punch, scene.contact_modulus,
-                                                  scene.load.value, *scene.moment, tilt_bits);
-        return tilt.exactly_zero
-                   ? contact_of(std::move(tilt.near), scene.contact_modulus, scene.load)
-                   : contact_of(std::move(tilt.near), tilt.alpha, scene.contact_modulus,
-                                scene.load);
-    }
-    if (scene.profile->axisymmetric() || !BallContact::has_closed_form(*scene.profile)) {
-        return {};
-    }
-    return contact_of(*scene.profile, scene.contact_modulus, scene.load);
-}
 
 Binary64Values::Binary64Values(const Scene& scene, const Binary64Question& question) {
     const QuantityRow& row = row_of(question.quantity);

@@ -1,30 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
 #include <cstddef>
-#include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 
 namespace edgeproof::scene {
-
-using contact::BallContact;
-
-/// The contact of a scene in balls of any precision.
-struct ClosedFormContact {
-    Profile profile; ///< if the tilt was found: that of a tilt near it
-    std::function<BallContact(long bits)> at;
-};
-
-/// Nothing for curved slopes. An unknown tilt is enclosed with `tilt_bits`. Throws as BallContact
-/// and enclose_tilt do.
-[[nodiscard]] std::optional<ClosedFormContact> closed_form_contact(const Scene& scene,
-                                                                   long tilt_bits);
 
 /// A quantity at places that are binary64 numbers.
 struct Binary64Question {

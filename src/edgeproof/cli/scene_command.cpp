@@ -55,7 +55,7 @@ std::string facts_of_work(const scene::SceneResult& result) {
           {counts.consistency, "contacts whose other edge was solved for"},
           {counts.closed_forms, "pressures in closed form"},
           {counts.quadratures, "pressures by quadrature"},
-          {counts.expansions + counts.shear_expansions, "expansions"},
+          {counts.expansions, "expansions"},
           {counts.stick_zones, "stick zones solved"},
           {counts.extents, "searches for extents"},
           {result.work.raised, "contacts solved again with more bits"}}) {

@@ -94,7 +94,7 @@ public:
                                                            scene.load, bits)
                            : std::make_unique<BallContact>(tilt_->near, tilt_->alpha,
                                                            scene.contact_modulus, scene.load, bits);
-        } else if (edges && BallContact::has_closed_form(*scene.profile)) {
+        } else if (edges && scene.profile->has_closed_form()) {
             contact_ =
                 std::make_unique<BallContact>(*scene.profile, scene.contact_modulus, *edges, bits);
         } else {

@@ -64,7 +64,7 @@ Plan make_plan(const Scene& scene) {
     const Ask& ask = scene.ask;
     Plan plan;
     plan.digits = ask.digits;
-    plan.closed = !scene.profile || contact::BallContact::has_closed_form(*scene.profile);
+    plan.closed = !scene.profile || scene.profile->has_closed_form();
     const long bits = formula::bits_for(ask.digits.count);
     plan.bits = bits + 96;
     plan.narrow_bits = plan.closed ? std::min(whole_words(bits + 40), plan.bits)

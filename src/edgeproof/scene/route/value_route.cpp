@@ -216,53 +216,39 @@ std::optional<Rational> ValueRoute::known_x(Edge edge, const Distance& u) const 
 
 void ValueRoute::count(const AskedValue& asked) {
     Counts& counts = work_.counts;
-    const bool of_shear = row_of(asked.quantity).needs == QuantityRow::Needs::shear;
-    const bool similar = of_shear && scene_.together();
-    if (similar && !std::exchange(ratio_counted_, true)) {
-        ++counts.resultants;
-    }
+    const bool similar = scene_.together();
+    const auto expand = [&](bool shear) {
+        counts.expansions += expanded_.insert({asked.edge, shear}).second ? 1 : 0;
+    };
     switch (asked.quantity) {
-    case Quantity::P:
-    case Quantity::M:
-        ++counts.resultants;
-        break;
     case Quantity::p:
         count_pressure();
-        if (scene_.together()) {
+        if (similar) {
             pressed_.emplace(asked.edge, asked.distance());
         }
         break;
     case Quantity::q:
-        ++counts.shear_points;
         // A traction similar to p uses the pressure that was computed just before.
         if (similar && pressed_ != std::pair(asked.edge, asked.distance())) {
             count_pressure();
         }
         pressed_.reset();
         break;
-    case Quantity::c:
-    case Quantity::local:
-    case Quantity::rel:
-        counts.expansions += expanded_.insert({asked.edge, false}).second ? 1 : 0;
-        break;
     case Quantity::s:
     case Quantity::q_local:
     case Quantity::q_rel:
-        counts.expansions += similar && expanded_.insert({asked.edge, false}).second ? 1 : 0;
-        counts.shear_expansions += expanded_.insert({asked.edge, true}).second ? 1 : 0;
+        expand(true);
+        if (!similar) {
+            break;
+        }
+        [[fallthrough]];
+    case Quantity::c:
+    case Quantity::local:
+    case Quantity::rel:
+        expand(false);
         break;
     case Quantity::stick_a:
         ++counts.stick_zones;
-        break;
-    case Quantity::slip:
-        ++counts.slip_sizes;
-        break;
-    case Quantity::sxx: // the other stresses use the same Cauchy integrals
-        ++counts.stresses;
-        break;
-    case Quantity::slip_displacement: // asked for with the gap
-    case Quantity::slope:             // asked for with the displacements of a surface
-        ++counts.displacements;
         break;
     default:
         break;

@@ -156,7 +156,6 @@ private:
     BallLevel* slip_level_ = nullptr; ///< a level that encloses the slip
 
     std::set<std::pair<Edge, bool>> expanded_;
-    bool ratio_counted_ = false;
     /// The place of the last pressure, for q.
     std::optional<std::pair<Edge, Distance>> pressed_;
     std::optional<contact::Witness> witness_;

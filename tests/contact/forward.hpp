@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/law/kernels.hpp"
+#include "edgeproof/contact/witness/edge_equations.hpp"
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 
 /// Puts a traction back into the equations that it must satisfy: its resultant and its principal
-/// value (docs/pressure.md, "The forward check"). The traction q is a function of a Point. It is
+/// value (docs/pressure.md, "The forward check"). The traction q is a function of a Place. It is
 /// evaluated anew at every node, and only needs to be integrable at the edges and smooth in
 /// between.
 namespace edgeproof::contact {
+
+using witness::Place;
 
 /// The integral of q over the contact, in the unit of q times length. The quadrature stops at
 /// `target_digits` (0: at roundoff).
@@ -18,8 +21,8 @@ template <class Q>
         return quadrature::integrate_one_sided(
             [&](const Real& lo, const Real& hi) {
                 const Real far = half + hi;
-                return Real(q(at_right ? Point<Real>{lo, far, Real(e.a - lo)}
-                                       : Point<Real>{far, lo, Real(lo - e.b)}));
+                return Real(
+                    q(at_right ? Place{lo, far, Real(e.a - lo)} : Place{far, lo, Real(lo - e.b)}));
             },
             half, Real(0), true, {.target_digits = target_digits});
     };
@@ -32,28 +35,28 @@ template <class Q>
 /// edge the integral runs over the pairs (q(x+y) - q(x-y))/y, which are not singular; the rest is
 /// regular.
 template <class Q>
-[[nodiscard]] auto principal_value(const Extent<Real>& e, const Point<Real>& at, const Q& q,
+[[nodiscard]] auto principal_value(const Extent<Real>& e, const Place& at, const Q& q,
                                    unsigned target_digits) {
     const Real inner = (at.right < at.left ? at.right : at.left) / 2;
     const quadrature::QuadratureOptions options{.target_digits = target_digits};
     auto sum = quadrature::integrate_one_sided(
         [&](const Real& y, const Real&) {
-            const Point<Real> after{Real(at.right - y), Real(at.left + y), Real(at.x + y)};
-            const Point<Real> before{Real(at.right + y), Real(at.left - y), Real(at.x - y)};
+            const Place after{Real(at.right - y), Real(at.left + y), Real(at.x + y)};
+            const Place before{Real(at.right + y), Real(at.left - y), Real(at.x - y)};
             return Real((q(after) - q(before)) / y);
         },
         inner, Real(0), true, options);
     const Real right = at.right - inner;
     sum.add(quadrature::integrate_near(
         [&](const Real& lo, const Real& hi) {
-            const Point<Real> s{hi, Real(e.length() - hi), Real(e.a - hi)};
+            const Place s{hi, Real(e.length() - hi), Real(e.a - hi)};
             return Real(q(s) / (inner + lo));
         },
         right, inner, Real(0), options));
     const Real left = at.left - inner;
     sum.add(quadrature::integrate_near(
         [&](const Real& lo, const Real& hi) {
-            const Point<Real> s{Real(e.length() - lo), lo, Real(lo - e.b)};
+            const Place s{Real(e.length() - lo), lo, Real(lo - e.b)};
             return Real(-q(s) / (inner + hi));
         },
         left, Real(0), inner, options));

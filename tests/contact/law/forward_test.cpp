@@ -3,6 +3,7 @@
 
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
+#include "edgeproof/contact/witness/edge_equations.hpp"
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 #include "tests/support/namespaces.hpp"
 
@@ -12,6 +13,7 @@
 #include <memory>
 
 using namespace edgeproof::scenes;
+using edgeproof::contact::witness::Place;
 
 namespace {
 
@@ -29,7 +31,7 @@ struct Forward {
           e{at_working_precision(contact->a().midpoint()),
             at_working_precision(contact->b().midpoint())} {}
 
-    [[nodiscard]] Real pressure(const Point<Real>& at) const {
+    [[nodiscard]] Real pressure(const Place& at) const {
         const bool right = at.right < at.left;
         return contact
             ->pressure(right ? Edge::right : Edge::left,
@@ -57,9 +59,9 @@ struct Forward {
         const auto at = [&](std::size_t i, const Real& lo, const Real& hi) {
             const Real from_left = left[i] + lo;
             const Real from_right = e.length() - left[i + 1] + hi;
-            const Point<Real> point{from_right, from_left,
-                                    from_left < from_right ? Real(from_left - e.b)
-                                                           : Real(e.a - from_right)};
+            const Place point{from_right, from_left,
+                              from_left < from_right ? Real(from_left - e.b)
+                                                     : Real(e.a - from_right)};
             // Nearer to a cut the point rounds onto it; p grows there at most like a logarithm, and
             // the weight of the omitted part is 1e-45.
             return (lo < hi ? lo : hi) < e.length() * Real("1e-45") ? Real(0)
@@ -78,22 +80,23 @@ void check(const Contact& c) {
     const PrecisionScope scope(50);
     const Forward forward(c);
     const Extent<Real>& e = forward.e;
-    const Real P = forward.integrate([&](std::size_t, const Real&, const Real&,
-                                         const Point<Real>& at) { return forward.pressure(at); });
+    const Real P = forward.integrate([&](std::size_t, const Real&, const Real&, const Place& at) {
+        return forward.pressure(at);
+    });
     CHECK(common_digits(P, forward.contact->force().midpoint()) >= 20);
     if (!c.profile.symmetric()) {
         const Real M =
-            forward.integrate([&](std::size_t, const Real&, const Real&, const Point<Real>& at) {
+            forward.integrate([&](std::size_t, const Real&, const Real&, const Place& at) {
                 return Real(at.x * forward.pressure(at));
             });
         CHECK(common_digits(M, forward.contact->moment().midpoint()) >= 19);
     }
     for (const char* fraction : {"0.17", "0.61", "0.93"}) {
         const Real left = e.length() * Real(fraction);
-        const Point<Real> x{Real(e.length() - left), left, Real(left - e.b)};
+        const Place x{Real(e.length() - left), left, Real(left - e.b)};
         const Real at_x = forward.pressure(x);
         const Real regular = forward.integrate(
-            [&](std::size_t, const Real&, const Real&, const Point<Real>& s) {
+            [&](std::size_t, const Real&, const Real&, const Place& s) {
                 // The distance from x loses its digits only where the weight of the quotient is as
                 // small.
                 const Real d = x.left - s.left;

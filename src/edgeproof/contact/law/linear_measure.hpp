@@ -8,8 +8,7 @@
 #include <vector>
 
 /// Integrals over dg' of a piecewise linear slope, in closed form over any field
-/// (docs/mechanics.md, "One measure, six kernels"). For other slopes, in Real, by quadrature:
-/// measure.hpp.
+/// (docs/mechanics.md, "One measure, six kernels").
 namespace edgeproof::contact {
 
 /// g' = at_origin + rate x on pieces between knots, in numbers of type W. Knots: lengths; rates:

@@ -54,10 +54,6 @@ template <class T>
     return T((load.Q / Field<T>::pi(right) + load.bulk_tension * (left - right) / 8) /
              sqrt(T(right * left)));
 }
-template <class T>
-[[nodiscard]] T full_stick_traction(const Point<T>& at, const ShearLoad<T>& load) {
-    return full_stick_traction(at.right, at.left, load);
-}
 /// q at the distance u from an edge of a contact of length a + b.
 template <class T>
 [[nodiscard]] T full_stick_traction(const T& length, const ShearLoad<T>& load, Edge edge,
@@ -89,14 +85,6 @@ template <class T>
         scale = scale * length;
     }
     return s;
-}
-
-/// sqrt(a + b) times K_II, L_II, M_II, ...; needs no square root.
-template <class T>
-[[nodiscard]] std::vector<T> full_stick_brackets(const T& Q_over_pi, const T& bulk_tension,
-                                                 const T& length, Edge edge, std::size_t terms) {
-    return full_stick_terms(Q_over_pi, bulk_tension, length, edge, terms,
-                            Field<T>::number(1, length));
 }
 
 /// The coefficients s_k of q = sum of s_k u^(k-1/2) at an edge: K_II, L_II, M_II, ... (moore-hills

@@ -163,9 +163,7 @@ ReadyContact as_printed(const CostCase& c, unsigned digits) {
 }
 
 bool any(const scene::Scene&) { return true; }
-bool closed(const scene::Scene& scene) {
-    return contact::BallContact::has_closed_form(*scene.profile);
-}
+bool closed(const scene::Scene& scene) { return scene.profile->has_closed_form(); }
 bool curved(const scene::Scene& scene) { return !closed(scene); }
 
 } // namespace

@@ -31,7 +31,7 @@ constexpr double too_long = 0.2; ///< to take more than one sample
 std::vector<Ball> enclosures(const CostCase& c, const std::vector<std::size_t>& chosen,
                              unsigned digits) {
     const contact::Profile& profile = *c.scene.profile;
-    const bool closed = contact::BallContact::has_closed_form(profile);
+    const bool closed = profile.has_closed_form();
     const long wanted = static_cast<long>(static_cast<double>(digits) * 3.3219281) + 8;
     std::map<long, contact::IntegratedContact> curved; // for each number of bits
     std::vector<Ball> exact;

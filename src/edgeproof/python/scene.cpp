@@ -244,8 +244,7 @@ void bind_scene(py::module_& module) {
         .def_property_readonly("integrated",
                                [](const NativeScene& s) {
                                    const auto& profile = s.scene().profile;
-                                   return profile &&
-                                          !contact::BallContact::has_closed_form(*profile);
+                                   return profile && !profile->has_closed_form();
                                })
         .def_property_readonly("asked", [](const NativeScene& s) { return asked_of(s.scene()); })
         .def("run", &run, py::arg("asked"))

@@ -128,7 +128,7 @@ void require_partial_slip(const SceneSpec& scene) {
         throw InputError("Q = 0 in a scene with friction: no partial slip is defined",
                          "give a Q that is not zero, or leave friction out");
     }
-    const bool closed = contact::BallContact::has_closed_form(scene.make_profile());
+    const bool closed = scene.make_profile().has_closed_form();
     const long last = closed ? last_slip_bits : last_curved_slip_bits;
     const std::string problem = look_closer(
         [&](long bits) {

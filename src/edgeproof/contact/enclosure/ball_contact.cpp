@@ -10,8 +10,6 @@
 #include <optional>
 
 namespace edgeproof::contact {
-bool BallContact::has_closed_form(const Profile& profile) { return profile.has_closed_form(); }
-
 BallContact::BallContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
                          long bits)
     : BallContact(profile, enclosed_constant(contact_modulus, bits), bits) {
@@ -95,26 +93,8 @@ void BallContact::solve(const Exact& contact_modulus, const Load& load) {
     fix();
 }
 
-/// The knot at which a flat minimum ends.
-std::optional<std::size_t> BallContact::flat_end(Edge edge) const {
-    const bool right = edge == Edge::right;
-    std::optional<std::size_t> end;
-    std::size_t knot = profile_.origin();
-    for (;;) {
-        const auto& slope = profile_.pieces()[right ? knot + 1 : knot].linear;
-        const Rational* at_origin = slope->at_origin.rational();
-        const Rational* rate = slope->rate.rational();
-        if (at_origin == nullptr || rate == nullptr || *at_origin != 0 || *rate != 0 ||
-            knot == (right ? slope_.knots.size() - 1 : 0)) {
-            return end;
-        }
-        knot = right ? knot + 1 : knot - 1;
-        end = knot;
-    }
-}
-
 Ball BallContact::minimum_end(Edge edge) const {
-    const auto end = power_ ? std::nullopt : flat_end(edge);
+    const auto end = power_ ? std::nullopt : profile_.flat_end(edge);
     if (!end) {
         return {0, bits_};
     }
@@ -144,7 +124,7 @@ void BallContact::tilt_by(const Ball& alpha) {
 
 BallContact::BallContact(const Profile& profile, const Ball& modulus, long bits)
     : ProvedContact(profile, modulus, bits) {
-    if (!has_closed_form(profile)) {
+    if (!profile.has_closed_form()) {
         throw DomainError("only a piecewise linear slope or a power law has a closed form");
     }
     if (!profile.piecewise_linear()) {
@@ -248,7 +228,7 @@ Ball BallContact::solve_left_edge(const Ball& a, bool prove) const {
         return a;
     }
     const Ball origin(0, bits_);
-    const auto left_end = flat_end(Edge::left);
+    const auto left_end = profile_.flat_end(Edge::left);
     if (left_end && known_a_ && prove) {
         try {
             return left_edge_from(origin, a, a, prove);
@@ -256,7 +236,7 @@ Ball BallContact::solve_left_edge(const Ball& a, bool prove) const {
             // The unknown is then the distance from the end of the flat, below.
         }
     }
-    const auto right_end = flat_end(Edge::right);
+    const auto right_end = profile_.flat_end(Edge::right);
     const Ball inset = right_end ? a - slope_.knots[*right_end] : a;
     return left_edge_from(left_end ? -slope_.knots[*left_end] : origin,
                           certainly_positive(inset) ? inset : a, a, prove);
@@ -284,7 +264,7 @@ Ball BallContact::solve_right_edge_for_force(const Ball& P, bool prove) const {
     if (power_) {
         return power_->half_width(P);
     }
-    const auto end = flat_end(Edge::right);
+    const auto end = profile_.flat_end(Edge::right);
     const Ball L = end ? slope_.knots[*end] : Ball(0, bits_);
     const bool near = certainly_positive(b_) && certainly_positive(a_ - L); // as for the left edge
     // The start P/E* is the length that the force would indent; any positive start is possible.

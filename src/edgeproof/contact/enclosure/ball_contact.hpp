@@ -37,8 +37,6 @@ public:
     BallContact(const Profile& near, const Ball& alpha, const Exact& contact_modulus,
                 const Load& load, long bits);
 
-    [[nodiscard]] static bool has_closed_form(const Profile& profile);
-
     [[nodiscard]] bool piecewise_linear() const { return !power_; }
     /// The law of a profile that is a power law and not linear.
     [[nodiscard]] const std::optional<PowerLaw<Ball>>& power_law() const { return power_; }
@@ -97,7 +95,6 @@ private:
     void tilt_by(const Ball& alpha);
     void solve(const Exact& contact_modulus, const Load& load);
     void lie_at(const ExactEdges& edges);
-    [[nodiscard]] std::optional<std::size_t> flat_end(Edge edge) const;
     [[nodiscard]] std::vector<Ball> right_expansion(std::size_t terms) const;
     [[nodiscard]] BallSeries left_edge_series(std::size_t order) const;
     [[nodiscard]] std::vector<Mark<BallSeries>> marks(const Extent<BallSeries>& e) const;

@@ -14,15 +14,16 @@ namespace {
 const Expr symbol_x = Expr::symbol("x");  // NOLINT: Expr is immutable and needs no other source
 const Expr number_zero = Expr::number(0); // NOLINT
 
+bool is_literal_zero(const Expr& e) {
+    const Rational* q = e.rational();
+    return q != nullptr && *q == 0;
+}
+
 /// -e(-x): the slope of the mirror image.
 Expr mirrored(const Expr& e) {
     const auto linear = as_linear(e, "x");
     if (linear) {
-        const Rational* at_origin = linear->at_origin.rational();
-        if (at_origin != nullptr && *at_origin == 0) {
-            return e;
-        }
-        return linear->rate * symbol_x - linear->at_origin;
+        return is_literal_zero(linear->at_origin) ? e : linear->rate * symbol_x - linear->at_origin;
     }
     return -substitute(e, "x", -symbol_x);
 }
@@ -267,6 +268,19 @@ bool Profile::piecewise_linear() const noexcept {
                        [](const SlopePiece& piece) { return piece.linear.has_value(); });
 }
 
+std::optional<std::size_t> Profile::flat_end(Edge edge) const {
+    const bool right = edge == Edge::right;
+    const auto is_flat = [&](std::size_t piece) {
+        const auto& line = pieces_[piece].linear;
+        return line && is_literal_zero(line->at_origin) && is_literal_zero(line->rate);
+    };
+    std::size_t knot = origin_;
+    while (knot != (right ? knots_.size() - 1 : 0) && is_flat(right ? knot + 1 : knot)) {
+        knot = right ? knot + 1 : knot - 1;
+    }
+    return knot == origin_ ? std::nullopt : std::optional(knot);
+}
+
 Profile Profile::reflected() const {
     Profile p;
     // The mirror image of a tilted profile is tilted anticlockwise, so that only symmetric profiles
@@ -299,10 +313,6 @@ namespace {
 using Linear = SlopePiece::Linear;
 using Kind = Expr::Kind;
 
-bool is_literal_zero(const Expr& e) {
-    const Rational* q = e.rational();
-    return q != nullptr && *q == 0;
-}
 bool is_literal_one(const Expr& e) {
     const Rational* q = e.rational();
     return q != nullptr && *q == 1;

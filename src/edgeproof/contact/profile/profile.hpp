@@ -72,6 +72,9 @@ public:
     [[nodiscard]] bool has_closed_form() const noexcept {
         return !axisymmetric_ && (kind_ == Kind::power_law || piecewise_linear());
     }
+    /// The knot at which a flat minimum, g' = 0 from the origin on, ends on that side; nothing if
+    /// there is none.
+    [[nodiscard]] std::optional<std::size_t> flat_end(Edge edge) const;
     /// The same slope as that of a body of revolution, x for the radius r. The profile must be
     /// symmetric.
     [[nodiscard]] Profile revolved() const {

@@ -302,22 +302,13 @@ std::optional<Ends> EdgeEquations::refined(Ends e, const Real* P) const {
     return {};
 }
 
-Real EdgeEquations::flat_end(Edge edge) const {
-    const bool right = edge == Edge::right;
-    std::size_t i = slope_.origin();
-    for (;;) {
-        const auto& piece = slope_.pieces()[right ? i + 1 : i];
-        if (!piece.linear || piece.at_origin != 0 || piece.rate != 0 ||
-            i == (right ? slope_.knots().size() - 1 : 0)) {
-            return abs(slope_.knots()[i]);
-        }
-        i = right ? i + 1 : i - 1;
-    }
-}
-
 // The integral of g'/w falls as the left edge moves outwards, and P grows with a along the contacts
 // (docs/mechanics.md). The unknowns are the distances from the ends of a flat minimum.
 Ends EdgeEquations::searched(const Real& value, bool by_force, const Real& relative) const {
+    const auto flat_end = [&](Edge edge) {
+        const auto knot = profile_.flat_end(edge);
+        return knot ? Real(abs(slope_.knots()[*knot])) : Real(0);
+    };
     const Real right = flat_end(Edge::right);
     const Real left = flat_end(Edge::left);
     Real start = by_force ? Real(value / modulus_) : Real(value - right);

@@ -82,8 +82,6 @@ private:
     [[nodiscard]] std::optional<Ends> refined(Ends e, const Real* P) const;
     /// The same between brackets, to the accuracy `relative`. `value`: P or a.
     [[nodiscard]] Ends searched(const Real& value, bool by_force, const Real& relative) const;
-    /// The distance from the origin at which a flat minimum ends on that side; 0 without one.
-    [[nodiscard]] Real flat_end(Edge edge) const;
 
     Profile profile_;
     Exact exact_modulus_;

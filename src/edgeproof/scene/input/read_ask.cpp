@@ -42,8 +42,7 @@ std::optional<Route> route_of(const io::TomlSection& ask, const Scene& scene) {
             return route;
         }
     }
-    if (name == "closed-form" && scene.profile &&
-        !contact::BallContact::has_closed_form(*scene.profile)) {
+    if (name == "closed-form" && scene.profile && !scene.profile->has_closed_form()) {
         ask.reject("route",
                    scene.round ? "only a power law has its pressure in closed form as an "
                                  "axisymmetric contact"
@@ -238,7 +237,7 @@ Place::Names exact_names_of(const Scene& scene) {
     if (scene.load.kind == Load::Kind::right_edge) {
         names.insert_or_assign("a", scene.load.value.expr());
     }
-    if (scene.profile && !scene.round && contact::BallContact::has_closed_form(*scene.profile)) {
+    if (scene.profile && !scene.round && scene.profile->has_closed_form()) {
         try {
             const contact::BallContact contact(*scene.profile, scene.contact_modulus, scene.load,
                                                bits);

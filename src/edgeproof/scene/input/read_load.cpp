@@ -197,24 +197,6 @@ void read_load(const io::TomlSection& load, Scene& scene) {
     }
 }
 
-namespace {
-
-/// The end of the flat, g' = 0, that begins at the origin; empty if there is none.
-std::optional<Exact> flat_end(const Profile& profile) {
-    const auto is_flat = [&](std::size_t piece) {
-        const auto& line = profile.pieces()[piece].linear;
-        const auto zero = [](const Expr& e) { return e.rational() && *e.rational() == 0; };
-        return line && zero(line->at_origin) && zero(line->rate);
-    };
-    std::size_t knot = profile.origin();
-    while (knot + 1 < profile.knots().size() && is_flat(knot + 1)) {
-        ++knot;
-    }
-    return knot == profile.origin() ? std::nullopt : std::optional(profile.knots()[knot]);
-}
-
-} // namespace
-
 void check_reach(const io::TomlSection& load, const Scene& scene) {
     if (load.has("width") && !scene.symmetric()) {
         load.reject("width",
@@ -224,13 +206,17 @@ void check_reach(const io::TomlSection& load, const Scene& scene) {
     if (scene.load.kind != Load::Kind::right_edge || !scene.profile) {
         return;
     }
-    const auto end = flat_end(*scene.profile);
-    if (end && sign_of(load, "a", Exact(scene.load.value.expr() - end->expr())) <= 0) {
+    const auto knot = scene.profile->flat_end(Edge::right);
+    if (!knot) {
+        return;
+    }
+    const Exact& end = scene.profile->knots()[*knot];
+    if (sign_of(load, "a", Exact(scene.load.value.expr() - end.expr())) <= 0) {
         load.reject(load.has("a") ? "a" : "width",
                     (scene.symmetric() ? "the half-width a = " : "the right edge a = ") +
                         scene.load.value.text() +
-                        " does not reach beyond the flat, which ends at x = " + end->text(),
-                    "give a > " + end->text() + ": under any load the whole flat is in contact");
+                        " does not reach beyond the flat, which ends at x = " + end.text(),
+                    "give a > " + end.text() + ": under any load the whole flat is in contact");
     }
 }
 

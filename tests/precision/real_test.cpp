@@ -113,32 +113,17 @@ TEST_CASE("a number is rounded to the working precision on request") {
     CHECK(rounded != finer);
 }
 
-TEST_CASE("a rational becomes the nearest number of each arithmetic") {
-    // The compiler's division is correctly rounded: an independent way to the nearest number.
-    CHECK(from_rational<double>(Rational(1, 3)) == 1.0 / 3);
-    CHECK(from_rational<double>(Rational(-1, 10)) == -0.1);
+TEST_CASE("a rational becomes the nearest number") {
     const PrecisionScope fifty(50);
     CHECK(from_rational<Real>(Rational(1, 3)) == Real(1) / 3);
-}
-
-TEST_CASE_TEMPLATE("pi, the spacing at 1 and the digits of each arithmetic", T, double, Real) {
-    using std::abs, std::log10, std::sin;
-    const PrecisionScope fifty(50);
-    const T one(1);
-    const T eps = unit_roundoff<T>();
-    CHECK(one + eps > one);
-    CHECK(one + eps / 4 == one);
-    CHECK(abs(sin(pi<T>())) < 4 * eps);
-    const double digits = digits_of<T>();
-    CHECK(digits <= -static_cast<double>(log10(eps)));
-    CHECK(digits > -static_cast<double>(log10(eps)) - 2);
 }
 
 TEST_CASE("pi and the spacing at 1 follow the working precision") {
     const PrecisionScope sixty(60);
     CHECK(pi<Real>().str(60, std::ios_base::fmtflags{}) ==
           "3.14159265358979323846264338327950288419716939937510582097494");
-    CHECK(unit_roundoff<double>() == DBL_EPSILON);
+    CHECK(Real(1) + unit_roundoff<Real>() > 1);
+    CHECK(Real(1) + unit_roundoff<Real>() / 4 == 1);
     const Real coarse = unit_roundoff<Real>();
     const PrecisionScope hundred(100);
     CHECK(unit_roundoff<Real>() < coarse * Real("1e-38"));

@@ -6,8 +6,8 @@
 ///   expr.hpp                    Expr: the tree; text and TeX of it; substitution; edits by path
 ///   parse.hpp                   text -> Expr, with a strict table of names; FormulaError
 ///   exact/exact.hpp             Exact: a constant such as "pi/16", and its value at any precision
-///   evaluation/evaluate.hpp     Values: names with values; the value of an Expr in any number type
-///   evaluation/program.hpp      Program: an Expr compiled for many evaluations
+///   evaluation/evaluate.hpp     the value of an Expr in any number type
+///   evaluation/program.hpp      Program: an Expr compiled for integrals
 #include "edgeproof/formula/builtin.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/evaluation/program.hpp"

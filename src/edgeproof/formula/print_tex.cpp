@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/expr.hpp"
+#include "edgeproof/formula/tex_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,15 +12,6 @@ namespace {
 using Kind = Expr::Kind;
 
 enum TexPrecedence { tex_sum = 1, tex_product = 2, tex_power = 3, tex_atom = 4 };
-
-bool is_greek(const std::string& name) {
-    static constexpr std::array greek{
-        "alpha", "beta", "gamma",   "delta",  "epsilon", "zeta",  "eta",   "theta",      "kappa",
-        "mu",    "nu",   "lambda",  "xi",     "pi",      "rho",   "sigma", "tau",        "phi",
-        "chi",   "psi",  "omega",   "varphi", "Gamma",   "Delta", "Theta", "varepsilon", "Lambda",
-        "Xi",    "Pi",   "Upsilon", "Sigma",  "Phi",     "Psi",   "Omega", "ell"};
-    return std::ranges::find(greek, name) != greek.end();
-}
 
 bool tall(const std::string& tex) {
     return tex.find("\\frac") != std::string::npos || tex.find("\\int") != std::string::npos;
@@ -116,13 +108,13 @@ private:
                    std::string(static_cast<std::size_t>(subscript[0] - '0'), '\'') + "(a)";
         }
         const std::string letter = n.substr(0, stem);
-        const std::string tex = letter == "Es"      ? "E^{*}"
-                                : letter == "eps"   ? "\\varepsilon"
-                                : letter == "gam"   ? "\\gamma"
-                                : letter == "sig"   ? "\\sigma"
-                                : letter.size() < 2 ? letter
-                                : is_greek(letter)  ? '\\' + letter
-                                                    : "\\mathrm{" + letter + '}';
+        const std::string tex = letter == "Es"             ? "E^{*}"
+                                : letter == "eps"          ? "\\varepsilon"
+                                : letter == "gam"          ? "\\gamma"
+                                : letter == "sig"          ? "\\sigma"
+                                : letter.size() < 2        ? letter
+                                : is_in(tex_greek, letter) ? '\\' + letter
+                                                           : "\\mathrm{" + letter + '}';
         return subscript.empty()
                    ? tex
                    : tex + "_{" +

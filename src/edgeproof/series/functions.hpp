@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/precision/arithmetic.hpp"
-#include "edgeproof/precision/elementary/gamma_taylor.hpp"
 #include "edgeproof/series/truncated.hpp"
 
 #include <cmath>
@@ -33,14 +32,17 @@ template <class T> [[nodiscard]] Series<T> sqrt(const Series<T>& x) {
     return pow_with_constant<T>(x, T(1) / T(2), sqrt(x[0]));
 }
 
-template <class T> [[nodiscard]] Series<T> pow(const Series<T>& x, const T& p) {
-    using std::pow;
-    return pow_with_constant<T>(x, p, pow(x[0], p));
-}
-
 /// x^n by repeated squaring; n < 0 needs a constant term.
 template <class T> [[nodiscard]] Series<T> pow_int(const Series<T>& x, long n) {
-    return power_by_squaring(Series<T>(T(1), x.order()), x, n);
+    if (n < 0) {
+        return pow_int(T(1) / x, -n);
+    }
+    Series<T> y(T(1), x.order());
+    for (Series<T> square = x; n != 0; n /= 2) {
+        y = n % 2 != 0 ? y * square : y;
+        square = n > 1 ? square * square : square;
+    }
+    return y;
 }
 
 /// The series f with f(x_0) = f0 and f' = g x' for a known g: the common form of log, atan, asin,
@@ -61,11 +63,6 @@ template <class T, class Rate>
 template <class T> [[nodiscard]] Series<T> log(const Series<T>& x) {
     using std::log;
     return integrate_along(T(1) / x, x, T(log(x[0])));
-}
-
-template <class T> [[nodiscard]] Series<T> log1p(const Series<T>& x) {
-    using std::log1p;
-    return integrate_along(T(1) / (T(1) + x), x, T(log1p(x[0])));
 }
 
 /// exp x, by y' = y x'.
@@ -118,65 +115,4 @@ template <class T> [[nodiscard]] std::pair<Series<T>, Series<T>> sin_cos(const S
 }
 template <class T> [[nodiscard]] Series<T> sin(const Series<T>& x) { return sin_cos(x).first; }
 template <class T> [[nodiscard]] Series<T> cos(const Series<T>& x) { return sin_cos(x).second; }
-template <class T> [[nodiscard]] Series<T> tan(const Series<T>& x) {
-    const auto [s, c] = sin_cos(x);
-    return s / c;
-}
-
-/// sinh, cosh and tanh by exponentials (DLMF 4.28).
-template <class T> [[nodiscard]] Series<T> sinh(const Series<T>& x) {
-    const Series<T> e = exp(x);
-    return (e - T(1) / e) / T(2);
-}
-template <class T> [[nodiscard]] Series<T> cosh(const Series<T>& x) {
-    const Series<T> e = exp(x);
-    return (e + T(1) / e) / T(2);
-}
-template <class T> [[nodiscard]] Series<T> tanh(const Series<T>& x) {
-    const Series<T> e = exp(x * T(2));
-    return (e - T(1)) / (e + T(1));
-}
-template <class T> [[nodiscard]] Series<T> asinh(const Series<T>& x) {
-    using std::asinh;
-    return integrate_root([&] { return T(1) / sqrt(T(1) + x * x); }, x, T(asinh(x[0])));
-}
-
-template <class T> [[nodiscard]] Series<T> acosh(const Series<T>& x) {
-    using std::acosh;
-    return integrate_root([&] { return T(1) / (sqrt(x - T(1)) * sqrt(x + T(1))); }, x,
-                          T(acosh(x[0])));
-}
-template <class T> [[nodiscard]] Series<T> atanh(const Series<T>& x) {
-    using std::atanh;
-    return integrate_along(T(1) / (T(1) - x * x), x, T(atanh(x[0])));
-}
-
-/// Euler's gamma function: its Taylor series about x_0, composed with x - x_0 by Horner's rule.
-template <Arithmetic T> [[nodiscard]] Series<T> gamma(const Series<T>& x) {
-    const std::size_t n = x.order();
-    const std::vector<T> outer = gamma_taylor(x[0], n);
-    Series<T> shift = x;
-    shift[0] = T(0);
-    Series<T> result(outer[n - 1], n);
-    for (std::size_t k = n - 1; k-- > 0;) {
-        result = result * shift;
-        result[0] += outer[k];
-    }
-    return result;
-}
-
-/// |x| near a point where x is not zero. Throws DomainError if x is zero there.
-template <class T> [[nodiscard]] Series<T> abs(const Series<T>& x) {
-    if (x[0] == T(0)) {
-        throw DomainError("|x| has no power series where x vanishes");
-    }
-    return x[0] < T(0) ? -x : x;
-}
-template <class T> [[nodiscard]] Series<T> sgn(const Series<T>& x) {
-    if (x[0] == T(0)) {
-        throw DomainError("sgn(x) has no power series where x vanishes");
-    }
-    return Series<T>(x[0] < T(0) ? T(-1) : T(1), x.order());
-}
-
 } // namespace edgeproof::series

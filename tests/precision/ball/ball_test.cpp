@@ -70,6 +70,14 @@ TEST_CASE("functions of exact numbers hold MPFR's values, narrowly") {
               b(gamma), [](const Real& x) { return Real(tgamma(x)); }, 0.1, 20) == "");
 }
 
+TEST_CASE("a power of zero is zero, and two zeros have no angle") {
+    const Ball zero(0, 100);
+    CHECK(pow(zero, Rational(5, 3)).is_exact());
+    CHECK_FALSE(pow(zero, Rational(-5, 3)).is_finite());
+    CHECK_FALSE(atan2(zero, zero).is_finite());
+    CHECK(atan2(zero, Ball(1, 100)).is_finite());
+}
+
 TEST_CASE("2F1 at known values") {
     // 2F1(1/2, 1; 3/2; z^2)... = artanh(z)/z, and 2F1(1, 1; 2; z) = -ln(1-z)/z (DLMF 15.4).
     const long bits = 300;

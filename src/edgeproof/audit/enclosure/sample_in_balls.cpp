@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/audit/sample/body_fields.hpp"
-#include "edgeproof/formula/magnitude.hpp"
 
 namespace edgeproof::audit {
 
@@ -37,17 +36,37 @@ Ball scale_of_integral(const Expr& e, const EnclosedSample& sample) {
 } // namespace
 
 Ball scale_of_terms(const Expr& e, const EnclosedSample& sample) {
-    return magnitude(e, [&](const Expr& part) {
-        if (part.kind() == Expr::Kind::integral) {
-            return scale_of_integral(part, sample);
+    using Kind = Expr::Kind;
+    const auto part = [&](std::size_t k) { return scale_of_terms(e.arg(k), sample); };
+    switch (e.kind()) {
+    case Kind::neg:
+        return part(0);
+    case Kind::add:
+    case Kind::sub:
+        return part(0) + part(1);
+    case Kind::mul:
+        return part(0) * part(1);
+    case Kind::div:
+        return part(0) / abs(sample.evaluate(e.arg(1)));
+    case Kind::integral:
+        return scale_of_integral(e, sample);
+    case Kind::symbol: {
+        const Ball value = sample.evaluate(e);
+        return abs(contains_zero(value) ? sample.evaluate(scale_of_name(e)) : value);
+    }
+    case Kind::call:
+        if (e.builtin() == formula::Builtin::abs || e.builtin() == formula::Builtin::max ||
+            e.builtin() == formula::Builtin::min) {
+            Ball sum = part(0);
+            for (std::size_t k = 1; k < e.args().size(); ++k) {
+                sum += part(k);
+            }
+            return sum;
         }
-        if (part.kind() == Expr::Kind::symbol) {
-            const Ball value = sample.evaluate(part);
-            const Expr scale = scale_of_name(part);
-            return contains_zero(value) && !(scale == part) ? abs(sample.evaluate(scale)) : value;
-        }
-        return sample.evaluate(part);
-    });
+        [[fallthrough]];
+    default:
+        return abs(sample.evaluate(e));
+    }
 }
 
 namespace {

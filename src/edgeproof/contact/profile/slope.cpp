@@ -1,25 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/profile/slope.hpp"
 
+#include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
-#include "edgeproof/series/functions.hpp"
+#include "edgeproof/precision/ball/acb_values.hpp"
+#include "edgeproof/precision/error.hpp"
 
 namespace edgeproof::contact {
 namespace {
 
-/// The environment in which an expression in x is evaluated over U, Real or Series<Real>. `lift`
-/// makes a constant of that type.
-template <class U, class Lift> class SlopeEnvironment {
-public:
-    SlopeEnvironment(const U& x, const Lift& lift) : x_(x), lift_(lift) {}
-    [[nodiscard]] U number(const Rational& q) const { return lift_(from_rational<Real>(q)); }
-    [[nodiscard]] U pi() const { return lift_(edgeproof::pi<Real>()); }
-    [[nodiscard]] U symbol(std::string_view) const { return x_; }
+constexpr long spare_bits = 32;
 
-private:
-    const U& x_;
-    const Lift& lift_;
+/// A ball of the number x, with more bits than the working precision.
+Ball wider(const Real& x) { return {x, mpfr_get_prec(raw(Real())) + spare_bits}; }
+
+/// The numbers of an expression are rounded to the working precision, as places are, so that
+/// (x - 1/5)^(3/2) vanishes at the knot 1/5.
+struct RoundedNumbers {
+    const Ball& x;
+    [[nodiscard]] static Ball number(const Rational& q) { return wider(from_rational<Real>(q)); }
+    [[nodiscard]] static Ball pi() { return wider(edgeproof::pi<Real>()); }
+    [[nodiscard]] Ball symbol(std::string_view) const { return x; }
 };
+
+Real rounded(const Ball& x) {
+    if (!x.is_finite()) {
+        throw DomainError("a slope has no value");
+    }
+    return at_working_precision(x.midpoint());
+}
 
 } // namespace
 
@@ -44,8 +53,8 @@ Real RealSlope::value(std::size_t piece, const Real& x) const {
     if (p.linear) {
         return p.at_origin + p.rate * x;
     }
-    const auto lift = [](const Real& c) { return c; };
-    return evaluate<Real>(p.expression, SlopeEnvironment<Real, decltype(lift)>(x, lift));
+    const Ball at = wider(x);
+    return rounded(evaluate<Ball>(p.expression, RoundedNumbers{at}));
 }
 
 Real RealSlope::rate(std::size_t piece, const Real& x) const {
@@ -53,11 +62,15 @@ Real RealSlope::rate(std::size_t piece, const Real& x) const {
     if (p.linear) {
         return p.rate;
     }
-    // Two terms of the Taylor series at x: the second is g''.
-    using S = series::Series<Real>;
-    const auto lift = [](const Real& c) { return S(c, 2); };
-    return evaluate<S>(p.expression,
-                       SlopeEnvironment<S, decltype(lift)>(S::variable(x, 2), lift))[1];
+    const Ball at = wider(x);
+    AcbValue z;
+    AcbPolyValue taylor;
+    acb_set_arb(z, at.data());
+    formula::complex_taylor(taylor, p.expression, z, 2, at.bits());
+    acb_poly_get_coeff_acb(z, taylor, 1);
+    Ball rate(0, at.bits());
+    arb_set(rate.data(), acb_realref(z));
+    return rounded(rate);
 }
 
 std::size_t RealSlope::piece_at(const Real& x) const {

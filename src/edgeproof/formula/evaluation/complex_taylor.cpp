@@ -264,27 +264,14 @@ private:
 } // namespace
 
 bool has_complex_taylor(const Expr& e) {
-    switch (e.kind()) {
-    case Expr::Kind::number:
-    case Expr::Kind::pi:
-        return true;
-    case Expr::Kind::symbol:
-        return e.name() == "x";
-    case Expr::Kind::integral:
-    case Expr::Kind::pv:
-    case Expr::Kind::sum:
-        return false;
-    case Expr::Kind::call:
-        if (e.builtin() != Builtin::tanh && e.builtin() != Builtin::sqrt &&
-            e.builtin() != Builtin::log && function_in(entire_functions, e.builtin()) == nullptr &&
-            function_in(inverse_functions, e.builtin()) == nullptr) {
-            return false;
-        }
-        break;
-    default:
-        break;
-    }
-    return std::all_of(e.args().begin(), e.args().end(), has_complex_taylor);
+    return !any_part(e, [](const Expr& part) {
+        const Builtin f = part.builtin();
+        const bool known = f == Builtin::tanh || f == Builtin::sqrt || f == Builtin::log ||
+                           function_in(entire_functions, f) != nullptr ||
+                           function_in(inverse_functions, f) != nullptr;
+        return part.is_binder() || (part.kind() == Expr::Kind::call && !known) ||
+               (part.kind() == Expr::Kind::symbol && part.name() != "x");
+    });
 }
 
 void complex_taylor(acb_poly_t series, const Expr& e, const acb_t at, long terms, long bits) {

@@ -81,10 +81,8 @@ private:
             program_.constants_.push_back(e);
             return {Slot::constant, program_.constants_.size() - 1};
         }
-        if (written_out_) {
-            if (const auto other = written_out_(e)) {
-                return compile(*other);
-            }
+        if (const auto other = written_out_(e)) {
+            return compile(*other);
         }
         if (e.kind() == Expr::Kind::sum && e.arg(2).rational() != nullptr &&
             e.arg(3).rational() != nullptr) {
@@ -98,13 +96,8 @@ private:
             for (const Expr& x : e.args()) {
                 in.push_back(compile(x));
             }
-            if (written_out_) {
-                if (const auto zero = zero_factor(e.kind(), in)) {
-                    return *zero;
-                }
-            }
-            if (e.kind() == Expr::Kind::pow && e.arg(1).rational() != nullptr) {
-                in.push_back(compile(Expr::number(Rational(1))));
+            if (const auto zero = zero_factor(e.kind(), in)) {
+                return *zero;
             }
         }
         return add_step(e.kind(), in, e);
@@ -153,13 +146,6 @@ private:
 Program::Program(const Expr& e, std::vector<Expr> inputs, const WrittenOut& written_out)
     : inputs_(std::move(inputs)) {
     const ProgramBuilder built(*this, e, written_out);
-}
-
-Program::Program(const Expr& e, const std::vector<std::string>& symbols) {
-    for (const std::string& name : symbols) {
-        inputs_.push_back(Expr::symbol(name));
-    }
-    const ProgramBuilder built(*this, e, {});
 }
 
 } // namespace edgeproof::formula

@@ -2,14 +2,12 @@
 #pragma once
 #include "edgeproof/formula/evaluation/functions.hpp"
 #include "edgeproof/formula/expr.hpp"
-#include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/rational.hpp"
 
 #include <concepts>
 #include <functional>
-#include <initializer_list>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -108,12 +106,11 @@ template <class Operation> auto in_part(const Expr& part, const Operation& opera
     }
 }
 
-/// Returns the value of a node of this kind from the values x(0), x(1), ... of its operands.
-/// `env.number` converts the exponent of a power. Calls are those of built-in functions.
-template <class T, class Operands, class Env>
-T value_of(Expr::Kind kind, const Expr& e, const Operands& x, const Env& env) {
+/// Returns the value of an operation, or a built-in function, from the values x(0), x(1), ... of
+/// its operands.
+template <class T, class Operands> T value_of(const Expr& e, const Operands& x) {
     using Kind = Expr::Kind;
-    switch (kind) {
+    switch (e.kind()) {
     case Kind::neg:
         return T(-x(0));
     case Kind::add:
@@ -125,15 +122,15 @@ T value_of(Expr::Kind kind, const Expr& e, const Operands& x, const Env& env) {
     case Kind::div: {
         const auto& over = x(0);
         const auto& under = x(1);
-        return in_part(e, [&] { return quotient<T>(over, under); });
+        return in_part(e, [&] { return T(over / under); });
     }
     case Kind::pow: {
         const auto& base = x(0);
         if (const Rational* q = e.arg(1).rational()) {
-            return in_part(e, [&] { return power<T>(base, *q, env); });
+            return in_part(e, [&] { return T(pow(base, *q)); });
         }
         const auto& exponent = x(1);
-        return in_part(e, [&] { return power<T>(base, exponent); });
+        return in_part(e, [&] { return T(pow(base, exponent)); });
     }
     default: {
         if (e.kind() != Kind::call || e.builtin() == Builtin::none) {
@@ -180,7 +177,7 @@ template <class T, class Env> T evaluate_node(const Expr& e, const Env& env) {
             return T(env.call(e, std::span<const T>(args)));
         }
     }
-    return value_of<T>(e.kind(), e, operand, env);
+    return value_of<T>(e, operand);
 }
 
 } // namespace detail
@@ -196,46 +193,5 @@ template <class T, class Env> T evaluate(const Expr& e, const Env& env) {
     }
     return detail::evaluate_node<T>(e, env);
 }
-
-/// Converts an exact number to T, at the working precision. Throws DomainError for a number that
-/// overflows in T or becomes zero.
-template <Arithmetic T> [[nodiscard]] T number_of(const Rational& q) {
-    const T x = from_rational<T>(q);
-    if ((x == 0 && q != 0) || x - x != 0) {
-        throw DomainError("a number beyond the range of the requested arithmetic");
-    }
-    return x;
-}
-
-/// An environment with the values of names.
-template <Arithmetic T> class Values {
-public:
-    Values() = default;
-    Values(std::initializer_list<std::pair<std::string_view, T>> values) {
-        for (const auto& [name, value] : values) {
-            set(name, value);
-        }
-    }
-
-    Values& set(std::string_view name, const T& value) {
-        values_.insert_or_assign(std::string(name), value);
-        return *this;
-    }
-
-    [[nodiscard]] const std::map<std::string, T, std::less<>>& all() const { return values_; }
-    [[nodiscard]] T number(const Rational& q) const { return number_of<T>(q); }
-    [[nodiscard]] T pi() const { return edgeproof::pi<T>(); }
-    /// Throws Error for a name that has no value.
-    [[nodiscard]] T symbol(std::string_view name) const {
-        const auto it = values_.find(name);
-        if (it == values_.end()) {
-            throw Error("'" + std::string(name) + "' has no value here");
-        }
-        return it->second;
-    }
-
-private:
-    std::map<std::string, T, std::less<>> values_;
-};
 
 } // namespace edgeproof::formula

@@ -8,7 +8,6 @@
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
-#include <cstdlib>
 #include <limits>
 #include <string>
 #include <utility>
@@ -16,11 +15,6 @@
 namespace edgeproof::formula {
 
 namespace {
-
-Real value_at(const Expr& e, unsigned digits) {
-    const PrecisionScope scope(digits);
-    return evaluate<Real>(e, Values<Real>{});
-}
 
 constexpr long most_bits = 4096;
 constexpr std::size_t most_shown = 100; ///< bytes of an expression in a message
@@ -33,41 +27,42 @@ template <class T> mpfr_prec_t bits_of_arithmetic() {
     }
 }
 
-/// Throws Error if e has no value: if it contains a name or an integral, or has no real value
-/// (DomainError).
+/// Throws Error if e contains a name or an integral; DomainError, with the innermost part in
+/// question, if balls do not prove that e has a real value.
 void check_defined(const Expr& e) {
     if (e.rational() != nullptr) {
         return;
     }
-    try {
-        (void)value_at(e, 30);
-    } catch (const DomainError&) {
-        // With 30 digits the root of a small positive number may look like that of a negative one.
-        for (long bits = 256; bits <= most_bits; bits *= 2) {
-            if (enclose(e, bits)) {
-                return;
-            }
+    for (long bits = 64; bits <= most_bits; bits *= 2) {
+        if (enclose(e, bits)) {
+            return;
         }
-        throw;
     }
+    if (!e.is_binder()) {
+        for (const Expr& part : e.args()) {
+            check_defined(part);
+        }
+    }
+    throw DomainError(shortened(to_text(e), most_shown) + " has no value that can be enclosed");
 }
 
 /// Throws for much smaller or larger numbers, which would take unlimited time elsewhere. The limit
 /// is far beyond any practical number.
 void check_magnitude(const Expr& e, std::string_view text) {
-    constexpr mpfr_exp_t most_bits_of_magnitude = 332'194; // 10^100000
-    const PrecisionScope scope(30);
-    const Rational* q = e.rational();
-    mpfr_clear_flags();
-    const Real x = q != nullptr ? from_rational<Real>(*q) : value_at(e, 30);
-    const auto* const raw = x.backend().data();
-    const bool beyond =
-        mpfr_zero_p(raw) != 0
-            ? mpfr_underflow_p() != 0 || mpfr_overflow_p() != 0
-            : mpfr_number_p(raw) == 0 || std::abs(mpfr_get_exp(raw)) > most_bits_of_magnitude;
-    if (beyond) {
-        throw FormulaError("'" + shortened(text, 60) + "' is beyond the range of numbers",
-                           "write a number between 1e-100000 and 1e100000", 0);
+    const Ball greatest = pow_int(Ball(10, 64), 100'000);
+    const Ball least = 1 / greatest;
+    for (long bits = 64; bits <= most_bits; bits *= 2) {
+        const auto x = enclose(e, bits);
+        const Ball size = x ? abs(*x) : Ball();
+        if (certainly_less(greatest, size) ||
+            (certainly_less(size, least) && !contains_zero(size))) {
+            throw FormulaError("'" + shortened(text, 60) + "' is beyond the range of numbers",
+                               "write a number between 1e-100000 and 1e100000", 0);
+        }
+        if (x &&
+            (x->is_exact() || (certainly_less(least, size) && certainly_less(size, greatest)))) {
+            return;
+        }
     }
 }
 

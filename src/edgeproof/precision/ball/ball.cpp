@@ -194,7 +194,13 @@ Ball acosh(const Ball& x) {
 }
 Ball atanh(const Ball& x) { return apply(x, arb_atanh); }
 Ball gamma(const Ball& x) { return apply(x, arb_gamma); }
-Ball atan2(const Ball& y, const Ball& x) { return apply(y, x, arb_atan2); }
+Ball atan2(const Ball& y, const Ball& x) {
+    Ball angle = apply(y, x, arb_atan2);
+    if (contains_zero(y) && contains_zero(x)) {
+        arb_indeterminate(angle.data()); // Arb's angle of two zeros is 0
+    }
+    return angle;
+}
 Ball hypot(const Ball& x, const Ball& y) { return apply(x, y, arb_hypot); }
 Ball max(const Ball& x, const Ball& y) {
     if (y.is_exact() && !x.is_exact() && overlaps(x, y)) {
@@ -210,6 +216,9 @@ Ball pow(const Ball& x, const Ball& y) { return apply(x, y, arb_pow); }
 
 Ball pow(const Ball& x, const Rational& y) {
     Ball r(0, x.bits());
+    if (arb_is_zero(x.data()) != 0 && y > 0) {
+        return r; // Arb takes no cube root of zero
+    }
     arb_pow_fmpq(r.data(), x.data(), to_fmpq(y), x.bits());
     return r;
 }

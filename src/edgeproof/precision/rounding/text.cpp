@@ -274,32 +274,38 @@ std::string bound_text(const Real& x) {
     return seen.empty() ? decimal(x, 2, MPFR_RNDU) : seen;
 }
 
+std::optional<Decimal> terminating_decimal(const Rational& q) {
+    const Integer below(boost::multiprecision::denominator(q));
+    const Integer five(5);
+    Integer rest;
+    const auto twos = mpz_scan1(below.backend().data(), 0);
+    mpz_tdiv_q_2exp(rest.backend().data(), below.backend().data(), twos);
+    const auto fives =
+        mpz_remove(rest.backend().data(), rest.backend().data(), five.backend().data());
+    if (rest != 1) {
+        return {};
+    }
+    const auto places = static_cast<long>(std::max(twos, fives));
+    Decimal d{q < 0, Integer(abs(numerator(q)) * (ten_to(places) / below)).str(), 0};
+    d.exponent = static_cast<long>(d.digits.size()) - places;
+    d.digits.resize(d.digits.find_last_not_of('0') + 1);
+    return q == 0 ? Decimal() : d;
+}
+
 std::string exact_text(const Rational& q) {
-    Integer denominator = boost::multiprecision::denominator(q);
-    unsigned twos = 0;
-    unsigned fives = 0;
-    while (denominator % 2 == 0) {
-        denominator /= 2;
-        ++twos;
-    }
-    while (denominator % 5 == 0) {
-        denominator /= 5;
-        ++fives;
-    }
-    if (denominator != 1) {
+    const auto d = terminating_decimal(q);
+    if (!d) {
         return q.str();
     }
-    const unsigned places = twos > fives ? twos : fives;
-    const Integer scaled =
-        boost::multiprecision::numerator(Rational(q * Rational(pow(Integer(10), places))));
-    std::string digits = Integer(abs(scaled)).str();
-    if (digits.size() <= places) {
-        digits.insert(0, places + 1 - digits.size(), '0');
+    const auto zeros = [](long n) { return std::string(static_cast<std::size_t>(n), '0'); };
+    const auto size = static_cast<long>(d->digits.size());
+    std::string text = d->exponent > size ? d->digits + zeros(d->exponent - size) : d->digits;
+    if (d->exponent <= 0 && size > 0) {
+        text.insert(0, "0." + zeros(-d->exponent));
+    } else if (d->exponent < size) {
+        text.insert(static_cast<std::size_t>(d->exponent), ".");
     }
-    if (places > 0) {
-        digits.insert(digits.size() - places, ".");
-    }
-    return (scaled < 0 ? "-" : "") + digits;
+    return size == 0 ? "0" : (d->negative ? "-" : "") + text;
 }
 
 Rounded round_ball(const Ball& x, unsigned digits, Rounding mode) {

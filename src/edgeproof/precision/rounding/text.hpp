@@ -52,6 +52,9 @@ struct Decimal {
     friend bool operator==(const Decimal&, const Decimal&) = default;
 };
 
+/// The decimal expansion of q, with a last digit that is not 0, if it terminates.
+[[nodiscard]] std::optional<Decimal> terminating_decimal(const Rational& q);
+
 /// A number or a ball in decimal.
 struct Rounded {
     std::string text;      ///< the text to which every number in the ball rounds

@@ -4,6 +4,7 @@
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/design/best_reach.hpp"
 #include "edgeproof/contact/enclosure/ball_extent.hpp"
+#include "edgeproof/precision/bounded_cache.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <map>
@@ -46,11 +47,10 @@ Ball enclosed_reach(const SceneSpec& scene, const ReachQuestion& question, bool 
     return first_exit ? extents.first_exit : extents.measure;
 }
 
-Ball best_value(const SceneSpec& scene, const ReachQuestion& question, const std::string& parameter,
-                const Exact& from, const Exact& to) {
-    if (parameter != "m" || scene.profile != "power-law") {
-        throw Error("best(...) is proved only for the exponent m of a power law");
-    }
+namespace {
+
+/// The value for the one-power law, whose shape is all that the question depends on.
+Ball best_exponent(const ReachQuestion& question, const Exact& from, const Exact& to) {
     const auto errors = contact::power_law_errors(
         Expr::symbol("m"), {},
         {question.edge, number_of_terms(question), contact::ReachUnit::fraction});
@@ -65,6 +65,24 @@ Ball best_value(const SceneSpec& scene, const ReachQuestion& question, const std
         throw BudgetError(best.missing);
     }
     return best.value;
+}
+
+} // namespace
+
+Ball best_value(const SceneSpec& scene, const ReachQuestion& question, const std::string& parameter,
+                const Exact& from, const Exact& to) {
+    if (parameter != "m" || scene.profile != "power-law") {
+        throw Error("best(...) is proved only for the exponent m of a power law");
+    }
+    // The proof takes seconds, and is the same for all scenes, bits and parts of a condition.
+    constexpr std::size_t most_kept = 16;
+    thread_local BoundedCache<std::string, const Ball> kept(most_kept);
+    std::string key = question.edge == Edge::right ? "right" : "left";
+    for (const Exact* argument : {&question.terms, &question.tolerance, &from, &to}) {
+        key += ", " + to_text(argument->expr());
+    }
+    return *kept.get(
+        key, [&] { return std::make_shared<const Ball>(best_exponent(question, from, to)); });
 }
 
 } // namespace edgeproof::audit

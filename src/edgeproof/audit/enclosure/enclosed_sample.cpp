@@ -1,18 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 
-#include "edgeproof/audit/enclosure/sample_state.hpp"
+#include "edgeproof/audit/enclosure/contact_formulas.hpp"
+#include "edgeproof/audit/enclosure/enclosed_reach.hpp"
 #include "edgeproof/precision/rounding/escalate.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
+#include <iterator>
+
 namespace edgeproof::audit {
 
-EnclosedSample::EnclosedSample(const Sample& sample, long bits, unsigned integral_digits)
-    : state_(std::make_unique<State>(sample, bits, integral_digits)) {}
-EnclosedSample::~EnclosedSample() = default;
-EnclosedSample::EnclosedSample(EnclosedSample&&) noexcept = default;
-
-Ball EnclosedSample::evaluate(const Expr& e) const { return formula::evaluate<Ball>(e, *state_); }
+EnclosedSample::EnclosedSample(Sample sample, long bits, unsigned integral_digits)
+    : sample_(std::move(sample)), bits_(bits), integral_digits_(integral_digits),
+      profile_(sample_.scene.make_profile()) {
+    const auto load = contact::Load::right_edge(sample_.scene.parameter("a"));
+    contact_ = contact::proved_contact(profile_, sample_.scene.parameter("Es"), load, bits_);
+    if (contact_->closed_form() == nullptr &&
+        contact::monotonicity_of_slope(profile_, contact_->a(), contact_->b()).kind !=
+            contact::SlopeMonotonicity::Kind::rises) {
+        throw Error("a slope that is not proved to rise over the contact has no enclosure");
+    }
+    for (const auto& [name, value] : sample_.scene.names()) {
+        names_.emplace(name, ball_of(value, bits_));
+    }
+    for (const auto& [name, value] : sample_.variables) {
+        names_.insert_or_assign(name, ball_of(value, bits_));
+    }
+    if (sample_.fraction) {
+        u_.emplace(ball_of(*sample_.fraction, bits_) * length());
+    }
+}
 
 Ball EnclosedSample::finite(const Expr& e) const {
     Ball value = evaluate(e);
@@ -22,11 +39,11 @@ Ball EnclosedSample::finite(const Expr& e) const {
     return value;
 }
 
-bool EnclosedSample::diverges(const Expr& integral) const {
+bool EnclosedSample::diverges(const Expr& node) const {
     bool found = false;
     try {
-        state_->integral(
-            integral, [&](std::string_view name) { return state_->symbol(name); },
+        integral(
+            node, [&](std::string_view name) { return symbol(name); },
             [&](const Expr& e, const IntegralSurroundings& around) {
                 found = certainly_divergent(e, around);
             });
@@ -37,20 +54,229 @@ bool EnclosedSample::diverges(const Expr& integral) const {
 }
 
 void EnclosedSample::set(const std::string& name, const Ball& value) {
-    state_->names.insert_or_assign(name, value);
-    state_->overridden.insert(name);
-    state_->fields_.reset();
-    state_->integrals_.clear();
+    names_.insert_or_assign(name, value);
+    overridden_.insert(name);
+    fields_.reset();
+    integrals_.clear();
 }
 
 void EnclosedSample::set_place(Edge edge, const Ball& u) {
-    state_->sample.edge = edge;
-    state_->u = u;
-    state_->integrals_.clear();
+    sample_.edge = edge;
+    u_ = u;
+    integrals_.clear();
 }
 
-Ball EnclosedSample::length() const { return state_->length(); }
-long EnclosedSample::bits() const { return state_->bits; }
+Ball EnclosedSample::symbol(std::string_view name) const {
+    if (const auto it = names_.find(name); it != names_.end()) {
+        return it->second;
+    }
+    if (name == "u" || name == "x") {
+        if (!u_) {
+            throw Error("no place is given");
+        }
+        return name == "u" ? *u_ : x();
+    }
+    if (const auto value = quantity(name)) {
+        return *value;
+    }
+    throw Error("'" + std::string(name) + "' has no enclosure");
+}
+
+std::optional<Ball> EnclosedSample::quantity(std::string_view name) const {
+    if (name == "b") {
+        return contact().b();
+    }
+    if (name == "L") {
+        return length();
+    }
+    if (name == "P") {
+        return axisymmetric() ? ball_of(sample_.scene.total_force(), bits_) : contact().force();
+    }
+    if (axisymmetric() && name == "delta") {
+        return ball_of(sample_.scene.approach(), bits_);
+    }
+    if (name == "M") {
+        return contact().moment();
+    }
+    if (const auto k = order_behind(name, "P")) {
+        return force_derivative(*k);
+    }
+    if (const auto k = order_behind(name, "b")) {
+        return left_edge_derivative(*k);
+    }
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        const bool right = edge == Edge::right;
+        const std::string side = right ? "right_" : "left_";
+        if (const auto k = order_behind(name, side + "c")) {
+            return coefficient(edge, *k);
+        }
+        if (const auto k = order_behind(name, side + "s")) {
+            return full_stick_expansion(length(), load(), edge, *k + 1).back();
+        }
+        if (slips() && name == side + "d") {
+            return partial_slip().slip().size(edge);
+        }
+        if (slips() && name == (right ? "stick_a" : "stick_b")) {
+            return partial_slip().slip().stick().at(edge);
+        }
+    }
+    return std::nullopt;
+}
+
+Ball EnclosedSample::call(const Expr& node, std::span<const Ball> args) const {
+    const std::string& name = node.name();
+    if (name == "p") {
+        return pressure(node.arg(0), args[0]);
+    }
+    if (name == "q") {
+        return traction(node.arg(0), args[0]);
+    }
+    if (name == "g1") {
+        return slope(args[0]);
+    }
+    if (name == "gap") {
+        return gap_at(closed_form(name), axisymmetric(), args[0]);
+    }
+    if (name == "sxx" || name == "szz" || name == "sxz") {
+        return fields().stress(name, args[0], args[1]);
+    }
+    if (name == "slip") {
+        return fields().slip(args[0]);
+    }
+    if (name == "right_local") {
+        return local(Edge::right, node, args);
+    }
+    if (name == "left_local") {
+        return local(Edge::left, node, args);
+    }
+    if (name == "Pof" || name == "P1of" || name == "bof") {
+        const contact::BallContact other = with_right_edge(name, node.arg(0), args[0]);
+        return name == "Pof"    ? other.force()
+               : name == "P1of" ? other.force_derivatives(2).back()
+                                : other.b();
+    }
+    if (name == "exit" || name == "measure" || name == "best") {
+        const auto exact = [&](std::size_t i) {
+            const auto value = constant(node.arg(i));
+            if (!value) {
+                throw Error("the arguments of " + name + " are not numbers");
+            }
+            return *value;
+        };
+        const ReachQuestion question{sample_.edge, exact(0), exact(1)};
+        return name != "best"
+                   ? enclosed_reach(sample_.scene, question, name == "exit", bits_)
+                   : best_value(sample_.scene, question, node.arg(2).name(), exact(3), exact(4));
+    }
+    if (name == "binv" && certainly_positive(args[0])) {
+        return closed_form(name).mirrored().with_right_edge(args[0]).b();
+    }
+    throw Error("'" + name + "' has no enclosure");
+}
+
+std::optional<Ball> EnclosedSample::elsewhere(const Expr& call) const {
+    if (call.name() == "next") {
+        if (!sample_.next) {
+            throw Error("next(f) has a value only in a claim with the key `along`");
+        }
+        if (!next_) {
+            next_ = std::make_unique<EnclosedSample>(*sample_.next, bits_, integral_digits_);
+        }
+        return next_->evaluate(call.arg(0));
+    }
+    if (call.name() != "given") {
+        return std::nullopt;
+    }
+    const std::string name = call.arg(1).kind() == Expr::Kind::symbol ? call.arg(1).name() : "";
+    Sample other = sample_;
+    const bool variable = other.variables.contains(name);
+    const auto exact = constant(call.arg(2));
+    if (!variable && !other.scene.parameters.contains(name)) {
+        throw Error("given(...) needs a parameter of the family or a name of `vary`");
+    }
+    if (exact) {
+        (variable ? other.variables[name] : other.scene.parameters[name]) = *exact;
+    } else if (!variable && name != "Q" && name != "sig0") {
+        throw Error("given(...) needs a number for a parameter of the profile");
+    }
+    EnclosedSample there(other, bits_, integral_digits_);
+    for (const std::string& own : overridden_) {
+        there.set(own, names_.at(own));
+    }
+    there.set(name, formula::evaluate<Ball>(call.arg(2), *this));
+    if (u_) {
+        there.set_place(sample_.edge, *u_);
+    }
+    return there.evaluate(call.arg(0));
+}
+
+namespace {
+
+/// The names that ContactFormulas use.
+constexpr const char* names_of_formulas[] = {"a", "b", "Q", "sig0"};
+
+/// A sample with other names. Its type does not grow with nested integrals.
+struct Renamed {
+    const EnclosedSample& sample;
+    const std::function<Ball(std::string_view)>& symbol_of;
+    [[nodiscard]] Ball number(const Rational& q) const { return sample.number(q); }
+    [[nodiscard]] Ball pi() const { return sample.pi(); }
+    [[nodiscard]] Ball symbol(std::string_view name) const { return symbol_of(name); }
+    [[nodiscard]] Ball call(const Expr& node, std::span<const Ball> args) const {
+        return sample.call(node, args);
+    }
+    template <class Scope> [[nodiscard]] Ball binder(const Expr& node, const Scope& scope) const {
+        return sample.binder(node, scope);
+    }
+};
+
+} // namespace
+
+void EnclosedSample::integral(const Expr& node,
+                              const std::function<Ball(std::string_view)>& symbol_of,
+                              const UseOfIntegral& use) const {
+    if (slips() && holds_call(node, "q")) {
+        throw Error("q of partial slip has no enclosure inside an integral");
+    }
+    const bool renamed =
+        std::any_of(std::begin(names_of_formulas), std::end(names_of_formulas),
+                    [&](const char* name) {
+                        return sample_.variables.contains(name) || node.arg(1).name() == name;
+                    }) ||
+        sample_.scene.parameters.contains("b");
+    std::optional<ContactFormulas> formulas;
+    if (!renamed && holds_function(node)) {
+        formulas.emplace(profile_, closed_form("an integral"),
+                         ball_of(sample_.scene.parameter("Es"), bits_));
+    }
+    const std::function<Ball(std::string_view)> with_formulas = [&](std::string_view name) {
+        if (formulas) {
+            const auto it = formulas->constants().find(name);
+            if (it != formulas->constants().end()) {
+                return it->second;
+            }
+        }
+        return symbol_of(name);
+    };
+    // Limits such as k*a with k = 1 are compared with the edges by symbols.
+    Expr with_values = node;
+    for (const auto& [name, value] : sample_.variables) {
+        if (!overridden_.contains(name)) {
+            with_values = substitute(with_values, name, value.expr());
+        }
+    }
+    const Renamed scope{*this, with_formulas};
+    IntegralSurroundings around;
+    around.value = [&](const Expr& e) { return formula::evaluate<Ball>(e, scope); };
+    around.rational = [&](const Expr& e) -> std::optional<Rational> {
+        const auto exact = constant(e);
+        return exact && exact->is_rational() ? std::optional(exact->rational()) : std::nullopt;
+    };
+    around.contact = formulas ? &*formulas : nullptr;
+    around.symmetric = profile_.symmetric() && !renamed;
+    around.bits = bits_;
+    use(with_values, around);
+}
 
 std::optional<Exact> exact_value(Expr e, const Sample& sample) {
     for (const auto& [name, value] : sample.variables) {

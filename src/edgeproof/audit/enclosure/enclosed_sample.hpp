@@ -1,14 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/audit/enclosure/enclosed_integral.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
-#include "edgeproof/precision/ball/ball.hpp"
+#include "edgeproof/audit/sample/body_fields.hpp"
+#include "edgeproof/contact/curved/curved_slope.hpp"
+#include "edgeproof/contact/curved/proved_slip.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/law/shear.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/precision/error.hpp"
 
-#include <map>
+#include <algorithm>
+#include <concepts>
+#include <exception>
+#include <functional>
 #include <memory>
-#include <optional>
-#include <string>
+#include <set>
+#include <unordered_map>
+#include <variant>
+#include <vector>
 
 namespace edgeproof::audit {
+
+/// Returns the value of a formula as an exact number, if it contains only parameters of the scene
+/// and variables of the sample; nothing for others.
+[[nodiscard]] std::optional<Exact> exact_value(Expr e, const Sample& sample);
 
 /// A sample of a claim in ball arithmetic, in which the formulas of a ledger are enclosed.
 ///
@@ -28,13 +45,11 @@ public:
     /// Throws BudgetError or DomainError if this number of bits does not enclose the contact.
     /// `integral_digits`: the accuracy that integrals aim at; the full accuracy of the bits would
     /// cost too much.
-    EnclosedSample(const Sample& sample, long bits, unsigned integral_digits = 20);
-    ~EnclosedSample();
-    EnclosedSample(EnclosedSample&&) noexcept;
+    explicit EnclosedSample(Sample sample, long bits, unsigned integral_digits = 20);
 
     /// The ball is not finite if a point at which the formula is undefined is not excluded. Throws
     /// Error for parts without an enclosure.
-    [[nodiscard]] Ball evaluate(const Expr& e) const;
+    [[nodiscard]] Ball evaluate(const Expr& e) const { return formula::evaluate<Ball>(e, *this); }
     /// The same; throws BudgetError if the ball is not finite.
     [[nodiscard]] Ball finite(const Expr& e) const;
     /// True if an integral is proved to diverge at one of its ends.
@@ -44,12 +59,198 @@ public:
     /// Moves the place to the distance u from an edge.
     void set_place(Edge edge, const Ball& u);
     /// Returns a + b.
-    [[nodiscard]] Ball length() const;
-    [[nodiscard]] long bits() const;
+    [[nodiscard]] Ball length() const { return contact().a() + contact().b(); }
+    [[nodiscard]] long bits() const { return bits_; }
+
+    // The environment of formula::evaluate.
+    [[nodiscard]] Ball number(const Rational& q) const { return Ball(q, bits_); }
+    [[nodiscard]] Ball pi() const { return Ball::pi(bits_); }
+    [[nodiscard]] Ball symbol(std::string_view name) const;
+    [[nodiscard]] Ball call(const Expr& node, std::span<const Ball> args) const;
+    /// Returns the value of given(f, name, value) or next(f); nothing for other calls.
+    [[nodiscard]] std::optional<Ball> elsewhere(const Expr& call) const;
+
+    template <class Scope> [[nodiscard]] Ball binder(const Expr& node, const Scope& scope) const {
+        if (node.kind() == Expr::Kind::sum) {
+            return evaluate_sum<Ball>(node, scope);
+        }
+        const auto value = [&] {
+            Ball found;
+            integral(
+                node, [&](std::string_view name) { return Ball(scope.symbol(name)); },
+                [&](const Expr& e, const IntegralSurroundings& around) {
+                    found = enclosed_integral(e, around, integral_digits_);
+                });
+            return found;
+        };
+        if constexpr (!std::same_as<Scope, EnclosedSample>) {
+            return value(); // an integral inside another depends on more than its own text
+        } else {
+            const auto [known, added] = integrals_.try_emplace(node);
+            if (added) {
+                try {
+                    known->second = value();
+                } catch (...) {
+                    known->second = std::current_exception();
+                }
+            }
+            if (const auto* problem = std::get_if<std::exception_ptr>(&known->second)) {
+                std::rethrow_exception(*problem);
+            }
+            return std::get<Ball>(known->second);
+        }
+    }
 
 private:
-    struct State;
-    std::unique_ptr<State> state_;
+    /// The contact, by a closed form or by rigorous integration.
+    [[nodiscard]] const contact::ProvedContact& contact() const { return *contact_; }
+    /// Throws Error for a curved slope, for which `what` has no enclosure.
+    [[nodiscard]] const contact::BallContact& closed_form(std::string_view what) const {
+        if (const contact::BallContact* closed = contact_->closed_form()) {
+            return *closed;
+        }
+        throw Error("'" + std::string(what) + "' of a curved slope has no enclosure");
+    }
+    /// Returns the value of a name of a quantity of the contact; nothing for other names.
+    [[nodiscard]] std::optional<Ball> quantity(std::string_view name) const;
+    [[nodiscard]] bool axisymmetric() const { return sample_.scene.axisymmetric; }
+    [[nodiscard]] Ball force_derivative(std::size_t k) const {
+        if (k == 1 && contact().closed_form() == nullptr) {
+            // c_0 = 2 P'(a)/(pi sqrt(a + b)): docs/expansions.md
+            return coefficient(Edge::right, 0) * pi() * sqrt(length()) / 2;
+        }
+        return closed_form("P" + std::to_string(k)).force_derivatives(k + 1).back();
+    }
+    [[nodiscard]] Ball left_edge_derivative(std::size_t k) const {
+        if (k == 1 && contact().closed_form() == nullptr) {
+            // The coefficients c_0 of the edges have the ratio b'(a).
+            return coefficient(Edge::right, 0) / coefficient(Edge::left, 0);
+        }
+        return closed_form("b" + std::to_string(k)).left_edge_derivatives(k + 1).back();
+    }
+    [[nodiscard]] Ball coefficient(Edge edge, std::size_t k) const {
+        return contact().expansion(edge, k + 1).back();
+    }
+    [[nodiscard]] bool slips() const { return sample_.scene.slips(); }
+    [[nodiscard]] Ball x() const {
+        return sample_.edge == Edge::right ? contact().a() - *u_ : *u_ - contact().b();
+    }
+    [[nodiscard]] contact::ShearLoad<Ball> load() const {
+        const auto Q = names_.find("Q");
+        const auto tension = names_.find("sig0");
+        if (Q == names_.end() || tension == names_.end()) {
+            throw Error("a scene without shear");
+        }
+        return {Q->second, tension->second};
+    }
+
+    [[nodiscard]] const BodyFields& fields() const {
+        if (!fields_) {
+            const bool sheared = names_.contains("Q") || names_.contains("sig0");
+            fields_.emplace(sample_.scene, sheared ? std::optional(load()) : std::nullopt,
+                            slips() ? std::optional(symbol("friction")) : std::nullopt, bits_);
+        }
+        return *fields_;
+    }
+    /// For a scene with friction.
+    [[nodiscard]] const contact::ProvedSlip& partial_slip() const {
+        return fields().partial_slip();
+    }
+    [[nodiscard]] Ball traction(const Expr& written, const Ball& at) const {
+        if (!slips()) {
+            const Edge edge = u_ ? sample_.edge : Edge::right;
+            return full_stick_traction(length(), load(), edge, distance(edge, written, at));
+        }
+        const bool own_place = u_ && written == Expr::symbol("x");
+        const Edge edge = own_place                ? sample_.edge
+                          : certainly_negative(at) ? Edge::left
+                                                   : Edge::right;
+        return partial_slip().traction(edge, distance(edge, written, at));
+    }
+
+    /// Calls use(integral, surroundings) with the variables of the sample put in.
+    using UseOfIntegral = std::function<void(const Expr&, const IntegralSurroundings&)>;
+    void integral(const Expr& node, const std::function<Ball(std::string_view)>& symbol_of,
+                  const UseOfIntegral& use) const;
+
+    /// Returns the exact value of e if it is a constant of the scene.
+    [[nodiscard]] std::optional<Exact> constant(const Expr& e) const {
+        const std::set<std::string> names_in_e = free_symbols(e);
+        return std::ranges::any_of(
+                   overridden_, [&](const std::string& name) { return names_in_e.contains(name); })
+                   ? std::nullopt
+                   : exact_value(e, sample_);
+    }
+    /// Returns the distance from an edge of the place given by an argument.
+    [[nodiscard]] Ball distance(Edge edge, const Expr& written, const Ball& at) const {
+        if (u_ && edge == sample_.edge && written == Expr::symbol("x")) {
+            return *u_;
+        }
+        return edge == Edge::right ? contact().a() - at : at + contact().b();
+    }
+    [[nodiscard]] Ball pressure(const Expr& written, const Ball& at) const {
+        if (u_ && written == Expr::symbol("x")) {
+            return contact().pressure(sample_.edge, *u_);
+        }
+        const Edge edge = certainly_negative(at) ? Edge::left : Edge::right;
+        return contact().pressure(edge, distance(edge, written, at));
+    }
+    /// Returns g'(x); if the ball of x contains a knot, the values of the pieces on both sides.
+    [[nodiscard]] Ball slope(const Ball& at) const {
+        const auto in_piece = [&](std::size_t piece) {
+            return formula::evaluate<Ball>(profile_.pieces()[piece].slope,
+                                           formula::with_symbol(*this, "x", at));
+        };
+        std::size_t first = 0;
+        std::size_t last = 0;
+        for (const Exact& knot : profile_.knots()) {
+            const Ball k = ball_of(knot, bits_);
+            first += certainly_less(k, at) ? 1 : 0;
+            last += certainly_less(at, k) ? 0 : 1;
+        }
+        Ball g = in_piece(first);
+        while (first < last) {
+            g = Ball::hull(g, in_piece(++first));
+        }
+        return g;
+    }
+    /// Returns a contact of the family with the same profile.
+    [[nodiscard]] contact::BallContact with_right_edge(const std::string& function,
+                                                       const Expr& written, const Ball& at) const {
+        const contact::BallContact& contact = closed_form(function);
+        if (const auto edge = constant(written); edge && edge->sign() > 0) {
+            return {profile_, sample_.scene.parameter("Es"), contact::Load::right_edge(*edge),
+                    bits_};
+        }
+        if (!certainly_positive(at)) {
+            throw Error(function + " of an argument that may not be positive");
+        }
+        return contact.with_right_edge(at);
+    }
+    [[nodiscard]] Ball local(Edge edge, const Expr& node, std::span<const Ball> args) const {
+        const Rational* n = node.arg(0).rational();
+        if (n == nullptr || denominator(*n) != 1 || *n < 0 || *n > 1000) {
+            throw Error(node.name() + " of a number of terms that is not from 0 to 1000");
+        }
+        const Ball at = distance(edge, node.arg(1), args[1]);
+        const std::vector<Ball> c = contact().expansion(edge, n->convert_to<std::size_t>());
+        return sum_of_terms(c, at);
+    }
+
+    Sample sample_;
+    long bits_;
+    unsigned integral_digits_;
+    contact::Profile profile_;
+    std::unique_ptr<contact::ProvedContact> contact_;
+    std::optional<Ball> u_;
+    std::map<std::string, Ball, std::less<>> names_;
+    std::set<std::string> overridden_; ///< names whose exact value in the sample is no longer valid
+    mutable std::optional<BodyFields> fields_; ///< computed on first use
+    mutable std::unique_ptr<EnclosedSample> next_;
+    /// The integrals that were enclosed, or the reasons why they were not, for the many variants of
+    /// a formula in a diagnosis.
+    mutable std::unordered_map<Expr, std::variant<Ball, std::exception_ptr>, formula::ExprHash>
+        integrals_;
 };
 
 /// The enclosure of a formula at a sample, right to `digits` digits if the bits are sufficient. If
@@ -59,10 +260,6 @@ struct Enclosed {
     std::string problem;
 };
 [[nodiscard]] Enclosed enclosed(const Expr& e, const Sample& sample, unsigned digits);
-
-/// Returns the value of a formula as an exact number, if it contains only parameters of the scene
-/// and variables of the sample; nothing for others.
-[[nodiscard]] std::optional<Exact> exact_value(Expr e, const Sample& sample);
 
 /// Returns a text such as "0.123456 +- 1.2e-52".
 [[nodiscard]] std::string ball_text(const Ball& ball, unsigned digits);

@@ -13,7 +13,7 @@ const Judgement confirmed(*Confirmation::less(one, two));
 const Judgement imprecise = Judgement::imprecise(*Confirmation::less(one, two));
 const Judgement proved = Judgement::proved_by_symbols();
 const Judgement undecided;
-const Judgement underspecified(Undecided::underspecified);
+const Judgement underspecified = Judgement::underspecified();
 
 Judgement combine_readings(const std::vector<Judgement>& readings) {
     return Judgement::of_readings(readings);

@@ -14,48 +14,17 @@
 namespace edgeproof::audit {
 namespace {
 
-struct FormulaPair {
-    std::string what; ///< empty for the formulas themselves
-    Expr printed;
-    Expr correct;
-};
-
-const std::string* text_at(const Evidence& evidence, std::string_view key) {
-    const EvidenceItem* item = evidence.find(key);
-    return item == nullptr ? nullptr : std::get_if<std::string>(&item->value());
-}
-
-/// Returns the first wrong coefficient of an expansion.
-std::optional<FormulaPair> wrong_coefficient(const RefutedReading& refuted) {
-    const EvidenceItem* terms = refuted.outcome->evidence.find("terms");
-    const auto* list =
-        terms == nullptr ? nullptr : std::get_if<std::vector<EvidenceItem>>(&terms->value());
-    if (list == nullptr) {
-        return std::nullopt;
-    }
-    for (const EvidenceItem& item : *list) {
-        const Evidence& term = std::get<Evidence>(item.value());
-        const std::string* printed = text_at(term, "printed");
-        const std::string* derived = text_at(term, "derived");
-        if (printed != nullptr && derived != nullptr) {
-            return FormulaPair{*text_at(term, "power"),
-                               parse_formula(*printed, refuted.claim->vocabulary),
-                               parse_formula(*derived, refuted.claim->vocabulary)};
-        }
-    }
-    return std::nullopt;
-}
-
-std::optional<FormulaPair> formulas_of(const RefutedReading& refuted) {
-    if (auto coefficient = wrong_coefficient(refuted)) {
-        return coefficient;
+/// The printed and the correct formula, or those of the first wrong coefficient of an expansion.
+std::optional<WrongCoefficient> formulas_of(const RefutedReading& refuted) {
+    if (refuted.outcome->wrong_coefficient) {
+        return refuted.outcome->wrong_coefficient;
     }
     const Expr* printed = refuted.claim->find_written("says");
     if (printed == nullptr || !refuted.outcome->correct) {
         return std::nullopt;
     }
-    return FormulaPair{"", *printed,
-                       parse_formula(*refuted.outcome->correct, refuted.claim->vocabulary)};
+    return WrongCoefficient{"", *printed,
+                            parse_formula(*refuted.outcome->correct, refuted.claim->vocabulary)};
 }
 
 std::vector<Rational> candidates_for(const std::string& name) {
@@ -195,7 +164,7 @@ RefutedReading kindest_refuted(const ClaimResult& result) {
 }
 
 std::optional<Evidence> formula_counterexample(const RefutedReading& refuted) {
-    const std::optional<FormulaPair> pair = formulas_of(refuted);
+    const auto pair = formulas_of(refuted);
     if (!pair || has_binder(pair->printed) || has_binder(pair->correct)) {
         return std::nullopt;
     }
@@ -226,8 +195,8 @@ std::optional<Evidence> formula_counterexample(const RefutedReading& refuted) {
                 with.add(name, exact_text(value));
             }
             Evidence found;
-            if (!pair->what.empty()) {
-                found.add("coefficient_of", pair->what);
+            if (!pair->of.empty()) {
+                found.add("coefficient_of", pair->of);
             }
             found.add("with", std::move(with))
                 .add("printed", to_text(pair->printed))

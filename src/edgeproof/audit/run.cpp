@@ -66,7 +66,7 @@ Outcome check_sizes(const Claim& claim, const AuditContext& context) {
     } else if (holding.empty()) {
         all.note = "it holds at none of " + sizes + ", which does not decide between them";
     } else if (holding.size() < verdicts.size()) {
-        all.verdict = Undecided::underspecified;
+        all.verdict = Judgement::underspecified();
         all.note = "the size is not given; of " + sizes +
                    ", it would hold for a = " + boost::algorithm::join(holding, ", ");
     } else {
@@ -110,7 +110,7 @@ Outcome combined(const Claim& claim, const std::vector<std::pair<std::string, Ou
     }
     all.verdict = Judgement::of_readings(verdicts);
     if (!claim.undefined.empty()) {
-        all.verdict = Undecided::underspecified;
+        all.verdict = Judgement::underspecified();
         all.note = "not defined in print: " + boost::algorithm::join(claim.undefined, ", ") + "; " +
                    (holding.empty() ? "holds under none of the readings tried"
                                     : "would hold for: " + boost::algorithm::join(holding, "; "));

@@ -270,7 +270,7 @@ Judgement Agreement::judge(const ExactFormula& /*printed*/, Outcome& outcome) co
     const Decision found = decide(outcome);
     if (const std::string none = without_value(); !none.empty() && !refutes(found)) {
         outcome.note = none;
-        return Undecided::underspecified;
+        return Judgement::underspecified();
     }
     return Judgement(found);
 }

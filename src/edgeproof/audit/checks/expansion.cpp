@@ -264,6 +264,10 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
                               : "equal power by power";
         return outcome;
     }
+    const auto unequal =
+        std::ranges::find(comparison.terms, false, &ExpansionComparison::Term::equal);
+    outcome.wrong_coefficient = {power_text(variable, unequal->exponent), unequal->printed,
+                                 unequal->derived};
     const PrintedFormula as_printed = printed_formula(claim);
     if (const auto* with_decimals = std::get_if<DecimalFormula>(&as_printed)) {
         outcome.verdict = judge_with_decimals(*with_decimals, exact, in, under, samples,

@@ -21,30 +21,115 @@ constexpr int lost_digits = 25;
 class QuotedFigure {
 public:
     /// Reads the field `quoted`: a decimal, with or without a per cent sign.
-    explicit QuotedFigure(const Claim& claim);
+    explicit QuotedFigure(const Claim& claim) {
+        std::string number = claim.text("quoted");
+        if (number.ends_with('%')) {
+            per_unit_ = 100;
+            number.pop_back();
+            while (number.ends_with(' ')) {
+                number.pop_back();
+            }
+        }
+        const auto plain = [](char c) { return (c >= '0' && c <= '9') || c == '.'; };
+        if (number.empty() || !std::ranges::all_of(number, plain)) {
+            claim.reject("quoted",
+                         "the figure '" + claim.text("quoted") + "' is not a decimal number",
+                         "write it as quoted, such as \"6.4 %\" or \"0.03\"");
+        }
+        try {
+            value_ = parse_decimal(number) / per_unit_;
+        } catch (const InputError& error) {
+            claim.reject("quoted", error.problem(), error.instead());
+        }
+        const std::size_t point = number.find('.');
+        decimals_ = point == std::string::npos ? 0 : number.size() - point - 1;
+        unit_ = parse_decimal("1e-" + std::to_string(decimals_)) / per_unit_;
+    }
 
-    /// True if the computed value lies half-way between two numbers with the quoted places, up to
-    /// the error of the working digits.
-    [[nodiscard]] bool half_way(const Real& computed) const;
     /// Rounds the computed value to the quoted place and returns the difference from the quoted
     /// figure, in units of that place. A half is rounded up.
-    [[nodiscard]] long units_off(const Real& computed) const;
+    [[nodiscard]] long units_off(const Real& computed) const {
+        const Real off = nearest_steps(computed) - Real(Rational(value_ / unit_));
+        return abs(off) > most_units ? (off > 0 ? most_units : -most_units)
+                                     : off.convert_to<long>();
+    }
     /// Confirmed if all numbers in the ball round to the figure, imprecise if all are one unit off,
     /// refuted if all are farther off, else undecided.
-    [[nodiscard]] Judgement verdict(const Ball& computed) const;
+    [[nodiscard]] Judgement verdict(const Ball& computed) const {
+        const Decision rounds = within(computed, rounding_units());
+        const Decision near = within(computed, neighbour_units());
+        if (confirms(rounds) || !confirms(near)) {
+            return Judgement(confirms(rounds) ? rounds : near);
+        }
+        return refutes(rounds) ? Judgement::imprecise(std::get<Confirmation>(near)) : Judgement();
+    }
     /// Judges a constant that is proved by exact algebra to lie half-way between two numbers with
     /// the quoted places; undecided for other constants.
-    [[nodiscard]] Judgement verdict_half_way(const Exact& computed) const;
+    [[nodiscard]] Judgement verdict_half_way(const Exact& computed) const {
+        const PrecisionScope scope(digits() + 40);
+        const auto steps = floor(steps_of(computed.to<Real>())).convert_to<Integer>();
+        for (const int offset : {-1, 0, 1}) {
+            const Rational middle = (Rational(steps + offset) + rounding_units()) * unit_;
+            if (algebra::proved_zero(computed.expr() - Expr::number(middle))) {
+                return verdict(
+                    Ball(Rational(middle + rounding_units() * unit_), 64 + 4 * digits()));
+            }
+        }
+        return {};
+    }
     /// The number of decimal digits of the figure, counted from the first nonzero digit.
-    [[nodiscard]] unsigned digits() const;
+    [[nodiscard]] unsigned digits() const {
+        unsigned count = 1;
+        for (Rational steps = value_ / unit_; steps >= 10; steps /= 10) {
+            ++count;
+        }
+        return count;
+    }
     /// Returns the computed value in the quoted notation, rounded to the quoted place.
-    [[nodiscard]] std::string rounded(const Real& computed) const;
+    [[nodiscard]] std::string rounded(const Real& computed) const {
+        return Real(nearest_steps(computed) * Real(Rational(unit_ * per_unit_)))
+                   .str(static_cast<std::streamsize>(decimals_), std::ios_base::fixed) +
+               sign();
+    }
     /// Returns the computed value in the quoted notation with `digits` significant digits.
-    [[nodiscard]] std::string text(const Real& computed, unsigned digits = 5) const;
+    [[nodiscard]] std::string text(const Real& computed, unsigned digits = 5) const {
+        return to_decimal(Real(computed * per_unit_), digits) + sign();
+    }
     /// Returns a note such as "rounds to 49 %: 3 units of the last quoted place above".
-    [[nodiscard]] std::string note(const Real& computed) const;
+    [[nodiscard]] std::string note(const Real& computed) const {
+        const long off = units_off(computed);
+        const std::string between =
+            half_way(computed) ? " (half-way between two, to the digits computed: rounded up)" : "";
+        if (off == 0) {
+            return "rounds to it" + between;
+        }
+        const long size = std::labs(off);
+        return "rounds to " + rounded(computed) + ": " + (size == most_units ? "at least " : "") +
+               std::to_string(size) + (size == 1 ? " unit" : " units") +
+               " of the last quoted place " + (off > 0 ? "above" : "below") + between;
+    }
 
 private:
+    static constexpr long most_units = 1000000000;
+
+    [[nodiscard]] std::string sign() const { return per_unit_ == 100 ? " %" : ""; }
+    [[nodiscard]] Real steps_of(const Real& computed) const {
+        return computed / from_rational<Real>(unit_);
+    }
+    /// True if the computed value lies half-way between two numbers with the quoted places, up to
+    /// the error of the working digits.
+    [[nodiscard]] bool half_way(const Real& computed) const {
+        const Real steps = steps_of(computed);
+        const Real from_half = abs(Real(steps - floor(steps) - Real(1) / 2));
+        return from_half <=
+               (abs(steps) + 1) * pow(Real(10), lost_digits - static_cast<int>(working_digits()));
+    }
+    /// The whole number of units nearest to the computed value. A half is rounded up, even if
+    /// roundoff has moved the value slightly to either side of it.
+    [[nodiscard]] Real nearest_steps(const Real& computed) const {
+        const Real steps = steps_of(computed);
+        return half_way(computed) ? Real(floor(steps) + 1) : Real(floor(Real(steps + Real(1) / 2)));
+    }
     /// Decides if a number is within `units` units of the last quoted place of the figure.
     [[nodiscard]] Decision within(const Ball& x, const Rational& units) const {
         const Rational lower = value_ - units * unit_;
@@ -56,114 +141,9 @@ private:
 
     Rational value_;
     Rational unit_;
-    unsigned decimals_ = 0;
-    bool percent_ = false;
+    std::size_t decimals_ = 0;
+    int per_unit_ = 1; ///< 100 for a figure in per cent
 };
-
-QuotedFigure::QuotedFigure(const Claim& claim) {
-    std::string number = claim.text("quoted");
-    if (number.ends_with('%')) {
-        percent_ = true;
-        number.pop_back();
-        while (number.ends_with(' ')) {
-            number.pop_back();
-        }
-    }
-    const auto plain = [](char c) { return (c >= '0' && c <= '9') || c == '.'; };
-    if (number.empty() || !std::ranges::all_of(number, plain)) {
-        claim.reject("quoted", "the figure '" + claim.text("quoted") + "' is not a decimal number",
-                     "write it as quoted, such as \"6.4 %\" or \"0.03\"");
-    }
-    try {
-        value_ = parse_decimal(number);
-    } catch (const InputError& error) {
-        claim.reject("quoted", error.problem(), error.instead());
-    }
-    const std::size_t point = number.find('.');
-    if (point != std::string::npos) {
-        decimals_ = static_cast<unsigned>(number.size() - point - 1);
-    }
-    unit_ = Rational(Integer(1), Integer(boost::multiprecision::pow(Integer(10), decimals_)));
-    if (percent_) {
-        value_ /= 100;
-        unit_ /= 100;
-    }
-}
-
-bool QuotedFigure::half_way(const Real& computed) const {
-    const Real steps = computed / Real(unit_);
-    const Real from_half = abs(Real(steps - floor(steps) - Real(1) / 2));
-    return from_half <=
-           (abs(steps) + 1) * pow(Real(10), lost_digits - static_cast<int>(working_digits()));
-}
-
-constexpr long most_units = 1000000000;
-
-long QuotedFigure::units_off(const Real& computed) const {
-    const Real steps = computed / Real(unit_);
-    const Real quoted(Rational(value_ / unit_));
-    // A half is rounded up, even if roundoff has moved the value slightly to either side of it.
-    const Real rounded =
-        half_way(computed) ? Real(floor(steps) + 1) : Real(floor(Real(steps + Real(1) / 2)));
-    const Real off = rounded - quoted;
-    return abs(off) > most_units ? (off > 0 ? most_units : -most_units) : off.convert_to<long>();
-}
-
-Judgement QuotedFigure::verdict(const Ball& computed) const {
-    const Decision rounds = within(computed, rounding_units());
-    const Decision near = within(computed, neighbour_units());
-    if (confirms(rounds) || !confirms(near)) {
-        return Judgement(confirms(rounds) ? rounds : near);
-    }
-    return refutes(rounds) ? Judgement::imprecise(std::get<Confirmation>(near)) : Judgement();
-}
-
-Judgement QuotedFigure::verdict_half_way(const Exact& computed) const {
-    const PrecisionScope scope(digits() + 40);
-    const Rational steps = Rational(
-        floor(Real(computed.to<Real>() / from_rational<Real>(unit_))).convert_to<Integer>());
-    for (const int offset : {-1, 0, 1}) {
-        const Rational middle = (steps + offset + rounding_units()) * unit_;
-        if (algebra::proved_zero(computed.expr() - Expr::number(middle))) {
-            return verdict(Ball(Rational(middle + rounding_units() * unit_), 64 + 4 * digits()));
-        }
-    }
-    return {};
-}
-
-unsigned QuotedFigure::digits() const {
-    Rational steps = abs(Rational(value_ / unit_));
-    unsigned count = 1;
-    for (; steps >= 10; steps /= 10) {
-        ++count;
-    }
-    return count;
-}
-
-std::string QuotedFigure::rounded(const Real& computed) const {
-    Real shown = percent_ ? Real(computed * 100) : computed;
-    if (half_way(computed)) {
-        shown = (floor(Real(computed / Real(unit_))) + 1) * Real(unit_) * (percent_ ? 100 : 1);
-    }
-    return shown.str(decimals_, std::ios_base::fixed) + (percent_ ? " %" : "");
-}
-
-std::string QuotedFigure::text(const Real& computed, unsigned digits) const {
-    return to_decimal(percent_ ? Real(computed * 100) : computed, digits) + (percent_ ? " %" : "");
-}
-
-std::string QuotedFigure::note(const Real& computed) const {
-    const long off = units_off(computed);
-    const std::string between =
-        half_way(computed) ? " (half-way between two, to the digits computed: rounded up)" : "";
-    if (off == 0) {
-        return "rounds to it" + between;
-    }
-    const long size = std::labs(off);
-    return "rounds to " + rounded(computed) + ": " + (size == most_units ? "at least " : "") +
-           std::to_string(size) + (size == 1 ? " unit" : " units") + " of the last quoted place " +
-           (off > 0 ? "above" : "below") + between;
-}
 
 /// Returns the rank of a verdict on a figure, from good to bad.
 int badness(Verdict v) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
 #include <array>
@@ -84,21 +85,17 @@ using Decision = std::variant<std::monostate, Confirmation, Refutation>;
 [[nodiscard]] Decision decision(const std::optional<Refutation>& fails,
                                 const std::optional<Confirmation>& holds);
 
-/// The two verdicts that need no enclosure.
-enum class Undecided { undecided, underspecified };
-
 /// The verdict of a check. `refuted` can be made only from a Refutation; `confirmed` and
 /// `imprecise` only from a Confirmation.
 class Judgement {
 public:
     Judgement() = default;
-    Judgement(Undecided verdict) // NOLINT: converts on purpose
-        : verdict_(verdict == Undecided::undecided ? Verdict::undecided : Verdict::underspecified) {
-    }
     explicit Judgement(const Refutation&) : verdict_(Verdict::refuted) {}
     explicit Judgement(const Confirmation&) : verdict_(Verdict::confirmed) {}
     explicit Judgement(const Decision& decision);
 
+    /// For a claim that cannot be evaluated as printed.
+    [[nodiscard]] static Judgement underspecified() { return Judgement(Verdict::underspecified); }
     /// For a claim without a value to check.
     [[nodiscard]] static Judgement definition() { return Judgement(Verdict::definition); }
     /// For formulas that are equal by symbols.
@@ -166,6 +163,13 @@ private:
 
 inline bool Evidence::empty() const noexcept { return entries_.empty(); }
 
+/// A coefficient of a printed expansion, and the right one.
+struct WrongCoefficient {
+    std::string of; ///< the power
+    formula::Expr printed;
+    formula::Expr correct;
+};
+
 /// The result of a check.
 struct Outcome {
     Judgement verdict;
@@ -173,6 +177,7 @@ struct Outcome {
     std::optional<std::string> correct;  ///< the corrected formula, itself confirmed or proved
     std::optional<std::string> computed; ///< the computed figure or formula
     Evidence evidence;
+    std::optional<WrongCoefficient> wrong_coefficient; ///< the first of an expansion
 };
 
 /// Confirmed as a rounded formula: right to the printed digits of its decimals.

@@ -57,23 +57,15 @@ FormulaError refusal(const std::string& text, const Symbols& symbols) {
 } // namespace
 
 TEST_CASE("operators bind as in mathematics") {
-    CHECK(rational("-2^2") == -4);
-    CHECK(rational("(-2)^2") == 4);
-    CHECK(rational("2^3^2") == 512);
-    CHECK(rational("(2^3)^2") == 64);
-    CHECK(rational("2^-2") == Rational(1, 4));
-    CHECK(rational("2^-1^2") == Rational(1, 2));
-    CHECK(rational("24/4/3") == 2);
-    CHECK(rational("24/(4/3)") == 18);
-    CHECK(rational("10-4-3") == 3);
-    CHECK(rational("10-(4-3)") == 9);
-    CHECK(rational("2+3*4") == 14);
-    CHECK(rational("-3*-4") == 12);
-    CHECK(rational("7 - -2") == 9);
-    CHECK(rational("--5") == 5);
-    CHECK(rational("+5 - +2") == 3);
-    CHECK(rational("6/2*3") == 9);
-    CHECK(rational("1/2^3") == Rational(1, 8));
+    for (const std::string& item : test::items(R"ITEMS(
+        -2^2 = -4   (-2)^2 = 4   2^3^2 = 512   (2^3)^2 = 64   2^-2 = 1/4   2^-1^2 = 1/2
+        24/4/3 = 2   24/(4/3) = 18   10-4-3 = 3   10-(4-3) = 9   2+3*4 = 14   -3*-4 = 12
+        7 - -2 = 9   --5 = 5   +5 - +2 = 3   6/2*3 = 9   1/2^3 = 1/8
+    )ITEMS")) {
+        CAPTURE(item);
+        const std::size_t sign = item.find(" = ");
+        CHECK(rational(item.substr(0, sign)) == Rational(item.substr(sign + 3)));
+    }
 }
 
 TEST_CASE("numbers are exact") {

@@ -6,8 +6,6 @@
 #include <doctest/doctest.h>
 
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 
@@ -23,6 +21,17 @@ const Symbols typed_symbols = [] {
 
 std::string products(const std::string& text) { return with_products(text, text, typed_symbols); }
 std::string tex(const std::string& text) { return plain_from_tex(text, typed_symbols); }
+
+/// Checks items "typed => plain text".
+template <class Read> void check_readings(const Read& read, const char* items) {
+    for (const std::string& item : test::items(items)) {
+        CAPTURE(item);
+        const std::size_t arrow = item.find(" => ");
+        const std::string plain = read(item.substr(0, arrow));
+        CHECK(plain == item.substr(arrow + 4));
+        CHECK_NOTHROW((void)parse(plain, typed_symbols));
+    }
+}
 
 /// The message for a text that must be refused: one line, never another exception.
 template <class Read> std::string refused(const Read& read, const std::string& text) {
@@ -54,30 +63,14 @@ TEST_CASE("ln and log10 in formulas") {
 }
 
 TEST_CASE("products without a sign are read as people read them") {
-    const std::vector<std::pair<std::string, std::string>> cases{
-        {"2P", "2*P"},
-        {"2 P", "2*P"},
-        {"2P/3", "2*P/3"},
-        {"2P/(pi a)", "2*P/(pi*a)"},
-        {"(a+b)(a-b)", "(a+b)*(a-b)"},
-        {"(1/2)P", "(1/2)*P"},
-        {"2(a + b) C", "2*(a + b)*C"},
-        {"0.418sqrt(P Es/R)", "0.418*sqrt(P*Es/R)"},
-        {"2P^2", "2*P^2"},
-        {"-2P + 3 x", "-2*P + 3*x"},
-        {"a*b C", "a*b*C"},
-        {"2sin(x)(a + b)", "2*sin(x)*(a + b)"},
-        {"integral(2 s x, s, 0, 2a)", "integral(2*s*x, s, 0, 2*a)"},
-        {"2e3P", "2e3*P"},
-        {"a - b", "a - b"},
-        {"2*P", "2*P"},
-    };
-    for (const auto& each : cases) {
-        const auto& typed = each.first;
-        const auto& plain = each.second;
-        CAPTURE(typed);
-        CHECK(products(typed) == plain);
-    }
+    check_readings(products, R"ITEMS(
+        2P => 2*P   2 P => 2*P   2P/3 => 2*P/3   2P/(pi a) => 2*P/(pi*a)
+        (a+b)(a-b) => (a+b)*(a-b)   (1/2)P => (1/2)*P   2(a + b) C => 2*(a + b)*C
+        0.418sqrt(P Es/R) => 0.418*sqrt(P*Es/R)   2P^2 => 2*P^2   -2P + 3 x => -2*P + 3*x
+        a*b C => a*b*C   2sin(x)(a + b) => 2*sin(x)*(a + b)
+        integral(2 s x, s, 0, 2a) => integral(2*s*x, s, 0, 2*a)   2e3P => 2e3*P   a - b => a - b
+        2*P => 2*P
+    )ITEMS");
 }
 
 TEST_CASE("products that can be read in two ways are refused") {
@@ -96,55 +89,26 @@ TEST_CASE("products that can be read in two ways are refused") {
 }
 
 TEST_CASE("a subset of LaTeX is read") {
-    const std::vector<std::pair<std::string, std::string>> cases{
-        {R"(\frac{E^{*}C}{2}\sqrt{a^{2}-x^{2}})", "Es*C/2*sqrt(a^2-x^2)"},
-        {R"(\frac{2P}{\pi a})", "2*P/(Pi*a)"},
-        {R"(\frac12 P)", "1/2*P"},
-        {R"(2\,\frac{a}{b}x)", "2*(a/b)*x"},
-        {R"(\sqrt[3]{3PR/E^*})", "(3*P*R/Es)^(1/3)"},
-        {R"(\sqrt[3]{\frac{3PR}{4E^*}})", "(3*P*R/(4*Es))^(1/3)"},
-        {R"(\left(a+b\right)\left[a-b\right])", "(a+b)*(a-b)"},
-        {R"(P'(a) - aP''(a))", "P1-a*P2"},
-        {R"(P'(x))", "P1of(x)"},
-        {R"(g'(x)p(x))", "g1(x)*p(x)"},
-        {R"(\sigma_{0}\varphi)", "sigma_0*phi"},
-        {R"(1-\nu_1^2)", "1-nu1^2"},
-        {R"(\ln\frac{a}{b}+\log_{10} x)", "log(a/b)+log10(x)"},
-        {R"(\sin^2\phi\cos\phi)", "sin(phi)^2*cos(phi)"},
-        {R"(\arcsin(x/a))", "asin(x/a)"},
-        {R"(\left|x\right|a)", "abs(x)*a"},
-        {R"(e^{-x/a})", "exp(-x/a)"},
-        {R"(x^{3/2})", "x^(3/2)"},
-        {R"(x^{-1}a)", "x^(-1)*a"},
-        {R"(-x^2)", "-x^2"},
-        {R"(a\cdot b\times C)", "a*b*C"},
-        {R"(C(a+b))", "C*(a+b)"},
-        {R"(\mathrm{Pof}(2a))", "Pof(2*a)"},
-        {R"(\int_{0}^{a} \frac{s\,ds}{\sqrt{a^2-s^2}})", "integral(s/sqrt(a^2-s^2), s, 0, a)"},
-        {R"(\frac{1}{\pi}\int_0^a g'(s)\,\mathrm{d}s + x)", "1/Pi*integral(g1(s), s, 0, a)+x"},
-        {R"(\int_{-b}^{a}(s+x)^2 ds)", "integral((s+x)^2, s, -b, a)"},
-        {R"(\operatorname{sgn}(x)\sqrt{2}a)", "sgn(x)*sqrt(2)*a"},
-        {R"(\sin x\cdot\cos x)", "sin(x)*cos(x)"},
-        {R"(\left(\sin x\right)a)", "(sin(x))*a"},
-        {R"(\int_0^a \sin s\,ds)", "integral(sin(s), s, 0, a)"},
-        {R"(\int_1^a \frac{dx}{x})", "integral(1/x, x, 1, a)"},
-        {R"(e^{\sin x}a)", "exp(sin(x))*a"},
-        {R"(a\frac12)", "a*(1/2)"},
-        {R"(2\sqrt[3]{2})", "2*2^(1/3)"},
-        {R"(x^{(3/2)})", "x^(3/2)"},
-        {R"(p[x]\,)", "p(x)"},
-        {R"(F(a+b)\,)", "F(a+b)"},
-        {R"(2e^{x})", "2*exp(x)"},
-        {R"({(a+b)}^2)", "(a+b)^2"},
-        {R"(\frac{d^2}{4})", "d^2/4"},
-    };
-    for (const auto& each : cases) {
-        const auto& typed = each.first;
-        const auto& plain = each.second;
-        CAPTURE(typed);
-        CHECK(tex(typed) == plain);
-        CHECK_NOTHROW((void)parse(tex(typed), typed_symbols));
-    }
+    check_readings(tex, R"ITEMS(
+        \frac{E^{*}C}{2}\sqrt{a^{2}-x^{2}} => Es*C/2*sqrt(a^2-x^2)
+        \frac{2P}{\pi a} => 2*P/(Pi*a)   \frac12 P => 1/2*P   2\,\frac{a}{b}x => 2*(a/b)*x
+        \sqrt[3]{3PR/E^*} => (3*P*R/Es)^(1/3)   \sqrt[3]{\frac{3PR}{4E^*}} => (3*P*R/(4*Es))^(1/3)
+        \left(a+b\right)\left[a-b\right] => (a+b)*(a-b)   P'(a) - aP''(a) => P1-a*P2
+        P'(x) => P1of(x)   g'(x)p(x) => g1(x)*p(x)   \sigma_{0}\varphi => sigma_0*phi
+        1-\nu_1^2 => 1-nu1^2   \ln\frac{a}{b}+\log_{10} x => log(a/b)+log10(x)
+        \sin^2\phi\cos\phi => sin(phi)^2*cos(phi)   \arcsin(x/a) => asin(x/a)
+        \left|x\right|a => abs(x)*a   e^{-x/a} => exp(-x/a)   x^{3/2} => x^(3/2)
+        x^{-1}a => x^(-1)*a   -x^2 => -x^2   a\cdot b\times C => a*b*C   C(a+b) => C*(a+b)
+        \mathrm{Pof}(2a) => Pof(2*a)
+        \int_{0}^{a} \frac{s\,ds}{\sqrt{a^2-s^2}} => integral(s/sqrt(a^2-s^2), s, 0, a)
+        \frac{1}{\pi}\int_0^a g'(s)\,\mathrm{d}s + x => 1/Pi*integral(g1(s), s, 0, a)+x
+        \int_{-b}^{a}(s+x)^2 ds => integral((s+x)^2, s, -b, a)
+        \operatorname{sgn}(x)\sqrt{2}a => sgn(x)*sqrt(2)*a   \sin x\cdot\cos x => sin(x)*cos(x)
+        \left(\sin x\right)a => (sin(x))*a   \int_0^a \sin s\,ds => integral(sin(s), s, 0, a)
+        \int_1^a \frac{dx}{x} => integral(1/x, x, 1, a)   e^{\sin x}a => exp(sin(x))*a
+        a\frac12 => a*(1/2)   2\sqrt[3]{2} => 2*2^(1/3)   x^{(3/2)} => x^(3/2)   p[x]\, => p(x)
+        F(a+b)\, => F(a+b)   2e^{x} => 2*exp(x)   {(a+b)}^2 => (a+b)^2   \frac{d^2}{4} => d^2/4
+    )ITEMS");
 }
 
 TEST_CASE("LaTeX that can be read in two ways, or is not of the subset, is refused in one line") {

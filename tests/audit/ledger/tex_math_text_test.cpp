@@ -3,6 +3,7 @@
 
 #include "edgeproof/audit/ledger/ledger.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "tests/formula/items.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -61,48 +62,21 @@ std::string error_with(const std::string& word, const std::string& tex) {
     }
 }
 
-const std::vector<std::string> hostile_tex{
-    R"(\write18{touch x})",
-    R"(\immediate\write18{touch x})",
-    R"(\input{/etc/passwd})",
-    R"(\input|"touch x")",
-    R"(\include{x})",
-    R"(\openout1=x)",
-    R"(\openin1=x)",
-    R"(\read1 to\x)",
-    R"(\catcode`\@=11)",
-    R"(\csname input\endcsname x)",
-    R"(\expandafter\x)",
-    R"(\def\x{y})",
-    R"(\let\x\input)",
-    R"(\newcommand{\x}{y})",
-    R"(\usepackage{x})",
-    R"(\verbatiminput{x})",
-    R"(\lstinputlisting{x})",
-    R"(\includegraphics{x})",
-    R"(\special{x})",
-    R"(\directlua{os.execute("x")})",
-    R"(\ShellEscape{x})",
-    R"(\url{x})",
-    R"(\href{x}{y})",
-    R"(\end{document})",
-    R"(\begin{filecontents}{x}y\end{filecontents})",
-    R"(\begin{verbatim}\end{verbatim})",
-    R"(\frac{1}{2}\loop\repeat)",
-    "^^5cinput{x}",
-    "^^5c^^69nput x",
-    R"(\frac{1}{2)",
-    R"(\frac{1}2})",
-    "}{",
-    "x % a comment",
-    "#1",
-    "$x",
-    R"(x\end{cases})",
-    R"(\begin{cases}\begin{array}{l}x\end{cases}\end{array})",
-    R"(\@input{x})",
-    R"(\)",
-    "x\x1b[2J",
-    "x\xff"};
+const std::vector<std::string> hostile_tex = [] {
+    std::vector<std::string> all = test::items(R"ITEMS(
+        \write18{touch x}   \immediate\write18{touch x}   \input{/etc/passwd}   \input|"touch x"
+        \include{x}   \openout1=x   \openin1=x   \read1 to\x   \catcode`\@=11
+        \csname input\endcsname x   \expandafter\x   \def\x{y}   \let\x\input   \newcommand{\x}{y}
+        \usepackage{x}   \verbatiminput{x}   \lstinputlisting{x}   \includegraphics{x}
+        \special{x}   \directlua{os.execute("x")}   \ShellEscape{x}   \url{x}   \href{x}{y}
+        \end{document}   \begin{filecontents}{x}y\end{filecontents}
+        \begin{verbatim}\end{verbatim}   \frac{1}{2}\loop\repeat   \frac{1}{2   \frac{1}2}
+        x\end{cases}   \begin{cases}\begin{array}{l}x\end{cases}\end{array}   \@input{x}   \
+        ^^5cinput{x}   ^^5c^^69nput x   }{   x % a comment   #1   $x
+    )ITEMS");
+    all.insert(all.end(), {"x\x1b[2J", "x\xff"});
+    return all;
+}();
 
 } // namespace
 

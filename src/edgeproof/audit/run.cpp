@@ -3,7 +3,6 @@
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/parts/sweep.hpp"
 #include "edgeproof/audit/ledger/claim.hpp"
-#include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

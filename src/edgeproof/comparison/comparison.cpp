@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/comparison.hpp"
+#include "edgeproof/precision/error.hpp"
 
 #include <fmt/format.h>
 
@@ -299,6 +300,19 @@ void find_more(FileComparison& file, const ExactContact& exact) {
 }
 
 } // namespace
+
+Norm norm_named(std::string_view name) {
+    for (const auto& [norm, text] : {std::pair{Norm::peak, "peak"},
+                                     {Norm::local, "local"},
+                                     {Norm::l2, "L2"},
+                                     {Norm::l2, "l2"}}) {
+        if (name == text) {
+            return norm;
+        }
+    }
+    throw InputError("--of " + std::string(name) + " is no measure of an error",
+                     "write peak, local or L2");
+}
 
 std::vector<std::string> FileComparison::findings() const {
     std::vector<std::string> both = table.findings;

@@ -20,11 +20,14 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace edgeproof::comparison {
 
 enum class Norm { peak, local, l2 };
+/// Reads peak, local, L2. Throws InputError for other names.
+[[nodiscard]] Norm norm_named(std::string_view name);
 
 /// The tolerances for data. Edges, force and c_0 of the data are compared with the results of the
 /// same rule for the exact pressure at the same nodes: the difference of these from the exact

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/comparison.hpp"
 
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/python/bindings.hpp"
 #include "edgeproof/python/native_scene.hpp"
@@ -21,38 +20,13 @@ namespace py = pybind11;
 namespace edgeproof::python {
 namespace {
 
-using comparison::Norm;
 using OptionalText = std::optional<std::string>;
 
 /// Texts of result tables, each with its name for errors.
 using Results = std::vector<std::pair<std::string, std::string>>;
 
-Norm norm_named(const std::string& name) {
-    for (const auto& [norm, text] :
-         {std::pair{Norm::peak, "peak"}, {Norm::local, "local"}, {Norm::l2, "L2"}}) {
-        if (name == text) {
-            return norm;
-        }
-    }
-    throw InputError("of = '" + name + "' is no measure of an error",
-                     "write \"peak\", \"local\" or \"L2\"");
-}
-
 std::optional<double> tolerance_of(const OptionalText& text) {
     return text ? std::optional(scene::parse_tolerance(*text).to<double>()) : std::nullopt;
-}
-
-comparison::ResultReading reading_of(const scene::Scene& scene, const std::string& columns,
-                                     const std::string& scale) {
-    comparison::ResultReading reading;
-    reading.units = scene.units;
-    if (!columns.empty()) {
-        reading.columns = comparison::parse_columns(columns);
-    }
-    if (!scale.empty()) {
-        comparison::parse_scale(scale, reading);
-    }
-    return reading;
 }
 
 py::dict compare(const NativeScene& native, const std::string& name, const Results& results,
@@ -67,7 +41,7 @@ py::dict compare(const NativeScene& native, const std::string& name, const Resul
         const auto of_pressure = tolerance_of(tolerance);
         t.stated = of_pressure.has_value();
         t.pressure = of_pressure.value_or(t.pressure);
-        t.of = norm_named(of);
+        t.of = comparison::norm_named(of);
         t.zone = comparison::parse_edge_zone(edge_zone);
         t.edges = tolerance_of(tolerance_a);
         t.force = tolerance_of(tolerance_P);
@@ -75,7 +49,8 @@ py::dict compare(const NativeScene& native, const std::string& name, const Resul
         const auto at = origin == "auto"
                             ? std::nullopt // fitted to the data
                             : std::optional(origin ? parse_decimal(*origin) : Rational(0));
-        const comparison::ResultReading reading = reading_of(scene, columns, scale);
+        const comparison::ResultReading reading =
+            comparison::reading_of(scene.units, columns, scale);
         std::vector<comparison::ResultTable> tables; // all are read before any work
         for (const auto& [written, file] : results) {
             tables.push_back(comparison::parse_result(written, file, reading));

@@ -80,13 +80,7 @@ comparison::Tolerances tolerances_of(const CompareOptions& o) {
         }
         t.*row->field = value;
     }
-    if (o.of == "local") {
-        t.of = comparison::Norm::local;
-    } else if (o.of == "L2" || o.of == "l2") {
-        t.of = comparison::Norm::l2;
-    } else if (o.of != "peak") {
-        throw InputError("--of " + o.of + " is no measure of an error", "write peak, local or L2");
-    }
+    t.of = comparison::norm_named(o.of);
     t.zone = comparison::parse_edge_zone(o.zone);
     t.partial = o.partial;
     return t;
@@ -113,12 +107,7 @@ int compare_results(const CompareOptions& o) {
     }
     const comparison::Tolerances tolerances = tolerances_of(o);
     const auto origin = origin_of(o.origin);
-    comparison::ResultReading reading;
-    reading.columns =
-        o.columns.empty() ? comparison::ColumnChoice{} : comparison::parse_columns(o.columns);
-    if (!o.scale.empty()) {
-        comparison::parse_scale(o.scale, reading);
-    }
+    comparison::ResultReading reading = comparison::reading_of({}, o.columns, o.scale);
     scene::Scene scene = scene::read_scene(file_or_shipped(o.scene, shipped_scenes));
     choose_step(scene, o.step);
     reading.units = scene.units;

@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string_view>
 
 namespace edgeproof::comparison {

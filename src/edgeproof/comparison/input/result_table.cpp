@@ -358,4 +358,17 @@ void parse_scale(std::string_view text, ResultReading& reading) {
     }
 }
 
+ResultReading reading_of(const std::optional<scene::Units>& units, const std::string& columns,
+                         const std::string& scale) {
+    ResultReading reading;
+    reading.units = units;
+    if (!columns.empty()) {
+        reading.columns = parse_columns(columns);
+    }
+    if (!scale.empty()) {
+        parse_scale(scale, reading);
+    }
+    return reading;
+}
+
 } // namespace edgeproof::comparison

@@ -104,4 +104,8 @@ struct ResultReading {
 /// Reads "x=1e-3,p=1e6". Throws InputError for another form and for a factor that is not positive.
 void parse_scale(std::string_view text, ResultReading& reading);
 
+/// `columns`, `scale`: as parse_columns() and parse_scale() read them; empty: not given.
+[[nodiscard]] ResultReading reading_of(const std::optional<scene::Units>& units,
+                                       const std::string& columns, const std::string& scale);
+
 } // namespace edgeproof::comparison

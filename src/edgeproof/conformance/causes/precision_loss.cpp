@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/number_text.hpp"
-#include "edgeproof/conformance/causes/convention.hpp"
-#include "edgeproof/diagnose/fit.hpp"
+#include "edgeproof/conformance/causes/wrong_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -376,9 +375,7 @@ std::vector<Convention> infer_cancellation(const Answers& answers, const Agreeme
         for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
             const CaseAgreement& held = agreements.cases[i];
             const double distance = held.nearness.*place.distance;
-            if (distance > 0 && held.no_reference.empty() && !explained.contains(i) &&
-                answers.given[i].state == Answer::State::number &&
-                !contains_zero(agreements.references[i].value.value)) {
+            if (distance > 0 && !explained.contains(i) && has_value(answers, agreements, i)) {
                 groups[family_of(answers.questions.list[i])].push_back(
                     {i, std::log10(distance), held.digits});
             }

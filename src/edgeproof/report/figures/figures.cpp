@@ -6,10 +6,6 @@
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 namespace edgeproof::report {
 namespace {
 

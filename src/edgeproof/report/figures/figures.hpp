@@ -68,34 +68,6 @@ struct Plot {
     void add_curve(const std::string& column, std::string curve_title, const Pen& pen);
 };
 
-/// Returns the points with others between them, in order: a step is halved, at most `most` times,
-/// until straight(from, middle, to). The first halving is always made.
-template <class Point, class Middle, class Straight>
-void halve_step(const Point& from, const Point& to, int most, const Middle& middle,
-                const Straight& straight, std::vector<Point>& all) {
-    const Point between = middle(from, to);
-    const bool again = most > 1 && !straight(from, between, to);
-    if (again) {
-        halve_step(from, between, most - 1, middle, straight, all);
-    }
-    all.push_back(between);
-    if (again) {
-        halve_step(between, to, most - 1, middle, straight, all);
-    }
-}
-template <class Point, class Middle, class Straight>
-[[nodiscard]] std::vector<Point> with_halved_steps(const std::vector<Point>& first, int most,
-                                                   const Middle& middle, const Straight& straight) {
-    std::vector<Point> all{first.front()};
-    for (std::size_t k = 1; k < first.size(); ++k) {
-        halve_step(first[k - 1], first[k], most, middle, straight, all);
-        all.push_back(first[k]);
-    }
-    return all;
-}
-/// The part of its height by which a chord may differ from a curve: less than a pixel.
-inline constexpr double straight_enough = 1.0 / 500;
-
 inline constexpr unsigned figure_digits = 20;
 
 /// Returns the table as CSV: notes after #, a line of names, values at `figure_digits`.

@@ -24,6 +24,8 @@ constexpr int first_places = 61;        ///< from edge to edge, to which finer_p
 constexpr int most_halvings = 7;        ///< of a step between two of them
 /// Pressures are drawn up to this multiple of the height that most of the contact has.
 constexpr double tallest = 4;
+/// The part of its height by which a chord may differ from a curve: less than a pixel.
+constexpr double straight_enough = 1.0 / 500;
 constexpr int decades = 6;
 constexpr int places_a_decade = 10;
 constexpr std::array scene_pens{
@@ -206,15 +208,11 @@ private:
         std::ranges::sort(heights);
         const Real usual = heights[heights.size() * 9 / 10];
         height_ = usual * tallest; // where the steps end at a corner with an infinite pressure
-        const std::vector<Place> all = with_halved_steps(
-            first, most_halvings,
-            [&](const Place& from, const Place& to) {
-                return place_at((from.angle + to.angle) / 2);
-            },
-            [&](const Place& from, const Place& middle, const Place& to) {
-                return !bends(from.w, from.p, middle.w, middle.p, to.w, to.p) &&
-                       !bends(from.w, from.q, middle.w, middle.q, to.w, to.q);
-            });
+        std::vector<Place> all{first.front()};
+        for (std::size_t k = 1; k < first.size(); ++k) {
+            halve_step(first[k - 1], first[k], most_halvings, all);
+            all.push_back(first[k]);
+        }
         Real highest = 0;
         for (const Place& place : all) {
             highest = place.p ? std::max(highest, *place.p) : highest;
@@ -222,6 +220,20 @@ private:
         // A higher pressure belongs to a corner: the range shows most of the contact.
         height_ = highest < height_ ? highest : Real(usual * 2);
         return all;
+    }
+    /// Adds the places between two others, in order: the step is halved, at most `most` times,
+    /// until the curves are straight. The first halving is always made.
+    void halve_step(const Place& from, const Place& to, int most, std::vector<Place>& all) {
+        const Place middle = place_at((from.angle + to.angle) / 2);
+        const bool again = most > 1 && (bends(from.w, from.p, middle.w, middle.p, to.w, to.p) ||
+                                        bends(from.w, from.q, middle.w, middle.q, to.w, to.q));
+        if (again) {
+            halve_step(from, middle, most - 1, all);
+        }
+        all.push_back(middle);
+        if (again) {
+            halve_step(middle, to, most - 1, all);
+        }
     }
     [[nodiscard]] bool bends(const Real& w0, const std::optional<Real>& y0, const Real& w,
                              const std::optional<Real>& y, const Real& w1,

@@ -2,14 +2,12 @@
 #include "edgeproof/report/figures/scene_figure.hpp"
 
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/scene/binary64_values.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 

@@ -113,10 +113,10 @@ struct FoundShift {
     std::string_view what; ///< the usual place: ": x is measured from the left edge of the contact"
     bool clear = false;    ///< it halves the squares of the errors
 };
-/// Finds the shift with the least squares of p less the exact pressure, at nodes away from edges and
-/// corners: within a tenth of a + b of that of the loaded interval (with any factor of p), or of 0
-/// if the former is not clear. Returns nothing if no node is loaded. `points`: by x. `half`: the
-/// half of a symmetric contact that the data contain.
+/// Finds the shift with the least squares of p less the exact pressure, at nodes away from edges
+/// and corners: within a tenth of a + b of that of the loaded interval (with any factor of p), or
+/// of 0 if the former is not clear. Returns nothing if no node is loaded. `points`: by x. `half`:
+/// the half of a symmetric contact that the data contain.
 [[nodiscard]] std::optional<FoundShift> found_shift(const std::vector<RoughPoint>& points,
                                                     const std::optional<contact::Edge>& half,
                                                     const ExactContact& exact);

@@ -293,43 +293,18 @@ BallSeries AxisymmetricContact::linear_approach_rates(std::size_t terms) const {
     return rate;
 }
 
-// The Taylor coefficients of h' at a by Cauchy's formula over a circle of a sixteenth of the disk
-// on which h' is bounded by M. The mean over N points adds the coefficients k + N, k + 2N, ...
-// (`trefethen-weideman2014`), which are at most M/reach^(k + lN).
+// Of a curved slope on a circle of a sixteenth of the disk on which h' is bounded: each value is an
+// integral.
 std::vector<Ball> AxisymmetricContact::approach_rates(std::size_t terms) const {
     if (linear_) {
         return linear_approach_rates(terms).coefficients();
     }
-    constexpr long bits_of_ratio = 4;
     const Ball rho = reach(Edge::right);
     if (!certainly_positive(rho)) {
         return std::vector<Ball>(terms, unknown_ball(bits_));
     }
-    const Ball most = upper_end(most_rate(rho));
-    const Ball circle = rho / (1L << bits_of_ratio);
-    const auto points = bits_ / bits_of_ratio + static_cast<long>(terms) + 2;
-    std::vector<Box> sums(terms, Box(bits_));
-    for (long j = 0; 2 * j <= points; ++j) { // h' is real on the real axis
-        const Ball angle = Ball::pi(bits_) * (2 * j) / points;
-        const Box turn(cos(angle), sin(angle));
-        const Box z = turn * circle;
-        const Box h =
-            approach_rate(radius_near_edge(z), {}) * Ball(j == 0 || 2 * j == points ? 1 : 2, bits_);
-        Box power(Ball(1, bits_));
-        for (std::size_t k = 0; k < terms; ++k) {
-            sums[k] = sums[k] + h * power;
-            power = power * conj(turn);
-        }
-    }
-    std::vector<Ball> rates;
-    Ball scale(1, bits_);
-    Ball bound = most * power_of_two(-bits_of_ratio * points, bits_) * 2;
-    for (std::size_t k = 0; k < terms; ++k) {
-        rates.push_back(sums[k].real() / points / scale + up_to(bound));
-        scale *= circle;
-        bound /= rho;
-    }
-    return rates;
+    return taylor_on_circle([&](const Box& z) { return approach_rate(radius_near_edge(z), {}); },
+                            upper_end(most_rate(rho)), rho, Rational(1, 16), terms);
 }
 
 std::vector<Ball> AxisymmetricContact::force_rates(std::size_t terms) const {

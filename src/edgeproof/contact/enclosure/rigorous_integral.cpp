@@ -5,6 +5,7 @@
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace edgeproof::contact {
 namespace {
@@ -119,6 +120,42 @@ Ball integral_of(const std::function<Box(const Box& t)>& f, const IntegralGoal& 
     const Ball result = inner_integral_of(f, goal).real();
     check_interruption();
     return result;
+}
+
+std::vector<Ball> taylor_on_circle(const std::function<Box(const Box& z)>& f, const Ball& most,
+                                   const Ball& rho, const Rational& q, std::size_t terms) {
+    const long bits = rho.bits();
+    const double fall = -std::log2(q.convert_to<double>());
+    const std::size_t half =
+        std::max(terms, static_cast<std::size_t>(static_cast<double>(bits) / (2 * fall)) + 1);
+    const auto n = static_cast<long>(2 * half); // q^n < 2^-bits
+    const Ball r = rho * Ball(q, bits);
+    std::vector<Box> unit;
+    std::vector<Box> values;
+    for (std::size_t j = 0; j <= half; ++j) {
+        Ball c(0, bits);
+        Ball s(0, bits);
+        const Ball part(Rational(static_cast<long>(j), static_cast<long>(half)), bits);
+        arb_sin_cos_pi(s.data(), c.data(), part.data(), bits);
+        const bool real = j == 0 || j == half;
+        unit.push_back(real ? Box(Ball(j == 0 ? 1 : -1, bits)) : Box(c, s));
+        // The lower half of the circle has the conjugate values.
+        values.push_back(f(unit[j] * r) * Ball(real ? 1 : 2, bits));
+    }
+    const Ball alias = pow_int(Ball(q, bits), n);
+    const Ball error = up_to(most * alias / (1 - alias));
+    std::vector<Ball> a;
+    for (std::size_t k = 0; k < terms; ++k) {
+        Ball sum(0, bits);
+        for (std::size_t j = 0; j <= half; ++j) {
+            const std::size_t turned = j * k % (2 * half);
+            sum += (values[j] * (turned <= half ? conj(unit[turned]) : unit[2 * half - turned]))
+                       .real();
+        }
+        const auto power = static_cast<long>(k);
+        a.push_back(sum / n / pow_int(r, power) + error / pow_int(rho, power));
+    }
+    return a;
 }
 
 } // namespace edgeproof::contact

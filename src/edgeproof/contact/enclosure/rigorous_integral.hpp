@@ -3,7 +3,9 @@
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/complex_box.hpp"
 
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 /// Integrals over 0 < t < 1 by Arb's rigorous integration (`johansson2018`), and the functions with
 /// which their integrands are written.
@@ -41,6 +43,13 @@ constexpr long narrow_integral_bits = 64;
 /// values over real boxes; over other ones it is holomorphic, or not finite.
 [[nodiscard]] Box integral_between(const std::function<Box(const Box& t)>& f, const Ball& from,
                                    const Ball& to, long accuracy, long bits);
+
+/// The first Taylor coefficients at 0 of a function that is real on the real axis and at most
+/// `most` in size for |z| <= rho, by the trapezoidal rule on the circle |z| = q rho: with n points
+/// the error of a_k is at most most/rho^k q^n/(1 - q^n) (`trefethen-weideman2014`, theorem 2.1).
+[[nodiscard]] std::vector<Ball> taylor_on_circle(const std::function<Box(const Box& z)>& f,
+                                                 const Ball& most, const Ball& rho,
+                                                 const Rational& q, std::size_t terms);
 
 /// Returns the bits of accuracy that are useful in an integral whose parameters have `known` bits;
 /// exact parameters have more than any other number.

@@ -1,59 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/stress/edge_stress.hpp"
 
-#include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
 
 namespace edgeproof::contact {
-namespace {
-
-/// The Taylor coefficients at x = `at` of the Cauchy integral of the pressure of a zone to the left
-/// of it, by the trapezoidal rule on a circle. If |f| <= most inside the circle of the radius rho,
-/// then |a_k| <= most/rho^k, and n points on the circle of the radius q rho give a_k with an error
-/// of at most most/rho^k q^n/(1 - q^n) (`trefethen-weideman2014`, theorem 2.1).
-std::vector<Ball> taylor_at(const BallContact& zone, const Ball& at, const Ball& rho,
-                            const Ball& most, std::size_t terms) {
-    const long bits = rho.bits();
-    const Ball q = Ball(3, bits) / 4;
-    const std::size_t half = std::max(terms, static_cast<std::size_t>(bits) * 5 / 4 + 1);
-    const std::size_t n = 2 * half; // q^n < 2^-bits
-    const Ball r = rho * q;
-    const auto on_circle = [&](std::size_t j) {
-        Ball c(0, bits);
-        Ball s(0, bits);
-        const Rational part(static_cast<long>(j), static_cast<long>(half));
-        arb_sin_cos_pi(s.data(), c.data(), Ball(part, bits).data(), bits);
-        return j == half ? Box(Ball(-1, bits)) : Box(c, s);
-    };
-    std::vector<Box> unit;
-    std::vector<Box> f;
-    for (std::size_t j = 0; j <= half; ++j) {
-        unit.push_back(on_circle(j));
-        // f is real on the axis, so that the lower half of the circle has the conjugate values.
-        f.push_back(cauchy_integral(zone, unit[j] * r + at).value *
-                    Ball(j == 0 || j == half ? 1 : 2, bits));
-    }
-    const Ball error =
-        up_to(most * pow_int(q, static_cast<long>(n)) / (1 - pow_int(q, static_cast<long>(n))));
-    std::vector<Ball> a;
-    for (std::size_t k = 0; k < terms; ++k) {
-        Ball sum(0, bits);
-        for (std::size_t j = 0; j <= half; ++j) {
-            const std::size_t turned = j * k % n;
-            const Box w = turned <= half ? conj(unit[turned]) : unit[n - turned];
-            sum += (f[j] * w).real();
-        }
-        const auto power = static_cast<long>(k);
-        a.push_back(sum / static_cast<long>(n) / pow_int(r, power) + error / pow_int(rho, power));
-    }
-    return a;
-}
-
-} // namespace
-
 EdgeStress::EdgeStress(const StressField& field, const std::optional<ShearLoad<Ball>>& stick,
                        Edge edge, std::size_t terms)
     : bits_(field.bits()), first_(stick ? -1 : 0), edge_(edge), bulk_(field.bulk),
@@ -112,7 +66,9 @@ void EdgeStress::add_contact(const BallContact& contact, const Ball& pressure, c
 void EdgeStress::add_zone(const BallContact& zone, const Ball& at, const Ball& shear) {
     const Ball force = zone.piecewise_linear() ? zone.zone_force() : zone.force();
     const Ball most = force / (at - zone.a() - radius_);
-    const std::vector<Ball> a = taylor_at(zone, at, radius_, most, (shear_.size() + 1) / 2);
+    const std::vector<Ball> a =
+        taylor_on_circle([&](const Box& z) { return cauchy_integral(zone, z + at).value; }, most,
+                         radius_, Rational(3, 4), (shear_.size() + 1) / 2);
     for (std::size_t k = 0; 2 * k < shear_.size(); ++k) {
         shear_[2 * k] += a[k] * shear; // first is 0: no zones under full stick
     }

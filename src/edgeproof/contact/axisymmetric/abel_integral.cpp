@@ -62,8 +62,9 @@ public:
     }
     /// The principal root; not finite where the constant term meets the cut.
     friend BoxSeries principal_root(BoxSeries x) {
-        if (!contact::principal_root(x[0]).is_finite()) {
-            acb_poly_set_acb(x.poly_, unknown_box(x.bits_).get());
+        const Box constant = contact::principal_root(x[0]);
+        if (x.order_ == 1 || !constant.is_finite()) {
+            acb_poly_set_acb(x.poly_, constant.get());
             return x;
         }
         acb_poly_sqrt_series(x.poly_, x.poly_, x.order_, x.bits_);
@@ -71,8 +72,9 @@ public:
     }
     /// The principal arctangent; not finite where the constant term may meet a cut.
     friend BoxSeries principal_arctangent(BoxSeries x) {
-        if (!contact::principal_arctangent(x[0]).is_finite()) {
-            acb_poly_set_acb(x.poly_, unknown_box(x.bits_).get());
+        const Box constant = contact::principal_arctangent(x[0]);
+        if (x.order_ == 1 || !constant.is_finite()) {
+            acb_poly_set_acb(x.poly_, constant.get());
             return x;
         }
         acb_poly_atan_series(x.poly_, x.poly_, x.order_, x.bits_);
@@ -121,6 +123,9 @@ private:
 
 BallSeries integrals_of(const std::function<BoxSeries(const Box& t)>& f, std::size_t order,
                         const IntegralGoal& goal) {
+    if (order == 1) {
+        return BallSeries(integral_of([&](const Box& t) { return f(t)[0]; }, goal), 1);
+    }
     const BoxSeries middle = f(Box(Ball(Rational(1, 2), goal.bits)));
     quadrature::ThetaGoal wanted;
     wanted.nodes = static_cast<std::size_t>(goal.accuracy / 4 + 8);
@@ -148,71 +153,43 @@ BallSeries integrals_of(const std::function<BoxSeries(const Box& t)>& f, std::si
     return BallSeries(quadrature::integrate_cells(integrand, span, none, none, wanted, goal.bits));
 }
 
-// docs/axisymmetric.md, "What is integrated"
-/// h'(s)/s for r > v, in boxes or in series of them: `d2` = r^2 - v^2 (exactly 0: `on_the_bend`).
-template <class T>
-T outside_value(const RingBend& bend, const T& r2, const T& d2, const T& W, const T& v,
-                bool on_the_bend, const Box& t) {
-    const T w = W * t;
-    const T w2 = w * w;
-    const T y = on_the_bend ? w : principal_root(d2 + w2);
-    const T angle = principal_arctangent(y / v);
-    T rate = (y + y - angle * v) * bend.rate;
-    if (!contains_zero(bend.jump)) {
-        rate = rate + (angle + v / y) * bend.jump;
-    }
-    return rate / principal_root(r2 + w2);
-}
-
-/// h'(s) y/(s sqrt(y^2 + v^2 - r^2)) for r < v.
-template <class T> T inside_value(const RingBend& bend, const T& d2, const T& y, const T& v) {
-    const T angle = principal_arctangent(y / v);
-    const T y2 = y * y;
-    const T rate = (y + y - angle * v) * y * bend.rate + (angle * y + v) * bend.jump;
-    return rate / (principal_root(v * v + y2) * principal_root(d2 + y2));
-}
-
 } // namespace
 
+// docs/axisymmetric.md, "What is integrated"
 BallSeries outside_bend(const RingBend& bend, const BallSeries& r2, const BallSeries& d2,
                         const BallSeries& W, const IntegralGoal& goal) {
-    const Box v(bend.v.with_bits(goal.bits));
-    const auto box = [&](const Ball& x) { return Box(x.with_bits(goal.bits)); };
-    if (r2.order() == 1) {
-        const Box of_r2 = box(r2[0]);
-        const Box of_d2 = box(d2[0]);
-        const Box of_W = box(W[0]);
-        const bool on_the_bend = d2[0].is_exact() && contains_zero(d2[0]);
-        return BallSeries(integral_of(
-                              [&](const Box& t) {
-                                  return outside_value(bend, of_r2, of_d2, of_W, v, on_the_bend, t);
-                              },
-                              goal),
-                          1);
-    }
     const BoxSeries of_r2(r2, goal.bits);
     const BoxSeries of_d2(d2, goal.bits);
     const BoxSeries of_W(W, goal.bits);
+    const BoxSeries v = of_r2.constant(Box(bend.v.with_bits(goal.bits)));
+    const bool on_the_bend = r2.order() == 1 && d2[0].is_exact() && contains_zero(d2[0]);
     return integrals_of(
         [&](const Box& t) {
-            return outside_value(bend, of_r2, of_d2, of_W, of_r2.constant(v), false, t);
+            const BoxSeries w = of_W * t;
+            const BoxSeries w2 = w * w;
+            const BoxSeries y = on_the_bend ? w : principal_root(of_d2 + w2);
+            const BoxSeries angle = principal_arctangent(y / v);
+            BoxSeries rate = (y + y - angle * bend.v) * bend.rate;
+            if (!contains_zero(bend.jump)) {
+                rate = rate + (angle + v / y) * bend.jump;
+            }
+            return rate / principal_root(of_r2 + w2);
         },
         r2.order(), goal);
 }
 
 BallSeries inside_bend(const RingBend& bend, const BallSeries& d2, const Ball& Y,
                        const IntegralGoal& goal) {
-    const Box v(bend.v.with_bits(goal.bits));
-    if (d2.order() == 1) {
-        const Box of_d2(d2[0].with_bits(goal.bits));
-        return BallSeries(
-            integral_of([&](const Box& t) { return inside_value(bend, of_d2, t * Y, v); }, goal),
-            1);
-    }
     const BoxSeries of_d2(d2, goal.bits);
+    const BoxSeries v = of_d2.constant(Box(bend.v.with_bits(goal.bits)));
     return integrals_of(
         [&](const Box& t) {
-            return inside_value(bend, of_d2, of_d2.constant(t * Y), of_d2.constant(v));
+            const BoxSeries y = of_d2.constant(t * Y);
+            const BoxSeries angle = principal_arctangent(y / v);
+            const BoxSeries y2 = y * y;
+            const BoxSeries rate =
+                (y + y - angle * bend.v) * y * bend.rate + (angle * y + v) * bend.jump;
+            return rate / (principal_root(v * v + y2) * principal_root(of_d2 + y2));
         },
         d2.order(), goal);
 }

@@ -3,6 +3,7 @@
 #include "edgeproof/algebra/identity.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "tests/formula/items.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -32,132 +33,84 @@ Form form(const std::string& text) {
 
 std::string tidy(const std::string& text) { return to_text(form(text).expr()); }
 
-} // namespace
-
-TEST_CASE("formulas that are equal") {
-    for (const auto& [x, y] : std::vector<std::pair<std::string, std::string>>{
-             {"(a + b)^2 - a^2", "b*(2*a + b)"},
-             {"1/(x - y) - 1/(y - x)", "2/(x - y)"},
-             // half-integer and other powers
-             {"sqrt(8*a)", "2*sqrt(2)*sqrt(a)"},
-             {"sqrt(2*a)*sqrt(a/2)", "a"},
-             {"sqrt(12)/sqrt(27)", "2/3"},
-             {"1/sqrt(2)", "sqrt(2)/2"},
-             {"sqrt(1/(a*b))*b", "sqrt(b/a)"},
-             {"1/sqrt(a + b) - a/(a + b)^(3/2)", "b/(a + b)^(3/2)"},
-             {"sqrt(a^2 + 2*a*b + b^2)", "a + b"},
-             {"sqrt(a^2 - t^2)", "sqrt(a - t)*sqrt(a + t)"},
-             {"sqrt((x - y)^3)", "(x - y)*sqrt(x - y)"},
-             {"sqrt((x - t)/(a + y))", "1/sqrt((a + y)/(x - t))"},
-             {"a^(1/3)*sqrt(a)", "a^(5/6)"},
-             {"(a^(1/4))^2 + a^(1/4)", "sqrt(a) + a^(1/4)"},
-             {"sqrt(pi^2/4)", "pi/2"},
-             // nested roots
-             {"sqrt(sqrt(a))", "a^(1/4)"},
-             {"sqrt(a + sqrt(b))^3", "(a + sqrt(b))*sqrt(a + sqrt(b))"},
-             {"sqrt(4*a + 4*sqrt(b))", "2*sqrt(a + sqrt(b))"},
-             {"(sqrt(5) - 1)*(sqrt(5) + 1)", "4"},
-             {"(a - b)/(sqrt(a) - sqrt(b))", "sqrt(a) + sqrt(b)"},
-             // symbolic exponents
-             {"a^(m + 1)/a^(m - 1/2)", "a*sqrt(a)"},
-             {"(a*b)^m", "a^m*b^m"},
-             {"(a + b)^(m/2)*sqrt((a + b)^m)", "(a + b)^m"},
-             {"6^m", "2^m*3^m"},
-             {"sqrt(a)^(2*m)", "a^m"},
-             {"exp(x + y)", "exp(x)*exp(y)"},
-             {"exp(2*log(a))", "a^2"},
-             {"log(exp(x))", "x"},
-             {"log(exp(6)*exp(x/2)/exp(a))", "6 + x/2 - a"},
-             // other functions
-             {"log(a*b/b)", "log(a)"},
-             {"log(1)", "0"},
-             {"log(3/5)", "-log(5/3)"},
-             {"abs(y - x)", "abs(x - y)"},
-             {"abs(-2*a/3)", "2*a/3"},
-             {"sin(x - y)", "-sin(y - x)"},
-             {"cosh(-x)*sgn(-x)", "-cosh(x)*sgn(x)"},
-             {"acos(x - y)", "pi - acos(y - x)"},
-             {"acos(sqrt(3)/2)", "pi/6"},
-             {"acos((pi/8)/(-pi/4))", "2*pi/3"},
-             {"asin(-1/2)", "-pi/6"},
-             {"atan(1/sqrt(3))", "pi/6"},
-             {"cos(5*pi/3)", "1/2"},
-             {"sin(7*pi/6)", "-1/2"},
-             {"tan(3*pi/4)", "-1"},
-             {"sin(asin(x)) + cos(acos(x))", "2*x"},
-             {"gamma(9/2)", "105*sqrt(pi)/16"},
-             {"gamma(6)", "120"},
-             {"p(a*(x + y))", "p(a*x + a*y)"},
-             {"integral(p(x), x, 0, a)*2/4", "integral(p(x), x, 0, a)/2"}}) {
-        CAPTURE(x);
-        CAPTURE(y);
-        CHECK(form(x) == form(y));
-        CHECK(form("(" + x + ")*a - (" + y + ")*a").is_zero());
+/// Calls check(x, y) for each item "x = y".
+template <class Check> void for_pairs(const char* items, const Check& check) {
+    for (const std::string& item : test::items(items)) {
+        CAPTURE(item);
+        const std::size_t sign = item.find(" = ");
+        check(item.substr(0, sign), item.substr(sign + 3));
     }
 }
 
-TEST_CASE("formulas that differ") {
-    for (const auto& [x, y] : std::vector<std::pair<std::string, std::string>>{
-             {"sqrt(a)", "sqrt(2*a)"},
-             {"sqrt(a + b)", "sqrt(a) + sqrt(b)"},
-             {"sqrt(8*a)", "2*sqrt(2)*a"},
-             {"a^(m + 1)", "a^m"},
-             {"a^(1/3)", "a^(1/2)"},
-             {"sqrt(x^2)", "x"}, // x may be negative
-             {"sqrt(x^2*y)", "x*sqrt(y)"},
-             {"sqrt(x*y)", "sqrt(-x)*sqrt(-y)"},
-             {"sqrt(2)", "99/70"},
-             {"pi", "22/7"},
-             {"log(2)", "log(1)"},
-             {"cos(5*pi/3)", "-1/2"},
-             {"acos(-1/3)", "acos(1/3)"},
-             {"sin(x - y)", "sin(y - x)"},
-             {"exp(x)", "exp(-x)"},
-             {"p(a)", "p(b)"},
-             {"p(a - b)", "p(b - a)"},
-             {"integral(p(x), x, 0, a)", "integral(p(x), x, 0, b)"}}) {
-        CAPTURE(x);
-        CAPTURE(y);
-        CHECK_FALSE(form(x) == form(y));
-    }
+} // namespace
+
+TEST_CASE("formulas that are equal: roots, powers, symbolic exponents, other functions") {
+    for_pairs(R"ITEMS(
+        (a + b)^2 - a^2 = b*(2*a + b)   1/(x - y) - 1/(y - x) = 2/(x - y)
+        sqrt(8*a) = 2*sqrt(2)*sqrt(a)   sqrt(2*a)*sqrt(a/2) = a   sqrt(12)/sqrt(27) = 2/3
+        1/sqrt(2) = sqrt(2)/2   sqrt(1/(a*b))*b = sqrt(b/a)
+        1/sqrt(a + b) - a/(a + b)^(3/2) = b/(a + b)^(3/2)   sqrt(a^2 + 2*a*b + b^2) = a + b
+        sqrt(a^2 - t^2) = sqrt(a - t)*sqrt(a + t)   sqrt((x - y)^3) = (x - y)*sqrt(x - y)
+        sqrt((x - t)/(a + y)) = 1/sqrt((a + y)/(x - t))   a^(1/3)*sqrt(a) = a^(5/6)
+        (a^(1/4))^2 + a^(1/4) = sqrt(a) + a^(1/4)   sqrt(pi^2/4) = pi/2
+        sqrt(sqrt(a)) = a^(1/4)   sqrt(a + sqrt(b))^3 = (a + sqrt(b))*sqrt(a + sqrt(b))
+        sqrt(4*a + 4*sqrt(b)) = 2*sqrt(a + sqrt(b))   (sqrt(5) - 1)*(sqrt(5) + 1) = 4
+        (a - b)/(sqrt(a) - sqrt(b)) = sqrt(a) + sqrt(b)
+        a^(m + 1)/a^(m - 1/2) = a*sqrt(a)   (a*b)^m = a^m*b^m
+        (a + b)^(m/2)*sqrt((a + b)^m) = (a + b)^m   6^m = 2^m*3^m   sqrt(a)^(2*m) = a^m
+        exp(x + y) = exp(x)*exp(y)   exp(2*log(a)) = a^2   log(exp(x)) = x
+        log(exp(6)*exp(x/2)/exp(a)) = 6 + x/2 - a
+        log(a*b/b) = log(a)   log(1) = 0   log(3/5) = -log(5/3)   abs(y - x) = abs(x - y)
+        abs(-2*a/3) = 2*a/3   sin(x - y) = -sin(y - x)   cosh(-x)*sgn(-x) = -cosh(x)*sgn(x)
+        acos(x - y) = pi - acos(y - x)   acos(sqrt(3)/2) = pi/6   acos((pi/8)/(-pi/4)) = 2*pi/3
+        asin(-1/2) = -pi/6   atan(1/sqrt(3)) = pi/6   cos(5*pi/3) = 1/2   sin(7*pi/6) = -1/2
+        tan(3*pi/4) = -1   sin(asin(x)) + cos(acos(x)) = 2*x   gamma(9/2) = 105*sqrt(pi)/16
+        gamma(6) = 120   p(a*(x + y)) = p(a*x + a*y)
+        integral(p(x), x, 0, a)*2/4 = integral(p(x), x, 0, a)/2
+    )ITEMS",
+              [](const std::string& x, const std::string& y) {
+                  CHECK(form(x) == form(y));
+                  CHECK(form("(" + x + ")*a - (" + y + ")*a").is_zero());
+              });
+}
+
+TEST_CASE("formulas that differ, where x and y may be negative") {
+    for_pairs(R"ITEMS(
+        sqrt(a) = sqrt(2*a)   sqrt(a + b) = sqrt(a) + sqrt(b)   sqrt(8*a) = 2*sqrt(2)*a
+        a^(m + 1) = a^m   a^(1/3) = a^(1/2)   sqrt(x^2) = x   sqrt(x^2*y) = x*sqrt(y)
+        sqrt(x*y) = sqrt(-x)*sqrt(-y)   sqrt(2) = 99/70   pi = 22/7   log(2) = log(1)
+        cos(5*pi/3) = -1/2   acos(-1/3) = acos(1/3)   sin(x - y) = sin(y - x)   exp(x) = exp(-x)
+        p(a) = p(b)   p(a - b) = p(b - a)   integral(p(x), x, 0, a) = integral(p(x), x, 0, b)
+    )ITEMS",
+              [](const std::string& x, const std::string& y) { CHECK_FALSE(form(x) == form(y)); });
 }
 
 TEST_CASE("tidy formulas: one fraction in separate factors, sums collected by P1, P2") {
-    for (const auto& [text, expected] : std::vector<std::pair<std::string, std::string>>{
-             {"0", "0"},
-             {"-1/(a - b) + 1/(b - a)", "-(2/(a - b))"},
-             {"a*P1/(2*sqrt(a + b)) + b*P1/sqrt(4*(a + b))", "P1*sqrt(a + b)/2"},
-             {"P1*(3 + 2*m)/(3*a^(3/2)) - 4*P2/sqrt(9*a)", "((2*m + 3)*P1 - 4*a*P2)/(3*a^(3/2))"},
-             {"sqrt(a/b)", "sqrt(a)/sqrt(b)"},
-             {"sqrt(x - a)/(a - x)", "-(1/sqrt(x - a))"},
-             {"a^m*a^m/a", "a^(2*m - 1)"},
-             {"1/(a^m*2^m)", "1/(2^m*a^m)"},
-             {"pi*sqrt(pi)^(b + 7)", "Pi^((9 + b)/2)"},
-             {"exp(x/2)*exp(x)", "exp(3*x/2)"},
-             {"pi*a^2*b/4/2*2", "b*Pi*a^2/4"}}) {
-        CAPTURE(text);
-        CHECK(tidy(text) == expected);
-        CHECK(form(tidy(text)) == form(text));
-    }
+    for_pairs(R"ITEMS(
+        0 = 0   -1/(a - b) + 1/(b - a) = -(2/(a - b))
+        a*P1/(2*sqrt(a + b)) + b*P1/sqrt(4*(a + b)) = P1*sqrt(a + b)/2
+        P1*(3 + 2*m)/(3*a^(3/2)) - 4*P2/sqrt(9*a) = ((2*m + 3)*P1 - 4*a*P2)/(3*a^(3/2))
+        sqrt(a/b) = sqrt(a)/sqrt(b)   sqrt(x - a)/(a - x) = -(1/sqrt(x - a))
+        a^m*a^m/a = a^(2*m - 1)   1/(a^m*2^m) = 1/(2^m*a^m)   pi*sqrt(pi)^(b + 7) = Pi^((9 + b)/2)
+        exp(x/2)*exp(x) = exp(3*x/2)   pi*a^2*b/4/2*2 = b*Pi*a^2/4
+    )ITEMS",
+              [](const std::string& text, const std::string& expected) {
+                  CHECK(tidy(text) == expected);
+                  CHECK(form(tidy(text)) == form(text));
+              });
 }
 
 TEST_CASE("derivatives") {
-    for (const auto& [text, expected] : std::vector<std::pair<std::string, std::string>>{
-             {"a^3/(a + b)", "(2*a^3 + 3*a^2*b)/(a + b)^2"},
-             {"sqrt(a^2 + x^2)", "a/sqrt(a^2 + x^2)"},
-             {"a^m", "m*a^(m - 1)"},
-             {"m^a", "m^a*log(m)"},
-             {"a^a", "a^a*(log(a) + 1)"},
-             {"exp(a^2)", "2*a*exp(a^2)"},
-             {"sin(a)*cos(a)", "cos(a)^2 - sin(a)^2"},
-             {"tan(a) + log(a)", "1/cos(a)^2 + 1/a"},
-             {"asin(a/b)", "1/sqrt(b^2 - a^2)"},
-             {"acos(a/b)", "-1/sqrt(b^2 - a^2)"},
-             {"atan(b*a)", "b/(1 + a^2*b^2)"},
-             {"p(b)*a", "p(b)"}}) {
-        CAPTURE(text);
-        CHECK(form(text).derivative("a") == form(expected));
-    }
+    for_pairs(R"ITEMS(
+        a^3/(a + b) = (2*a^3 + 3*a^2*b)/(a + b)^2   sqrt(a^2 + x^2) = a/sqrt(a^2 + x^2)
+        a^m = m*a^(m - 1)   m^a = m^a*log(m)   a^a = a^a*(log(a) + 1)   exp(a^2) = 2*a*exp(a^2)
+        sin(a)*cos(a) = cos(a)^2 - sin(a)^2   tan(a) + log(a) = 1/cos(a)^2 + 1/a
+        asin(a/b) = 1/sqrt(b^2 - a^2)   acos(a/b) = -1/sqrt(b^2 - a^2)
+        atan(b*a) = b/(1 + a^2*b^2)   p(b)*a = p(b)
+    )ITEMS",
+              [](const std::string& text, const std::string& expected) {
+                  CHECK(form(text).derivative("a") == form(expected));
+              });
     CHECK_THROWS_AS((void)form("p(a)").derivative("a"), Error);
     CHECK_THROWS_AS((void)form("integral(a*x, x, 0, b)").derivative("a"), Error);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/run.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "tests/formula/items.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -50,19 +51,11 @@ std::map<std::string, std::string> keys_of(const std::string& profile) {
 }
 
 std::set<std::string> all_keys() {
-    std::set<std::string> keys{"Q",        "sig0",
-                               "friction", "f",
-                               "mu",       "bulk_tension",
-                               "nu",       "E1",
-                               "P",        "M",
-                               "b",        "gam",
-                               "k",        "L",
-                               "x",        "u",
-                               "P1",       "b2",
-                               "right_d",  "stick_a",
-                               "right_c0", "contact_modulus",
-                               "together", "path",
-                               "slope",    "count"};
+    const auto others = test::items(R"ITEMS(
+        Q   sig0   friction   f   mu   bulk_tension   nu   E1   P   M   b   gam   k   L   x   u
+        P1   b2   right_d   stick_a   right_c0   contact_modulus   together   path   slope   count
+    )ITEMS");
+    std::set<std::string> keys(others.begin(), others.end());
     for (const auto& [profile, own] : own_keys) {
         for (const auto& [key, value] : own) {
             keys.insert(key);

@@ -69,6 +69,9 @@ TEST_CASE("the layout is canonical") {
     CHECK(bound_text(Real(0)) == "0");
     CHECK(exact_text(Rational(1, 8)) == "0.125");
     CHECK(exact_text(Rational(-3)) == "-3");
+    CHECK(exact_text(Rational(0)) == "0");
+    CHECK(exact_text(Rational(1200)) == "1200");
+    CHECK(exact_text(Rational(-5, 2)) == "-2.5");
     CHECK(exact_text(Rational(1, 3)) == "1/3");
     CHECK(exact_text(Rational(-1, 2000)) == "-0.0005");
 }

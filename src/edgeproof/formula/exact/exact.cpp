@@ -43,7 +43,13 @@ void check_defined(const Expr& e) {
             check_defined(part);
         }
     }
-    throw DomainError(shortened(to_text(e), most_shown) + " has no value that can be enclosed");
+    // With the operands these have values, which are enclosed unless they overflow.
+    const bool overflows =
+        e.builtin() == Builtin::exp ||
+        (e.kind() == Expr::Kind::pow && certainly_positive(enclosed_constant(e.arg(0), most_bits)));
+    throw DomainError(
+        shortened(to_text(e), most_shown) +
+        (overflows ? " is beyond the range of numbers" : " has no value that can be enclosed"));
 }
 
 /// Throws for much smaller or larger numbers, which would take unlimited time elsewhere. The limit

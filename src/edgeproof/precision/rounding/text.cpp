@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -189,28 +190,20 @@ Rational parse_decimal(std::string_view text) {
         if (text[i] != 'e' && text[i] != 'E') {
             not_a_number(text);
         }
-        ++i;
-        bool down = false;
-        if (i < text.size() && (text[i] == '-' || text[i] == '+')) {
-            down = text[i] == '-';
-            ++i;
-        }
-        if (i == text.size()) {
+        const char* const end = text.data() + text.size();
+        const char* begin = text.data() + i + 1;
+        begin += begin != end && *begin == '+' ? 1 : 0;
+        long exponent = 0;
+        const auto [behind, error] = std::from_chars(begin, end, exponent);
+        if (behind == begin || behind != end || (*begin == '-' && text[i + 1] == '+')) {
             not_a_number(text);
         }
-        long exponent = 0;
-        for (; i < text.size(); ++i) {
-            if (!is_digit(text[i])) {
-                not_a_number(text);
-            }
-            exponent = exponent * 10 + (text[i] - '0');
-            if (exponent > max_exponent) {
-                throw InputError("the exponent of '" + std::string(text.substr(0, 60)) +
-                                     "' is beyond 100000",
-                                 "write a number between 1e-100000 and 1e100000");
-            }
+        if (error != std::errc() || std::abs(exponent) > max_exponent) {
+            throw InputError("the exponent of '" + std::string(text.substr(0, 60)) +
+                                 "' is beyond 100000",
+                             "write a number between 1e-100000 and 1e100000");
         }
-        scale += down ? -exponent : exponent;
+        scale += exponent;
     }
     const std::size_t first = digits.find_first_not_of('0');
     if (first == std::string::npos) {

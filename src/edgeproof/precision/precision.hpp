@@ -5,7 +5,7 @@
 ///   rational.hpp    Rational, Integer: the exact value of a decimal in a file
 ///   interruption.hpp  requests to end the work
 ///   real.hpp        Real (MPFR at any precision) and PrecisionScope
-///   arithmetic.hpp  the same functions for double and Real
+///   arithmetic.hpp  pi, rational numbers and the spacing at 1 in Real
 ///   text.hpp        exact text in (decimals become rationals), rounded text out; balls printed to
 ///   a
 ///                   stream; the number of digits that an enclosure proves right

@@ -2,7 +2,7 @@
 #include "lab/cost/cost.hpp"
 
 #include "edgeproof/io/output_file.hpp"
-#include "edgeproof/report/figures/figures_svg.hpp"
+#include "edgeproof/report/figures/figures.hpp"
 #include "edgeproof/report/page/html.hpp"
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"

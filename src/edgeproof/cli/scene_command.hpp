@@ -4,7 +4,6 @@
 #include "edgeproof/cli/scene_options.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/figures/scene_figure.hpp"
 
 #include <functional>

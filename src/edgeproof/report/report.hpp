@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 /// Reports for the user.
-///   verdict_writers.hpp   an audit as a terminal table, JSON, CSV, Markdown, LaTeX
+///   verdict_writers.hpp   an audit as a terminal table, JSON, CSV, Markdown, LaTeX; comparison
+///                         with recorded verdicts
 ///   table.hpp             any table as CSV, JSON, Markdown, LaTeX
 ///   reference_table.hpp   a recipe's answers, or its questions, as a table; comparison of tables
 ///   agreement_report.hpp  other programs' answers and the references, as text and as JUnit
-///   verdict_writers.hpp            comparison of an audit with recorded verdicts
-///   html.hpp       an audit as a page, with the paper's figures recomputed
+///   html.hpp              an audit as a page, with the paper's figures recomputed
 ///   figures.hpp           a figure as data, drawn as SVG
 ///   program_line.hpp      version, commit and libraries, included in every file
 ///   escape.hpp            text of other authors in each format

@@ -117,27 +117,20 @@ TEST_CASE("an effect adds its own operations and no others") {
     };
     const Counts base = counts("pressures of a symmetric punch");
     CHECK(base.closed_forms == 10);
-    CHECK(base.consistency + base.load_inversions + base.tilts + base.expansions +
-              base.shear_points + base.extents ==
+    CHECK(base.consistency + base.load_inversions + base.tilts + base.expansions + base.extents ==
           0);
     CHECK(counts("tilt").consistency == 1);
     CHECK(counts("tilt").closed_forms == 10);
     CHECK(counts("P given instead of a").load_inversions == 1);
     CHECK(counts("tilt found from P and M").tilts == 1);
     CHECK(counts("both edges of a tilted punch").closed_forms == 20);
-    CHECK(counts("shear under full stick").shear_points == 10);
     CHECK(counts("expansion to 3 terms").expansions == 1);
     CHECK(counts("expansion to 10 terms").closed_forms == 10);
     CHECK(counts("extents of 1 and 3 terms").extents == 2);
     CHECK(counts("extents of 1 and 3 terms").closed_forms == 0);
     CHECK(counts("shear in partial slip").stick_zones == 1);
-    CHECK(counts("stresses at ten points").stresses == 10);
     CHECK(counts("stresses at ten points").closed_forms == 0);
-    CHECK(counts("gap at ten places").displacements == 10);
-    CHECK(counts("slip at ten places").displacements == 10);
-    CHECK(counts("displacements of a surface at ten places").displacements == 10);
     CHECK(counts("pressures under a sphere").closed_forms == 10);
-    CHECK(counts("gap around a sphere").displacements == 10);
 }
 
 // The counts are recorded, not derived: an unexpected change in either direction must be noticed.

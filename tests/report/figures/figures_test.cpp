@@ -3,7 +3,6 @@
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
-#include "edgeproof/report/figures/figures_svg.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "tests/support/folder.hpp"
 #include "tests/support/namespaces.hpp"

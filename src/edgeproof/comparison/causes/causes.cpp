@@ -240,40 +240,6 @@ std::optional<Cause> own_force(const Observed& data, double force, SuspectContac
         {}};
 }
 
-} // namespace
-
-Diagnosis diagnose_pressure(const ResultTable& table, const AlignedResult& data,
-                            const DataContact& contact, SuspectContacts& suspects,
-                            const ExactContact& exact, double mesh_error) {
-    const Observed observed = observed_in(data, contact, exact, p_of);
-    Diagnosis diagnosis =
-        diagnose_observed(observed, pressure_suspects(observed.nodes, suspects, exact), mesh_error);
-    if (diagnosis.causes.empty() && !diagnosis.at_edges_only) {
-        const Unexplained error{allowance_for(mesh_error, diagnosis.unexplained),
-                                diagnosis.unexplained};
-        if (auto cause = own_force(observed, contact.force.value_or(0), suspects, error)) {
-            diagnosis.causes.push_back(std::move(*cause));
-            diagnosis.factor.reset();
-        } else if (!diagnosis.factor && !diagnosis.too_few) {
-            diagnosis.factor = stretch_of(observed, exact, error, diagnosis.noise);
-        }
-    }
-    if (diagnosis.at_edges_only && diagnosis.causes.empty()) {
-        if (const auto cause = cause_in_digits(table, data, exact)) {
-            diagnosis.causes.push_back(*cause);
-        }
-    }
-    return diagnosis;
-}
-
-Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
-                         SuspectContacts& suspects, const ExactContact& exact, double mesh_error) {
-    const Observed observed = observed_in(data, contact, exact, q_of);
-    return diagnose_observed(observed, shear_suspects(observed.nodes, suspects, exact), mesh_error);
-}
-
-namespace {
-
 constexpr int most_rounded_digits = 9;
 constexpr double half_unit = 0.51; ///< of the last digit, with a little for binary64
 constexpr double near_edge_share = 0.02;
@@ -302,8 +268,10 @@ bool rounding_explains(const AlignedResult& data, const ExactContact& exact,
                             squares <= rms_with_noise * rms_with_noise * static_cast<double>(n));
 }
 
-} // namespace
-
+/// Finds pressures that carry fewer digits than are written: rounded to a number of significant
+/// digits or decimals, or numbers of binary32; accepted if the errors away from the edges (by a
+/// fiftieth of the contact) are no larger than this rounding explains. For binary32, 16 units in
+/// the last place of the largest pressure are allowed for a computation.
 std::optional<Cause> cause_in_digits(const ResultTable& table, const AlignedResult& data,
                                      const ExactContact& exact) {
     const CarriedDigits& digits = table.p_digits;
@@ -334,6 +302,38 @@ std::optional<Cause> cause_in_digits(const ResultTable& table, const AlignedResu
         return cause("binary32", "p consists of binary32 numbers, about 7 digits");
     }
     return {};
+}
+
+} // namespace
+
+Diagnosis diagnose_pressure(const ResultTable& table, const AlignedResult& data,
+                            const DataContact& contact, SuspectContacts& suspects,
+                            const ExactContact& exact, double mesh_error) {
+    const Observed observed = observed_in(data, contact, exact, p_of);
+    Diagnosis diagnosis =
+        diagnose_observed(observed, pressure_suspects(observed.nodes, suspects, exact), mesh_error);
+    if (diagnosis.causes.empty() && !diagnosis.at_edges_only) {
+        const Unexplained error{allowance_for(mesh_error, diagnosis.unexplained),
+                                diagnosis.unexplained};
+        if (auto cause = own_force(observed, contact.force.value_or(0), suspects, error)) {
+            diagnosis.causes.push_back(std::move(*cause));
+            diagnosis.factor.reset();
+        } else if (!diagnosis.factor && !diagnosis.too_few) {
+            diagnosis.factor = stretch_of(observed, exact, error, diagnosis.noise);
+        }
+    }
+    if (diagnosis.at_edges_only && diagnosis.causes.empty()) {
+        if (const auto cause = cause_in_digits(table, data, exact)) {
+            diagnosis.causes.push_back(*cause);
+        }
+    }
+    return diagnosis;
+}
+
+Diagnosis diagnose_shear(const AlignedResult& data, const DataContact& contact,
+                         SuspectContacts& suspects, const ExactContact& exact, double mesh_error) {
+    const Observed observed = observed_in(data, contact, exact, q_of);
+    return diagnose_observed(observed, shear_suspects(observed.nodes, suspects, exact), mesh_error);
 }
 
 } // namespace edgeproof::comparison

@@ -5,12 +5,10 @@
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/precision/rational.hpp"
 #include "edgeproof/roots/bracketed_root.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace edgeproof::comparison {
 namespace {

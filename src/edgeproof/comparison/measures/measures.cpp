@@ -156,15 +156,6 @@ struct Sample {
     double p_rounding = 0;
 };
 
-std::vector<Sample> samples_of(const ResultTable& table) {
-    std::vector<Sample> all;
-    for (const ResultRow& row : table.rows) {
-        all.push_back({row.x.convert_to<double>(), row.p.convert_to<double>(), row.x_rounding,
-                       row.p_rounding});
-    }
-    return all;
-}
-
 /// The distance of a sample from the line through its neighbours, relative to what rounding of the
 /// written digits, or to binary32, explains.
 double change_of_slope(const Sample& before, const Sample& here, const Sample& after,
@@ -180,7 +171,11 @@ double change_of_slope(const Sample& before, const Sample& here, const Sample& a
 } // namespace
 
 std::optional<SampledElements> sampled_elements(const ResultTable& table) {
-    const std::vector<Sample> all = samples_of(table);
+    std::vector<Sample> all;
+    for (const ResultRow& row : table.rows) {
+        all.push_back({row.x.convert_to<double>(), row.p.convert_to<double>(), row.x_rounding,
+                       row.p_rounding});
+    }
     const double largest =
         std::abs(std::ranges::max(all, {}, [](const Sample& s) { return std::abs(s.p); }).p);
     constexpr double loaded_share = 0.02;

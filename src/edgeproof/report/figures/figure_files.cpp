@@ -3,7 +3,7 @@
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
-#include "edgeproof/report/figures/figures_svg.hpp"
+#include "edgeproof/report/figures/figures.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 
 #include <boost/crc.hpp>

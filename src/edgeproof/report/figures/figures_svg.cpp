@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/report/figures/figures_svg.hpp"
+#include "edgeproof/report/figures/figures.hpp"
 
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/precision.hpp"

@@ -6,8 +6,6 @@
 #include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/figures/audit_figures.hpp"
-#include "edgeproof/report/figures/figures_svg.hpp"
-#include "edgeproof/report/page/html_claim.hpp"
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "edgeproof/report/verdicts/verdict_writers.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/report/page/html_claim.hpp"
 #include "edgeproof/audit/agreement/enclosures.hpp"
+#include "edgeproof/report/page/html.hpp"
 
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/formula_tex.hpp"

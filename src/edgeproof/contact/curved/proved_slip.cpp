@@ -106,6 +106,63 @@ std::unique_ptr<ZoneSolver> integrated_zones(const IntegratedContact& contact) {
     return std::make_unique<IntegratedZones>(contact);
 }
 
+namespace {
+
+/// The zones of a power law under a tilt. The integrals are Gauss's 2F1 where the zone contains the
+/// origin; elsewhere they, and all pressures, follow from rigorous integration.
+/// For g' = C sgn(x) |x|^m, with s = a t (DLMF 15.6.1, 5.12.1),
+///   integral of s^p (a - s)^(q - 1) (b + s)^(-r) over 0 < s < a
+///     = a^(p + q) b^(-r) B(p + 1, q) 2F1(r, p + 1; p + 1 + q; -a/b).
+class TiltedPowerLawZones : public ZoneSolver {
+public:
+    TiltedPowerLawZones(const Profile& profile, const Exact& modulus, const BallContact& contact)
+        : ZoneSolver(contact), integrals_(integrated_zones(IntegratedContact(
+                                   profile, modulus, contact.a(), contact.b(), contact.bits()))),
+          exponent_(formula::enclosed_constant(profile.parameters().at("m"), contact.bits())),
+          factor_(formula::enclosed_constant(profile.parameters().at("C"), contact.bits())) {}
+    [[nodiscard]] ZoneValues values(const BallZone& zone) const override {
+        const Ball& a = zone.a;
+        const Ball& b = zone.b;
+        if (!certainly_positive(a) || !certainly_positive(b)) {
+            return integrals_->values(zone);
+        }
+        const Ball half(Rational(1, 2), bits());
+        const Ball& m = exponent_;
+        // The integrals of g'/w and s g'/w on each side of the origin.
+        const Ball right = half_integral(a, b, m, half, half);
+        const Ball left = half_integral(b, a, m, half, half);
+        const Ball moments =
+            half_integral(a, b, m + 1, half, half) + half_integral(b, a, m + 1, half, half);
+        const Ball scale = modulus() * factor_ / 2;
+        // A and B (docs/mechanics.md, "One measure, six kernels") with dg' = C m |v|^(m - 1) dv
+        const auto rate = [&](const Ball& to, const Ball& from) {
+            return scale * m *
+                   (half_integral(to, from, m - 1, half, -half) +
+                    half_integral(from, to, m - 1, half + 1, half));
+        };
+        // The force and the mean slope (docs/partial-slip.md, "The corrective contact")
+        return {scale * (moments - (a - b) / 2 * (right - left)),
+                factor_ * (right - left) / Ball::pi(bits()), rate(a, b), rate(b, a)};
+    }
+    [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const override {
+        return integrals_->pressure(zone, edge, u);
+    }
+
+private:
+    /// Returns the integral above (DLMF 15.6.1).
+    [[nodiscard]] static Ball half_integral(const Ball& a, const Ball& b, const Ball& p,
+                                            const Ball& q, const Ball& r) {
+        return pow(a, p + q) / pow(b, r) * gamma(p + 1) * gamma(q) / gamma(p + 1 + q) *
+               hypergeometric_2f1(r, p + 1, p + 1 + q, -(a / b));
+    }
+
+    std::unique_ptr<ZoneSolver> integrals_;
+    Ball exponent_;
+    Ball factor_;
+};
+
+} // namespace
+
 std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact, const Profile& profile,
                                         const Exact& contact_modulus, bool tilted,
                                         const std::optional<Ball>& total_force) {
@@ -117,6 +174,10 @@ std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact, const Prof
         return integrated_zones(dynamic_cast<const IntegratedContact&>(contact));
     }
     if (tilted && !closed->piecewise_linear()) {
+        constexpr double most_m = 90; // Arb's 2F1 takes minutes for greater exponents
+        if (profile.parameters().at("m").to<double>() <= most_m) {
+            return std::make_unique<TiltedPowerLawZones>(profile, contact_modulus, *closed);
+        }
         return integrated_zones(
             IntegratedContact(profile, contact_modulus, closed->a(), closed->b(), closed->bits()));
     }

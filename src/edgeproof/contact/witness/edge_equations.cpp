@@ -316,6 +316,9 @@ Ends EdgeEquations::searched(const Real& value, bool by_force, const Real& relat
         if (profile_.symmetric()) {
             return Ends{a, a};
         }
+        if (a == right && right > 0) { // only the flat touches
+            return Ends{a, left};
+        }
         start = zero_of_falling(
             [&](const Real& y) {
                 return slope_integral({a, Real(left + y)}, 0);

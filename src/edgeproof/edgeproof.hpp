@@ -33,14 +33,15 @@ struct Query {
     std::string where = {};
 };
 
-/// The stresses at points of a body. All arrays have the same size; `mises` is empty if the scene
-/// has no Poisson's ratio.
+/// The stresses at points of a body. All arrays have the same size; `mises` may be empty, and must
+/// be if the scene has no Poisson's ratio.
 struct Stresses {
     std::span<double> sxx, szz, sxz, tau_max, mises;
     std::span<double> bound; ///< of the error of each value at the point, proved
 };
 
-/// A contact with its load. Copies share it; several threads may use one at the same time.
+/// A contact with its load; of [ask] only `part` is used. Copies share it; several threads may use
+/// one at the same time.
 class Scene {
 public:
     /// Reads a scene: the name of a file, words such as "kind=hertz R=10 P=500 E=210e3 nu=0.3", or
@@ -53,8 +54,8 @@ public:
     /// The value of a quantity, with this number of significant digits.
     [[nodiscard]] Value value(const std::string& quantity, const std::string& where = "",
                               unsigned digits = 50) const;
-    /// The values of several questions, in their order; the contact is solved once for each number
-    /// of bits.
+    /// The values of several questions, in their order. The contact is solved once for those
+    /// without a tolerance or a reference.
     [[nodiscard]] std::vector<Value> values(const std::vector<Query>& queries,
                                             unsigned digits = 50) const;
 

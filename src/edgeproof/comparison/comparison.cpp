@@ -302,16 +302,12 @@ void find_more(FileComparison& file, const ExactContact& exact) {
 } // namespace
 
 Norm norm_named(std::string_view name) {
-    for (const auto& [norm, text] : {std::pair{Norm::peak, "peak"},
-                                     {Norm::local, "local"},
-                                     {Norm::l2, "L2"},
-                                     {Norm::l2, "l2"}}) {
-        if (name == text) {
-            return norm;
-        }
+    if (name == "peak" || name == "local") {
+        return name == "peak" ? Norm::peak : Norm::local;
     }
-    throw InputError("--of " + std::string(name) + " is no measure of an error",
-                     "write peak, local or L2");
+    require(name == "L2" || name == "l2",
+            "--of " + std::string(name) + " is no measure of an error", "write peak, local or L2");
+    return Norm::l2;
 }
 
 std::vector<std::string> FileComparison::findings() const {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The functions of edgeproof.hpp: texts become the types of the library, and back.
 #include "edgeproof/audit/run.hpp"
-#include "edgeproof/certificate/certificate.hpp"
 #include "edgeproof/comparison/comparison.hpp"
 #include "edgeproof/conformance/answers/answers.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"
@@ -17,14 +16,22 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <sstream>
 
 namespace edgeproof {
 namespace {
 
 constexpr unsigned least_digits = 2;
+constexpr unsigned least_digits_of_claims = 10;
 constexpr unsigned most_digits = 10'000;
 constexpr std::size_t most_errors_shown = 20;
+
+void require_digits(unsigned digits, unsigned least) {
+    require(digits >= least && digits <= most_digits,
+            "digits = " + std::to_string(digits) + " is out of range",
+            "give a number from " + std::to_string(least) + " to " + std::to_string(most_digits));
+}
 
 std::vector<std::string> words_of(const std::string& text) {
     std::istringstream in(text);
@@ -67,7 +74,13 @@ bool is_free_surface(scene::SceneValues& solved, scene::AskedValue asked) {
 scene::BoundedValue value_of(scene::SceneValues& solved, const scene::AskedValue& asked,
                              unsigned digits) {
     if (scene::row_of(asked.quantity).searched && asked.quantity != scene::Quantity::extent) {
-        return solved.searched(asked).value.value();
+        const scene::Row& found = solved.searched(asked);
+        if (!found.value || !found.reached) {
+            throw DomainError("there is no " + text_of(asked) +
+                              ": the terms stay within the "
+                              "tolerance");
+        }
+        return *found.value;
     }
     if (is_free_surface(solved, asked)) {
         return {Ball(0, formula::bits_for(digits)), true, "outside the contact", Rational(0)};
@@ -82,20 +95,28 @@ struct Scene::Solved {
 
     [[nodiscard]] std::vector<Value> values(const std::vector<Query>& queries,
                                             unsigned digits) const {
-        require(digits >= least_digits && digits <= most_digits,
-                "digits = " + std::to_string(digits) + " is out of range",
-                "give a number from " + std::to_string(least_digits) + " to " +
-                    std::to_string(most_digits));
+        require_digits(digits, least_digits);
         const scene::Place::Names names = scene::exact_names_of(scene);
         std::vector<scene::AskedValue> asked;
+        std::vector<scene::AskedValue> together; // a solved scene has one tolerance, one reference
         for (const Query& query : queries) {
             asked.push_back(asked_of(query, names));
+            if (!asked.back().tolerance && !asked.back().reference) {
+                together.push_back(asked.back());
+            }
         }
-        scene::SceneValues solved(scene, asked, {digits});
+        std::optional<scene::SceneValues> shared;
+        if (!together.empty()) {
+            shared.emplace(scene, together, scene::Digits{digits});
+        }
         std::vector<Value> values;
         for (const scene::AskedValue& one : asked) {
+            std::optional<scene::SceneValues> own;
+            if (one.tolerance || one.reference) {
+                own.emplace(scene, std::vector{one}, scene::Digits{digits});
+            }
             const auto& row = scene::row_of(one.quantity);
-            const scene::BoundedValue value = value_of(solved, one, digits);
+            const scene::BoundedValue value = value_of(own ? *own : *shared, one, digits);
             const unsigned shown = row.short_error ? std::min(digits, 20U) : digits;
             const scene::PrintedValue text = scene::printed(value, {shown});
             values.push_back({text.text, text.bound, value.proved, scene::how(value, text)});
@@ -135,7 +156,8 @@ void Scene::shears(std::span<const double> x, std::span<double> q) const {
 }
 void Scene::stresses(std::span<const double> x, std::span<const double> z, const Stresses& at,
                      bool body_B) const {
-    for (const std::span<double> array : {at.sxx, at.szz, at.sxz, at.tau_max, at.bound}) {
+    const std::span<double> mises = at.mises.empty() ? at.sxx : at.mises;
+    for (const std::span<double> array : {at.sxx, at.szz, at.sxz, at.tau_max, mises, at.bound}) {
         if (x.size() != z.size() || array.size() != x.size()) {
             throw Error("the places and the values differ in number");
         }
@@ -145,6 +167,7 @@ void Scene::stresses(std::span<const double> x, std::span<const double> z, const
 }
 
 std::vector<Verdict> verify(const std::string& ledger, unsigned digits) {
+    require_digits(digits, least_digits_of_claims);
     audit::AuditOptions options;
     options.digits = digits;
     std::vector<Verdict> verdicts;
@@ -156,6 +179,7 @@ std::vector<Verdict> verify(const std::string& ledger, unsigned digits) {
 }
 
 Outcome check(const std::string& recipe, const std::string& answers, double digits) {
+    require(digits > 0, "the digits of a check are not positive", "give a number > 0");
     const conformance::Questions asked =
         rounded_to_binary64(conformance::read_recipe(recipe).questions);
     report::Conformance found;

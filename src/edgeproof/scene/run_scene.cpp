@@ -342,6 +342,7 @@ Scene asking(const Scene& scene, const std::vector<AskedValue>& values, const Di
     s.ask = Ask{};
     s.ask.edges = {Edge::right, Edge::left};
     s.ask.digits = digits;
+    s.ask.part = scene.ask.part;
     bool shear = false;
     std::size_t orders = 0;
     std::set<std::size_t> numbers_of_terms;

@@ -48,8 +48,8 @@ struct RunOptions {
 /// quadrature does not reach its digits; Interrupted.
 [[nodiscard]] SceneResult run_scene(const Scene& scene, const RunOptions& options = {});
 
-/// Returns the scene with a request for these values only. The shear is left out if none of them
-/// needs it.
+/// Returns the scene with a request for these values only; of its own request only `part` is kept.
+/// The shear is left out if none of them needs it.
 [[nodiscard]] Scene asking(const Scene& scene, const std::vector<AskedValue>& values,
                            const Digits& digits);
 

@@ -4,7 +4,7 @@
 #include "edgeproof/contact/witness/witness.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
-#include "edgeproof/scene/route/value_route.hpp"
+#include "edgeproof/scene/route/scene_values.hpp"
 #include "lab/cost/cost.hpp"
 
 #include <filesystem>
@@ -136,14 +136,7 @@ template <class Contact> ReadyContact in_balls(const CostCase& c, unsigned digit
 
 /// The method of `edgeproof pressure`: more and more bits until the value rounds as asked.
 ReadyContact as_printed(const CostCase& c, unsigned digits) {
-    struct Prepared {
-        scene::Scene scene;
-        scene::Plan plan = {};
-        scene::Work work = {};
-        std::unique_ptr<scene::ValueRoute> route = nullptr;
-    };
-    const auto ready = std::make_shared<Prepared>(Prepared{c.scene});
-    scene::Scene& scene = ready->scene;
+    scene::Scene scene = c.scene;
     scene.shear.reset();
     scene.ask = {};
     scene.ask.quantities = {scene::QuantityGroup::pressure};
@@ -152,12 +145,10 @@ ReadyContact as_printed(const CostCase& c, unsigned digits) {
     for (const formula::Exact& u : c.u) {
         scene.ask.u.push_back({u, 0});
     }
-    ready->plan = make_plan(scene);
-    ready->route = make_route(scene, ready->plan, ready->work);
-    return [&c, ready](std::size_t i) -> CostValue {
+    const auto values = std::make_shared<scene::SceneValues>(std::move(scene));
+    return [&c, values](std::size_t i) -> CostValue {
         const Ball p =
-            ready->route->value({.quantity = scene::Quantity::p, .edge = c.edge, .u = c.u[i]})
-                .value;
+            values->value({.quantity = scene::Quantity::p, .edge = c.edge, .u = c.u[i]}).value;
         return {p.midpoint(), 0, p};
     };
 }

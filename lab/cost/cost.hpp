@@ -8,7 +8,6 @@
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/report/tables/table.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
-#include "edgeproof/scene/route/plan.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -121,7 +120,6 @@ struct CostOptions {
 struct EffectCost {
     std::string effect; ///< "shear under full stick"
     std::string base;   ///< the effect with which it is compared; empty: it is itself a base
-    scene::Work work;   ///< the counted work
     double seconds = 0; ///< of the processor, for the whole scene, median over repeats
     double ratio = 1;   ///< of `seconds` to the base's
 };

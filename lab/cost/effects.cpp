@@ -157,7 +157,7 @@ effect_costs(unsigned digits, bool timed,
             progress(costs.size(), std::size(effects));
         }
         const scene::Scene scene = scene_of(e, digits);
-        EffectCost cost{e.name, e.base, run_scene(scene).work, 0, 1};
+        EffectCost cost{e.name, e.base, 0, 1};
         std::vector<double> seconds;
         double spent = 0;
         while (timed && (seconds.size() < fewest_runs ||

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
@@ -60,11 +60,6 @@ def _cells(row: Any) -> Iterable[tuple[str, Any]]:
             for term in content:
                 yield f"size_{term.terms}", _number(term.size)[0]
                 yield f"rel_{term.terms}", _number(term.relative_error)[0]
-        elif isinstance(content, Mapping):
-            for key, value in content.items():
-                number, bound = _number(value)
-                yield key, number
-                yield key + "_bound", bound
         elif content is None or isinstance(content, (str, bool, int)):
             yield name, content
 

@@ -96,9 +96,8 @@ class Contact(_Plain):
 class Point(_Plain):
     """A place and its tractions: u inwards from an edge; p and q in units of the contact modulus.
 
-    p_local and q_local have an Approximation for each number of terms asked for; others has the
-    quantities without a field of their own, by name. Quantities that were not asked for are None,
-    or empty. With friction, state is "slip" (|q| = friction p), "stick", or "undecided" if the
+    p_local and q_local have an Approximation for each number of terms asked for. Quantities that
+    were not asked for are None, or empty. With friction, state is "slip" (|q| = friction p), "stick", or "undecided" if the
     place is too near the end of the stick zone to decide.
     """
 
@@ -110,7 +109,6 @@ class Point(_Plain):
     q: Value | None
     q_local: tuple[Approximation, ...]
     state: str | None = None
-    others: Mapping[str, Value] = dataclasses.field(default_factory=dict)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -314,10 +312,6 @@ class Row(NamedTuple):
     covers_zone: bool | None
 
 
-_NAMED_IN_POINT = ("coordinate", "distance", "p", "local-pressure", "relative-error", "q",
-                   "local-shear", "relative-error-of-shear")
-
-
 class _Place:
     """The rows of one edge or point."""
 
@@ -347,16 +341,14 @@ class _Place:
 
 
 def _point(at: _Place) -> Point:
-    u: Any = at.value("distance")
+    u: Any = at.value("u")
     if u is None:
         u = at.rows[0].u
     return Point(
-        edge=at.rows[0].edge, u=u, x=at.value("coordinate"), p=at.value("p"),
-        p_local=at.sums("local-pressure", "relative-error"), q=at.value("q"),
-        q_local=at.sums("local-shear", "relative-error-of-shear"),
-        state=next((row.state for row in at.of("q")), None),
-        others={row.quantity: row.value for row in at.rows
-                if row.quantity not in _NAMED_IN_POINT and row.value is not None})
+        edge=at.rows[0].edge, u=u, x=at.value("x"), p=at.value("p"),
+        p_local=at.sums("local", "rel"), q=at.value("q"),
+        q_local=at.sums("q_local", "q_rel"),
+        state=next((row.state for row in at.of("q")), None))
 
 
 def _extent(at: _Place, row: Row) -> Extent:
@@ -364,14 +356,14 @@ def _extent(at: _Place, row: Row) -> Extent:
         return at.value(quantity, row.k)
 
     return Extent(row.edge, row.k, row.reached, value("extent"), value("measure"),
-                  value("extent-fraction"), value("measure-fraction"), at.crossings(row.k),
+                  value("extent_fraction"), value("measure_fraction"), at.crossings(row.k),
                   row.covers_zone)
 
 
 def _slip(at: _Place, stick: StickZone) -> Slip:
-    terms = tuple(SlipTerms(row.k, at.value("slip-zone-by-terms", row.k),
-                            at.value("relative-error-of-slip-zone", row.k), row.value, row.reached)
-                  for row in at.of("slip-load"))
+    terms = tuple(SlipTerms(row.k, at.value("slip_terms", row.k),
+                            at.value("slip_rel", row.k), row.value, row.reached)
+                  for row in at.of("slip_load"))
     return Slip(at.rows[0].edge, at.value("slip"), terms, stick)
 
 
@@ -394,8 +386,8 @@ def result_of(found: dict[str, Any]) -> Result:
     points = itertools.groupby((row for row in rows if row.point is not None),
                                lambda row: (row.edge, row.point))
     stick = StickZone(
-        whole.value("load-ratio"), whole.value("stick_a"), whole.value("stick_b"),
-        whole.value("least-bulk-tension"), whole.value("most-bulk-tension"),
+        whole.value("load_ratio"), whole.value("stick_a"), whole.value("stick_b"),
+        whole.value("least_tension"), whole.value("most_tension"),
         whole.value("cycle_energy"), found["in_proportion"])
     contact = {name: whole.value(name) for name in ("a", "b", "P", "M", "alpha")}
     contact |= {name: whole.value(name) for name in ("delta", "stiffness", "p_max")
@@ -408,11 +400,11 @@ def result_of(found: dict[str, Any]) -> Result:
             Coefficients(at.rows[0].edge, at.values("c"), at.values("s"), found["s_half_powers"])
             for at in edges("c", "s")),
         extents=Rows(
-            _extent(at, row) for at in edges("extent", "measure", "extent-fraction",
-                                             "measure-fraction", "crossing")
+            _extent(at, row) for at in edges("extent", "measure", "extent_fraction",
+                                             "measure_fraction", "crossing")
             for row in at.of("extent")),
         slips=Rows(_slip(at, stick) for at in edges(
-            "slip", "slip-zone-by-terms", "relative-error-of-slip-zone", "slip-load")),
+            "slip", "slip_terms", "slip_rel", "slip_load")),
         proved=found["proved"],
         stresses=Rows(
             Stress(*in_bodies[i], *(at.value(name) for name in (
@@ -420,6 +412,6 @@ def result_of(found: dict[str, Any]) -> Result:
             for i, at in at_places("body")),
         displacements=Rows(
             Displacement(found["places"][i], *(at.value(name) for name in (
-                "gap", "slip", "ux", "uz", "slope", "dissipation")))
+                "gap", "slip_displacement", "ux", "uz", "slope", "dissipation")))
             for i, at in at_places("surface")),
     )

@@ -484,7 +484,8 @@ class Scene:
 
     # At points, in binary64.
 
-    def _many(self, quantity: str, terms: int, u: Any, x: Any, edge: str) -> Any:
+    def _many(self, quantity: str, terms: int, u: Any, x: Any,
+              edge: str) -> numpy.typing.NDArray[numpy.float64]:
         name, places = _given_places(u, x)
         return self._native.binary64(quantity, terms, edge, name == "x", places)
 
@@ -500,10 +501,7 @@ class Scene:
         for infinite u), and inf on a corner of the profile. Raises InputError, with the index, for
         NaN.
         """
-        if x is not None:
-            found: numpy.typing.NDArray[numpy.float64] = self._many("p", 0, u, x, edge)
-            return found
-        return self._native.pressures(edge, _given_places(u, x)[1])
+        return self._many("p", 0, u, x, edge)
 
     @checked
     def shears(self, u: numpy.typing.ArrayLike | None = None, edge: str = "right", *,
@@ -513,8 +511,7 @@ class Scene:
         Raises InputError for a scene without shear, and for places at which q is infinite: the
         edges under full stick, and corners of the profile.
         """
-        found: numpy.typing.NDArray[numpy.float64] = self._many("q", 0, u, x, edge)
-        return found
+        return self._many("q", 0, u, x, edge)
 
     @checked
     def stresses(self, x: numpy.typing.ArrayLike, z: numpy.typing.ArrayLike,
@@ -528,9 +525,7 @@ class Scene:
         points on a knot take much longer than other points. Raises InputError as stress() does.
         """
         across, depths = imported("numpy").broadcast_arrays(x, z)
-        found: dict[str, numpy.typing.NDArray[numpy.float64]] = self._native.stresses(
-            body, across, depths)
-        return found
+        return self._native.stresses(body, across, depths)
 
     @checked
     def local_pressures(self, u: numpy.typing.ArrayLike | None = None, terms: int = 1,
@@ -540,9 +535,7 @@ class Scene:
 
         Raises InputError for places that are not inside the contact.
         """
-        found: numpy.typing.NDArray[numpy.float64] = self._many(
-            "local", terms, u, x, edge)
-        return found
+        return self._many("local", terms, u, x, edge)
 
     @checked
     def relative_errors(self, u: numpy.typing.ArrayLike | None = None, terms: int = 1,
@@ -552,9 +545,7 @@ class Scene:
 
         Raises InputError for places that are not inside the contact.
         """
-        found: numpy.typing.NDArray[numpy.float64] = self._many(
-            "rel", terms, u, x, edge)
-        return found
+        return self._many("rel", terms, u, x, edge)
 
     # At edges.
 
@@ -630,8 +621,8 @@ class Scene:
              file: str | os.PathLike[str] | None = None) -> matplotlib.figure.Figure:
         """Plots the pressure with the sums of the first terms; their relative errors on log axes.
 
-        Returns a matplotlib Figure, and writes it to `file` if one is given (.png, .pdf, .svg).
-        Raises ImportError if matplotlib or numpy is missing.
+        The curves are those of `edgeproof plot`. Returns a matplotlib Figure, and writes it to
+        `file` if one is given (.png, .pdf, .svg). Raises ImportError if matplotlib is missing.
         """
         from ._plot import plot
 

@@ -71,11 +71,9 @@ TEST_CASE("--verbose shows what was computed on stderr, and changes nothing else
     const Outcome verbose = run(folder, "pressure s.toml --verbose");
     CHECK(verbose.out == quiet.out);
     CHECK(quiet.err.empty());
-    for (const char* line : {"\np: 2 values, 2 proved, at most ", ", closed-form\n",
-                             "\npressures in closed form: 2\n"}) {
+    for (const char* line : {"\np: 2 values, 2 proved, at most ", ", closed-form\n"}) {
         CHECK(("\n" + verbose.err).find(line) != std::string::npos);
     }
-    CHECK(verbose.err.find("expansions") == std::string::npos);
 }
 
 TEST_CASE("a pressure by a second route is marked as an estimate in every format") {
@@ -91,7 +89,6 @@ TEST_CASE("a pressure by a second route is marked as an estimate in every format
     }
     const Outcome verbose = run(folder, "pressure s.toml --verbose");
     CHECK(verbose.err.find("p: 1 value, 0 proved") != std::string::npos);
-    CHECK(verbose.err.find("pressures by quadrature: 1") != std::string::npos);
 }
 
 TEST_CASE("every command that examples/README.md names runs") {

@@ -35,7 +35,7 @@ def test_curves_are_the_values(matplotlib, tmp_path):
     # It is 1 % at u = 2 - 2/1.0201.
     u, error = curve(near, "leaves it at u = 0.0394")
     assert u[0] == pytest.approx(2 - 2 / 1.0201, rel=1e-12) and error[0] == 1
-    assert "left edge" in near.get_xlabel() and "[%]" in near.get_ylabel()
+    assert "left edge" in near.get_title() and "[%]" in near.get_ylabel()
     names = [t.get_text() for t in whole.get_legend().get_texts()]
     assert names == ["p, exact", "1 term, left edge", "leaves 1 %", "2 terms, left edge",
                      "leaves 1 %"]

@@ -59,7 +59,7 @@ std::string faults(const std::string& words) {
                : short_one ? (row.value->proved ? "" : "estimated error")
                            : fault(*row.value, scene.ask.digits);
     }
-    CHECK(result.points().size() == result.plan.points * result.plan.edges.size());
+    CHECK(result.points().size() == result.plan.points * scene.ask.edges.size());
     if (scene.ask.wants(QuantityGroup::contact)) {
         check_places(result);
     }

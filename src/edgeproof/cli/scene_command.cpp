@@ -22,8 +22,8 @@ std::string power_of(const std::string& unit, int halves) {
                              : fmt::format("{}^({}/2)", unit, halves);
 }
 
-/// The values of each quantity with their routes and bits, and the work done: a line each.
-std::string facts_of_work(const scene::SceneResult& result) {
+/// The values of each quantity with their routes and bits: a line each.
+std::string values_by_quantity(const scene::SceneResult& result) {
     struct Values {
         std::size_t count = 0;
         std::size_t proved = 0;
@@ -48,31 +48,19 @@ std::string facts_of_work(const scene::SceneResult& result) {
                             values.count == 1 ? "" : "s", values.proved, values.bits,
                             fmt::join(values.routes, "; "));
     }
-    const scene::Counts& counts = result.work.counts;
-    for (const auto& [count, what] :
-         {std::pair{counts.tilts, "tilts solved for"},
-          {counts.load_inversions, "contacts whose size was solved for"},
-          {counts.consistency, "contacts whose other edge was solved for"},
-          {counts.closed_forms, "pressures in closed form"},
-          {counts.quadratures, "pressures by quadrature"},
-          {counts.expansions, "expansions"},
-          {counts.stick_zones, "stick zones solved"},
-          {counts.extents, "searches for extents"},
-          {result.work.raised, "contacts solved again with more bits"}}) {
-        text += count > 0 ? fmt::format("{}: {}\n", what, count) : "";
-    }
     return text;
 }
 
 } // namespace
 
 scene::SceneResult done(const scene::Scene& scene, const SceneOptions& o) {
-    scene::RunOptions options;
-    scene::SceneResult result = with_progress("values", options.progress, [&] {
-        return io::at_place(scene.file, scene.load_line, [&] { return run_scene(scene, options); });
+    scene::RunProgress progress;
+    scene::SceneResult result = with_progress("values", progress, [&] {
+        return io::at_place(scene.file, scene.load_line,
+                            [&] { return run_scene(scene, progress); });
     });
     if (o.verbose) {
-        std::fputs(facts_of_work(result).c_str(), stderr);
+        std::fputs(values_by_quantity(result).c_str(), stderr);
     }
     return result;
 }
@@ -161,10 +149,6 @@ std::string unit_of(const scene::Scene& scene, scene::Quantity quantity, std::si
     return pressure && length ? pressure->name + " " + power_of(length->name, halves + 2) : "";
 }
 
-scene::Digits error_digits(const scene::Scene& scene) {
-    return {std::min(scene.ask.digits.count, 20U), scene.ask.digits.rounding, false};
-}
-
 std::vector<Line> lines_of(const std::vector<scene::RowsAt>& places) {
     std::vector<Line> lines;
     for (const scene::RowsAt& place : places) {
@@ -187,8 +171,7 @@ report::Column& Columns::text(const std::string& name, Text cell, std::string ph
 }
 
 report::Column& Columns::number(const std::string& name, scene::Quantity quantity, std::size_t n) {
-    const scene::Digits digits =
-        row_of(quantity).short_error ? error_digits(scene_) : scene_.ask.digits;
+    const scene::Digits digits = digits_of(quantity, scene_.ask.digits);
     report::Column& column = add(name, Kind::number, [=](const Line& line) {
         const scene::Row* const row = line.at.find(quantity, n == 0 ? line.n : n);
         return row != nullptr && row->value ? printed(*row->value, digits).text : std::string();

@@ -81,9 +81,6 @@ private:
     std::vector<std::function<void(const Line&, std::vector<std::string>&)>> cells_;
 };
 
-/// Returns the digits of the errors of a table: 20, or fewer.
-[[nodiscard]] scene::Digits error_digits(const scene::Scene& scene);
-
 /// Checks a user's own formulas: 0 if all of them hold, else 1 (verify.cpp).
 [[nodiscard]] int check_ledger(const std::string& ledger, unsigned threads);
 

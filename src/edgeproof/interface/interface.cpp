@@ -57,20 +57,6 @@ scene::AskedValue asked_of(const Query& query, const scene::Place::Names& names)
     return scene::asked_value(query.quantity, where, names);
 }
 
-/// True for p and q at a place outside the contact, where they are 0.
-bool is_free_surface(scene::SceneValues& solved, scene::AskedValue asked) {
-    if (asked.quantity != scene::Quantity::p && asked.quantity != scene::Quantity::q) {
-        return false;
-    }
-    try {
-        asked.quantity = scene::Quantity::x;
-        (void)solved.value(asked);
-    } catch (const scene::OutsideContact&) {
-        return true;
-    }
-    return false;
-}
-
 scene::BoundedValue value_of(scene::SceneValues& solved, const scene::AskedValue& asked,
                              unsigned digits) {
     if (scene::row_of(asked.quantity).searched && asked.quantity != scene::Quantity::extent) {
@@ -82,8 +68,14 @@ scene::BoundedValue value_of(scene::SceneValues& solved, const scene::AskedValue
         }
         return *found.value;
     }
-    if (is_free_surface(solved, asked)) {
-        return {Ball(0, formula::bits_for(digits)), true, "outside the contact", Rational(0)};
+    if (const auto outside = value_outside(asked.quantity, formula::bits_for(digits))) {
+        try {
+            scene::AskedValue place = asked;
+            place.quantity = scene::Quantity::x;
+            (void)solved.value(place);
+        } catch (const scene::OutsideContact&) {
+            return *outside;
+        }
     }
     return solved.value(asked);
 }
@@ -115,10 +107,9 @@ struct Scene::Solved {
             if (one.tolerance || one.reference) {
                 own.emplace(scene, std::vector{one}, scene::Digits{digits});
             }
-            const auto& row = scene::row_of(one.quantity);
             const scene::BoundedValue value = value_of(own ? *own : *shared, one, digits);
-            const unsigned shown = row.short_error ? std::min(digits, 20U) : digits;
-            const scene::PrintedValue text = scene::printed(value, {shown});
+            const scene::PrintedValue text =
+                scene::printed(value, digits_of(one.quantity, scene::Digits{digits}));
             values.push_back({text.text, text.bound, value.proved, scene::how(value, text)});
         }
         return values;

@@ -93,21 +93,24 @@ scene::Scene NativeScene::asking(std::map<std::string, KeyValue> asked) const {
     return scene;
 }
 
-void NativeScene::pressures(contact::Edge edge, std::span<const double> u, std::span<double> p) {
+void NativeScene::binary64(const scene::Binary64Question& question, contact::Edge edge,
+                           std::span<const double> places, std::span<double> values) const {
+    const std::tuple key(question.quantity, question.n, question.from_origin);
     std::unique_ptr<scene::Binary64Values> contact;
     {
         const std::lock_guard lock(pool_->mutex);
-        if (!pool_->free.empty()) {
-            contact = std::move(pool_->free.back());
-            pool_->free.pop_back();
+        Contacts& free = pool_->free[key];
+        if (!free.empty()) {
+            contact = std::move(free.back());
+            free.pop_back();
         }
     }
     if (!contact) {
-        contact = std::make_unique<scene::Binary64Values>(scene_);
+        contact = std::make_unique<scene::Binary64Values>(scene_, question);
     }
-    (*contact)(edge, u, p);
+    (*contact)(edge, places, values);
     const std::lock_guard lock(pool_->mutex);
-    pool_->free.push_back(std::move(contact));
+    pool_->free[key].push_back(std::move(contact));
 }
 
 } // namespace edgeproof::python

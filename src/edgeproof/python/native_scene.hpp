@@ -9,6 +9,7 @@
 #include <mutex>
 #include <span>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -37,14 +38,16 @@ public:
     /// Returns the scene with these keys of [ask] in place of its own; `points_x`, `points_z` and
     /// `body` are the points of a body. Throws InputError for questions that make no sense.
     [[nodiscard]] scene::Scene asking(std::map<std::string, KeyValue> asked) const;
-    /// Computes p at each distance u from an edge (Binary64Values); `p` and `u` have the same size.
-    /// Solved contacts are kept for the next call, one for each thread that calls at the same time.
-    void pressures(contact::Edge edge, std::span<const double> u, std::span<double> p);
+    /// Computes a quantity at each place (Binary64Values); both arrays have the same size. Solved
+    /// contacts are kept for the next call, one for each thread that calls at the same time.
+    void binary64(const scene::Binary64Question& question, contact::Edge edge,
+                  std::span<const double> places, std::span<double> values) const;
 
 private:
+    using Contacts = std::vector<std::unique_ptr<scene::Binary64Values>>;
     struct Pool {
         std::mutex mutex;
-        std::vector<std::unique_ptr<scene::Binary64Values>> free;
+        std::map<std::tuple<scene::Quantity, std::size_t, bool>, Contacts> free;
     };
 
     std::string text_;

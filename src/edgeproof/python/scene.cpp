@@ -6,6 +6,7 @@
 #include "edgeproof/python/bindings.hpp"
 #include "edgeproof/python/native_scene.hpp"
 #include "edgeproof/python/without_gil.hpp"
+#include "edgeproof/report/figures/scene_figure.hpp"
 #include "edgeproof/scene/binary64_values.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 #include "edgeproof/scene/run_scene.hpp"
@@ -57,16 +58,16 @@ py::object slip_state(const scene::Row& row) {
 }
 
 /// Returns a row as a tuple: the fields of Row in edgeproof/results.py.
-py::tuple row_of(const scene::Scene& scene, const scene::Plan& plan, const scene::Row& row) {
+py::tuple row_of(const scene::Scene& scene, const scene::Row& row) {
     const scene::AskedValue& asked = row.asked;
     const scene::QuantityRow& def = scene::row_of(asked.quantity);
-    const scene::Digits digits = def.short_error ? plan.error_digits() : scene.ask.digits;
+    const scene::Digits digits = digits_of(asked.quantity, scene.ask.digits);
     const bool covers = asked.quantity == scene::Quantity::extent && scene.ask.process_zone;
     using Place = scene::QuantityRow::Place;
     static constexpr std::array places{"contact", "edge", "point", "body", "surface"};
     static_assert(static_cast<std::size_t>(Place::surface) + 1 == places.size());
     return py::make_tuple(
-        def.symbol.empty() ? def.name : def.symbol, asked.k, asked.j,
+        def.symbol.empty() ? def.label : def.symbol, asked.k, asked.j,
         places.at(static_cast<std::size_t>(def.place)), scene::edge_name(asked.edge),
         def.at_point() || def.of_bodies() ? py::object(py::int_(row.point)) : py::none(),
         asked.u ? py::object(py::str(asked.u->text())) : py::none(),
@@ -96,7 +97,7 @@ py::dict run(const NativeScene& self, const std::map<std::string, KeyValue>& ask
     });
     py::list rows;
     for (const scene::Row& row : result.rows) {
-        rows.append(row_of(*scene, result.plan, row));
+        rows.append(row_of(*scene, row));
     }
     py::list points;
     for (const scene::BodyPoint& point : scene->ask.in_bodies) {
@@ -156,13 +157,6 @@ py::array_t<double> for_each_place(const Doubles& places, const char* name,
     return values;
 }
 
-py::array_t<double> pressures(NativeScene& self, const std::string& edge, const Doubles& u) {
-    const contact::Edge at = edge_named(edge);
-    return for_each_place(u, "u", [&](std::span<const double> from, std::span<double> to) {
-        self.pressures(at, from, to);
-    });
-}
-
 /// Returns "p", "q", "local" or "rel" at many places: coordinates x, or distances from the edge.
 py::array_t<double> binary64(const NativeScene& self, const std::string& quantity, long terms,
                              const std::string& edge, bool by_x, const Doubles& places) {
@@ -173,12 +167,49 @@ py::array_t<double> binary64(const NativeScene& self, const std::string& quantit
     using scene::Quantity;
     static const std::map<std::string, Quantity> named{
         {"p", Quantity::p}, {"q", Quantity::q}, {"local", Quantity::local}, {"rel", Quantity::rel}};
-    const scene::Binary64Values values(self.scene(),
-                                       {named.at(quantity), static_cast<std::size_t>(terms), by_x});
+    const scene::Binary64Question question{named.at(quantity), static_cast<std::size_t>(terms),
+                                           by_x};
     const contact::Edge at = edge_named(edge);
-    return for_each_place(
-        places, by_x ? "x" : "u",
-        [&](std::span<const double> from, std::span<double> to) { values(at, from, to); });
+    return for_each_place(places, by_x ? "x" : "u",
+                          [&](std::span<const double> from, std::span<double> to) {
+                              self.binary64(question, at, from, to);
+                          });
+}
+
+/// Returns the panels of `edgeproof plot`: their axes, and curves of points (x, y).
+py::list plots(const NativeScene& self, const std::map<std::string, KeyValue>& asked) {
+    const std::vector<report::Plot> found = without_gil(
+        [&] { return report::scene_picture(self.asking(asked), [](std::size_t, std::size_t) {}); });
+    const auto number = [](const Real& x) { return x.convert_to<double>(); };
+    const auto axis = [](const report::Axis& of) {
+        return py::make_tuple(of.label, of.logarithmic, of.range);
+    };
+    py::list panels;
+    for (const report::Plot& plot : found) {
+        py::list curves;
+        for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+            const report::Curve& curve = plot.curves[i];
+            std::vector<double> x;
+            std::vector<double> y;
+            for (const auto& row : plot.rows) {
+                if (const auto& value = row[i + 1]) {
+                    x.push_back(number(*row[0]));
+                    y.push_back((plot.y.percent ? 100 : 1) * number(*value));
+                }
+            }
+            const report::Pen& pen = curve.pen;
+            curves.append(py::make_tuple(curve.title, static_cast<int>(pen.colour), pen.dash,
+                                         pen.point, pen.width, x, y));
+        }
+        py::dict d;
+        d["title"] = plot.title;
+        d["x"] = axis(plot.x);
+        d["y"] = axis(plot.y);
+        d["curves"] = curves;
+        d["level"] = plot.level;
+        panels.append(d);
+    }
+    return panels;
 }
 
 /// Returns the stresses at points of a body, and the bound of their errors.
@@ -242,13 +273,10 @@ void bind_scene(py::module_& module) {
                                [](const NativeScene& s) { return s.scene().shear.has_value(); })
         .def_property_readonly("slips", [](const NativeScene& s) { return s.scene().slips(); })
         .def_property_readonly("integrated",
-                               [](const NativeScene& s) {
-                                   const auto& profile = s.scene().profile;
-                                   return profile && !profile->has_closed_form();
-                               })
+                               [](const NativeScene& s) { return !s.scene().closed(); })
         .def_property_readonly("asked", [](const NativeScene& s) { return asked_of(s.scene()); })
         .def("run", &run, py::arg("asked"))
-        .def("pressures", &pressures, py::arg("edge"), py::arg("u"))
+        .def("plots", &plots, py::arg("asked"))
         .def("binary64", &binary64, py::arg("quantity"), py::arg("terms"), py::arg("edge"),
              py::arg("by_x"), py::arg("places"))
         .def("stresses", &stresses, py::arg("body"), py::arg("x"), py::arg("z"));

@@ -8,7 +8,6 @@
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/input/readers.hpp"
-#include "edgeproof/scene/route/ball_level.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>
@@ -47,13 +46,12 @@ public:
             end_[index_of(edge)] = {found.at(quantity).value, found.at(quantity).exactly};
         }
         profile_ = scene_.profile;
-        plan_ = found.plan;
-        if (question_.quantity != Quantity::p || !plan_.closed) {
+        if (question_.quantity != Quantity::p || !scene_.closed()) {
             return;
         }
         balls_ = at_bits(first_bits);
         if (scene_.punch) {
-            profile_ = BallLevel(scene_, plan_, {}, 2 * first_bits).tilt().near;
+            profile_ = BallLevel(scene_, 2 * first_bits).tilt().near;
         }
         const bool form = balls_ && DoubleWordPressure::has_form(*profile_);
         if (const auto closer = form ? at_bits(DoubleWordPressure::contact_bits) : balls_;
@@ -112,7 +110,7 @@ private:
     /// The contact of p; nothing where these bits do not separate an edge from a corner.
     [[nodiscard]] std::optional<BallContact> at_bits(long bits) const {
         try {
-            return *BallLevel(scene_, plan_, {}, bits).contact().closed_form();
+            return *BallLevel(scene_, bits).contact().closed_form();
         } catch (const BudgetError&) {
             return {};
         }
@@ -189,7 +187,7 @@ private:
     [[nodiscard]] std::optional<double> near_edge_or_corner(Edge edge, double place) const {
         bool is_inside = false;
         bool on_corner = false;
-        for (long bits = 2 * first_bits; plan_.closed && bits <= most_bits; bits *= 2) {
+        for (long bits = 2 * first_bits; scene_.closed() && bits <= most_bits; bits *= 2) {
             const auto closer = at_bits(bits);
             if (!closer) {
                 continue;
@@ -208,7 +206,7 @@ private:
         if (on_corner) {
             return std::numeric_limits<double>::infinity();
         }
-        return is_inside || !plan_.closed ? std::nullopt : std::optional(0.0);
+        return is_inside || !scene_.closed() ? std::nullopt : std::optional(0.0);
     }
 
     /// Computes one value by the route of the scene.
@@ -261,7 +259,6 @@ private:
     Binary64Question question_;
     std::array<End, 2> end_;
     std::optional<Profile> profile_;
-    Plan plan_;
     std::optional<BallContact> balls_;        ///< the contact of p at first_bits
     std::optional<DoubleWordPressure> words_; ///< decides nearly all places
     /// Decide the others, each to twice the digits of the one before.

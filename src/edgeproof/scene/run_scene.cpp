@@ -19,13 +19,13 @@ namespace {
 /// Returns the rows to compute, with empty values, in the order of the results. Searches are
 /// represented by their first row.
 std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
+    const Ask& ask = scene.ask;
     std::vector<Row> rows;
     const auto add = [&](const AskedValue& asked) { rows.push_back({asked}); };
     for (const QuantityRow& row : quantity_rows()) {
         const bool wanted = row.quantity == Quantity::a || row.quantity == Quantity::b ||
                             row.quantity == Quantity::alpha || row.quantity == Quantity::delta ||
-                            row.quantity == Quantity::stiffness ||
-                            (row.group == QuantityGroup::peak ? plan.peak : plan.resultants);
+                            row.quantity == Quantity::stiffness || ask.wants(row.group);
         if ((row.group == QuantityGroup::contact || row.group == QuantityGroup::peak) && wanted &&
             !row.at_edge() && !lack_of(scene, {row.quantity})) {
             add({row.quantity});
@@ -35,19 +35,19 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
         add({Quantity::stick_a});
         add({Quantity::stick_b});
         add({Quantity::load_ratio});
-        if (plan.slip && scene.shear->bulk_tension.sign() != 0) {
+        if (ask.wants(QuantityGroup::slip) && scene.shear->bulk_tension.sign() != 0) {
             add({Quantity::least_tension});
             add({Quantity::most_tension});
         }
         for (const Quantity energy : {Quantity::step_energy, Quantity::cycle_energy}) {
-            if (plan.slip && !lack_of(scene, {energy})) {
+            if (ask.wants(QuantityGroup::slip) && !lack_of(scene, {energy})) {
                 add({energy});
             }
         }
     }
-    for (const Edge edge : plan.edges) {
+    for (const Edge edge : ask.edges) {
         for (std::size_t i = 0; i < plan.points; ++i) {
-            const AskedPoint& point = scene.ask.u[i];
+            const AskedPoint& point = ask.u[i];
             const Distance u = point.distance(edge);
             const auto at = [&](Quantity quantity, std::size_t n = 0) {
                 AskedValue asked{quantity, n, edge, u.number()};
@@ -60,62 +60,58 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
             if (!u.number()) {
                 at(Quantity::u);
             }
-            const auto value = [&](bool wanted, Quantity quantity, bool terms, Quantity local,
-                                   Quantity rel) {
-                if (!wanted) {
+            const auto value = [&](QuantityGroup group, Quantity quantity, bool terms,
+                                   Quantity local, Quantity rel) {
+                if (!ask.wants(group)) {
                     return;
                 }
                 at(quantity);
-                for (const std::size_t n : terms ? scene.ask.terms : std::vector<std::size_t>{}) {
+                for (const std::size_t n : terms ? ask.terms : std::vector<std::size_t>{}) {
                     at(local, n);
                     at(rel, n);
                 }
             };
-            value(plan.print_pressure, Quantity::p, plan.terms > 0, Quantity::local, Quantity::rel);
-            value(plan.shear, Quantity::q, plan.terms > 0 && plan.expand_shear, Quantity::q_local,
-                  Quantity::q_rel);
-            for (const QuantityRow& row : quantity_rows()) {
-                if (row.by_its_own_name() && scene.ask.wants(row.group)) {
-                    at(row.quantity);
-                }
-            }
+            value(QuantityGroup::pressure, Quantity::p, plan.terms > 0, Quantity::local,
+                  Quantity::rel);
+            value(QuantityGroup::shear, Quantity::q, plan.terms > 0 && plan.expand_shear,
+                  Quantity::q_local, Quantity::q_rel);
         }
     }
     const auto of_bodies = [&](QuantityRow::Place place, std::size_t point, AskedValue asked) {
         for (const QuantityRow& row : quantity_rows()) {
             asked.quantity = row.quantity;
-            if (row.place == place && scene.ask.wants(row.group) && !lack_of(scene, asked)) {
+            if (row.place == place && ask.wants(row.group) && !lack_of(scene, asked)) {
                 rows.push_back({asked, {}, point});
             }
         }
     };
-    for (std::size_t i = 0; plan.stress && i < scene.ask.in_bodies.size(); ++i) {
-        of_bodies(QuantityRow::Place::body, i, {.in_body = scene.ask.in_bodies[i]});
+    for (std::size_t i = 0; i < ask.in_bodies.size(); ++i) {
+        of_bodies(QuantityRow::Place::body, i, {.in_body = ask.in_bodies[i]});
     }
-    for (std::size_t i = 0; plan.displacement && i < scene.ask.u.size(); ++i) {
+    for (std::size_t i = 0; i < ask.u.size(); ++i) {
         of_bodies(QuantityRow::Place::surface, i,
-                  {.place = scene.ask.u[i].distance(Edge::right),
-                   .in_body = scene::BodyPoint{{}, {}, scene.ask.surface_of},
-                   .reference = scene.ask.reference});
+                  {.place = ask.u[i].distance(Edge::right),
+                   .in_body = scene::BodyPoint{{}, {}, ask.surface_of},
+                   .reference = ask.reference});
     }
-    for (const Edge edge : plan.edges) {
-        for (std::size_t k = 0; scene.ask.wants(QuantityGroup::coefficients) && k < plan.terms;
-             ++k) {
+    for (const Edge edge : ask.edges) {
+        for (std::size_t k = 0; ask.wants(QuantityGroup::coefficients) && k < plan.terms; ++k) {
             add({Quantity::c, k, edge});
             if (plan.expand_shear) {
                 add({Quantity::s, k, edge});
             }
         }
     }
-    for (const Edge edge : plan.edges) {
-        for (const std::size_t n : plan.extents ? scene.ask.terms : std::vector<std::size_t>{}) {
-            add({Quantity::extent, n, edge, {}, scene.ask.tolerance});
+    const std::vector<std::size_t> none;
+    for (const Edge edge : ask.edges) {
+        for (const std::size_t n : ask.wants(QuantityGroup::extent) ? ask.terms : none) {
+            add({Quantity::extent, n, edge, {}, ask.tolerance});
         }
     }
-    for (const Edge edge : plan.slip ? plan.edges : std::vector<Edge>{}) {
+    for (const Edge edge : ask.wants(QuantityGroup::slip) ? ask.edges : std::vector<Edge>{}) {
         add({Quantity::slip, 0, edge});
-        for (const std::size_t n : scene.history ? std::vector<std::size_t>{} : scene.ask.terms) {
-            add({Quantity::slip_terms, n, edge, {}, scene.ask.tolerance});
+        for (const std::size_t n : scene.history ? none : ask.terms) {
+            add({Quantity::slip_terms, n, edge, {}, ask.tolerance});
         }
     }
     return rows;
@@ -123,17 +119,17 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
 
 class Run {
 public:
-    Run(const Scene& scene, const RunOptions& options, SceneResult& result)
-        : scene_(scene), options_(options), plan_(result.plan), result_(result),
-          route_(make_route(scene, plan_, result.work)) {}
+    Run(const Scene& scene, const RunProgress& progress)
+        : scene_(scene), progress_(progress), values_(scene), plan_(values_.plan()) {}
 
-    void all() {
+    [[nodiscard]] SceneResult all() {
+        result_.plan = plan_;
         std::vector<Row> rows = asked_rows(scene_, plan_);
         result_.rows.reserve(rows.size());
         for (std::size_t i = 0; i < rows.size(); ++i) {
             check_interruption();
-            if (options_.progress) {
-                options_.progress(i, rows.size());
+            if (progress_) {
+                progress_(i, rows.size());
             }
             if (row_of(rows[i].asked.quantity).searched) {
                 search(rows[i].asked);
@@ -145,17 +141,22 @@ public:
             }
         }
         if (plan_.partial_slip) {
-            result_.in_proportion = route_->in_proportion();
+            result_.in_proportion = values_.in_proportion();
         }
+        return std::move(result_);
     }
 
 private:
+    /// True if p at this edge is computed, not copied from the first edge of a symmetric contact.
+    [[nodiscard]] bool computes(Edge edge) const {
+        return !scene_.symmetric() || edge == scene_.ask.edges.front();
+    }
     /// True if the value is that of the mirror image at the first edge.
     [[nodiscard]] bool mirrored(const Row& row) const {
         const Quantity quantity = row.asked.quantity;
         const QuantityRow& def = row_of(quantity);
-        if (plan_.computes(row.asked.edge) || quantity == Quantity::x || quantity == Quantity::u ||
-            def.of_friction() || def.by_its_own_name() || (def.of_shear() && !scene_.together())) {
+        if (computes(row.asked.edge) || quantity == Quantity::x || quantity == Quantity::u ||
+            def.of_friction() || (def.of_shear() && !scene_.together())) {
             return false;
         }
         // The mirror image of a place given by x is another place.
@@ -179,9 +180,9 @@ private:
             return;
         }
         try {
-            row.value = route_->value(row.asked);
+            row.value = values_.value(row.asked);
             if (row.asked.quantity == Quantity::q && scene_.slips()) {
-                row.state = route_->state(row.asked.edge, row.asked.distance());
+                row.state = values_.state(row.asked.edge, row.asked.distance());
             }
         } catch (const Error& error) {
             if (def.may_be_missing) {
@@ -205,16 +206,15 @@ private:
             }
             throw;
         }
-        if (plan_.mirrored) {
+        if (scene_.symmetric()) {
             images_.try_emplace(key, result_.rows.size());
         }
     }
     /// Gives x, p = 0 and q = 0 at a place outside the contact; nothing else has a value there.
     void compute_outside(Row& row) const {
-        const std::string route = "outside the contact";
-        if (row.asked.quantity == Quantity::p || row.asked.quantity == Quantity::q) {
-            row.value = BoundedValue{Ball(0, plan_.bits), true, route, Rational(0)};
-        } else if (row.asked.quantity == Quantity::x) {
+        row.value = value_outside(row.asked.quantity, plan_.bits);
+        if (row.asked.quantity == Quantity::x) {
+            const std::string route = "outside the contact";
             const auto x = scene_.ask.u[row.point].place->number();
             const Ball& a = result_.at(Quantity::a).value;
             row.value =
@@ -228,8 +228,8 @@ private:
     void search(const AskedValue& asked) {
         const bool slips = row_of(asked.quantity).group == QuantityGroup::slip;
         std::vector<Row> found;
-        if (slips || plan_.computes(asked.edge)) {
-            found = route_->search(asked);
+        if (slips || computes(asked.edge)) {
+            found = values_.search(asked);
         } else {
             for (const Row& row : result_.rows) {
                 const bool first = row.asked.quantity == Quantity::extent;
@@ -275,10 +275,10 @@ private:
     }
 
     const Scene& scene_;
-    const RunOptions& options_;
+    const RunProgress& progress_;
+    SceneValues values_;
     const Plan& plan_;
-    SceneResult& result_;
-    std::unique_ptr<ValueRoute> route_;
+    SceneResult result_;
     /// The last point outside the contact, by the edge of its rows.
     std::optional<std::pair<Edge, std::size_t>> outside_;
     /// The indices of the rows at the first edge.
@@ -330,11 +330,8 @@ bool covers_zone(const Scene& scene, const BoundedValue& first_exit) {
                              : exit.midpoint() >= scene.ask.process_zone->to<Real>();
 }
 
-SceneResult run_scene(const Scene& scene, const RunOptions& options) {
-    SceneResult result;
-    result.plan = make_plan(scene);
-    Run(scene, options, result).all();
-    return result;
+SceneResult run_scene(const Scene& scene, const RunProgress& progress) {
+    return Run(scene, progress).all();
 }
 
 Scene asking(const Scene& scene, const std::vector<AskedValue>& values, const Digits& digits) {
@@ -380,27 +377,6 @@ Scene asking(const Scene& scene, const std::vector<AskedValue>& values, const Di
     }
     s.ask.terms.assign(numbers_of_terms.begin(), numbers_of_terms.end());
     return s;
-}
-
-SceneValues::SceneValues(const Scene& scene, const std::vector<AskedValue>& values,
-                         const Digits& digits)
-    : scene_(asking(scene, values, digits)), plan_(make_plan(scene_)),
-      route_(make_route(scene_, plan_, work_)) {}
-
-BoundedValue SceneValues::value(const AskedValue& asked) {
-    if (asked.quantity == Quantity::extent && !searched(asked).reached) {
-        throw DomainError("there is no first exit: the terms stay within the tolerance");
-    }
-    return route_->value(asked);
-}
-
-BoundedValue SceneValues::x(const AskedValue& asked) {
-    if (asked.u->sign() <= 0) {
-        throw DomainError("the point lies outside the contact");
-    }
-    AskedValue place = asked;
-    place.quantity = Quantity::x;
-    return route_->value(place);
 }
 
 } // namespace edgeproof::scene

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/scene/route/value_route.hpp"
+#include "edgeproof/scene/route/scene_values.hpp"
 
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,9 +14,8 @@ namespace edgeproof::scene {
 /// coefficients, the extents and the slip zones, each edge by edge in the order of the request.
 struct SceneResult {
     Plan plan;
-    Work work; ///< the work done
     std::vector<Row> rows;
-    bool in_proportion = true; ///< ValueRoute::in_proportion(), for a scene with friction
+    bool in_proportion = true; ///< SceneValues::in_proportion(), for a scene with friction
 
     /// The row of a quantity of the contact; null if it was not asked for.
     [[nodiscard]] const Row* find(Quantity quantity) const { return RowsAt(rows).find(quantity); }
@@ -38,44 +36,13 @@ struct SceneResult {
 /// True if the first exit lies beyond the process zone of the scene.
 [[nodiscard]] bool covers_zone(const Scene& scene, const BoundedValue& first_exit);
 
-struct RunOptions {
-    /// Called with the number of values and searches done, and their total.
-    std::function<void(std::size_t, std::size_t)> progress = {};
-};
+/// Called with the number of values and searches done, and their total.
+using RunProgress = std::function<void(std::size_t, std::size_t)>;
 
-/// Carries out the plan of a scene. Throws InputError (with the line of the scene) for a load that
+/// Computes what a scene asks for. Throws InputError (with the line of the scene) for a load that
 /// no contact carries and for a point outside the contact or on a corner; BudgetError if a
 /// quadrature does not reach its digits; Interrupted.
-[[nodiscard]] SceneResult run_scene(const Scene& scene, const RunOptions& options = {});
-
-/// Returns the scene with a request for these values only; of its own request only `part` is kept.
-/// The shear is left out if none of them needs it.
-[[nodiscard]] Scene asking(const Scene& scene, const std::vector<AskedValue>& values,
-                           const Digits& digits);
-
-/// Single numbers of one scene, by the route that a plan of all of them chooses; a value with
-/// `proved` is an enclosure. One object belongs to one thread.
-class SceneValues {
-public:
-    /// Throws as make_plan and make_route do.
-    SceneValues(const Scene& scene, const std::vector<AskedValue>& values, const Digits& digits);
-    SceneValues(const SceneValues&) = delete; // the route refers to the other members
-    SceneValues& operator=(const SceneValues&) = delete;
-
-    /// One of the values, at its place or at another one (to the same tolerance). Throws
-    /// DomainError if there is no value: outside the contact, on a corner, no first exit.
-    [[nodiscard]] BoundedValue value(const AskedValue& asked);
-    /// The coordinate x of an AskedValue at a point. Throws DomainError outside the contact.
-    [[nodiscard]] BoundedValue x(const AskedValue& asked);
-    /// The row of a quantity that is found by a search: Row::reached of an extent.
-    [[nodiscard]] const Row& searched(const AskedValue& asked) { return route_->searched(asked); }
-
-private:
-    Scene scene_;
-    Plan plan_;
-    Work work_;
-    std::unique_ptr<ValueRoute> route_;
-};
+[[nodiscard]] SceneResult run_scene(const Scene& scene, const RunProgress& progress = {});
 
 /// The greatest value of a stress in a body, and its place; all three are proved.
 struct GreatestValue {

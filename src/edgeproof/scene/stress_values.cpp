@@ -82,39 +82,30 @@ void check(const Scene& scene, Quantity quantity) {
     }
 }
 
-/// The field of a scene at a number of bits; nothing if these do not suffice.
-class Fields {
+/// A solved scene with the field of a body.
+class Fields : public SceneValues {
 public:
     Fields(const Scene& scene, Quantity quantity, Body body)
-        : scene_(asking(scene, {AskedValue{quantity}}, scene.ask.digits)), plan_(make_plan(scene_)),
-          body_(body) {}
+        : SceneValues(scene, {AskedValue{quantity}}, scene.ask.digits), body_(body) {}
 
-    [[nodiscard]] const Plan& plan() const { return plan_; }
-    [[nodiscard]] std::optional<StressField> at(long bits) const {
-        try {
-            BallLevel level(scene_, plan_, {}, bits);
-            return level.stress_field(body_);
-        } catch (const BudgetError&) {
-            return {};
-        } catch (const DomainError&) {
-            return {};
-        }
-    }
     /// Calls f with fields of more and more bits until it returns true.
-    void raise(long bits, const std::function<bool(const StressField&)>& f) const {
-        for (const long last = most_raised * plan_.bits; bits <= last; bits *= 2) {
+    void raise(long bits, const std::function<bool(const StressField&)>& f) {
+        const bool enough = SceneValues::raise(bits, most_raised * plan().bits, [&](auto& level) {
             check_interruption();
-            const auto field = at(bits);
-            if (field && f(*field)) {
-                return;
+            std::optional<StressField> field;
+            try {
+                field = level.stress_field(body_);
+            } catch (const BudgetError&) {
+            } catch (const DomainError&) {
             }
+            return field && f(*field);
+        });
+        if (!enough) {
+            throw BudgetError("no number of bits tried encloses the stress to these digits");
         }
-        throw BudgetError("no number of bits tried encloses the stress to these digits");
     }
 
 private:
-    Scene scene_;
-    Plan plan_;
     Body body_;
 };
 
@@ -132,11 +123,11 @@ bool decided(const Ball& x, const Digits& digits) {
 }
 
 /// The coordinate of an edge of the contact, or of the stick zone.
-BoundedValue place_of_edge(const Scene& scene, bool stick, Edge edge) {
+BoundedValue place_of_edge(SceneValues& values, bool stick, Edge edge) {
     const bool right = edge == Edge::right;
     const AskedValue asked{stick ? (right ? Quantity::stick_a : Quantity::stick_b)
                                  : (right ? Quantity::a : Quantity::b)};
-    BoundedValue x = SceneValues(scene, {asked}, scene.ask.digits).value(asked);
+    BoundedValue x = values.value(asked);
     if (!right) {
         x.value = -x.value;
         if (x.exactly) {
@@ -150,14 +141,14 @@ BoundedValue zero(const std::string& route) {
     return {Ball(0, search_bits), true, route, Rational(0)};
 }
 
-GreatestValue greatest_tension(const Scene& scene, const Fields& fields) {
+GreatestValue greatest_tension(const Scene& scene, Fields& fields) {
     std::optional<contact::SurfaceTension> found;
     fields.raise(fields.plan().bits, [&](const StressField& field) {
         found = greatest_surface_tension(field);
         return has_digits(found->value, scene.ask.digits);
     });
     return {proved(found->value, "trailing edge"),
-            place_of_edge(scene, false, found->edge),
+            place_of_edge(fields, false, found->edge),
             zero("trailing edge"),
             {"sxx is greatest at the trailing edge of the contact"}};
 }
@@ -177,8 +168,7 @@ bool is_on_axis(const StressField& field, const contact::GreatestPlace& place) {
                               }));
 }
 
-GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity quantity,
-                              Body body) {
+GreatestValue greatest_inside(const Scene& scene, Fields& fields, Quantity quantity, Body body) {
     using contact::GreatestPlace;
     const auto measure = [&](const StressField& field) {
         using Kind = contact::StressNorm::Kind;
@@ -192,7 +182,9 @@ GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity
         return contact::StressMeasure(field, norm);
     };
     std::optional<contact::GreatestStress> found;
+    bool mirrored = false;
     fields.raise(search_bits, [&](const StressField& field) {
+        mirrored = field.mirrored;
         for (const contact::LoadPart& part : field.parts) {
             for (const std::size_t i : part.contact.bends_inside()) {
                 if (part.contact.slope().has_corner(i)) {
@@ -239,7 +231,7 @@ GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity
         break;
     case GreatestPlace::Kind::edge:
         if (!scene.history) { // else the zone is that of any layer
-            result.x = place_of_edge(scene, place.part == 1, place.edge);
+            result.x = place_of_edge(fields, place.part == 1, place.edge);
         }
         result.z = zero(route);
         result.notes.push_back(place.part == 0 ? "the place is an edge of the contact"
@@ -250,7 +242,7 @@ GreatestValue greatest_inside(const Scene& scene, const Fields& fields, Quantity
     case GreatestPlace::Kind::inside:
         break;
     }
-    const bool twins = found->places.size() == 2 || (fields.at(search_bits)->mirrored && !on_axis);
+    const bool twins = found->places.size() == 2 || (mirrored && !on_axis);
     result.notes.emplace_back(twins ? "the mirror image of the place, at -x, has the same value"
                               : quantity == Quantity::sxx
                                   ? "at all other places of the surface the value is less"
@@ -266,28 +258,32 @@ GreatestValue greatest_on_axis(const Scene& asked, Quantity quantity, Body body)
                "of an axisymmetric contact only the greatest tau_max on the axis is computed",
                "write --greatest tau_max");
     }
-    const Scene scene = asking(asked, {AskedValue{quantity}}, asked.ask.digits);
-    const Plan plan = make_plan(scene);
+    SceneValues values(asked, {AskedValue{quantity}}, asked.ask.digits);
+    const long most = 8 * values.plan().bits;
     const std::string route = "branch and bound";
-    for (long bits = plan.bits; bits <= 8 * plan.bits; bits *= 2) {
+    std::optional<GreatestValue> greatest;
+    values.raise(values.plan().bits, most, [&](const BallLevel& level) {
         try {
-            const BallLevel level(scene, plan, {}, bits);
             const auto found = level.axisymmetric_stress(body).greatest_on_axis();
             if (has_digits(found.value, asked.ask.digits) &&
                 has_digits(found.z, asked.ask.digits)) {
-                return {proved(found.value, route),
-                        zero(route),
-                        proved(found.z, route),
-                        {"at all other places of the axis x = 0 the value is less",
-                         std::to_string(found.intervals) + " intervals were examined"}};
+                greatest = {proved(found.value, route),
+                            zero(route),
+                            proved(found.z, route),
+                            {"at all other places of the axis x = 0 the value is less",
+                             std::to_string(found.intervals) + " intervals were examined"}};
             }
         } catch (const BudgetError&) {
-            if (bits == 8 * plan.bits) {
+            if (level.bits() == most) {
                 throw;
             }
         }
+        return greatest.has_value();
+    });
+    if (!greatest) {
+        throw BudgetError("no number of bits tried encloses the greatest value to these digits");
     }
-    throw BudgetError("no number of bits tried encloses the greatest value to these digits");
+    return *greatest;
 }
 
 } // namespace
@@ -297,7 +293,7 @@ GreatestValue greatest_value(const Scene& scene, Quantity quantity, Body body) {
         return greatest_on_axis(scene, quantity, body);
     }
     check(scene, quantity);
-    const Fields fields(scene, quantity, body);
+    Fields fields(scene, quantity, body);
     return quantity == Quantity::sxx && (!scene.history || rises_outwards(*scene.history))
                ? greatest_tension(scene, fields)
                : greatest_inside(scene, fields, quantity, body);
@@ -311,7 +307,7 @@ std::vector<RayTerm> ray_terms(const Scene& scene, Body body, const Exact& angle
                "tension and for piecewise linear g', by closed forms",
                "give such a profile, or ask for stresses at points");
     }
-    const Fields fields(scene, Quantity::sxx, body);
+    Fields fields(scene, Quantity::sxx, body);
     const long first = fields.plan().bits + static_cast<long>(terms); // a term loses about a bit
     std::vector<RayTerm> all;
     for (const Edge edge : scene.ask.edges) {

@@ -105,34 +105,6 @@ TEST_CASE("a cell counts failed values and leaves them out of the other results"
           std::vector<std::string>{"a", "MPFR", "50", "4", "60*", "", "10.0 us", "30.0 us", "0 %"});
 }
 
-TEST_CASE("an effect adds its own operations and no others") {
-    const auto costs = effect_costs(20, false, {});
-    const auto counts = [&](const std::string& effect) {
-        for (const EffectCost& e : costs) {
-            if (e.effect == effect) {
-                return e.work.counts;
-            }
-        }
-        return Counts{};
-    };
-    const Counts base = counts("pressures of a symmetric punch");
-    CHECK(base.closed_forms == 10);
-    CHECK(base.consistency + base.load_inversions + base.tilts + base.expansions + base.extents ==
-          0);
-    CHECK(counts("tilt").consistency == 1);
-    CHECK(counts("tilt").closed_forms == 10);
-    CHECK(counts("P given instead of a").load_inversions == 1);
-    CHECK(counts("tilt found from P and M").tilts == 1);
-    CHECK(counts("both edges of a tilted punch").closed_forms == 20);
-    CHECK(counts("expansion to 3 terms").expansions == 1);
-    CHECK(counts("expansion to 10 terms").closed_forms == 10);
-    CHECK(counts("extents of 1 and 3 terms").extents == 2);
-    CHECK(counts("extents of 1 and 3 terms").closed_forms == 0);
-    CHECK(counts("shear in partial slip").stick_zones == 1);
-    CHECK(counts("stresses at ten points").closed_forms == 0);
-    CHECK(counts("pressures under a sphere").closed_forms == 10);
-}
-
 // The counts are recorded, not derived: an unexpected change in either direction must be noticed.
 // After a change of a rule, check its effect on the digits (below) and write the new counts here.
 TEST_CASE("evaluations by route and digits: five points of a flat-and-rounded punch") {

@@ -86,14 +86,16 @@ Columns columns_at_points(const Computing& c, bool by_name, bool no_shear) {
     };
     traction("p", "route", Quantity::p, "");
     approximations("", Quantity::local, Quantity::rel);
-    if (plan.shear) {
+    const bool shear = scene.ask.wants(QuantityGroup::shear);
+    if (shear) {
         traction("q", "q_route", Quantity::q, "q_");
     }
-    if (plan.shear && plan.partial_slip) {
+    if (shear && plan.partial_slip) {
         columns.add("q_over_fp", Columns::Kind::number, [&](const Line& line) {
-            return is_outside(line.at)
-                       ? ""
-                       : printed(friction_used(scene, line.at), error_digits(scene)).text;
+            return is_outside(line.at) ? ""
+                                       : printed(friction_used(scene, line.at),
+                                                 digits_of(Quantity::rel, scene.ask.digits))
+                                             .text;
         });
         columns.text(
             "state",
@@ -101,19 +103,13 @@ Columns columns_at_points(const Computing& c, bool by_name, bool no_shear) {
                 return is_outside(line.at) ? "" : state_name(line.at.row(Quantity::q).state);
             },
             "{}");
-    } else if (plan.shear) {
+    } else if (shear) {
         approximations("q_", Quantity::q_local, Quantity::q_rel);
     }
     if (no_shear) {
         columns.value("q", "q_route", [](const Line&) {
             return scene::BoundedValue{Ball(0, 64), true, "no shear load", Rational(0)};
         });
-    }
-    for (const scene::QuantityRow& row : scene::quantity_rows()) {
-        if (row.by_its_own_name() && scene.ask.wants(row.group)) {
-            const std::string name = scene::symbol_of({row.quantity});
-            columns.value(name, name + "_route", row.quantity);
-        }
     }
     return columns;
 }
@@ -130,7 +126,7 @@ void note_shear(Computing& c) {
                 "the contact slips outside -stick_b < x < stick_a (edgeproof slip has the sizes "
                 "of the slip zones)");
         }
-    } else if (c.result.plan.shear) {
+    } else if (c.scene.ask.wants(QuantityGroup::shear)) {
         c.note("q: shear traction under full stick, positive towards +x on the body that Q acts "
                "on; the q columns are as those of p");
     }
@@ -142,31 +138,19 @@ int pressure(const ComputeOptions& o) {
     check_figure_option(o.figure);
     Computing c(o);
     scene::Ask& ask = c.scene.ask;
-    std::vector<QuantityGroup> others{QuantityGroup::shear, QuantityGroup::contact,
-                                      QuantityGroup::peak};
-    for (const scene::QuantityRow& row : scene::quantity_rows()) {
-        if (row.by_its_own_name()) {
-            others.push_back(row.group);
-        }
-    }
     const bool no_shear = !c.scene.shear && !c.scene.steps.empty() &&
                           o.word("quantities").find("shear") != std::string::npos;
     // Values of the whole contact are given alone if no pressures are requested with them.
-    const auto of_contact = [](QuantityGroup group) {
-        return group == QuantityGroup::contact || group == QuantityGroup::peak;
-    };
-    const bool alone = std::ranges::any_of(ask.quantities, of_contact) &&
-                       !ask.wants(QuantityGroup::pressure) &&
-                       std::ranges::none_of(others, [&](QuantityGroup group) {
-                           return !of_contact(group) && ask.wants(group);
-                       });
-    ask_for(c.scene, o, QuantityGroup::pressure, others);
+    const bool alone = (ask.wants(QuantityGroup::contact) || ask.wants(QuantityGroup::peak)) &&
+                       !ask.wants(QuantityGroup::pressure) && !ask.wants(QuantityGroup::shear);
+    ask_for(c.scene, o, QuantityGroup::pressure,
+            {QuantityGroup::shear, QuantityGroup::contact, QuantityGroup::peak});
     if (alone || (ask.u.empty() && ask.wants(QuantityGroup::peak))) {
         ask.quantities.erase(QuantityGroup::pressure);
         ask.u.clear();
     }
     c.run();
-    const scene::Plan& plan = c.result.plan;
+    const bool pressures = ask.wants(QuantityGroup::pressure);
     const bool by_name = std::ranges::any_of(
         ask.u, [](const scene::AskedPoint& point) { return point.place.has_value(); });
     c.note("u: distance inwards from the edge; x: place; p: pressure, in the unit of the "
@@ -175,25 +159,19 @@ int pressure(const ComputeOptions& o) {
         c.note("asked: the point as the scene writes it; where a or b is solved for, the bounds "
                "cover how far u is known");
     }
-    if (plan.peak) {
+    if (ask.wants(QuantityGroup::peak)) {
         c.note("p_max: the greatest pressure of the contact");
     }
-    for (const scene::QuantityRow& row : scene::quantity_rows()) {
-        if (row.by_its_own_name() && ask.wants(row.group)) {
-            c.note(scene::symbol_of({row.quantity}) + ": " + std::string(row.meaning));
-        }
-    }
-    if (plan.terms > 0) {
+    if (c.result.plan.terms > 0) {
         c.note("local_n: the sum of the first n terms at that edge; rel_n: |1 - local_n/p|");
     }
     const std::vector<report::Fact> facts = c.table.facts;
     c.add_slip_facts();
     note_shear(c);
-    c.table.asked = plan.print_pressure
-                        ? "pressure p at the distance u from an edge (at the place x)"
-                    : plan.peak ? "the greatest pressure"
-                                : "the edges and the load";
-    if (plan.print_pressure) {
+    c.table.asked = pressures ? "pressure p at the distance u from an edge (at the place x)"
+                    : ask.wants(QuantityGroup::peak) ? "the greatest pressure"
+                                                     : "the edges and the load";
+    if (pressures) {
         return c.write(columns_at_points(c, by_name, no_shear), lines_of(c.result.points()));
     }
     write_facts(c.table, facts);

@@ -5,7 +5,7 @@
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/scene/route/value_route.hpp"
+#include "edgeproof/scene/route/scene_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,12 +32,10 @@ public:
                 return std::numeric_limits<double>::quiet_NaN();
             }
             scene.ask.digits.count = estimate_digits;
-            const Plan plan = make_plan(scene);
-            Work work;
-            const auto route = make_route(scene, plan, work);
+            SceneValues values(std::move(scene));
             double least = std::numeric_limits<double>::infinity();
             for (const Edge edge : design_.edges) {
-                const std::vector<Row> rows = extent(*route, scene, edge);
+                const std::vector<Row> rows = extent(values, edge);
                 const bool fraction = design_.unit == contact::ReachUnit::fraction;
                 const Quantity quantity =
                     design_.objective == DesignObjective::measure
@@ -56,22 +54,22 @@ public:
 private:
     /// Searches for a first exit near the edge before the whole part: most exits lie there, and the
     /// rest of the contact takes long.
-    [[nodiscard]] std::vector<Row> extent(ValueRoute& route, Scene& scene, Edge edge) const {
+    [[nodiscard]] std::vector<Row> extent(SceneValues& values, Edge edge) const {
         const AskedValue asked{Quantity::extent, design_.terms, edge};
-        const Exact whole = scene.ask.part.to;
+        const contact::ExtentRange whole{Exact(), Exact::of(design_.part)};
         if (design_.objective == DesignObjective::first_exit) {
             for (const long share : {8L, 2L}) {
                 if (Rational(1, share) < design_.part) {
-                    scene.ask.part.to = Exact::of(Rational(1, share));
-                    std::vector<Row> rows = route.search(asked);
-                    scene.ask.part.to = whole;
+                    values.look_at({whole.from, Exact::of(Rational(1, share))});
+                    std::vector<Row> rows = values.search(asked);
+                    values.look_at(whole);
                     if (rows.front().reached) {
                         return rows;
                     }
                 }
             }
         }
-        return route.search(asked);
+        return values.search(asked);
     }
     const DesignScene& design_;
 };

@@ -6,6 +6,7 @@
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <vector>
@@ -23,9 +24,10 @@ std::string indexed(const QuantityRow& row, const std::string& k) {
 }
 
 /// Returns the index in "c_1" after "c"; nothing if the name does not belong to this row.
-std::optional<std::size_t> index_behind(std::string_view name, const QuantityRow& row) {
-    const std::size_t from = row.symbol.size() + 1;
-    if (!name.starts_with(row.symbol) || name.size() <= from || name[from - 1] != '_') {
+std::optional<std::size_t> index_behind(std::string_view name, std::string_view symbol,
+                                        const QuantityRow& row) {
+    const std::size_t from = symbol.size() + 1;
+    if (!name.starts_with(symbol) || name.size() <= from || name[from - 1] != '_') {
         return {};
     }
     std::size_t k = 0;
@@ -35,22 +37,45 @@ std::optional<std::size_t> index_behind(std::string_view name, const QuantityRow
     return read && (k > 0 || row.index != Index::terms) ? std::optional(k) : std::nullopt;
 }
 
-} // namespace
-
-std::optional<NamedQuantity> quantity_named(std::string_view symbol) {
+/// The quantity whose `symbol`, a field of the rows, is in the name.
+std::optional<NamedQuantity> named_by(std::string_view QuantityRow::*symbol,
+                                      std::string_view name) {
     for (const QuantityRow& row : quantity_rows()) {
-        if (row.symbol.empty()) {
+        const bool indexed = row.index != Index::none;
+        if ((row.*symbol).empty() || (!indexed && row.*symbol != name)) {
             continue;
         }
-        if (row.index == Index::none) {
-            if (row.symbol == symbol) {
-                return NamedQuantity{row.quantity};
-            }
-        } else if (const auto k = index_behind(symbol, row)) {
+        const auto k = indexed ? index_behind(name, row.*symbol, row) : 0;
+        if (k) {
             return NamedQuantity{row.quantity, *k};
         }
     }
     return {};
+}
+
+} // namespace
+
+std::optional<NamedQuantity> quantity_named(std::string_view symbol) {
+    return named_by(&QuantityRow::symbol, symbol);
+}
+
+std::optional<NamedQuantity> column_named(std::string_view name) {
+    const auto named = quantity_named(name);
+    return named ? named : named_by(&QuantityRow::label, name);
+}
+
+Digits digits_of(Quantity quantity, const Digits& asked) {
+    constexpr unsigned most_of_an_error = 20;
+    return row_of(quantity).short_error
+               ? Digits{std::min(asked.count, most_of_an_error), asked.rounding, false}
+               : asked;
+}
+
+std::optional<BoundedValue> value_outside(Quantity quantity, long bits) {
+    return quantity == Quantity::p || quantity == Quantity::q
+               ? std::optional(
+                     BoundedValue{Ball(0, bits), true, "outside the contact", Rational(0)})
+               : std::nullopt;
 }
 
 std::string symbol_of(const AskedValue& asked) {

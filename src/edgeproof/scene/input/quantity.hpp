@@ -18,7 +18,7 @@ class ExactNumber;
 namespace edgeproof::scene {
 
 struct BoundedValue;
-struct Plan;
+struct Digits;
 struct Scene;
 class BallLevel;
 class ExactValues;
@@ -157,7 +157,7 @@ struct QuantityRow {
     /// The explanation after the symbol in the notes of a table; empty: the tables explain the
     /// symbol themselves.
     std::string_view meaning = {};
-    /// The name in messages, if the symbol is not clear enough.
+    /// The name in messages, and of the column of a quantity without a symbol (without the index).
     std::string_view label = {};
 
     // The evaluators. Without `ball`, the caller computes the value from others. A level computes
@@ -168,20 +168,19 @@ struct QuantityRow {
     ExactNumber (*exact)(ExactValues&, const AskedValue&) = nullptr;
     /// The name of the route of a value in balls; `route_by` if it depends on the scene.
     const char* route = "";
-    const char* (*route_by)(const Scene&, const Plan&) = nullptr;
+    const char* (*route_by)(const Scene&) = nullptr;
     /// The value, if the scene gives it; otherwise null.
     const Exact* (*given)(const Scene&) = nullptr;
     /// The edge whose distance from the origin the quantity is.
     std::optional<Edge> distance_of = {};
     bool cancels_little = false; ///< fewer bits suffice at first
-    /// The value comes from a search (ValueRoute::extent, ValueRoute::slip_terms) instead of an
-    /// evaluator.
+    /// The value comes from a search (SceneValues::search) instead of an evaluator.
     bool searched = false;
-    bool short_error = false;    ///< computed to Plan::error_digits()
+    bool short_error = false;    ///< a relative error: see digits_of()
     bool may_be_missing = false; ///< a failure to find the value leaves it out; it is no error
 
-    [[nodiscard]] const char* route_in(const Scene& scene, const Plan& plan) const {
-        return route_by != nullptr ? route_by(scene, plan) : route;
+    [[nodiscard]] const char* route_in(const Scene& scene) const {
+        return route_by != nullptr ? route_by(scene) : route;
     }
     [[nodiscard]] bool of_friction() const {
         return needs == Needs::friction || needs == Needs::friction_alone ||
@@ -190,10 +189,6 @@ struct QuantityRow {
     /// True if the quantity needs [shear] of the scene; plans of other quantities leave it out.
     [[nodiscard]] bool of_shear() const { return needs == Needs::shear || of_friction(); }
     [[nodiscard]] bool at_point() const { return place == Place::point; }
-    /// True for a quantity at a point that a scene asks for by the name of a group of its own.
-    [[nodiscard]] bool by_its_own_name() const {
-        return at_point() && group != QuantityGroup::pressure && group != QuantityGroup::shear;
-    }
     [[nodiscard]] bool at_edge() const { return place == Place::edge || at_point(); }
     /// True for a quantity at a point of a body or of the surface.
     [[nodiscard]] bool of_bodies() const { return place == Place::body || place == Place::surface; }
@@ -204,6 +199,11 @@ struct QuantityRow {
 /// Like row_of, but throws Error for a quantity without evaluators.
 [[nodiscard]] const QuantityRow& evaluated_row(Quantity quantity);
 
+/// The digits of a quantity where these are asked for: 20 at most of a relative error.
+[[nodiscard]] Digits digits_of(Quantity quantity, const Digits& asked);
+/// The value outside the contact: 0 of p and q; nothing for other quantities.
+[[nodiscard]] std::optional<BoundedValue> value_outside(Quantity quantity, long bits);
+
 struct NamedQuantity {
     Quantity quantity = Quantity::p;
     std::size_t k = 0;
@@ -211,6 +211,8 @@ struct NamedQuantity {
 /// Reads "p", "c_0", "alpha", "extent_1", ... Returns nothing for other names, for k > 399 and for
 /// zero terms.
 [[nodiscard]] std::optional<NamedQuantity> quantity_named(std::string_view symbol);
+/// Reads the name of a column of a table, too: "rel_2", "s1", "load_ratio".
+[[nodiscard]] std::optional<NamedQuantity> column_named(std::string_view name);
 /// The inverse of quantity_named: "p", "c_0", ...
 [[nodiscard]] std::string symbol_of(const AskedValue& asked);
 /// The name for all orders or numbers of terms: "c_k".

@@ -160,6 +160,8 @@ struct Scene {
     /// The profile and the load as the scene gives them, also of an axisymmetric power law.
     [[nodiscard]] const Profile& given_profile() const { return round ? round->profile : *profile; }
     [[nodiscard]] const Load& given_load() const { return round ? round->load : load; }
+    /// True if pressures have a closed form; otherwise they are integrals.
+    [[nodiscard]] bool closed() const { return !profile || profile->has_closed_form(); }
     /// True if b = a without solving.
     [[nodiscard]] bool symmetric() const { return profile && profile->symmetric(); }
     /// The same contact under the same normal load, without a shear load and its history.

@@ -57,51 +57,6 @@ io::TomlEntry entry_of(const Key& key, const std::string& value) {
     return {key.name, value};
 }
 
-/// The columns of tables whose quantities have no symbol of their own, without the number of terms.
-constexpr std::pair<std::string_view, Quantity> columns[] = {
-    {"local", Quantity::local},
-    {"rel", Quantity::rel},
-    {"q_local", Quantity::q_local},
-    {"q_rel", Quantity::q_rel},
-    {"extent_fraction", Quantity::extent_fraction},
-    {"measure_fraction", Quantity::measure_fraction},
-    {"crossing", Quantity::crossing},
-    {"load_ratio", Quantity::load_ratio},
-    {"least_tension", Quantity::least_tension},
-    {"most_tension", Quantity::most_tension},
-    {"slip_terms", Quantity::slip_terms},
-    {"slip_rel", Quantity::slip_rel},
-    {"slip_load", Quantity::slip_load},
-    {"x", Quantity::x},
-    {"s1", Quantity::s1},
-    {"s2", Quantity::s2},
-    {"s3", Quantity::s3},
-    {"gap", Quantity::gap},
-    {"slip_displacement", Quantity::slip_displacement},
-    {"ux", Quantity::ux},
-    {"uz", Quantity::uz},
-    {"slope", Quantity::slope},
-    {"dissipation", Quantity::dissipation}};
-
-std::optional<NamedQuantity> column_named(std::string_view name) {
-    if (const auto named = quantity_named(name)) {
-        return named;
-    }
-    for (const auto& [column, quantity] : columns) {
-        const bool terms = row_of(quantity).index == QuantityRow::Index::terms;
-        const std::string_view k = name.substr(std::min(column.size() + 1, name.size()));
-        if (!terms && name == column) {
-            return NamedQuantity{quantity};
-        }
-        // extent_K has a symbol, and with it the rules for K.
-        const auto like = quantity_named("extent_" + std::string(k));
-        if (terms && like && name == std::string(column) + "_" + std::string(k)) {
-            return NamedQuantity{quantity, like->k};
-        }
-    }
-    return {};
-}
-
 } // namespace
 
 void refuse_whole_tolerance(const std::string& option, const std::string& text) {

@@ -62,11 +62,6 @@ struct BoundedSeries {
     return sum;
 }
 
-/// True if BallLevel::cycle_energy encloses the energy: the tilt of the profile is given.
-[[nodiscard]] inline bool encloses_cycle_energy(const Scene& scene) {
-    return scene.round || scene.profile;
-}
-
 /// The shear load on a body under full stick; nothing in a scene without one.
 [[nodiscard]] inline std::optional<contact::ShearLoad<Ball>> full_stick_load(const Scene& scene,
                                                                              Body body, long bits) {
@@ -82,10 +77,10 @@ struct BoundedSeries {
 /// A scene's contact at one number of bits; the route in balls uses levels of more and more bits.
 class BallLevel {
 public:
-    /// `edges`: both edges, if they are known already.
-    BallLevel(const Scene& scene, const Plan& plan, const std::optional<contact::ExactEdges>& edges,
-              long bits)
-        : scene_(scene), plan_(plan), bits_(bits) {
+    /// `terms`: the length of expansions; `edges`: both edges, if they are known already.
+    BallLevel(const Scene& scene, long bits, std::size_t terms = 0,
+              const std::optional<contact::ExactEdges>& edges = {})
+        : scene_(scene), bits_(bits), terms_(terms) {
         if (scene.punch) {
             tilt_ = enclose_tilt(*scene.punch, scene.contact_modulus, scene.load.value,
                                  *scene.moment, bits);
@@ -126,7 +121,7 @@ public:
     [[nodiscard]] Ball moment() const { return contact_->moment(); }
     /// Keeps the last value if it is used more than once.
     [[nodiscard]] Ball p(Edge edge, const Distance& u) {
-        if (plan_.terms == 0 && !scene_.shear) {
+        if (terms_ == 0 && !scene_.shear) {
             return pressure(edge, u);
         }
         if (!last_ || last_->edge != edge || !(last_->u == u)) {
@@ -173,7 +168,7 @@ public:
     [[nodiscard]] const std::vector<Ball>& c(Edge edge) {
         auto& c = c_[edge];
         if (c.empty()) {
-            c = contact_->expansion(edge, plan_.terms);
+            c = contact_->expansion(edge, terms_);
         }
         return c;
     }
@@ -184,7 +179,7 @@ public:
                 s.push_back(shear_ratio() * x);
             }
         } else if (s.empty()) {
-            s = full_stick_expansion(length(), load(), edge, plan_.terms);
+            s = full_stick_expansion(length(), load(), edge, terms_);
         }
         return s;
     }
@@ -216,7 +211,7 @@ public:
     template <Edge edge> [[nodiscard]] Ball stick_edge() {
         return of_slip([](const BallSlip& slip) { return slip.stick().at(edge); });
     }
-    /// Only for scenes with encloses_cycle_energy().
+    /// Only for scenes whose tilt is given.
     [[nodiscard]] Ball cycle_energy() {
         return of_slip([&](const BallSlip& slip) {
             const auto power = power_of_growth();
@@ -359,8 +354,8 @@ private:
     }
 
     const Scene& scene_;
-    const Plan& plan_;
     long bits_;
+    std::size_t terms_;
     std::optional<contact::EnclosedTilt> tilt_;
     std::unique_ptr<ProvedContact> contact_;
     bool slip_tried_ = false;

@@ -4,7 +4,7 @@
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
-#include "edgeproof/scene/route/value_route.hpp"
+#include "edgeproof/scene/route/scene_values.hpp"
 
 #include <algorithm>
 #include <array>
@@ -52,7 +52,7 @@ std::vector<Row> slip_rows(const AskedValue& asked, BoundedValue size, BoundedVa
 
 } // namespace
 
-std::vector<Row> ValueRoute::extent(const AskedValue& asked) {
+std::vector<Row> SceneValues::extent(const AskedValue& asked) {
     contact::BallExtentSearch search(
         [&](long bits) -> const ProvedContact& {
             BallLevel* level = at_level(bits);
@@ -63,7 +63,7 @@ std::vector<Row> ValueRoute::extent(const AskedValue& asked) {
         },
         asked.edge, asked.k, *asked.tolerance, scene_.ask.part);
     const auto done = [&](const Ball& x, const std::optional<Rational>& q) {
-        return q || has_digits(x, plan_.digits);
+        return q || has_digits(x, scene_.ask.digits);
     };
     std::optional<contact::EnclosedExtents> best;
     ExactExtents exact;
@@ -104,9 +104,9 @@ std::vector<Row> ValueRoute::extent(const AskedValue& asked) {
         crossings, best->leaves);
 }
 
-ValueRoute::ExactExtents ValueRoute::exact_extents(const AskedValue& asked,
-                                                   const contact::EnclosedExtents& found,
-                                                   const BallLevel& level) {
+SceneValues::ExactExtents SceneValues::exact_extents(const AskedValue& asked,
+                                                     const contact::EnclosedExtents& found,
+                                                     const BallLevel& level) {
     ExactExtents result;
     result.crossings.resize(found.crossings.size());
     const auto part = [&](const Exact& fraction) {
@@ -146,9 +146,9 @@ ValueRoute::ExactExtents ValueRoute::exact_extents(const AskedValue& asked,
     return result;
 }
 
-std::optional<Rational> ValueRoute::exact_crossing(const AskedValue& asked, const Ball& u,
-                                                   const BallLevel& level) {
-    const auto q = may_be_a_limit(u, plan_.digits, has_digits(u, plan_.digits))
+std::optional<Rational> SceneValues::exact_crossing(const AskedValue& asked, const Ball& u,
+                                                    const BallLevel& level) {
+    const auto q = may_be_a_limit(u, scene_.ask.digits, has_digits(u, scene_.ask.digits))
                        ? contact::simplest_rational(u)
                        : std::nullopt;
     if (!q || *q <= 0) {
@@ -162,7 +162,7 @@ std::optional<Rational> ValueRoute::exact_crossing(const AskedValue& asked, cons
     return exact_value(off, level, u);
 }
 
-void ValueRoute::check_slip() {
+void SceneValues::check_slip() {
     if (std::exchange(slip_checked_, true)) {
         return;
     }
@@ -182,33 +182,28 @@ void ValueRoute::check_slip() {
         const Real other = slip.tension_limit(Edge::left).midpoint();
         refuse_tension(scene_, edge, reached, std::min(one, other), std::max(one, other));
     };
-    for (long bits = plan_.bits; bits <= last_bits(); bits *= 2) {
-        BallLevel* level = at_level(bits);
-        const BallSlip* slip = level != nullptr ? level->slip() : nullptr;
+    const bool separated = raise(plan_.bits, last_bits(), [&](BallLevel& level) {
+        const BallSlip* slip = level.slip();
         if (slip == nullptr) {
-            if (level != nullptr && !std::exchange(looked, true)) {
-                refuse_exactly_sliding(*level);
+            if (!std::exchange(looked, true)) {
+                refuse_exactly_sliding(level);
             }
-            continue;
+            return false;
         }
         if (slip->sliding()) {
-            refuse_sliding(scene_, level->whole_force().midpoint());
+            refuse_sliding(scene_, level.whole_force().midpoint());
         }
         if (slip->beyond()) {
             refuse(*slip, *slip->beyond(), false);
         }
         const Ball right = slip->size(Edge::right);
         const Ball left = slip->size(Edge::left);
-        slip_level_ = level;
+        slip_level_ = &level;
         lost_bits_ = lost_by(0);
-        if (scene_.history && !scene_.history->stick) {
-            return; // nothing slipped in the last step
-        }
-        if (certainly_positive(right) && certainly_positive(left)) {
-            return;
-        }
-    }
-    if (slip_level_ != nullptr && shear.bulk_tension.sign() != 0) {
+        const bool slipped = !scene_.history || scene_.history->stick; // in the last step
+        return !slipped || (certainly_positive(right) && certainly_positive(left));
+    });
+    if (!separated && slip_level_ != nullptr && shear.bulk_tension.sign() != 0) {
         // The bits do not separate the size of a slip zone from 0.
         const BallSlip& slip = *slip_level_->slip();
         const bool right = !certainly_positive(slip.size(Edge::right));
@@ -216,7 +211,7 @@ void ValueRoute::check_slip() {
     }
 }
 
-void ValueRoute::refuse_exactly_sliding(const BallLevel& level) {
+void SceneValues::refuse_exactly_sliding(const BallLevel& level) {
     const ShearSpec& shear = *scene_.shear;
     const auto left = [&](ExactValues& exact) {
         const ExactNumber Q = ExactNumber::of(shear.Q.expr());
@@ -231,7 +226,7 @@ void ValueRoute::refuse_exactly_sliding(const BallLevel& level) {
     }
 }
 
-long ValueRoute::lost_by(std::size_t n) const {
+long SceneValues::lost_by(std::size_t n) const {
     if (slip_level_ == nullptr) {
         return 0;
     }
@@ -240,39 +235,37 @@ long ValueRoute::lost_by(std::size_t n) const {
            std::max<long>(0, -arf_abs_bound_lt_2exp_si(arb_midref(ratio.data())));
 }
 
-contact::SlipState ValueRoute::state(Edge edge, const Distance& u) {
-    std::optional<contact::SlipState> found;
-    for (long bits = plan_.bits; bits <= last_bits(); bits *= 2) {
-        BallLevel* level = at_level(bits);
-        if (level == nullptr || level->slip() == nullptr) {
-            continue;
+contact::SlipState SceneValues::state(Edge edge, const Distance& u) {
+    auto found = contact::SlipState::undecided;
+    raise(plan_.bits, last_bits(), [&](BallLevel& level) {
+        if (level.slip() == nullptr) {
+            return false;
         }
-        found = level->slip()->state(edge, level->distance(u));
-        if (*found != contact::SlipState::undecided || bits >= plan_.bits + most_state_bits) {
-            break;
-        }
-    }
-    return found.value_or(contact::SlipState::undecided);
+        found = level.slip()->state(edge, level.distance(u));
+        return found != contact::SlipState::undecided ||
+               level.bits() >= plan_.bits + most_state_bits;
+    });
+    return found;
 }
 
-bool ValueRoute::in_proportion() {
+bool SceneValues::in_proportion() {
     return slip_level_ == nullptr || (slip_level_->slip()->slips_from_the_first(Edge::right) &&
                                       slip_level_->slip()->slips_from_the_first(Edge::left));
 }
 
-std::vector<Row> ValueRoute::slip_terms(const AskedValue& asked) {
+std::vector<Row> SceneValues::slip_terms(const AskedValue& asked) {
     const auto of_series = [&](BallLevel& level) {
         const std::vector<Ball>& series = level.slip_series(asked.edge, scene_.ask.most_terms());
         return level.slip() == nullptr
                    ? series.front()
                    : contact::slip_sum(series, asked.k, level.slip()->load_ratio());
     };
-    auto size = refine(of_series, nullptr, plan_.digits, plan_.bits);
+    auto size = refine(of_series, nullptr, scene_.ask.digits, plan_.bits);
     auto error = refine(
         [&](BallLevel& level) {
             return abs(Ball(1 - of_series(level) / level.slip_size(asked.edge)));
         },
-        nullptr, plan_.error_digits(), plan_.bits, lost_by(asked.k));
+        nullptr, digits_of(Quantity::slip_rel, scene_.ask.digits), plan_.bits, lost_by(asked.k));
     if (!size || !error) {
         throw BudgetError("no number of bits encloses the slip zone by " + std::to_string(asked.k) +
                           " terms");
@@ -285,7 +278,7 @@ std::vector<Row> ValueRoute::slip_terms(const AskedValue& asked) {
     return rows;
 }
 
-void ValueRoute::find_reach(Row& row) {
+void SceneValues::find_reach(Row& row) {
     contact::SlipReachSearch search(
         [&](long bits) -> const BallSlip& {
             BallLevel* level = at_level(bits);
@@ -301,7 +294,7 @@ void ValueRoute::find_reach(Row& row) {
             row.reached = reach.leaves;
             row.value = BoundedValue{reach.ratio, true, "sign changes",
                                      reach.leaves ? std::nullopt : std::optional(Rational(1))};
-            if (!reach.leaves || has_digits(reach.ratio, plan_.digits)) {
+            if (!reach.leaves || has_digits(reach.ratio, scene_.ask.digits)) {
                 return;
             }
         } catch (const BudgetError&) {

@@ -63,34 +63,22 @@ Plan make_plan(const Scene& scene) {
     check(scene);
     const Ask& ask = scene.ask;
     Plan plan;
-    plan.digits = ask.digits;
-    plan.closed = !scene.profile || scene.profile->has_closed_form();
     const long bits = formula::bits_for(ask.digits.count);
     plan.bits = bits + 96;
-    plan.narrow_bits = plan.closed ? std::min(whole_words(bits + 40), plan.bits)
-                                   : plan.bits; // an integral costs more than fewer bits save
-    plan.edges = ask.edges;
-    plan.mirrored = scene.symmetric() && ask.edges.size() == 2;
-    plan.print_pressure = ask.wants(QuantityGroup::pressure);
-    plan.shear = ask.wants(QuantityGroup::shear);
-    plan.extents = ask.wants(QuantityGroup::extent);
-    plan.resultants = ask.wants(QuantityGroup::contact);
-    plan.slip = ask.wants(QuantityGroup::slip);
-    plan.peak = ask.wants(QuantityGroup::peak);
-    plan.stress = ask.wants(QuantityGroup::stress);
-    plan.displacement = ask.wants(QuantityGroup::displacement) || ask.wants(QuantityGroup::surface);
+    plan.narrow_bits = scene.closed() ? std::min(whole_words(bits + 40), plan.bits)
+                                      : plan.bits; // an integral costs more than fewer bits save
+    const bool shear = ask.wants(QuantityGroup::shear);
     plan.partial_slip =
-        scene.slips() && (plan.shear || plan.slip || plan.stress || plan.displacement);
-    const bool others = std::ranges::any_of(quantity_rows(), [&](const QuantityRow& row) {
-        return row.by_its_own_name() && ask.wants(row.group);
-    });
-    plan.points = plan.print_pressure || plan.shear || others ? ask.u.size() : 0;
+        scene.slips() &&
+        (shear || ask.wants(QuantityGroup::slip) || ask.wants(QuantityGroup::stress) ||
+         ask.wants(QuantityGroup::displacement) || ask.wants(QuantityGroup::surface));
+    plan.points = shear || ask.wants(QuantityGroup::pressure) ? ask.u.size() : 0;
     const bool coefficients = ask.wants(QuantityGroup::coefficients);
     const bool approximations = plan.points > 0 && !ask.terms.empty();
     plan.terms = coefficients || approximations ? ask.most_terms() : 0;
     // The expansions of q are those of full stick.
     plan.expand_shear = scene.shear && !scene.round && !scene.history &&
-                        (coefficients || (approximations && plan.shear && !plan.partial_slip));
+                        (coefficients || (approximations && shear && !plan.partial_slip));
     return plan;
 }
 

@@ -4,7 +4,6 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/route/ball_level.hpp"
 #include "edgeproof/scene/route/exact_values.hpp"
-#include "edgeproof/scene/route/plan.hpp"
 
 #include <array>
 #include <optional>
@@ -18,10 +17,10 @@ using Needs = QuantityRow::Needs;
 using Group = QuantityGroup;
 
 bool is_force_given(const Scene& s) { return s.load.kind == Load::Kind::force; }
-const char* by_load(const Scene& s, const Plan& /*plan*/) {
+const char* by_load(const Scene& s) {
     return s.round ? s.round->size_from() : is_force_given(s) ? "from P" : "given";
 }
-const char* full_stick_or_similar(const Scene& s, const Plan& /*plan*/) {
+const char* full_stick_or_similar(const Scene& s) {
     return s.together() ? "similar" : "full-stick";
 }
 
@@ -67,7 +66,7 @@ struct Made : Def {
         made.route = way;
         return made;
     }
-    [[nodiscard]] constexpr Made by(const char* (*way)(const Scene&, const Plan&)) const {
+    [[nodiscard]] constexpr Made by(const char* (*way)(const Scene&)) const {
         Made made = *this;
         made.route_by = way;
         return made;
@@ -148,10 +147,11 @@ constexpr auto error_at_point = [](auto& level, const AskedValue& v) {
     return abs(level.relative_error(v.edge, level.place(v), v.k, shear));
 };
 template <bool shear>
-constexpr Made of_terms(Quantity quantity, std::string_view name, Unit unit,
-                        const auto& evaluator) {
+constexpr Made of_terms(Quantity quantity, std::string_view column, std::string_view name,
+                        Unit unit, const auto& evaluator) {
     Made made =
         row(quantity, "", name, shear ? Group::shear : Group::pressure, Def::Place::point, unit)
+            .labelled(column)
             .with_index(Def::Index::terms)
             .needing(shear ? Needs::shear : Needs::nothing)
             .by("series");
@@ -159,19 +159,23 @@ constexpr Made of_terms(Quantity quantity, std::string_view name, Unit unit,
     made.exact = evaluator;
     return made;
 }
-template <bool shear> constexpr Made sum_row(Quantity quantity, std::string_view name) {
-    return of_terms<shear>(quantity, name, units::stress, sum_at_point<shear>);
+template <bool shear>
+constexpr Made sum_row(Quantity quantity, std::string_view column, std::string_view name) {
+    return of_terms<shear>(quantity, column, name, units::stress, sum_at_point<shear>);
 }
-template <bool shear> constexpr Made error_row(Quantity quantity, std::string_view name) {
-    return of_terms<shear>(quantity, name, units::number, error_at_point<shear>)
+template <bool shear>
+constexpr Made error_row(Quantity quantity, std::string_view column, std::string_view name) {
+    return of_terms<shear>(quantity, column, name, units::number, error_at_point<shear>)
         .with(&Def::short_error, true);
 }
 
 /// A quantity of k terms at an edge that is found by a search for a tolerance.
-constexpr Made searched(Quantity quantity, std::string_view symbol, std::string_view name,
+constexpr Made searched(Quantity quantity, std::string_view column, std::string_view name,
                         Group group, Unit unit) {
     const bool slips = group == Group::slip;
-    return row(quantity, symbol, name, group, Def::Place::edge, unit)
+    const bool named = quantity == Quantity::extent || quantity == Quantity::measure;
+    return row(quantity, named ? column : "", name, group, Def::Place::edge, unit)
+        .labelled(column)
         .with_index(Def::Index::terms)
         .needing(slips ? Needs::friction : Needs::nothing)
         .with(&Def::tolerance, !slips || quantity == Quantity::slip_load)
@@ -189,15 +193,15 @@ constexpr Made of_stick(Quantity quantity, std::string_view symbol, std::string_
 }
 
 /// The route of P and delta of an axisymmetric contact.
-const char* way_of_integral(const Scene& s, const Plan& /*plan*/) {
+const char* way_of_integral(const Scene& s) {
     return s.curved_body() ? "rigorous integration" : "closed-form";
 }
-const char* way_of_stress(const Scene& s, const Plan& plan) {
-    const bool integrated = !plan.closed || (s.round && !s.round->law);
+const char* way_of_stress(const Scene& s) {
+    const bool integrated = !s.closed() || (s.round && !s.round->law);
     return integrated  ? "rigorous integration"
            : !s.shear  ? "closed-form"
            : s.slips() ? "superposition"
-                       : full_stick_or_similar(s, {});
+                       : full_stick_or_similar(s);
 }
 /// A stress at a point of a body; its name is that of the column. The principal stresses have no
 /// symbol in recipes, where s_1, s_2 are coefficients.
@@ -212,9 +216,7 @@ template <auto ball> constexpr Made on_surface(Quantity quantity, std::string_vi
     return value<Def::Place::surface, ball, nullptr>(quantity, "", name, Group::displacement,
                                                      units::length)
         .labelled(name)
-        .by([](const Scene& s, const Plan& /*plan*/) {
-            return s.round ? "rigorous integration" : "closed-form";
-        });
+        .by([](const Scene& s) { return s.round ? "rigorous integration" : "closed-form"; });
 }
 template <auto ball>
 constexpr Made of_surface(Quantity quantity, std::string_view name, Unit unit) {
@@ -227,17 +229,15 @@ constexpr Made of_surface(Quantity quantity, std::string_view name, Unit unit) {
 constexpr auto quantity_table = std::to_array<Def>({
     at_point<&BallLevel::p, &ExactValues::p>(Quantity::p, "p", "pressure", Group::pressure,
                                              units::stress)
-        .by([](const Scene& scene, const Plan& plan) {
-            return plan.closed                                      ? "closed-form"
+        .by([](const Scene& scene) {
+            return scene.closed()                                   ? "closed-form"
                    : scene.profile && scene.profile->axisymmetric() ? "Abel integral"
                                                                     : "rigorous integration";
         })
         .with(&Def::cancels_little, true),
     at_point<&BallLevel::q, &ExactValues::q>(Quantity::q, "q", "shear", Group::shear, units::stress)
         .needing(Needs::shear)
-        .by([](const Scene& s, const Plan& plan) {
-            return s.slips() ? "superposition" : full_stick_or_similar(s, plan);
-        }),
+        .by([](const Scene& s) { return s.slips() ? "superposition" : full_stick_or_similar(s); }),
     coefficient<&BallLevel::c, false>(Quantity::c, "c", "coefficient", {1, -1.5}).by("series"),
     coefficient<&BallLevel::s, true>(Quantity::s, "s", "shear-coefficient", {1, -0.5})
         .needing(Needs::shear)
@@ -249,17 +249,15 @@ constexpr auto quantity_table = std::to_array<Def>({
         .with(&Def::cancels_little, true),
     of_contact<&BallLevel::b, &ExactValues::b>(Quantity::b, "b", "left-edge", Group::contact,
                                                units::length)
-        .by([](const Scene& s, const Plan& plan) {
-            return s.symmetric() ? by_load(s, plan) : "consistency";
-        })
+        .by([](const Scene& s) { return s.symmetric() ? by_load(s) : "consistency"; })
         .with(&Def::distance_of, std::optional(Edge::left))
         .with(&Def::cancels_little, true),
     of_contact<&BallLevel::whole_force, &ExactValues::whole_force>(Quantity::P, "P", "load",
                                                                    Group::contact, units::force)
-        .by([](const Scene& s, const Plan& /*plan*/) {
-            return is_force_given(s) || (s.round && by_load(s, {}) == std::string_view("from P"))
+        .by([](const Scene& s) {
+            return is_force_given(s) || (s.round && by_load(s) == std::string_view("from P"))
                        ? "given"
-                   : s.round ? way_of_integral(s, {})
+                   : s.round ? way_of_integral(s)
                              : "contact-law";
         })
         .with(
@@ -269,7 +267,7 @@ constexpr auto quantity_table = std::to_array<Def>({
     of_contact<&BallLevel::moment, &ExactValues::moment>(Quantity::M, "M", "moment", Group::contact,
                                                          units::moment)
         .needing(Needs::plane)
-        .by([](const Scene& s, const Plan& /*plan*/) { return s.moment ? "given" : "contact-law"; })
+        .by([](const Scene& s) { return s.moment ? "given" : "contact-law"; })
         .with(
             &Def::given,
             +[](const Scene& s) -> const Exact* { return s.moment ? &*s.moment : nullptr; }),
@@ -298,16 +296,14 @@ constexpr auto quantity_table = std::to_array<Def>({
     of_contact<&BallLevel::peak, &ExactValues::peak>(Quantity::p_max, "p_max", "peak-pressure",
                                                      Group::peak, units::stress)
         .explained("the greatest pressure")
-        .by([](const Scene& s, const Plan& /*plan*/) {
+        .by([](const Scene& s) {
             return peaks_in_the_middle(s) ? "at the origin" : "branch and bound";
         }),
     of_stick<&BallLevel::cycle_energy>(Quantity::cycle_energy, "cycle_energy", "cycle-energy",
                                        units::moment)
         .needing(Needs::friction_alone)
         .explained("the energy dissipated by friction in a cycle")
-        .by([](const Scene& s, const Plan& /*plan*/) {
-            return s.history ? "superposition" : "Mindlin's loop";
-        })
+        .by([](const Scene& s) { return s.history ? "superposition" : "Mindlin's loop"; })
         .with(&Def::may_be_missing, true),
     at_point<&BallLevel::x, &ExactValues::x>(Quantity::x, "", "coordinate", Group::pressure,
                                              units::length)
@@ -319,23 +315,29 @@ constexpr auto quantity_table = std::to_array<Def>({
         .labelled("u")
         .by("given")
         .with(&Def::cancels_little, true),
-    sum_row<false>(Quantity::local, "local-pressure"),
-    error_row<false>(Quantity::rel, "relative-error"),
-    sum_row<true>(Quantity::q_local, "local-shear"),
-    error_row<true>(Quantity::q_rel, "relative-error-of-shear"),
-    searched(Quantity::extent_fraction, "", "extent-fraction", Group::extent, units::number),
-    searched(Quantity::measure_fraction, "", "measure-fraction", Group::extent, units::number),
-    searched(Quantity::crossing, "", "crossing", Group::extent, units::length),
-    of_stick<&BallLevel::load_ratio>(Quantity::load_ratio, "", "load-ratio", units::number),
+    sum_row<false>(Quantity::local, "local", "local-pressure"),
+    error_row<false>(Quantity::rel, "rel", "relative-error"),
+    sum_row<true>(Quantity::q_local, "q_local", "local-shear"),
+    error_row<true>(Quantity::q_rel, "q_rel", "relative-error-of-shear"),
+    searched(Quantity::extent_fraction, "extent_fraction", "extent-fraction", Group::extent,
+             units::number),
+    searched(Quantity::measure_fraction, "measure_fraction", "measure-fraction", Group::extent,
+             units::number),
+    searched(Quantity::crossing, "crossing", "crossing", Group::extent, units::length),
+    of_stick<&BallLevel::load_ratio>(Quantity::load_ratio, "", "load-ratio", units::number)
+        .labelled("load_ratio"),
     of_stick<&BallLevel::tension_limit<Edge::right>>(Quantity::least_tension, "",
                                                      "least-bulk-tension", units::stress)
+        .labelled("least_tension")
         .with(&Def::may_be_missing, true),
     of_stick<&BallLevel::tension_limit<Edge::left>>(Quantity::most_tension, "", "most-bulk-tension",
                                                     units::stress)
+        .labelled("most_tension")
         .with(&Def::may_be_missing, true),
-    searched(Quantity::slip_terms, "", "slip-zone-by-terms", Group::slip, units::length),
-    searched(Quantity::slip_rel, "", "relative-error-of-slip-zone", Group::slip, units::number),
-    searched(Quantity::slip_load, "", "slip-load", Group::slip, units::number),
+    searched(Quantity::slip_terms, "slip_terms", "slip-zone-by-terms", Group::slip, units::length),
+    searched(Quantity::slip_rel, "slip_rel", "relative-error-of-slip-zone", Group::slip,
+             units::number),
+    searched(Quantity::slip_load, "slip_load", "slip-load", Group::slip, units::number),
     stress<&BallLevel::sxx>(Quantity::sxx, "sxx", "sxx"),
     stress<&BallLevel::szz>(Quantity::szz, "szz", "szz"),
     stress<&BallLevel::sxz>(Quantity::sxz, "sxz", "sxz"),
@@ -353,7 +355,8 @@ constexpr auto quantity_table = std::to_array<Def>({
         .by("superposition")
         .with(&Def::may_be_missing, true),
     on_surface<&BallLevel::gap>(Quantity::gap, "gap"),
-    on_surface<&BallLevel::slip_displacement>(Quantity::slip_displacement, "slip"),
+    on_surface<&BallLevel::slip_displacement>(Quantity::slip_displacement, "slip")
+        .labelled("slip_displacement"),
     of_contact<&BallLevel::approach, &ExactValues::approach>(Quantity::delta, "delta", "approach",
                                                              Group::contact, units::length)
         .needing(Needs::round)

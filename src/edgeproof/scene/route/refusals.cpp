@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/scene/route/value_route.hpp"
+#include "edgeproof/scene/route/scene_values.hpp"
 
 #include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
@@ -9,21 +9,20 @@
 
 namespace edgeproof::scene {
 
-void ValueRoute::refuse_contact() const {
+void SceneValues::refuse_contact() const {
     if (no_contact_) {
         throw InputError(*no_contact_, "give a load that a contact of this profile can carry");
     }
     throw BudgetError("no number of bits encloses the edges of the contact");
 }
 
-void ValueRoute::check_slope() {
-    if (closed()) {
+void SceneValues::check_slope() {
+    if (scene_.closed()) {
         return; // decided exactly
     }
-    const BallLevel* level = at_level(length_->bits());
-    check_reach(*scene_.profile, level->a(), level->b());
+    check_reach(*scene_.profile, first_->a(), first_->b());
     const contact::SlopeMonotonicity monotonicity =
-        monotonicity_of_slope(*scene_.profile, level->a(), level->b());
+        monotonicity_of_slope(*scene_.profile, first_->a(), first_->b());
     if (monotonicity.kind == contact::SlopeMonotonicity::Kind::falls) {
         throw InputError("g' decreases near x = " + monotonicity.where->midpoint().str(8),
                          "give a convex profile: g' must not decrease")
@@ -37,7 +36,7 @@ void ValueRoute::check_slope() {
     }
 }
 
-void ValueRoute::refuse_unknown(const QuantityRow& row, const AskedValue& asked) {
+void SceneValues::refuse_unknown(const QuantityRow& row, const AskedValue& asked) {
     if (row.of_bodies()) {
         throw BudgetError(std::string("no number of bits encloses the value") +
                           (row.place == QuantityRow::Place::body
@@ -53,36 +52,31 @@ void ValueRoute::refuse_unknown(const QuantityRow& row, const AskedValue& asked)
         }
         refuse_corner_at(u);
         refuse_known_corner(asked.edge, u);
-        const BallLevel& level = *at_level(length_->bits());
-        if (std::ranges::any_of(level.contact().corners(asked.edge), [&](const Ball& corner) {
-                return overlaps(corner, level.distance(u));
+        if (std::ranges::any_of(first_->contact().corners(asked.edge), [&](const Ball& corner) {
+                return overlaps(corner, first_->distance(u));
             })) {
             throw DomainError("the point is on a corner, or cannot be distinguished from it");
         }
     }
     throw BudgetError("no number of bits encloses " + text_of(asked) +
-                      (at_level(length_->bits())->contact().edge_may_be_on_knot()
+                      (first_->contact().edge_may_be_on_knot()
                            ? ": an edge may lie on a knot of g', which balls do not decide"
                            : ""));
 }
 
-void ValueRoute::refuse_outside(Edge edge, const Distance& u) {
+void SceneValues::refuse_outside(Edge edge, const Distance& u) {
     if (!u.number()) {
-        if (length_) {
-            refuse_outside_by_edges(edge, u);
-        }
+        refuse_outside_by_edges(edge, u);
         return;
     }
     const Rational* distance = u.number()->expr().rational();
-    const bool inside =
-        known_length_ && distance != nullptr
-            ? *distance < *known_length_
-            : !length_ || certainly_less(u.enclosure({}, {}, length_->bits()), *length_);
-    const bool outside =
-        u.number()->sign() < 0 ||
-        (known_length_ && distance != nullptr
-             ? *distance > *known_length_
-             : length_ && certainly_less(*length_, u.enclosure({}, {}, length_->bits())));
+    const bool inside = known_length_ && distance != nullptr
+                            ? *distance < *known_length_
+                            : certainly_less(u.enclosure({}, {}, length_.bits()), length_);
+    const bool outside = u.number()->sign() < 0 ||
+                         (known_length_ && distance != nullptr
+                              ? *distance > *known_length_
+                              : certainly_less(length_, u.enclosure({}, {}, length_.bits())));
     if (outside) {
         throw OutsideContact();
     }
@@ -91,30 +85,27 @@ void ValueRoute::refuse_outside(Edge edge, const Distance& u) {
     }
 }
 
-void ValueRoute::refuse_outside_by_edges(Edge edge, const Distance& u) {
+void SceneValues::refuse_outside_by_edges(Edge edge, const Distance& u) {
     refuse_corner_at(u);
     bool outside = false;
-    for (long bits = plan_.bits; bits <= 8 * plan_.bits; bits *= 2) {
-        const BallLevel* level = at_level(bits);
-        if (level == nullptr) {
-            continue;
-        }
-        const Ball from = level->distance(u);
-        if (certainly_negative(from) || certainly_less(level->length(), from)) {
+    const bool inside = raise(plan_.bits, 8 * plan_.bits, [&](const BallLevel& level) {
+        const Ball from = level.distance(u);
+        if (certainly_negative(from) || certainly_less(level.length(), from)) {
             throw OutsideContact();
         }
-        outside = !certainly_positive(from) || !certainly_less(from, level->length());
-        if (!outside &&
-            std::ranges::none_of(level->contact().corners(edge),
-                                 [&](const Ball& corner) { return overlaps(corner, from); })) {
-            return;
-        }
+        outside = !certainly_positive(from) || !certainly_less(from, level.length());
+        return !outside &&
+               std::ranges::none_of(level.contact().corners(edge),
+                                    [&](const Ball& corner) { return overlaps(corner, from); });
+    });
+    if (inside) {
+        return;
     }
     throw DomainError(outside ? "the point is on an edge, or cannot be distinguished from it"
                               : "the point is on a corner, or cannot be distinguished from it");
 }
 
-void ValueRoute::refuse_corner_at(const Distance& u) const {
+void SceneValues::refuse_corner_at(const Distance& u) const {
     if (!u.x() || !scene_.profile) {
         return;
     }
@@ -127,8 +118,8 @@ void ValueRoute::refuse_corner_at(const Distance& u) const {
     }
 }
 
-void ValueRoute::refuse_known_corner(Edge edge, const Distance& u) {
-    const auto from = length_ ? at_level(length_->bits())->contact().known(edge) : std::nullopt;
+void SceneValues::refuse_known_corner(Edge edge, const Distance& u) {
+    const auto from = first_->contact().known(edge);
     for (std::size_t i = 0; from && u.number() && i < scene_.profile->knots().size(); ++i) {
         const Expr inside = from->expr() - u.number()->expr();
         const Expr& v = scene_.profile->knots()[i].expr();

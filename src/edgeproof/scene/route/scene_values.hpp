@@ -4,42 +4,51 @@
 #include "edgeproof/contact/witness/witness.hpp"
 #include "edgeproof/scene/route/ball_level.hpp"
 #include "edgeproof/scene/route/exact_values.hpp"
+#include "edgeproof/scene/route/plan.hpp"
 #include "edgeproof/scene/route/rows.hpp"
 
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 namespace edgeproof::scene {
 
-/// Computes a scene's values in balls of more and more bits until they can be printed, each with
-/// its error and the name of the route, and counts the work. One object belongs to one thread. Its
-/// parts:
-///   value_route.cpp    single values, the places of edges and points, the work; the levels of
-///                      bits, and the exact forms
+/// A solved scene that answers: it computes values in balls of more and more bits until they can be
+/// printed, each with its error and the name of the route; a value with `proved` is an enclosure. p
+/// is an estimate by a second route where the scene asks for that. One object belongs to one
+/// thread. Its parts:
+///   scene_values.cpp   single values, the places of edges and points; the levels of bits, and the
+///                      exact forms
 ///   ball_searches.cpp  extents, partial slip
 ///   refusals.cpp       the reasons why there is no value
-class ValueRoute {
+class SceneValues {
 public:
-    /// Keeps references to all three arguments.
-    ValueRoute(const Scene& scene, const Plan& plan, Work& work);
+    /// Solves the contact. Throws as make_plan does; InputError, with its line, if no contact
+    /// carries the load, and unless g' is proved not to decrease in the contact (all proofs for a
+    /// curved profile depend on this); BudgetError where no number of bits tried encloses the
+    /// edges.
+    explicit SceneValues(Scene scene);
+    /// The same for asking(scene, values, digits).
+    SceneValues(const Scene& scene, const std::vector<AskedValue>& values, const Digits& digits);
+    SceneValues(const SceneValues&) = delete; // the levels refer to the scene
+    SceneValues& operator=(const SceneValues&) = delete;
 
-    /// Throws the reason why no contact is enclosed.
-    [[noreturn]] void refuse_contact() const;
-    /// Throws InputError unless g' is proved not to decrease in the contact; all proofs for a
-    /// curved profile depend on this.
-    void check_slope();
+    [[nodiscard]] const Plan& plan() const { return plan_; }
+    /// Changes the part over which extents are searched for.
+    void look_at(const contact::ExtentRange& part) { scene_.ask.part = part; }
 
-    /// One number, by the evaluators of its row (quantity.hpp); the plan must contain it. Throws
-    /// DomainError if there is no value (outside the contact, on a corner); InputError, with the
+    /// One number, by the evaluators of its row (quantity.hpp), at the place of one that the scene
+    /// asks for or at another one (to the same tolerance). Throws DomainError if there is no value
+    /// (outside the contact, on a corner, no first exit); InputError, with the
     /// line of the friction, for a value of the slip if the contact slides or if the stick zone
     /// would extend beyond it.
     [[nodiscard]] BoundedValue value(const AskedValue& asked);
+    /// The coordinate x of an AskedValue at a point. Throws DomainError outside the contact.
+    [[nodiscard]] BoundedValue x(const AskedValue& asked);
     /// For a scene with friction.
     [[nodiscard]] contact::SlipState state(Edge edge, const Distance& u);
     /// The rows of a search for a quantity with `searched`, with the edge and the number of terms
@@ -52,6 +61,18 @@ public:
     [[nodiscard]] bool in_proportion();
     /// The row of a quantity with `searched`. The search at each place is made once.
     [[nodiscard]] const Row& searched(const AskedValue& asked);
+
+    /// Calls f with levels of `bits`, 2 `bits`, ... up to `most` bits until it returns true;
+    /// returns whether it did. A level whose bits do not isolate the edges is left out.
+    template <class F> bool raise(long bits, long most, const F& f) {
+        for (; bits <= most; bits *= 2) {
+            BallLevel* const level = at_level(bits);
+            if (level != nullptr && f(*level)) {
+                return true;
+            }
+        }
+        return false;
+    }
 
 private:
     using InBalls = std::function<Ball(BallLevel&)>;
@@ -77,8 +98,11 @@ private:
     /// Null if these bits do not isolate the edges.
     [[nodiscard]] BallLevel* at_level(long bits);
     [[nodiscard]] long last_bits() const;
-    [[nodiscard]] bool closed() const { return plan_.closed; }
 
+    /// Throws the reason why no contact is enclosed.
+    [[noreturn]] void refuse_contact() const;
+    void solve();
+    void check_slope();
     /// The distance of an edge from the origin, if it is known to be a rational number.
     [[nodiscard]] std::optional<Rational> known(Edge edge) const;
     /// Stores that distance.
@@ -102,12 +126,6 @@ private:
     /// The coordinate x of the point u, which is inside the contact, if it is known to be a
     /// rational number.
     [[nodiscard]] std::optional<Rational> known_x(Edge edge, const Distance& u) const;
-
-    /// Counts the work of a value.
-    void count(const AskedValue& asked);
-    void count_pressure() {
-        ++(closed() && !scene_.ask.route ? work_.counts.closed_forms : work_.counts.quadratures);
-    }
 
     /// The rows of an extent, proved by the signs of the error between the crossings. Throws
     /// BudgetError if the budget does not decide.
@@ -140,35 +158,29 @@ private:
     /// Sets the value of the row of a slip load, if it is found.
     void find_reach(Row& row);
 
-    const Scene& scene_;
-    const Plan& plan_;
-    Work& work_;
+    Scene scene_;
+    Plan plan_;
     std::map<long, std::unique_ptr<BallLevel>> levels_;
     std::optional<contact::ExactEdges> edges_; ///< if a level proved them
     std::optional<ExactValues> exact_;
     long lost_bits_ = 0; ///< by the cancellation in values of the slip
 
-    std::optional<Ball> length_; ///< a + b; empty if no number of bits isolates the edges
+    BallLevel* first_ = nullptr; ///< the level of the fewest bits that enclose a + b
+    Ball length_;                ///< a + b
     std::optional<Rational> known_length_;
     std::map<Edge, Rational> known_;
 
     bool slip_checked_ = false;
     BallLevel* slip_level_ = nullptr; ///< a level that encloses the slip
 
-    std::set<std::pair<Edge, bool>> expanded_;
-    /// The place of the last pressure, for q.
-    std::optional<std::pair<Edge, Distance>> pressed_;
     std::optional<contact::Witness> witness_;
     std::optional<std::string> no_contact_; ///< why a level found no contact
     std::map<std::tuple<QuantityGroup, Edge, std::size_t>, std::vector<Row>> searched_;
 };
 
-/// Makes the route of a plan, in balls with proved values (BallContact, IntegratedContact,
-/// shear.hpp): more and more bits until each value rounds correctly. p is an estimate by
-/// Plan::witness where the scene asks for that. Keeps references to all three arguments. Throws
-/// InputError, with its line, if no contact carries the load, and if g' is not proved to rise in
-/// the contact; BudgetError where no number of bits tried encloses a value.
-[[nodiscard]] std::unique_ptr<ValueRoute> make_route(const Scene& scene, const Plan& plan,
-                                                     Work& work);
+/// Returns the scene with a request for these values only; of its own request only `part` is kept.
+/// The shear is left out if none of them needs it.
+[[nodiscard]] Scene asking(const Scene& scene, const std::vector<AskedValue>& values,
+                           const Digits& digits);
 
 } // namespace edgeproof::scene

@@ -53,6 +53,10 @@ TEST_CASE("formulas that are equal: roots, powers, symbolic exponents, other fun
         sqrt(a^2 - t^2) = sqrt(a - t)*sqrt(a + t)   sqrt((x - y)^3) = (x - y)*sqrt(x - y)
         sqrt((x - t)/(a + y)) = 1/sqrt((a + y)/(x - t))   a^(1/3)*sqrt(a) = a^(5/6)
         (a^(1/4))^2 + a^(1/4) = sqrt(a) + a^(1/4)   sqrt(pi^2/4) = pi/2
+        sqrt(2)*sqrt(3) = sqrt(6)   (1 + sqrt(2))^2 = 3 + 2*sqrt(2)   2^(1/3)*4^(1/3) = 2
+        16^(1/6) = 4^(1/3)   sqrt(1/3) = sqrt(3)/3   sqrt(sqrt(16/81)) = 2/3   (9/4)^(3/2) = 27/8
+        (sqrt(5) + sqrt(7))*(sqrt(5) - sqrt(7)) = -2   sqrt(pi)*sqrt(pi*4) = 2*pi
+        sqrt(2*1009^2) = 1009*sqrt(2)   sqrt(1009^3/1009) = 1009   (4*1013^6)^(1/3) = 4^(1/3)*1013^2
         sqrt(sqrt(a)) = a^(1/4)   sqrt(a + sqrt(b))^3 = (a + sqrt(b))*sqrt(a + sqrt(b))
         sqrt(4*a + 4*sqrt(b)) = 2*sqrt(a + sqrt(b))   (sqrt(5) - 1)*(sqrt(5) + 1) = 4
         (a - b)/(sqrt(a) - sqrt(b)) = sqrt(a) + sqrt(b)
@@ -63,6 +67,8 @@ TEST_CASE("formulas that are equal: roots, powers, symbolic exponents, other fun
         log(a*b/b) = log(a)   log(1) = 0   log(3/5) = -log(5/3)   abs(y - x) = abs(x - y)
         abs(-2*a/3) = 2*a/3   sin(x - y) = -sin(y - x)   cosh(-x)*sgn(-x) = -cosh(x)*sgn(x)
         acos(x - y) = pi - acos(y - x)   acos(sqrt(3)/2) = pi/6   acos((pi/8)/(-pi/4)) = 2*pi/3
+        acos((sqrt(6) + sqrt(2))/4) = pi/12   acos((sqrt(6) - sqrt(2))/4) = 5*pi/12
+        acos((sqrt(2) - sqrt(6))/4) = 7*pi/12   acos(-1) = pi   acos(-sqrt(2)/2) = 3*pi/4
         asin(-1/2) = -pi/6   atan(1/sqrt(3)) = pi/6   cos(5*pi/3) = 1/2   sin(7*pi/6) = -1/2
         tan(3*pi/4) = -1   sin(asin(x)) + cos(acos(x)) = 2*x   gamma(9/2) = 105*sqrt(pi)/16
         gamma(6) = 120   p(a*(x + y)) = p(a*x + a*y)
@@ -79,6 +85,8 @@ TEST_CASE("formulas that differ, where x and y may be negative") {
         sqrt(a) = sqrt(2*a)   sqrt(a + b) = sqrt(a) + sqrt(b)   sqrt(8*a) = 2*sqrt(2)*a
         a^(m + 1) = a^m   a^(1/3) = a^(1/2)   sqrt(x^2) = x   sqrt(x^2*y) = x*sqrt(y)
         sqrt(x*y) = sqrt(-x)*sqrt(-y)   sqrt(2) = 99/70   pi = 22/7   log(2) = log(1)
+        sqrt(10) + sqrt(11) = sqrt(5) + sqrt(18)   2^(1/3) = sqrt(2)   acos(1/3) = pi*2/5
+        sqrt(2) = 1.41421356237309504880168872420969807856967187537694807317667
         cos(5*pi/3) = -1/2   acos(-1/3) = acos(1/3)   sin(x - y) = sin(y - x)   exp(x) = exp(-x)
         p(a) = p(b)   p(a - b) = p(b - a)   integral(p(x), x, 0, a) = integral(p(x), x, 0, b)
     )ITEMS",

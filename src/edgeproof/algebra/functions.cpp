@@ -1,16 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/algebra/form.hpp"
-#include "edgeproof/formula/exact/exact_number.hpp"
+#include "edgeproof/algebra/identity.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace edgeproof::algebra {
 
-using formula::part_of_pi;
 using Kind = Generator::Kind;
 
 namespace {
+
+/// Returns h/pi for the angle h, 0 <= h <= pi/2, whose cosine has this square, if it is one of the
+/// five with a rational square (DLMF table 4.17.1).
+std::optional<Rational> part_of_pi(const std::optional<Rational>& square_of_cosine) {
+    static const std::map<Rational, Rational> table{{0, Rational(1, 2)},
+                                                    {Rational(1, 4), Rational(1, 3)},
+                                                    {Rational(1, 2), Rational(1, 4)},
+                                                    {Rational(3, 4), Rational(1, 6)},
+                                                    {1, 0}};
+    const auto known = square_of_cosine ? table.find(*square_of_cosine) : table.end();
+    return known == table.end() ? std::nullopt : std::optional(known->second);
+}
 
 /// Returns cos(pi q), if it is simple.
 std::optional<Form> cosine(Rational q) {
@@ -29,14 +41,21 @@ std::optional<Form> cosine(Rational q) {
     return {};
 }
 
-/// Returns the angle between 0 and pi with this cosine, if it is simple.
+/// Returns the angle between 0 and pi with this cosine, if it is a multiple of pi/12, found from
+/// the cosine or from the cosine of twice the angle.
 std::optional<Form> angle(const Form& cosine) {
-    const auto square = Form(cosine * cosine).rational();
-    const auto part = square ? part_of_pi(*square) : std::nullopt;
-    if (!part) {
+    const Form square = cosine * cosine;
+    if (const auto part = part_of_pi(square.rational())) {
+        return Form::pi() * Form(cosine.sign() < 0 ? Rational(1 - *part) : *part);
+    }
+    const Form twice = 2 * square - 1;
+    const auto part = part_of_pi(Form(twice * twice).rational());
+    const auto sign = part ? decided_sign(cosine.expr()) : std::nullopt;
+    if (!sign) {
         return {};
     }
-    return Form::pi() * Form(cosine.sign() < 0 ? Rational(1 - *part) : *part);
+    const Rational half = (twice.sign() < 0 ? Rational(1 - *part) : *part) / 2;
+    return Form::pi() * Form(*sign < 0 ? Rational(1 - half) : half);
 }
 
 /// Returns gamma(q) for a positive q that is a whole number or a half more.

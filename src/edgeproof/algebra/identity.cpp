@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/algebra/identity.hpp"
 
-#include "edgeproof/algebra/form.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -40,6 +39,11 @@ std::optional<int> decided_sign(const Expr& e, long bits) {
         }
     }
     return std::nullopt;
+}
+
+Form abs(const Form& x) {
+    const auto sign = decided_sign(x.expr());
+    return !sign ? throw Error("the sign of a constant is not decided") : *sign < 0 ? -x : x;
 }
 
 } // namespace edgeproof::algebra

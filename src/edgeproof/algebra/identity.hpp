@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/formula/expr.hpp"
+#include "edgeproof/algebra/form.hpp"
 
 #include <optional>
 
 namespace edgeproof::algebra {
-
-using formula::Expr;
 
 /// True if e is proved to be zero by exact algebra (form.hpp), where its names may have either
 /// sign. A constant must also be finite in ball arithmetic, so that there is no division by zero.
@@ -16,5 +14,8 @@ using formula::Expr;
 /// Returns the sign of a constant, by balls of up to `bits` bits, or 0 by proved_zero. Nothing if
 /// neither decides, or if e has no real value.
 [[nodiscard]] std::optional<int> decided_sign(const Expr& e, long bits = 2048);
+
+/// The magnitude of a constant. Throws Error if its sign is not decided.
+[[nodiscard]] Form abs(const Form& x);
 
 } // namespace edgeproof::algebra

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/algebra/form.hpp"
 
+#include "edgeproof/formula/fold.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -68,8 +69,12 @@ std::vector<Form::Part> Form::parts() const {
                 add_number(Integer(p), k);
             }
         }
-        if (rest > 1) {
-            add_number(rest, 1);
+        // The prime factors of the rest have more than 9 bits.
+        for (auto k = rest > 1 ? std::clamp(msb(rest) / 9, 1UL, 64UL) : 0; k > 0; --k) {
+            if (const auto root = formula::exact_root(Rational(rest), k)) {
+                add_number(Integer(numerator(*root)), static_cast<long>(k));
+                break;
+            }
         }
         for (const auto& [p, power] : powers) {
             const Form factor = canonical(generators_, p, Polynomial(generators_.size(), 1));

@@ -113,7 +113,7 @@ std::vector<Expr> distances(const Profile& profile, Edge edge) {
     return list;
 }
 
-constexpr long most_whole_exponent = 1000;
+constexpr long most_exponent = 1000;
 constexpr std::size_t most_exact_coefficients = 40;
 
 } // namespace
@@ -206,19 +206,31 @@ std::optional<Rational> simplest_rational(const Ball& x) {
     return simplest_between(exact_value(x.lower()), exact_value(x.upper()));
 }
 
-ExactNumberContact::ExactNumberContact(const Profile& profile, const Exact& contact_modulus,
-                                       const Load& load, const Ball& near_a, const Ball& near_b)
-    : profile_(profile), modulus_(ExactNumber::of(contact_modulus.expr())),
-      power_law_(profile.kind() == Profile::Kind::power_law), a_(ExactNumber::unknown()),
-      b_(ExactNumber::unknown()) {
-    if (power_law_) {
-        read_power_law();
+Form exact_form(const Expr& e) {
+    return algebra::form_of(e, [](std::string_view) -> Form { throw NoExactForm(); });
+}
+
+ExactContact::ExactContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
+                           const Ball& near_a, const Ball& near_b)
+    : profile_(profile), modulus_(exact_form(contact_modulus.expr())) {
+    if (profile.kind() == Profile::Kind::power_law) {
+        const auto m = exact_form(profile.parameters().at("m").expr()).rational();
+        if (!m || *m > most_exponent) {
+            throw NoExactForm();
+        }
+        exponent_ = m;
+        const auto gamma = [](const Form& x) {
+            return Form::call(formula::Builtin::gamma, {&x, 1});
+        };
+        const Form half = Form(*m) / 2;
+        // moore-hills EQ11
+        power_factor_ = modulus_ * exact_form(profile.parameters().at("C").expr()) *
+                        sqrt(Form::pi()) / 2 * gamma(1 + half) / gamma(Form(Rational(3, 2)) + half);
     } else if (profile.piecewise_linear()) {
-        slope_ = linear_slope<ExactNumber>(profile_, ExactNumber::of);
+        slope_ = linear_slope<Form>(profile_, exact_form);
     } else {
-        power_factor_ = ExactNumber::unknown();
         if (load.kind == Load::Kind::right_edge) {
-            a_ = ExactNumber::of(load.value.expr());
+            a_ = exact_form(load.value.expr());
             b_ = profile.symmetric() ? a_ : b_;
         }
         return;
@@ -226,34 +238,22 @@ ExactNumberContact::ExactNumberContact(const Profile& profile, const Exact& cont
     find_edges(load, near_a, near_b);
 }
 
-void ExactNumberContact::read_power_law() {
-    const auto m = ExactNumber::of(profile_.parameters().at("m").expr()).rational();
-    power_factor_ = ExactNumber::unknown();
-    exponent_ = m;
-    if (!m || denominator(*m) != 1 || *m > most_whole_exponent) {
-        return;
-    }
-    const auto n = static_cast<unsigned>(numerator(*m).convert_to<unsigned long>());
-    whole_exponent_ = n;
-    // sqrt(pi)/2 Gamma(1 + m/2)/Gamma((3 + m)/2) (moore-hills EQ11) is 1 for m = 0 and pi/4 for
-    // m = 1. A step of m by 2 multiplies it by (m + 2)/(m + 3).
-    ExactNumber factor = n % 2 == 0 ? ExactNumber(1) : ExactNumber::pi() / 4;
-    for (unsigned k = n % 2; k < n; k += 2) {
-        factor *= ExactNumber(Rational(k + 2, k + 3));
-    }
-    power_factor_ = modulus_ * ExactNumber::of(profile_.parameters().at("C").expr()) * factor;
+const Form& ExactContact::known(const std::optional<Form>& x) {
+    return x ? *x : throw NoExactForm();
 }
 
-void ExactNumberContact::find_edges(const Load& load, const Ball& near_a, const Ball& near_b) {
-    const ExactNumber given = ExactNumber::of(load.value.expr());
+const std::vector<Mark<Form>>& ExactContact::marks() const {
+    return marks_.empty() ? throw NoExactForm() : marks_;
+}
+
+void ExactContact::find_edges(const Load& load, const Ball& near_a, const Ball& near_b) {
+    const Form given = exact_form(load.value.expr());
     const bool by_force = load.kind == Load::Kind::force;
-    std::vector<ExactNumber> guesses;
+    std::vector<Form> guesses;
     if (!by_force) {
         guesses.push_back(given);
-    } else if (power_law_) {
-        a_ = whole_exponent_
-                 ? pow(given / power_factor_, Rational(1, static_cast<int>(*whole_exponent_) + 1))
-                 : ExactNumber::unknown();
+    } else if (exponent_) {
+        a_ = pow(given / power_factor_, Rational(1 / (*exponent_ + 1)));
         b_ = a_;
         return;
     } else {
@@ -262,43 +262,48 @@ void ExactNumberContact::find_edges(const Load& load, const Ball& near_a, const 
             guesses.emplace_back(*q);
         }
         if (const auto q = simplest_rational(near_a * near_a)) {
-            guesses.push_back(sqrt(ExactNumber(*q)));
+            guesses.push_back(sqrt(Form(*q)));
         }
     }
-    for (const ExactNumber& a : guesses) {
-        std::vector<ExactNumber> others{a};
+    for (const Form& a : guesses) {
+        std::vector<Form> others{a};
         if (!profile_.symmetric()) {
             if (const auto q = simplest_rational(near_b)) {
                 others.emplace_back(*q);
             }
         }
-        for (const ExactNumber& b : others) {
-            if (!overlaps(b.enclosure(near_b.bits()), near_b)) {
-                continue;
-            }
+        for (const Form& b : others) {
             a_ = a;
             b_ = b;
-            place_knots();
-            if ((profile_.symmetric() || balanced()) && (!by_force || force() == given)) {
+            if (overlaps(formula::enclosed_constant(b.expr(), near_b.bits()), near_b) &&
+                holds(load)) {
                 return;
             }
         }
     }
-    a_ = by_force ? ExactNumber::unknown() : given;
-    b_ = ExactNumber::unknown();
-    placed_ = false;
+    a_ = by_force ? std::nullopt : std::optional(given);
+    b_.reset();
+    marks_.clear();
 }
 
-void ExactNumberContact::place_knots() {
+bool ExactContact::holds(const Load& load) {
+    try {
+        place_knots();
+        return (profile_.symmetric() || linear_imbalance(slope_, {*a_, *b_}, marks_).is_zero()) &&
+               (load.kind != Load::Kind::force || force() == exact_form(load.value.expr()));
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+void ExactContact::place_knots() {
     marks_.clear();
-    placed_ = true;
-    const Extent<ExactNumber> e{a_, b_};
-    for (const ExactNumber& v : slope_.knots) {
-        const auto from_right = (a_ - v).sign();
-        const auto from_left = (b_ + v).sign();
+    const Extent<Form> e{*a_, *b_};
+    for (const Form& v : slope_.knots) {
+        const auto from_right = algebra::decided_sign(Form(e.a - v).expr());
+        const auto from_left = algebra::decided_sign(Form(e.b + v).expr());
         if (!from_right || !from_left) {
-            placed_ = false;
-            return;
+            throw NoExactForm();
         }
         marks_.push_back(*from_right <= 0  ? right_end(e)
                          : *from_left <= 0 ? left_end(e)
@@ -306,123 +311,94 @@ void ExactNumberContact::place_knots() {
     }
 }
 
-template <class Kernel> ExactNumber ExactNumberContact::over_measure() const {
-    return placed_ ? over_linear_measure<Kernel>(slope_, {a_, b_}, marks_) : ExactNumber::unknown();
+template <class Kernel> Form ExactContact::over_measure() const {
+    return over_linear_measure<Kernel>(slope_, {a(), b()}, marks());
 }
 
-bool ExactNumberContact::balanced() const {
-    return placed_ && linear_imbalance(slope_, {a_, b_}, marks_).is_zero();
-}
-
-ExactNumber ExactNumberContact::force() const {
-    if (power_law_) {
-        return whole_exponent_
-                   ? power_factor_ * pow(a_, Rational(static_cast<int>(*whole_exponent_) + 1))
-                   : ExactNumber::unknown();
-    }
+Form ExactContact::force() const {
     // moore-hills EQ22, by docs/mechanics.md, "One measure, six kernels"
-    return modulus_ / 2 * over_measure<ForceKernel>();
+    return exponent_ ? power_factor_ * pow(a(), Rational(*exponent_ + 1))
+                     : modulus_ / 2 * over_measure<ForceKernel>();
 }
 
-ExactNumber ExactNumberContact::moment() const {
-    if (profile_.symmetric()) {
-        return {};
-    }
-    return modulus_ / 4 * over_measure<MomentKernel>();
+Form ExactContact::moment() const {
+    return profile_.symmetric() ? Form() : modulus_ / 4 * over_measure<MomentKernel>();
 }
 
-bool ExactNumberContact::bends(std::size_t knot) const {
+bool ExactContact::bends(std::size_t knot) const {
     return !(slope_.rate(knot) == slope_.rate(knot + 1) &&
              slope_.pieces[knot].at_origin == slope_.pieces[knot + 1].at_origin);
 }
 
-ExactNumber ExactNumberContact::pressure(Edge edge, const ExactNumber& u) const {
-    const ExactNumber other = length() - u;
-    const ExactNumber root = sqrt(u * other);
-    if (power_law_) {
-        if (!whole_exponent_ || *whole_exponent_ % 2 == 0) {
-            return ExactNumber::unknown(); // a logarithm
+Form ExactContact::pressure(Edge edge, const Form& u) const {
+    const Form other = length() - u;
+    const Form root = sqrt(u * other);
+    if (exponent_) {
+        const Rational j = (*exponent_ - 1) / 2;
+        if (denominator(j) != 1) {
+            throw NoExactForm(); // a logarithm
         }
         // p = P'(a)/pi I_m(|x|/a) (docs/pressure.md, "Closed form: power laws"). With
         // s^2 = q^2 + t^2 in the integral of s^m/sqrt(s^2 - q^2), m = 2j + 1, y = 1 - q^2:
         // I_m(q) = sum over i of C(j, i) q^(2j - 2i) y^(i + 1/2)/(2i + 1).
-        const unsigned j = *whole_exponent_ / 2;
-        const ExactNumber y = u * other / (a_ * a_);
-        const ExactNumber square = ExactNumber(1) - y;
-        ExactNumber sum;
+        const Form y = u * other / (a() * a());
+        const Form square = 1 - y;
+        Form sum;
         Rational binomial = 1;
-        for (unsigned i = 0; i <= j; ++i) {
-            sum += ExactNumber(Rational(binomial / (2 * i + 1))) * pow(square, Rational(j - i)) *
+        for (int i = 0; i <= j; ++i) {
+            sum += Form(Rational(binomial / (2 * i + 1))) * pow(square, Rational(j - i)) *
                    pow(y, Rational(i));
             binomial = binomial * (j - i) / (i + 1);
         }
-        const int m = static_cast<int>(*whole_exponent_);
-        return power_factor_ * (m + 1) * pow(a_, Rational(m - 1)) / ExactNumber::pi() * root * sum;
+        const Rational& m = *exponent_;
+        return power_factor_ * Form(Rational(m + 1)) * pow(a(), Rational(m - 1)) / Form::pi() *
+               root * sum;
     }
-    if (!placed_) {
-        return ExactNumber::unknown();
-    }
-    const ExactNumber x = edge == Edge::right ? a_ - u : u - b_;
+    const Form x = edge == Edge::right ? a() - u : u - b();
     for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
         const bool on_it = (x - slope_.knots[i]).is_zero() && slope_.jump(i).is_zero();
-        if (!marks_[i].end && bends(i) && !on_it) {
-            return ExactNumber::unknown(); // a logarithm
+        if (!marks()[i].end && bends(i) && !on_it) {
+            throw NoExactForm(); // a logarithm
         }
     }
     // Without logarithms only the angles remain (docs/pressure.md, "Closed form: piecewise linear
     // slopes").
-    const Extent<ExactNumber> e{a_, b_};
-    return modulus_ / (ExactNumber::pi() * 2) * arc_of(slope_, e, marks_) * root;
+    const Extent<Form> e{a(), b()};
+    return modulus_ / (2 * Form::pi()) * arc_of(slope_, e, marks()) * root;
 }
 
-std::vector<ExactNumber> ExactNumberContact::expansion(Edge, std::size_t terms) const {
-    using S = series::Series<ExactNumber>;
-    const auto sign = a_.sign();
-    if (terms > 0 && terms <= most_exact_coefficients && exponent_ && !whole_exponent_) {
-        return vanishing_coefficients(terms);
-    }
-    const std::vector<ExactNumber> none(terms, ExactNumber::unknown());
-    if (terms == 0 || terms > most_exact_coefficients || !profile_.symmetric() || !sign ||
-        *sign <= 0 || (power_law_ ? !whole_exponent_ : !placed_)) {
-        return none;
-    }
-    const S a = S::variable(a_, terms);
-    S rate(ExactNumber(0), terms);
-    if (power_law_) {
-        const auto m = static_cast<long>(*whole_exponent_);
-        rate = pow_int(a, m) * (power_factor_ * static_cast<int>(m + 1));
-    } else {
-        const Extent<S> e{a, a};
-        std::vector<Mark<S>> moving;
-        for (std::size_t i = 0; i < marks_.size(); ++i) {
-            const auto& end = marks_[i].end;
-            moving.push_back(end ? end_mark(e, *end) : mark(e, slope_.knots[i]));
-        }
-        rate = over_linear_measure<RightRateKernel>(slope_, e, moving);
-        rate *= modulus_ / 2;
+std::vector<Form> ExactContact::expansion(Edge, std::size_t terms) const {
+    using S = series::Series<Form>;
+    if (terms == 0 || terms > most_exact_coefficients || !profile_.symmetric()) {
+        throw NoExactForm();
     }
     // docs/expansions.md, "The right edge"
-    return coefficients_of(right_edge_brackets(LawSeries<ExactNumber>{rate, a}, a_), length());
-}
-
-/// With dP/da = K a^m, c_k is K a^(m - k - 1/2) times its value for K = a = 1, which has an exact
-/// form (docs/expansions.md, "The right edge").
-std::vector<ExactNumber> ExactNumberContact::vanishing_coefficients(std::size_t terms) const {
-    using S = series::Series<ExactNumber>;
-    const S a = S::variable(ExactNumber(1), terms);
-    S rate(ExactNumber(0), terms);
-    ExactNumber binomial(1); // m over k
-    for (std::size_t k = 0; k < terms; ++k) {
-        rate[k] = binomial;
-        binomial *=
-            ExactNumber(Rational((*exponent_ - static_cast<long>(k)) / (static_cast<long>(k) + 1)));
+    const auto coefficients = [](const S& rate, const S& a) {
+        return coefficients_of(right_edge_brackets(LawSeries<Form>{rate, a}, a[0]), a[0] * 2);
+    };
+    if (exponent_) {
+        // With dP/da = K a^m, c_k is K a^(m - k - 1/2) times its value for K = a = 1.
+        const S one = S::variable(Form(1), terms);
+        std::vector<Form> list =
+            coefficients(pow_with_constant(one, Form(*exponent_), Form(1)), one);
+        Form factor = power_factor_ * Form(Rational(*exponent_ + 1)) *
+                      pow(a(), Rational(*exponent_ - Rational(1, 2)));
+        for (Form& c : list) {
+            c *= factor;
+            factor /= a();
+        }
+        return list;
     }
-    std::vector<ExactNumber> list = coefficients_of(
-        right_edge_brackets(LawSeries<ExactNumber>{rate, a}, ExactNumber(1)), ExactNumber(2));
-    for (ExactNumber& c : list) {
-        c = c.is_zero() ? c : ExactNumber::unknown();
+    const S a = S::variable(this->a(), terms);
+    const Extent<S> e{a, a};
+    std::vector<Mark<S>> moving;
+    for (std::size_t i = 0; i < marks().size(); ++i) {
+        const auto& end = marks_[i].end;
+        moving.push_back(end ? end_mark(e, *end) : mark(e, slope_.knots[i]));
     }
-    return list;
+    S rate = over_linear_measure<RightRateKernel>(slope_, e, moving);
+    rate *= modulus_ / 2;
+    return coefficients(rate, a);
 }
 
 } // namespace edgeproof::contact

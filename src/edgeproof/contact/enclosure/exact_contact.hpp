@@ -4,7 +4,6 @@
 #include "edgeproof/contact/law/linear_measure.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
-#include "edgeproof/formula/exact/exact_number.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
 #include <cstddef>
@@ -37,53 +36,53 @@ struct ExactEdges {
 /// finite.
 [[nodiscard]] std::optional<Rational> simplest_rational(const Ball& x);
 
-/// A normal contact in exact arithmetic, as far as its values have an exact form (ExactNumber):
-/// power laws with an integer exponent, and piecewise linear slopes where the angles of the knots
-/// are multiples of pi/12. It decides whether a value is equal to a number of few digits, or lies
+/// The form of a constant. Throws Error if it is too large for the algebra.
+[[nodiscard]] Form exact_form(const Expr& constant);
+
+/// A normal contact in exact algebra: power laws, and piecewise linear slopes where the angles of
+/// the knots are multiples of pi/12. Members throw NoExactForm, or an Error of the algebra, where a
+/// value has no exact form. It decides whether a value is equal to a number of few digits, or lies
 /// half-way between two of them, which no enclosure can. The formulas are those of contact/law/, as
 /// in BallContact. Lengths in one unit, pressures in the unit of contact_modulus.
 /// A pressure with a logarithm needs no such decision: by `baker1966`, logarithms of algebraic
 /// numbers, pi and 1 are linearly independent over the algebraic numbers unless trivially
 /// dependent, so that the pressure is not a rational number.
-class ExactNumberContact {
+class ExactContact {
 public:
     /// `near_a` and `near_b` enclose the edges (lengths). An edge that is not given is guessed from
     /// its ball, and accepted only if the exact equations hold for the guess; their solution is
     /// unique.
-    ExactNumberContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
-                       const Ball& near_a, const Ball& near_b);
+    ExactContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
+                 const Ball& near_a, const Ball& near_b);
 
-    [[nodiscard]] const ExactNumber& a() const { return a_; }
-    [[nodiscard]] const ExactNumber& b() const { return b_; }
-    [[nodiscard]] ExactNumber length() const { return a_ + b_; }
-    [[nodiscard]] ExactNumber force() const;
-    [[nodiscard]] ExactNumber moment() const;
-    [[nodiscard]] ExactNumber pressure(Edge edge, const ExactNumber& u) const;
-    /// c_0 ... c_{terms-1} of a symmetric profile; unknown for other profiles and for more than 40
-    /// terms.
-    [[nodiscard]] std::vector<ExactNumber> expansion(Edge edge, std::size_t terms) const;
+    [[nodiscard]] const Form& a() const { return known(a_); }
+    [[nodiscard]] const Form& b() const { return known(b_); }
+    [[nodiscard]] Form length() const { return a() + b(); }
+    [[nodiscard]] Form force() const;
+    [[nodiscard]] Form moment() const;
+    [[nodiscard]] Form pressure(Edge edge, const Form& u) const;
+    /// c_0 ... c_{terms-1} of a symmetric profile, at most 40.
+    [[nodiscard]] std::vector<Form> expansion(Edge edge, std::size_t terms) const;
 
 private:
-    /// For a power law of a rational exponent: 0 if c_k vanishes, else unknown.
-    [[nodiscard]] std::vector<ExactNumber> vanishing_coefficients(std::size_t terms) const;
-    void read_power_law();
+    [[nodiscard]] static const Form& known(const std::optional<Form>& x);
+    /// The marks of the knots, if it is known for all whether they are inside.
+    [[nodiscard]] const std::vector<Mark<Form>>& marks() const;
     void place_knots();
     void find_edges(const Load& load, const Ball& near_a, const Ball& near_b);
-    [[nodiscard]] bool balanced() const;
+    /// True if a and b satisfy the exact equations.
+    [[nodiscard]] bool holds(const Load& load);
     [[nodiscard]] bool bends(std::size_t knot) const;
-    template <class Kernel> [[nodiscard]] ExactNumber over_measure() const;
+    template <class Kernel> [[nodiscard]] Form over_measure() const;
 
     Profile profile_;
-    ExactNumber modulus_;
-    bool power_law_ = false;
-    std::optional<Rational> exponent_; ///< of the power law
-    std::optional<unsigned> whole_exponent_;
-    ExactNumber power_factor_; ///< P = power_factor a^(m+1)
-    LinearSlope<ExactNumber> slope_;
-    std::vector<Mark<ExactNumber>> marks_; ///< the marks of the knots
-    bool placed_ = false; ///< true if it is decided for all knots whether they are inside
-    ExactNumber a_;
-    ExactNumber b_;
+    Form modulus_;
+    std::optional<Rational> exponent_; ///< of a power law
+    Form power_factor_;                ///< P = power_factor a^(m+1)
+    LinearSlope<Form> slope_;
+    std::vector<Mark<Form>> marks_;
+    std::optional<Form> a_;
+    std::optional<Form> b_;
 };
 
 } // namespace edgeproof::contact

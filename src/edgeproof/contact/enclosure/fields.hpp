@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/algebra/form.hpp"
 #include "edgeproof/contact/law/field.hpp"
 #include "edgeproof/contact/law/kernels.hpp"
-#include "edgeproof/formula/exact/exact_number.hpp"
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/ball_series.hpp"
+#include "edgeproof/precision/error.hpp"
 
 #include <cstddef>
 #include <utility>
 
-/// Balls, series of balls, exact numbers and symbols as fields for the formulas of contact/law/.
+/// Balls, series of balls, exact constants and symbols as fields for the formulas of contact/law/.
 namespace edgeproof::contact {
 
-using formula::ExactNumber;
+using algebra::Form;
 
 template <> struct Field<Ball> {
     static Ball number(int k, const Ball& like) { return {static_cast<long>(k), like.bits()}; }
@@ -77,17 +78,24 @@ template <> struct Field<BallSeries> {
     static void set_constant(BallSeries& x, const Ball& c) { x.set(0, c); }
 };
 
-template <> struct Field<ExactNumber> {
-    using X = ExactNumber;
+/// Thrown where a value has no exact form.
+struct NoExactForm : DomainError {
+    NoExactForm() : DomainError("the value has no exact form") {}
+};
+
+template <> struct Field<Form> {
+    using X = Form;
     static X number(int k, const X&) { return {k}; }
     static X pi(const X&) { return X::pi(); }
     static X over(const X& x, int k) { return x / k; }
     static bool vanishes(const X& x) { return x.is_zero(); }
     static X times(const X& weight, const X& x) { return weight * x; }
     static X root(const X& x) { return sqrt(x); }
-    /// The angle h by its cosine (far - near)/(far + near).
+    /// The angle h by its cosine (far - near)/(far + near). Throws NoExactForm unless it is a
+    /// multiple of pi/12; sums of other angles would take too long.
     static X angle(const X& near, const X& far) {
-        return angle_of_cosine((far - near) / (far + near));
+        X h = acos((far - near) / (far + near));
+        return X(h / X::pi()).rational() ? h : throw NoExactForm();
     }
     template <class Mark> static X other_angle(const Mark& m) { return X::pi() - m.h; }
 };

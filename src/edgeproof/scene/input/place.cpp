@@ -31,30 +31,24 @@ Exact number_of(const Expr& e) {
     return e.rational() != nullptr ? Exact::of(*e.rational()) : Exact(e);
 }
 
-} // namespace
-
-std::optional<Distance::Linear> Distance::linear(const Expr& e) {
-    const auto in_a = contact::as_linear(e, "a");
-    if (!in_a || !constant(in_a->rate)) {
-        return {};
-    }
-    const auto in_b = contact::as_linear(in_a->at_origin, "b");
-    if (!in_b || !constant(in_b->rate) || !constant(in_b->at_origin)) {
-        return {};
-    }
-    return Linear{in_a->rate, in_b->rate, in_b->at_origin};
+/// Returns the value of a formula in which a and b cancel.
+std::optional<Exact> without_edges(const Expr& x) {
+    const auto in_a = contact::as_linear(x, "a");
+    const auto in_b = in_a ? contact::as_linear(in_a->at_origin, "b") : std::nullopt;
+    const auto vanishes = [](const Expr& e) { return constant(e) && contact::certainly_zero(e); };
+    return in_b && vanishes(in_a->rate) && vanishes(in_b->rate) && constant(in_b->at_origin)
+               ? std::optional(number_of(in_b->at_origin))
+               : std::nullopt;
 }
+
+} // namespace
 
 Distance::Distance(Expr u, Expr x) {
     if (constant(u)) {
         number_ = number_of(u);
     }
-    const auto place = linear(x);
-    const bool known =
-        place && contact::certainly_zero(place->of_a) && contact::certainly_zero(place->of_b);
-    formulas_ = std::make_shared<Formulas>(
-        Formulas{u, x, number_ ? std::nullopt : linear(u),
-                 known && !number_ ? std::optional(number_of(place->rest)) : std::nullopt});
+    formulas_ =
+        std::make_shared<Formulas>(Formulas{u, x, number_ ? std::nullopt : without_edges(x)});
 }
 
 Ball Distance::enclosure(const Ball& a, const Ball& b, long bits) const {
@@ -67,19 +61,8 @@ Ball Distance::x_enclosure(const Ball& a, const Ball& b, long bits) const {
                : formula::evaluate<Ball>(formulas_->x, EdgesInBalls{a, b, {bits}});
 }
 
-ExactNumber Distance::exactly(const ExactNumber& a, const ExactNumber& b) const {
-    if (number_) {
-        return ExactNumber::of(number_->expr());
-    }
-    if (!formulas_->linear) {
-        return ExactNumber::unknown();
-    }
-    const auto part = [](const Expr& factor, const ExactNumber& edge) {
-        const ExactNumber k = ExactNumber::of(factor);
-        return k.is_zero() ? k : k * edge;
-    };
-    const Linear& u = *formulas_->linear;
-    return part(u.of_a, a) + part(u.of_b, b) + ExactNumber::of(u.rest);
+Form Distance::exactly(const std::function<Form(std::string_view)>& edge) const {
+    return algebra::form_of(number_ ? number_->expr() : formulas_->u, edge);
 }
 
 Place::Place(std::string text, From from, Expr value, const Names& names)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/algebra/form.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
-#include "edgeproof/formula/exact/exact_number.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -13,9 +14,9 @@
 
 namespace edgeproof::scene {
 
+using algebra::Form;
 using contact::Edge;
 using formula::Exact;
-using formula::ExactNumber;
 using formula::Expr;
 
 /// The distance of a point from an edge: an exact number, or a formula in a and b, the distances of
@@ -39,8 +40,8 @@ public:
     /// The distance and x for a and b in these balls.
     [[nodiscard]] Ball enclosure(const Ball& a, const Ball& b, long bits) const;
     [[nodiscard]] Ball x_enclosure(const Ball& a, const Ball& b, long bits) const;
-    /// The distance in exact arithmetic; unknown if the formula is not linear in a and b.
-    [[nodiscard]] ExactNumber exactly(const ExactNumber& a, const ExactNumber& b) const;
+    /// The distance in exact algebra; `edge` gives the forms of a and b.
+    [[nodiscard]] Form exactly(const std::function<Form(std::string_view)>& edge) const;
 
     /// Compares the formulas as they are written.
     friend bool operator==(const Distance& s, const Distance& t) {
@@ -50,18 +51,9 @@ public:
     }
 
 private:
-    /// The formula of_a a + of_b b + rest.
-    struct Linear {
-        Expr of_a;
-        Expr of_b;
-        Expr rest;
-    };
-    [[nodiscard]] static std::optional<Linear> linear(const Expr& e);
-
     struct Formulas {
         Expr u;
         Expr x;
-        std::optional<Linear> linear;
         std::optional<Exact> known_x;
     };
     std::optional<Exact> number_;

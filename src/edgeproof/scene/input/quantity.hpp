@@ -11,10 +11,6 @@
 #include <string>
 #include <string_view>
 
-namespace edgeproof::formula {
-class ExactNumber;
-}
-
 namespace edgeproof::scene {
 
 struct BoundedValue;
@@ -165,7 +161,7 @@ struct QuantityRow {
     // the bits do not suffice. Without an exact form, no number of bits may decide the rounding of
     // a value on a limit; such a value is printed as its enclosure.
     Ball (*ball)(BallLevel&, const AskedValue&) = nullptr;
-    ExactNumber (*exact)(ExactValues&, const AskedValue&) = nullptr;
+    Form (*exact)(ExactValues&, const AskedValue&) = nullptr;
     /// The name of the route of a value in balls; `route_by` if it depends on the scene.
     const char* route = "";
     const char* (*route_by)(const Scene&) = nullptr;

@@ -14,7 +14,7 @@ namespace edgeproof::scene {
 
 namespace {
 
-ExactNumber exact_number(const Exact& x) { return ExactNumber::of(x.expr()); }
+Form exact_form(const Exact& x) { return contact::exact_form(x.expr()); }
 
 /// The most bits used to separate a place from an edge of the stick zone.
 constexpr long most_state_bits = 1330;
@@ -110,8 +110,8 @@ SceneValues::ExactExtents SceneValues::exact_extents(const AskedValue& asked,
     ExactExtents result;
     result.crossings.resize(found.crossings.size());
     const auto part = [&](const Exact& fraction) {
-        return exact_value([&](ExactValues& e) { return e.length() * exact_number(fraction); },
-                           level, found.length * ball_of(fraction, found.length.bits()));
+        return exact_value([&](ExactValues& e) { return e.length() * exact_form(fraction); }, level,
+                           found.length * ball_of(fraction, found.length.bits()));
     };
     result.length = part(Exact::of(Rational(1)));
     if (!result.length) {
@@ -154,10 +154,10 @@ std::optional<Rational> SceneValues::exact_crossing(const AskedValue& asked, con
     if (!q || *q <= 0) {
         return {};
     }
-    const ExactNumber tolerance = exact_number(*asked.tolerance);
+    const Form tolerance = exact_form(*asked.tolerance);
     const auto off = [&](ExactValues& e) {
-        const ExactNumber error = e.relative_error(asked.edge, ExactNumber(*q), asked.k, false);
-        return error == tolerance || error == -tolerance ? ExactNumber(*q) : ExactNumber::unknown();
+        const Form error = e.relative_error(asked.edge, Form(*q), asked.k, false);
+        return error == tolerance || error == -tolerance ? Form(*q) : throw contact::NoExactForm();
     };
     return exact_value(off, level, u);
 }
@@ -214,9 +214,8 @@ void SceneValues::check_slip() {
 void SceneValues::refuse_exactly_sliding(const BallLevel& level) {
     const ShearSpec& shear = *scene_.shear;
     const auto left = [&](ExactValues& exact) {
-        const ExactNumber Q = ExactNumber::of(shear.Q.expr());
-        return ExactNumber::of(shear.friction->expr()) * exact.whole_force() -
-               (shear.Q.sign() > 0 ? Q : -Q);
+        const Form Q = exact_form(shear.Q);
+        return exact_form(*shear.friction) * exact.whole_force() - (shear.Q.sign() > 0 ? Q : -Q);
     };
     const Ball near = ball_of(*shear.friction, level.bits()) * level.whole_force() -
                       abs(ball_of(shear.Q, level.bits()));

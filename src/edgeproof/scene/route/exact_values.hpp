@@ -9,16 +9,17 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace edgeproof::scene {
 
-/// A scene's values in exact arithmetic, if they have an exact form (exact_contact.hpp); otherwise
-/// unknown. Keeps a reference to the scene.
+/// A scene's values in exact algebra. Members throw NoExactForm, or an Error of the algebra, where
+/// a value has no exact form (exact_contact.hpp). Keeps a reference to the scene.
 class ExactValues {
 public:
-    using Number = ExactNumber;
+    using Number = Form;
 
     /// The profile is the scene's, or that with a tilt known to be zero. The balls enclose the
     /// edges. `terms`: the number of coefficients to compute at once.
@@ -32,30 +33,33 @@ public:
     [[nodiscard]] Number length() const { return contact_.length(); }
     [[nodiscard]] Number force() const { return contact_.force(); }
     [[nodiscard]] Number whole_force() const {
-        return scene_.round ? Number::of(scene_.round->force->expr()) : force();
+        return scene_.round ? contact::exact_form(scene_.round->force->expr()) : force();
     }
-    [[nodiscard]] Number approach() const { return Number::of(scene_.round->approach->expr()); }
+    [[nodiscard]] Number approach() const {
+        return contact::exact_form(scene_.round->approach->expr());
+    }
     [[nodiscard]] Number stiffness() const {
-        return Number::of(scene_.contact_modulus.expr()) * a() * Number(2);
+        return contact::exact_form(scene_.contact_modulus.expr()) * a() * Number(2);
     }
     [[nodiscard]] Number moment() const { return contact_.moment(); }
     /// The distance of a place from its edge.
     [[nodiscard]] Number place(const AskedValue& asked) const {
-        return asked.distance().exactly(a(), b());
+        return asked.distance().exactly(
+            [&](std::string_view edge) { return edge == "a" ? a() : b(); });
     }
     /// The tilt, where it is solved for: exact values exist only if it is known to be zero.
     [[nodiscard]] Number alpha() const { return 0; } // NOLINT: called like the other members
     [[nodiscard]] Number u(Edge /*edge*/, const Number& u) const { return u; } // NOLINT
     /// The greatest pressure, if it is known to be at the origin.
     [[nodiscard]] Number peak() const {
-        return peaks_in_the_middle(scene_) ? p(Edge::right, a()) : Number::unknown();
+        return peaks_in_the_middle(scene_) ? p(Edge::right, a()) : throw contact::NoExactForm();
     }
     [[nodiscard]] Number x(Edge edge, const Number& u) const {
         return edge == Edge::right ? a() - u : u - b();
     }
     [[nodiscard]] Number p(Edge edge, const Number& u) const { return contact_.pressure(edge, u); }
     [[nodiscard]] Number q(Edge edge, const Number& u) const {
-        return scene_.slips()      ? Number::unknown()
+        return scene_.slips()      ? throw contact::NoExactForm()
                : scene_.together() ? load().Q / force() * p(edge, u)
                                    : full_stick_traction(length(), load(), edge, u);
     }
@@ -87,19 +91,18 @@ private:
             for (Number& x : known) {
                 x = ratio * x;
             }
-        } else if (length().known()) {
-            known = full_stick_expansion(length(), load(), edge, n);
         } else {
-            known.assign(n, Number::unknown());
+            known = full_stick_expansion(length(), load(), edge, n);
         }
         return known;
     }
     [[nodiscard]] contact::ShearLoad<Number> load() const {
-        return {Number::of(scene_.shear->Q.expr()), Number::of(scene_.shear->bulk_tension.expr())};
+        return {contact::exact_form(scene_.shear->Q.expr()),
+                contact::exact_form(scene_.shear->bulk_tension.expr())};
     }
 
     const Scene& scene_;
-    contact::ExactNumberContact contact_;
+    contact::ExactContact contact_;
     std::size_t terms_;
     std::map<std::pair<Edge, bool>, std::vector<Number>> known_terms_;
 };

@@ -274,14 +274,11 @@ std::optional<SceneValues::Found> SceneValues::refine(const InBalls& f, const Ex
 
 std::optional<Rational> SceneValues::exact_value(const Exactly& exactly, const BallLevel& level,
                                                  const Ball& near) {
-    ExactValues* exact = exact_values(level);
-    if (exact == nullptr) {
-        return {};
-    }
     try {
-        auto q = exactly(*exact).rational();
+        ExactValues* exact = exact_values(level);
+        auto q = exact != nullptr ? exactly(*exact).rational() : std::nullopt;
         return q && contains(near, *q) ? q : std::nullopt;
-    } catch (const DomainError&) { // the exact form does not have this series
+    } catch (const Error&) { // no exact form
         return {};
     }
 }

@@ -76,7 +76,7 @@ public:
 
 private:
     using InBalls = std::function<Ball(BallLevel&)>;
-    using Exactly = std::function<ExactNumber(ExactValues&)>;
+    using Exactly = std::function<Form(ExactValues&)>;
 
     /// A value, and its exact value if that is a rational number and was searched for.
     struct Found {

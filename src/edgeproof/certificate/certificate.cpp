@@ -71,7 +71,7 @@ std::vector<std::string> texts_of(const std::vector<formula::Expr>& all) {
 
 std::string text_of(const Family& family, const Ledger& ledger) {
     std::string text =
-        line_of({"family", family.profile, family.axisymmetric ? "axisymmetric" : "plane"});
+        line_of({"family", family.profile, family.axisymmetric() ? "axisymmetric" : "plane"});
     const auto add = [&](std::string name, std::vector<std::string> values) {
         values.insert(values.begin(), std::move(name));
         text += line_of(values);

@@ -10,10 +10,10 @@
 namespace edgeproof::formula {
 namespace {
 
-/// Names that other programs read as a constant or a limit.
-constexpr std::array taken_for_constants{"E",        "e",   "I",    "inf",  "Inf",
-                                         "INF",      "nan", "NaN",  "NAN",  "infinity",
-                                         "Infinity", "oo",  "true", "false"};
+/// Names that other programs read as a constant or a limit. (E is Young's modulus.)
+constexpr std::array taken_for_constants{"e",   "I",    "inf",  "Inf",      "INF",
+                                         "nan", "NaN",  "NAN",  "infinity", "Infinity",
+                                         "oo",  "true", "false"};
 
 struct Meant {
     std::string_view written;

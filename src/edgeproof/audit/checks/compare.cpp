@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/comparison.hpp"
-#include "edgeproof/audit/sample/body_fields.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -26,7 +25,7 @@ bool holds_derivative(const Expr& e) {
 Derivation derivation_of(const Claim& claim, const AuditContext& context) {
     Derivation found;
     const SymbolicCase under = symbolic_case(claim, context);
-    if (claim.has("over") && context.ledger().family(claim.text("over")).axisymmetric) {
+    if (claim.has("over") && context.ledger().family(claim.text("over")).axisymmetric()) {
         return found;
     }
     try {

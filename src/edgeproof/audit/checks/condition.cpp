@@ -2,6 +2,7 @@
 #include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
+#include "edgeproof/audit/checks/parts/comparison.hpp"
 #include "edgeproof/audit/checks/parts/margin.hpp"
 #include "edgeproof/audit/checks/parts/sweep.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -159,6 +160,30 @@ RelationInScene near_edge(const ConditionInScene& condition, const Real& nearest
     return result;
 }
 
+/// The condition, with the same formula on both sides of a relation whose sides are equal in
+/// symbols.
+PrintedCondition condition_of(const Claim& claim, const AuditContext& context) {
+    PrintedCondition read = printed_condition(claim);
+    const Family& family = context.ledger().family(claim.text("over"));
+    if (family.axisymmetric()) {
+        return read; // the derivations are those of plane contacts
+    }
+    SymbolicCase under = symbolic_case(claim, context);
+    under.full_stick = !family.has("friction") && family.union_of.empty();
+    for (Condition* condition : {&read.as_printed, &read.named}) {
+        for (Relation& r : *condition) {
+            try {
+                if (proved_equal(r.lhs, r.rhs, under)) {
+                    r.rhs = r.lhs;
+                }
+            } catch (const Error&) {
+                continue; // without algebra
+            }
+        }
+    }
+    return read;
+}
+
 /// Returns the negated condition; it must be a single inequality.
 Condition opposite(const Claim& claim, const Condition& condition) {
     using Op = Relation::Op;
@@ -251,7 +276,7 @@ void add_failure(const Claim& claim, const Sample& sample, unsigned digits, Outc
 Outcome along_sweep(const Claim& claim, const AuditContext& context) {
     const Sweep sweep = sweep_of(claim, context);
     const std::string& along = claim.text("along");
-    const PrintedCondition condition = printed_condition(claim);
+    const PrintedCondition condition = condition_of(claim, context);
     std::vector<Decision> decisions;
     std::vector<std::string> against;
     const Sample* first = nullptr;
@@ -297,7 +322,7 @@ Outcome check_condition(const Claim& claim, const AuditContext& context) {
         return along_sweep(claim, context);
     }
     const std::string holds = claim.text_or("holds", "everywhere");
-    PrintedCondition condition = printed_condition(claim);
+    PrintedCondition condition = condition_of(claim, context);
     if (holds == "nowhere") {
         condition.as_printed = opposite(claim, condition.as_printed);
         condition.named = opposite(claim, condition.named);

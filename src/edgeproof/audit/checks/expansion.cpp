@@ -50,11 +50,6 @@ struct Remainder {
     }
 };
 
-std::unique_ptr<contact::ProvedContact> contact_of(const Sample& sample, long bits) {
-    return contact::proved_contact(sample.scene.make_profile(), sample.scene.parameter("Es"),
-                                   contact::Load::right_edge(sample.scene.parameter("a")), bits);
-}
-
 /// Returns the order of exact - printed, from a value of the variable to a thousandth of it; not
 /// finite if the balls of the differences contain zero.
 Ball order_of_rest(EnclosedSample& at, const Sample& sample, const Expr& printed, const Expr& exact,
@@ -63,7 +58,7 @@ Ball order_of_rest(EnclosedSample& at, const Sample& sample, const Expr& printed
     const auto it = sample.variables.find(variable);
     const Ball far_at = it != sample.variables.end()
                             ? ball_of(it->second, at.bits())
-                            : contact_of(sample, at.bits())->reach(sample.edge) *
+                            : sample.scene.contact(at.bits())->reach(sample.edge) *
                                   pow_int(Ball(10, at.bits()), -decades);
     const auto left_over = [&](const Ball& value) {
         at.set(variable, value);
@@ -181,7 +176,7 @@ std::vector<std::string> fitted_slopes(const Sample& sample, const ExpansionComp
     const ResidualFitOptions options{.orders = count + 1, .digits = 20};
     std::vector<std::string> slopes;
     try {
-        const auto contact = contact_of(sample, options.bits());
+        const auto contact = sample.scene.contact(options.bits());
         const EnclosedSample at(sample, options.bits());
         std::vector<Ball> c(count, Ball(0, options.bits()));
         for (const auto& term : comparison.terms) {

@@ -28,13 +28,11 @@ std::size_t number_of_terms(const ReachQuestion& question) {
 
 Ball enclosed_reach(const SceneSpec& scene, const ReachQuestion& question, bool first_exit,
                     long bits) {
-    const contact::Profile profile = scene.make_profile();
-    const contact::Load load = contact::Load::right_edge(scene.parameter("a"));
     std::map<long, std::unique_ptr<contact::ProvedContact>> contacts;
     const auto contact_at = [&](long at_bits) -> const contact::ProvedContact& {
         auto& made = contacts[at_bits];
         if (!made) {
-            made = contact::proved_contact(profile, scene.parameter("Es"), load, at_bits);
+            made = scene.contact(at_bits);
         }
         return *made;
     };

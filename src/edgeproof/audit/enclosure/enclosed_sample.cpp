@@ -3,6 +3,8 @@
 
 #include "edgeproof/audit/enclosure/contact_formulas.hpp"
 #include "edgeproof/audit/enclosure/enclosed_reach.hpp"
+#include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
+#include "edgeproof/contact/stress/plane_stress.hpp"
 #include "edgeproof/precision/rounding/escalate.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
@@ -12,9 +14,8 @@ namespace edgeproof::audit {
 
 EnclosedSample::EnclosedSample(Sample sample, long bits, unsigned integral_digits)
     : sample_(std::move(sample)), bits_(bits), integral_digits_(integral_digits),
-      profile_(sample_.scene.make_profile()) {
-    const auto load = contact::Load::right_edge(sample_.scene.parameter("a"));
-    contact_ = contact::proved_contact(profile_, sample_.scene.parameter("Es"), load, bits_);
+      scene_(sample_.scene.as_scene()), profile_(*scene_->profile),
+      contact_(sample_.scene.contact(bits_)) {
     if (contact_->closed_form() == nullptr &&
         contact::monotonicity_of_slope(profile_, contact_->a(), contact_->b()).kind !=
             contact::SlopeMonotonicity::Kind::rises) {
@@ -56,7 +57,7 @@ bool EnclosedSample::diverges(const Expr& node) const {
 void EnclosedSample::set(const std::string& name, const Ball& value) {
     names_.insert_or_assign(name, value);
     overridden_.insert(name);
-    fields_.reset();
+    slip_.reset();
     integrals_.clear();
 }
 
@@ -83,17 +84,20 @@ Ball EnclosedSample::symbol(std::string_view name) const {
 }
 
 std::optional<Ball> EnclosedSample::quantity(std::string_view name) const {
-    if (name == "b") {
-        return contact().b();
+    if (name == "a" || name == "b") {
+        return name == "a" ? contact().a() : contact().b();
+    }
+    if (name == "Es") {
+        return ball_of(scene_->contact_modulus, bits_);
     }
     if (name == "L") {
         return length();
     }
     if (name == "P") {
-        return axisymmetric() ? ball_of(sample_.scene.total_force(), bits_) : contact().force();
+        return axisymmetric() ? ball_of(*scene_->round->force, bits_) : contact().force();
     }
     if (axisymmetric() && name == "delta") {
-        return ball_of(sample_.scene.approach(), bits_);
+        return ball_of(*scene_->round->approach, bits_);
     }
     if (name == "M") {
         return contact().moment();
@@ -114,13 +118,74 @@ std::optional<Ball> EnclosedSample::quantity(std::string_view name) const {
             return full_stick_expansion(length(), load(), edge, *k + 1).back();
         }
         if (slips() && name == side + "d") {
-            return partial_slip().slip().size(edge);
+            return partial_slip().proved.slip().size(edge);
         }
         if (slips() && name == (right ? "stick_a" : "stick_b")) {
-            return partial_slip().slip().stick().at(edge);
+            return partial_slip().proved.slip().stick().at(edge);
         }
     }
     return std::nullopt;
+}
+
+const EnclosedSample::PartialSlip& EnclosedSample::partial_slip() const {
+    if (!slip_) {
+        const Exact& modulus = scene_->contact_modulus;
+        const contact::ShearLoad<Ball> shear = load();
+        const auto force =
+            axisymmetric() ? std::optional(ball_of(*scene_->round->force, bits_)) : std::nullopt;
+        slip_.reset(new PartialSlip{contact::ProvedSlip(profile_, modulus, scene_->load, shear,
+                                                        symbol("friction"), bits_, force),
+                                    {}});
+        const contact::ProvedSlip& proved = slip_->proved;
+        if (proved.slip().admissible()) {
+            const Ball& tension = shear.bulk_tension;
+            slip_->parts.emplace(proved.slip(), proved.contact(), profile_, modulus,
+                                 !tension.is_exact() || !contains_zero(tension));
+        }
+    }
+    if (!slip_->parts) {
+        throw Error("no partial slip: the contact slides, or the stick zone leaves it");
+    }
+    return *slip_;
+}
+
+Ball EnclosedSample::stress(std::string_view name, const Ball& x, const Ball& z) const {
+    if (arb_is_nonnegative(z.data()) == 0) {
+        throw DomainError("a stress at a depth that may be negative");
+    }
+    const Box zeta(x, z);
+    const contact::CauchyIntegral p = contact::pressure_integral(contact(), zeta);
+    contact::CauchyIntegral q = p * Ball(0, z.bits());
+    if (slips()) {
+        q = partial_slip().parts->integral(p, zeta);
+    } else if (names_.contains("Q") || names_.contains("sig0")) {
+        q = cauchy_integral(contact::Extent<Ball>{contact().a(), contact().b()}, load(), zeta);
+    }
+    const contact::StressState at = stress_of(p, q, zeta, Ball(0, z.bits()));
+    return name == "sxx" ? at.sxx : name == "szz" ? at.szz : at.sxz;
+}
+
+Ball EnclosedSample::slip(const Ball& x) const {
+    const PartialSlip& slip = partial_slip();
+    if (!certainly_positive(contact().a() - x) || !certainly_positive(x + contact().b())) {
+        throw DomainError("the slip at a place that may be outside the contact");
+    }
+    if (slip.parts->closed() == nullptr) {
+        throw Error("'slip' has an enclosure only for piecewise linear slopes, and for power laws "
+                    "without sig0");
+    }
+    return slip.proved.slip().parts().front().ratio *
+           contact::gap_at(slip.parts->closed()->front(), x);
+}
+
+Ball EnclosedSample::gap(const Ball& x) const {
+    const Ball beyond = x - contact().a();
+    if (!certainly_positive(beyond) &&
+        (axisymmetric() || !certainly_positive(-x - contact().b()))) {
+        throw DomainError("the gap at a place that may be inside the contact");
+    }
+    return axisymmetric() ? axisymmetric_gap(closed_form("gap"), beyond)
+                          : contact::gap_at(closed_form("gap"), x);
 }
 
 Ball EnclosedSample::call(const Expr& node, std::span<const Ball> args) const {
@@ -135,13 +200,13 @@ Ball EnclosedSample::call(const Expr& node, std::span<const Ball> args) const {
         return slope(args[0]);
     }
     if (name == "gap") {
-        return gap_at(closed_form(name), axisymmetric(), args[0]);
+        return gap(args[0]);
     }
     if (name == "sxx" || name == "szz" || name == "sxz") {
-        return fields().stress(name, args[0], args[1]);
+        return stress(name, args[0], args[1]);
     }
     if (name == "slip") {
-        return fields().slip(args[0]);
+        return slip(args[0]);
     }
     if (name == "right_local") {
         return local(Edge::right, node, args);
@@ -247,7 +312,7 @@ void EnclosedSample::integral(const Expr& node,
     std::optional<ContactFormulas> formulas;
     if (!renamed && holds_function(node)) {
         formulas.emplace(profile_, closed_form("an integral"),
-                         ball_of(sample_.scene.parameter("Es"), bits_));
+                         ball_of(scene_->contact_modulus, bits_));
     }
     const std::function<Ball(std::string_view)> with_formulas = [&](std::string_view name) {
         if (formulas) {

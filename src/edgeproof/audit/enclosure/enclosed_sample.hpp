@@ -2,11 +2,11 @@
 #pragma once
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
-#include "edgeproof/audit/sample/body_fields.hpp"
 #include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/law/shear.hpp"
+#include "edgeproof/contact/stress/surface_gap.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -22,6 +22,25 @@
 #include <vector>
 
 namespace edgeproof::audit {
+
+/// Returns k of a name such as P2 or right_c1: one digit after the stem.
+[[nodiscard]] inline std::optional<std::size_t> order_behind(std::string_view name,
+                                                             std::string_view stem) {
+    if (!name.starts_with(stem) || name.size() != stem.size() + 1 || name.back() < '0' ||
+        name.back() > '9') {
+        return std::nullopt;
+    }
+    return static_cast<std::size_t>(name.back() - '0');
+}
+
+/// Returns c_0 sqrt(u) + ... + c_{n-1} u^(n-1/2) by Horner's rule.
+[[nodiscard]] inline Ball sum_of_terms(std::span<const Ball> c, const Ball& u) {
+    Ball sum(0, u.bits());
+    for (std::size_t k = c.size(); k-- > 0;) {
+        sum = sum * u + c[k];
+    }
+    return sum * sqrt(u);
+}
 
 /// Returns the value of a formula as an exact number, if it contains only parameters of the scene
 /// and variables of the sample; nothing for others.
@@ -113,7 +132,7 @@ private:
     }
     /// Returns the value of a name of a quantity of the contact; nothing for other names.
     [[nodiscard]] std::optional<Ball> quantity(std::string_view name) const;
-    [[nodiscard]] bool axisymmetric() const { return sample_.scene.axisymmetric; }
+    [[nodiscard]] bool axisymmetric() const { return scene_->round.has_value(); }
     [[nodiscard]] Ball force_derivative(std::size_t k) const {
         if (k == 1 && contact().closed_form() == nullptr) {
             // c_0 = 2 P'(a)/(pi sqrt(a + b)): docs/expansions.md
@@ -144,18 +163,17 @@ private:
         return {Q->second, tension->second};
     }
 
-    [[nodiscard]] const BodyFields& fields() const {
-        if (!fields_) {
-            const bool sheared = names_.contains("Q") || names_.contains("sig0");
-            fields_.emplace(sample_.scene, sheared ? std::optional(load()) : std::nullopt,
-                            slips() ? std::optional(symbol("friction")) : std::nullopt, bits_);
-        }
-        return *fields_;
-    }
-    /// For a scene with friction.
-    [[nodiscard]] const contact::ProvedSlip& partial_slip() const {
-        return fields().partial_slip();
-    }
+    struct PartialSlip {
+        contact::ProvedSlip proved;
+        std::optional<contact::TractionParts> parts;
+    };
+    /// For a scene with friction. Throws Error if the slip is proved not to be partial.
+    [[nodiscard]] const PartialSlip& partial_slip() const;
+    /// Returns sxx, szz or sxz in body A, which has no bulk stress; tension is positive.
+    [[nodiscard]] Ball stress(std::string_view name, const Ball& x, const Ball& z) const;
+    /// Returns u_A - u_B at a place in the contact.
+    [[nodiscard]] Ball slip(const Ball& x) const;
+    [[nodiscard]] Ball gap(const Ball& x) const;
     [[nodiscard]] Ball traction(const Expr& written, const Ball& at) const {
         if (!slips()) {
             const Edge edge = u_ ? sample_.edge : Edge::right;
@@ -165,7 +183,7 @@ private:
         const Edge edge = own_place                ? sample_.edge
                           : certainly_negative(at) ? Edge::left
                                                    : Edge::right;
-        return partial_slip().traction(edge, distance(edge, written, at));
+        return partial_slip().proved.traction(edge, distance(edge, written, at));
     }
 
     /// Calls use(integral, surroundings) with the variables of the sample put in.
@@ -219,8 +237,7 @@ private:
                                                        const Expr& written, const Ball& at) const {
         const contact::BallContact& contact = closed_form(function);
         if (const auto edge = constant(written); edge && edge->sign() > 0) {
-            return {profile_, sample_.scene.parameter("Es"), contact::Load::right_edge(*edge),
-                    bits_};
+            return {profile_, scene_->contact_modulus, contact::Load::right_edge(*edge), bits_};
         }
         if (!certainly_positive(at)) {
             throw Error(function + " of an argument that may not be positive");
@@ -240,12 +257,13 @@ private:
     Sample sample_;
     long bits_;
     unsigned integral_digits_;
-    contact::Profile profile_;
+    std::shared_ptr<const scene::Scene> scene_;
+    const contact::Profile& profile_;
     std::unique_ptr<contact::ProvedContact> contact_;
     std::optional<Ball> u_;
     std::map<std::string, Ball, std::less<>> names_;
     std::set<std::string> overridden_; ///< names whose exact value in the sample is no longer valid
-    mutable std::optional<BodyFields> fields_; ///< computed on first use
+    mutable std::unique_ptr<PartialSlip> slip_; ///< computed on first use
     mutable std::unique_ptr<EnclosedSample> next_;
     /// The integrals that were enclosed, or the reasons why they were not, for the many variants of
     /// a formula in a diagnosis.

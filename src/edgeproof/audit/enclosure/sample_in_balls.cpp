@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
-#include "edgeproof/audit/sample/body_fields.hpp"
 
 namespace edgeproof::audit {
 
@@ -88,22 +87,29 @@ bool allows_equality(const Relation& r) {
     return r.op == Op::equal || r.op == Op::less_equal || r.op == Op::greater_equal;
 }
 
+std::pair<Ball, Ball> sides_of(const Relation& r, const EnclosedSample& sample) {
+    const Ball lhs = sample.evaluate(r.lhs);
+    if (r.lhs == r.rhs && lhs.is_finite()) {
+        return {Ball(0, lhs.bits()), Ball(0, lhs.bits())};
+    }
+    return {lhs, sample.evaluate(r.rhs)};
+}
+
 Decision decide(const Relation& r, const EnclosedSample& sample, double digits,
                 SidesThatAgree agreeing) {
     using Op = Relation::Op;
-    const Ball lhs = sample.evaluate(r.lhs);
-    const Ball rhs = sample.evaluate(r.rhs);
+    const auto [lhs, rhs] = sides_of(r, sample);
     if (r.op == Op::equal) {
         return decision(Refutation::disjoint(lhs, rhs), equal(r, lhs, rhs, sample, digits));
     }
     const bool below = r.op == Op::less || r.op == Op::less_equal;
     const Ball& lesser = below ? lhs : rhs;
     const Ball& greater = below ? rhs : lhs;
-    const Decision strict =
-        decision(Refutation::less(greater, lesser), Confirmation::less(lesser, greater));
-    if (agreeing == SidesThatAgree::undecided || !allows_equality(r) ||
-        !std::holds_alternative<std::monostate>(strict)) {
-        return strict;
+    const bool or_equal = allows_equality(r);
+    const Decision ordered = decision(Refutation::less(greater, lesser, !or_equal),
+                                      Confirmation::less(lesser, greater, or_equal));
+    if (agreeing == SidesThatAgree::undecided || !or_equal || !is_open(ordered)) {
+        return ordered;
     }
     return decision(std::nullopt, equal(r, lhs, rhs, sample, digits));
 }

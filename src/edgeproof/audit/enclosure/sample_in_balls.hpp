@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace edgeproof::audit {
 
@@ -68,6 +69,11 @@ enum class SidesThatAgree {
     undecided, ///< the relation is not decided
     equal      ///< the relation holds if the sides agree to the digits required
 };
+
+/// The enclosures of both sides; exactly 0 if they are the same formula with a value here. Then
+/// enclosures decide relations whose sides are equal in symbols, too.
+[[nodiscard]] std::pair<Ball, Ball> sides_of(const Relation& relation,
+                                             const EnclosedSample& sample);
 
 /// Whether a relation holds, by the enclosures of both sides. Sides that are equal to `digits`
 /// digits, relative to the sizes of their terms, satisfy =.

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/family.hpp"
 
-#include "edgeproof/contact/axisymmetric/axisymmetric_power_law.hpp"
-#include "edgeproof/contact/curved/proved_slip.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/io/text_file.hpp"
+#include "edgeproof/precision/bounded_cache.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/rounding/escalate.hpp"
 #include "edgeproof/precision/split_mix.hpp"
+#include "edgeproof/scene/input/readers.hpp"
+#include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <concepts>
+#include <iterator>
 #include <numeric>
 
 namespace edgeproof::audit {
@@ -27,138 +27,111 @@ formula::Definitions resolved(const Family& family, const formula::Definitions& 
     }
 }
 
-using contact::Profile;
+constexpr std::string_view loads[] = {"a", "P", "width", "delta"};
+constexpr std::string_view moduli[] = {"E", "nu", "E1", "nu1", "E2", "nu2"};
 
-Exact number(long n) { return Exact(Expr::number(n)); }
-
-/// The constructor of a profile and the parameters that it needs.
-struct ProfileMaker {
-    std::string_view name;
-    std::vector<std::string_view> keys;
-    std::function<Profile(const SceneSpec&)> make;
-};
-
-const std::vector<ProfileMaker>& profile_makers() {
-    static const std::vector<ProfileMaker> makers{
-        {"power-law",
-         {"m", "C"},
-         [](const SceneSpec& s) { return Profile::power_law(s.parameter("C"), s.parameter("m")); }},
-        {"flat-and-rounded",
-         {"t", "R"},
-         [](const SceneSpec& s) {
-             return Profile::flat_and_rounded(s.parameter("t"), s.parameter("R"));
-         }},
-        {"tilted-wedge",
-         {"phi", "alpha"},
-         [](const SceneSpec& s) {
-             return Profile::tilted_wedge(s.parameter("phi"), s.parameter("alpha"));
-         }},
-        {"tilted-flat-and-rounded",
-         {"alpha", "t", "R"},
-         [](const SceneSpec& s) {
-             return Profile::tilted_flat_and_rounded(s.parameter("alpha"), s.parameter("t"),
-                                                     s.parameter("R"));
-         }},
-        {"piecewise", {}, [](const SceneSpec& s) { return Profile::piecewise(s.knots, s.slopes); }},
-        {"piecewise-symmetric",
-         {},
-         [](const SceneSpec& s) { return Profile::piecewise_symmetric(s.knots, s.slopes); }},
-        {"flat-punch",
-         {"P"},
-         [](const SceneSpec&) { return Profile::power_law(number(1), number(1)); }},
-    };
-    return makers;
-}
-
-const ProfileMaker& maker_of(std::string_view profile) {
-    for (const ProfileMaker& maker : profile_makers()) {
-        if (maker.name == profile) {
-            return maker;
+/// Calls use(key of a scene, parameter) for each parameter that defines a contact without shear.
+template <class Has, class Use>
+void for_contact(const std::string& profile, const Has& has, const Use& use) {
+    const bool punch = is_flat_punch(profile);
+    for (const std::string_view key : scene::keys_of_profile(profile)) {
+        if (has(key)) {
+            use("profile", key, key);
         }
     }
-    throw InputError("unknown profile '" + std::string(profile) + "'",
-                     "write power-law, flat-and-rounded, tilted-wedge, tilted-flat-and-rounded, "
-                     "piecewise, piecewise-symmetric or flat-punch");
-}
-
-constexpr long first_slip_bits = 128;
-constexpr long last_slip_bits = 2048;
-constexpr long last_curved_slip_bits = 512;
-constexpr int shown_slip_digits = 8;
-
-std::string shown(const Real& x) { return x.str(shown_slip_digits); }
-
-/// Throws InputError if the slip is proved not to be partial.
-void refuse_slip(const SceneSpec& scene, const contact::ProvedSlip& found) {
-    const contact::BallSlip& slip = found.slip();
-    if (slip.sliding()) {
-        throw InputError("the contact slides in the scene " + scene.text() +
-                             ": |Q| is not less than friction*P = " +
-                             shown(Ball(slip.friction() * slip.force()).midpoint()),
-                         "give a smaller Q, or a greater friction, so that |Q| < friction*P");
+    const auto load = std::ranges::find_if(loads, has);
+    if (load != std::end(loads)) {
+        use("load", *load, *load);
     }
-    if (slip.beyond()) {
-        const bool right = *slip.beyond() == Edge::right;
-        const Real one = slip.tension_limit(Edge::right).midpoint();
-        const Real other = slip.tension_limit(Edge::left).midpoint();
-        throw InputError("sig0 draws the stick zone beyond the " +
-                             std::string(right ? "right" : "left") + " edge in the scene " +
-                             scene.text() + ": that edge would slip against Q",
-                         "give a sig0 between " + shown(std::min(one, other)) + " and " +
-                             shown(std::max(one, other)) + ", the bounds for this Q");
+    if (has("Es") && !punch) {
+        use("load", "contact_modulus", "Es");
+        return;
+    }
+    for (const std::string_view key : moduli) {
+        if (has(key) && !punch) {
+            use("load", key, key);
+        }
     }
 }
+
+std::vector<io::TomlTable> tables_of(const SceneSpec& spec) {
+    std::vector<io::TomlTable> tables{{"profile", 0, {}}, {"load", 0, {}}};
+    const auto put = [&](std::size_t table, std::string_view key, auto value) {
+        tables[table].entries.push_back({std::string(key), std::move(value)});
+    };
+    if (spec.flat_punch()) {
+        tables[0].entries = {{"kind", "power-law"}, {"m", "1"}, {"C", "1"}};
+        put(1, "contact_modulus", std::string("1"));
+    } else {
+        const bool symmetric = spec.profile == "piecewise-symmetric";
+        put(0, "kind", symmetric ? "piecewise" : spec.profile);
+        if (symmetric) {
+            put(0, "symmetric", true);
+        }
+    }
+    if (!spec.geometry.empty()) {
+        put(0, "geometry", spec.geometry);
+    }
+    const auto put_list = [&](const char* key, const auto& list) {
+        std::vector<std::string> texts;
+        for (const auto& item : list) {
+            if constexpr (std::same_as<std::decay_t<decltype(item)>, Exact>) {
+                texts.push_back(item.text());
+            } else {
+                texts.push_back(to_text(item));
+            }
+        }
+        if (!texts.empty()) {
+            put(0, key, std::move(texts));
+        }
+    };
+    put_list("knots", spec.knots);
+    put_list("slopes", spec.slopes);
+    for_contact(
+        spec.profile, [&](std::string_view name) { return spec.parameters.contains(name); },
+        [&](std::string_view table, std::string_view key, std::string_view name) {
+            put(table == "load" ? 1 : 0, key, spec.parameter(name).text());
+        });
+    return tables;
+}
+
+constexpr int digits_of_slip = 8;
 
 } // namespace
 
-const std::vector<std::string_view>& profile_keys(const std::string& profile) {
-    return maker_of(profile).keys;
+std::vector<std::string_view> keys_of_contact(const Family& family) {
+    std::vector<std::string_view> names;
+    for_contact(
+        family.profile, [&](std::string_view name) { return family.has(name); },
+        [&](std::string_view, std::string_view, std::string_view name) { names.push_back(name); });
+    return names;
 }
 
-bool is_piecewise(std::string_view profile) { return profile.starts_with("piecewise"); }
 bool is_flat_punch(std::string_view profile) { return profile == "flat-punch"; }
 
-void require_partial_slip(const SceneSpec& scene) {
-    if (scene.parameter("friction").sign() <= 0) {
-        throw InputError("friction = " + scene.parameter("friction").text() + " is not positive",
-                         "give a coefficient of friction > 0, or leave it out: the contact sticks "
-                         "everywhere then");
+void require_partial_slip(const SceneSpec& spec) {
+    const scene::AskedValue stick{.quantity = scene::Quantity::stick_a};
+    try {
+        std::vector<io::TomlTable> tables = tables_of(spec);
+        tables.push_back({"shear", 0, {{"friction", spec.parameter("friction").text()}}});
+        tables.back().entries.push_back({"Q", spec.parameter("Q").text()});
+        if (spec.parameter("sig0").sign() != 0) {
+            tables.back().entries.push_back({"bulk_tension", spec.parameter("sig0").text()});
+        }
+        const scene::Scene scene = scene::contact_with_keys(tables);
+        static_cast<void>(
+            scene::SceneValues(scene, {stick}, scene::Digits{digits_of_slip}).value(stick));
+    } catch (const InputError& error) {
+        throw InputError(error.problem() + " (in the scene " + spec.text() + ")", error.instead());
+    } catch (const Error& error) {
+        throw InputError("no stick zone inside the contact is enclosed in the scene " +
+                             spec.text() + ": " + error.what(),
+                         "give another Q, sig0 or friction");
     }
-    if (scene.parameter("Q").sign() == 0) {
-        throw InputError("Q = 0 in a scene with friction: no partial slip is defined",
-                         "give a Q that is not zero, or leave friction out");
-    }
-    const bool closed = scene.make_profile().has_closed_form();
-    const long last = closed ? last_slip_bits : last_curved_slip_bits;
-    const std::string problem = look_closer(
-        [&](long bits) {
-            try {
-                const contact::ProvedSlip found = scene.partial_slip(bits);
-                refuse_slip(scene, found);
-                return certainly_positive(found.slip().size(Edge::right)) &&
-                       certainly_positive(found.slip().size(Edge::left));
-            } catch (const DomainError&) {
-                return false; // try again with more bits
-            }
-        },
-        {first_slip_bits, last});
-    if (problem.empty()) {
-        return;
-    }
-    throw InputError(
-        "no stick zone inside the contact is enclosed by " + std::to_string(last) +
-            " bits in the scene " + scene.text() +
-            ": |Q| may be friction*P, the stick zone may reach an edge of the contact, "
-            "or end on a corner",
-        "give another Q, sig0 or friction");
 }
 
 const Exact& SceneSpec::parameter(std::string_view name) const {
     const auto it = parameters.find(name);
-    if (it == parameters.end() && name == "Es" && flat_punch()) {
-        static const Exact any = number(1); // the pressure does not depend on it
-        return any;
-    }
     if (it == parameters.end()) {
         throw InputError("a scene of family " + family + " has no " + std::string(name),
                          "add " + std::string(name) + " = [\"...\"] to the family");
@@ -170,38 +143,28 @@ std::map<std::string, Exact, std::less<>> SceneSpec::names() const {
     auto all = parameters;
     if (flat_punch()) {
         all.insert_or_assign("Q", parameter("P"));
-        all.insert_or_assign("sig0", number(0));
+        all.insert_or_assign("sig0", Exact());
     }
     return all;
 }
 
-contact::Profile SceneSpec::make_profile() const {
-    const Profile made = maker_of(profile).make(*this);
-    return axisymmetric ? contact::AxisymmetricPowerLaw::of(made).plane() : made;
+std::shared_ptr<const scene::Scene> SceneSpec::as_scene() const {
+    constexpr std::size_t most_kept = 64;
+    thread_local BoundedCache<std::string, const scene::Scene> kept(most_kept);
+    const std::vector<io::TomlTable> tables = tables_of(*this);
+    return kept.get(scene::scene_text(tables), [&] {
+        auto made = std::make_shared<const scene::Scene>(scene::contact_with_keys(tables));
+        if (made->round && !made->round->law) {
+            throw InputError("of the bodies of revolution a family has power laws only",
+                             "write profile = \"sphere\", cone or power-law");
+        }
+        return made;
+    });
 }
 
-Exact SceneSpec::total_force() const {
-    return contact::AxisymmetricPowerLaw::of(maker_of(profile).make(*this))
-        .force(parameter("Es"), parameter("a"));
-}
-
-Exact SceneSpec::approach() const {
-    return contact::AxisymmetricPowerLaw::of(maker_of(profile).make(*this))
-        .approach(parameter("a"));
-}
-
-contact::ProvedSlip SceneSpec::partial_slip(long bits) const {
-    return {make_profile(),
-            parameter("Es"),
-            contact::Load::right_edge(parameter("a")),
-            {formula::ball_of(parameter("Q"), bits), formula::ball_of(parameter("sig0"), bits)},
-            formula::ball_of(parameter("friction"), bits),
-            bits,
-            force_of_slip(bits)};
-}
-
-std::optional<Ball> SceneSpec::force_of_slip(long bits) const {
-    return axisymmetric ? std::optional(formula::ball_of(total_force(), bits)) : std::nullopt;
+std::unique_ptr<contact::ProvedContact> SceneSpec::contact(long bits) const {
+    const auto made = as_scene();
+    return contact::proved_contact(*made->profile, made->contact_modulus, made->load, bits);
 }
 
 std::string SceneSpec::text() const {
@@ -255,7 +218,7 @@ std::vector<SceneSpec> draw_scenes(const Family& family, const std::vector<Famil
         SceneSpec scene;
         scene.family = family.name;
         scene.profile = family.profile;
-        scene.axisymmetric = family.axisymmetric;
+        scene.geometry = family.geometry;
         const formula::Definitions parameters = resolved(family, chosen);
         for (const auto& [name, value] : parameters) {
             scene.parameters.emplace(name, Exact(value));

@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/contact/profile/edge.hpp"
-#include "edgeproof/contact/profile/profile.hpp"
-#include "edgeproof/formula/exact/exact.hpp"
-#include "edgeproof/precision/ball/ball.hpp"
+#include "edgeproof/contact/enclosure/proved_contact.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace edgeproof::contact {
-class ProvedSlip;
-}
 
 namespace edgeproof::audit {
 
@@ -29,14 +24,14 @@ using formula::Expr;
 /// One scene of a family; all its numbers are exact.
 struct SceneSpec {
     std::string family;  ///< the family from which it was drawn (not the union of families)
-    std::string profile; ///< "power-law", ...
-    /// All parameters of the family: those of the profile, `a` (or `P`), `Es` (E*), and its own.
+    std::string profile; ///< the kind of a scene's profile, "piecewise-symmetric" or "flat-punch"
+    /// All parameters of the family: those with names of keys of a scene (`Es` for
+    /// `contact_modulus`, `sig0` for `bulk_tension`), and its own.
     std::map<std::string, Exact, std::less<>> parameters;
+    std::string geometry; ///< of the scene; may be empty
     /// For the profile "piecewise": slopes as functions of x between ascending knots.
     std::vector<Exact> knots;
     std::vector<Expr> slopes;
-    /// True for a body of revolution, a power law with x for the radius (docs/axisymmetric.md).
-    bool axisymmetric = false;
 
     [[nodiscard]] const Exact& parameter(std::string_view name) const;
     /// True for a rigid flat punch with sharp edges under the force P. It has no slope: its
@@ -44,18 +39,13 @@ struct SceneSpec {
     [[nodiscard]] bool flat_punch() const { return is_flat_punch(profile); }
     /// Returns the values of the names in formulas: the parameters, and of a flat punch Q and sig0.
     [[nodiscard]] std::map<std::string, Exact, std::less<>> names() const;
-    /// Returns the profile; for a body of revolution that of the plane contact with the same
-    /// pressure, and for a flat punch one with the same edges.
-    [[nodiscard]] contact::Profile make_profile() const;
-    /// The total force P and the approach delta of a body of revolution.
-    [[nodiscard]] Exact total_force() const;
-    [[nodiscard]] Exact approach() const;
+    /// The scene without shear, by the reader of scenes; of a flat punch one with the same edges.
+    /// Throws InputError as that reader does, and for bodies of revolution that are no power laws.
+    [[nodiscard]] std::shared_ptr<const scene::Scene> as_scene() const;
+    /// Its contact in balls.
+    [[nodiscard]] std::unique_ptr<contact::ProvedContact> contact(long bits) const;
     /// True if there is friction: then q(x) is the traction in partial slip.
     [[nodiscard]] bool slips() const { return parameters.contains("friction"); }
-    /// Returns the enclosed partial slip. Throws as ProvedSlip does.
-    [[nodiscard]] contact::ProvedSlip partial_slip(long bits) const;
-    /// The total force of an axisymmetric scene, for ProvedSlip.
-    [[nodiscard]] std::optional<Ball> force_of_slip(long bits) const;
     /// Returns the parameters in the order of their names: "a = 3/7, m = 5/8".
     [[nodiscard]] std::string text() const;
 };
@@ -65,7 +55,7 @@ struct SceneSpec {
 struct Family {
     std::string name;
     std::string profile;
-    bool axisymmetric = false; ///< as in SceneSpec
+    std::string geometry;
     std::vector<std::pair<std::string, std::vector<Expr>>> parameters;
     std::vector<Expr> knots;
     std::vector<Expr> slopes;
@@ -78,12 +68,14 @@ struct Family {
     std::map<std::string, std::size_t, std::less<>> lines; ///< of the parameters
 
     [[nodiscard]] bool has(std::string_view parameter) const { return lines.contains(parameter); }
+    /// True for bodies of revolution, with x for the radius (docs/axisymmetric.md).
+    [[nodiscard]] bool axisymmetric() const {
+        return geometry == "axisymmetric" || profile == "sphere" || profile == "cone";
+    }
 };
 
-/// The parameters that a profile needs. Throws InputError for an unknown profile.
-[[nodiscard]] const std::vector<std::string_view>& profile_keys(const std::string& profile);
-/// True if the slope is given piece by piece, by `knots` and `slopes`.
-[[nodiscard]] bool is_piecewise(std::string_view profile);
+/// The parameters of a family that define its contact without shear.
+[[nodiscard]] std::vector<std::string_view> keys_of_contact(const Family& family);
 
 /// Throws InputError if the scene has no partial slip as docs/partial-slip.md defines it: the
 /// contact slides, or the bulk tension moves the stick zone to an edge.

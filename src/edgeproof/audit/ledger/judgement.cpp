@@ -13,18 +13,19 @@ std::optional<Refutation> Refutation::disjoint(const Ball& claimed, const Ball& 
 
 namespace {
 
-bool proved_less(const Ball& x, const Ball& y) {
-    return x.is_finite() && y.is_finite() && certainly_less(x, y);
+bool proved_less(const Ball& x, const Ball& y, bool or_equal) {
+    return x.is_finite() && y.is_finite() &&
+           (or_equal ? arb_le(x.data(), y.data()) != 0 : certainly_less(x, y));
 }
 
 } // namespace
 
-std::optional<Refutation> Refutation::less(const Ball& x, const Ball& y) {
-    return proved_less(x, y) ? std::optional(Refutation()) : std::nullopt;
+std::optional<Refutation> Refutation::less(const Ball& x, const Ball& y, bool or_equal) {
+    return proved_less(x, y, or_equal) ? std::optional(Refutation()) : std::nullopt;
 }
 
-std::optional<Confirmation> Confirmation::less(const Ball& x, const Ball& y) {
-    return proved_less(x, y) ? std::optional(Confirmation()) : std::nullopt;
+std::optional<Confirmation> Confirmation::less(const Ball& x, const Ball& y, bool or_equal) {
+    return proved_less(x, y, or_equal) ? std::optional(Confirmation()) : std::nullopt;
 }
 
 std::optional<Confirmation> Confirmation::agreement(const Ball& claimed, const Ball& found,

@@ -44,8 +44,9 @@ class Refutation {
 public:
     /// Made if the balls are finite and disjoint.
     [[nodiscard]] static std::optional<Refutation> disjoint(const Ball& claimed, const Ball& found);
-    /// Made if `x < y` is proved.
-    [[nodiscard]] static std::optional<Refutation> less(const Ball& x, const Ball& y);
+    /// Made if `x < y` is proved, or with `or_equal` `x <= y`.
+    [[nodiscard]] static std::optional<Refutation> less(const Ball& x, const Ball& y,
+                                                        bool or_equal = false);
 
 private:
     Refutation() = default;
@@ -57,8 +58,9 @@ public:
     /// Made if |claimed - found| <= 10^-digits * scale, scale > 0, or exact equality is proved.
     [[nodiscard]] static std::optional<Confirmation>
     agreement(const Ball& claimed, const Ball& found, const Ball& scale, double digits);
-    /// Made if `x < y` is proved.
-    [[nodiscard]] static std::optional<Confirmation> less(const Ball& x, const Ball& y);
+    /// Made if `x < y` is proved, or with `or_equal` `x <= y`.
+    [[nodiscard]] static std::optional<Confirmation> less(const Ball& x, const Ball& y,
+                                                          bool or_equal = false);
     /// Made if `lower <= x < upper` is proved.
     [[nodiscard]] static std::optional<Confirmation> within(const Ball& x, const Rational& lower,
                                                             const Rational& upper);

@@ -48,10 +48,10 @@ public:
                               "name families that are defined above the union");
             }
             const auto of = std::ranges::find(above, member, &Family::name);
-            if (of->axisymmetric || is_flat_punch(of->profile)) {
+            if (of->axisymmetric() || is_flat_punch(of->profile)) {
                 table_.reject("union",
                               "the family '" + member + "' is " +
-                                  (of->axisymmetric ? "axisymmetric" : "a flat punch"),
+                                  (of->axisymmetric() ? "axisymmetric" : "a flat punch"),
                               "name families of plane contacts with a slope only");
             }
         }
@@ -63,19 +63,10 @@ private:
 
     void read_own() {
         family_.profile = table_.written("profile");
-        static_cast<void>(profile_keys(family_.profile)); // throws for an unknown profile
-        read_geometry();
+        family_.geometry = table_.written_or("geometry", "");
         const std::size_t longest = read_parameters();
-        read_shear();
         formula::Symbols with_x = names_;
         with_x.add("x");
-        for (const char* key : {"knots", "slopes"}) {
-            if (table_.has(key) && !is_piecewise(family_.profile)) {
-                table_.reject(
-                    key, std::string(key) + " have no effect: the profile is " + family_.profile,
-                    "leave them out, or write profile = \"piecewise\"");
-            }
-        }
         family_.knots = formulas("knots", names_);
         family_.slopes = formulas("slopes", with_x);
         read_fractions();
@@ -88,22 +79,6 @@ private:
                 std::to_string(family_.count) + " scenes of " + std::to_string(family_.points) +
                     " points each are samples for more than 1 GB of memory",
                 "give count and points with a product of at most " + std::to_string(most_samples));
-        }
-    }
-
-    void read_geometry() {
-        const std::string geometry = table_.has("geometry") ? table_.written("geometry") : "plane";
-        family_.axisymmetric = geometry == "axisymmetric";
-        if (!family_.axisymmetric && geometry != "plane") {
-            table_.reject("geometry", "unknown geometry '" + geometry + "'",
-                          "write plane or axisymmetric");
-        }
-        if (family_.axisymmetric && family_.profile != "power-law") {
-            table_.reject("geometry",
-                          "of the bodies of revolution a family has power laws only, and the "
-                          "profile is " +
-                              family_.profile,
-                          "write profile = \"power-law\" (sphere: m = 1, C = 1/R; cone: m = 0)");
         }
     }
 
@@ -132,52 +107,22 @@ private:
             longest = std::max(longest, values.size());
             family_.parameters.emplace_back(name, std::move(values));
         }
-        const bool punch = is_flat_punch(family_.profile);
-        for (const std::string_view needed : {"a", punch ? "P" : "Es"}) {
-            if (!names_.has(needed)) {
-                table_.reject("parameters",
-                              "the family " + family_.name + " has no " + std::string(needed),
-                              "add " + std::string(needed) +
-                                  " = [\"...\"] to its parameters (a: right edge, " +
-                                  (punch ? "P: force)" : "Es: E*)"));
-            }
-        }
         return longest;
     }
 
     /// Refuses a parameter that would hide a value computed by the scene.
     void refuse_computed(const io::TomlSection& parameters, const std::string& name) const {
+        const bool without_a = !parameters.has("a") || is_flat_punch(family_.profile);
         const bool given =
-            name == "a" || name == "Es" || (name == "P" && is_flat_punch(family_.profile));
+            name == "a" || name == "Es" || ((name == "P" || name == "delta") && without_a);
         const bool computed = std::ranges::find(scene_symbols(), name) != scene_symbols().end() ||
                               std::ranges::find(slip_symbols(), name) != slip_symbols().end() ||
-                              (family_.axisymmetric && name == "delta");
+                              (family_.axisymmetric() && name == "delta");
         if (computed && !given) {
             parameters.reject(name,
                               name + " is computed from the other parameters and the place: a "
                                      "parameter of this name has no effect on the contact",
                               "leave it out, or give it another name");
-        }
-    }
-
-    void read_shear() const {
-        for (const char* shear : {"friction", "Q", "sig0"}) {
-            const bool punch = is_flat_punch(family_.profile);
-            const bool slips = family_.has("friction") && std::string_view(shear) != "sig0";
-            if ((punch || (family_.axisymmetric && !slips)) && family_.has(shear)) {
-                throw InputError("the family " + family_.name +
-                                     (punch ? " is a flat punch: " : " is axisymmetric: ") + shear +
-                                     " has no effect on it",
-                                 "leave it out, or give it another name")
-                    .at(file_, family_.lines.at(shear));
-            }
-        }
-        if (family_.has("friction") && !family_.has("Q")) {
-            throw InputError(
-                "the family " + family_.name + " has friction and no Q: nothing slips",
-                "add Q = [\"...\"], the shear force per unit length, or leave friction "
-                "out")
-                .at(file_, family_.lines.at("friction"));
         }
     }
 
@@ -233,13 +178,10 @@ void try_drawing(const Family& family, const std::string& file, const std::vecto
     try {
         scenes = draw_scenes(family, all);
         for (const SceneSpec& scene : scenes) {
-            static_cast<void>(scene.make_profile());
-            for (const char* positive : {"a", scene.flat_punch() ? "P" : "Es"}) {
-                if (scene.parameter(positive).sign() <= 0) {
-                    throw InputError(std::string(positive) + " = " +
-                                         scene.parameter(positive).text() + " is not positive",
-                                     "give " + std::string(positive) + " > 0");
-                }
+            static_cast<void>(scene.as_scene());
+            if (scene.flat_punch() && scene.parameter("P").sign() <= 0) {
+                throw InputError("P = " + scene.parameter("P").text() + " is not positive",
+                                 "give P > 0");
             }
         }
     } catch (const Error&) {
@@ -313,8 +255,14 @@ constexpr std::pair<std::string_view, std::string_view> other_names[] = {{"mu", 
                                                                          {"tension", "sig0"},
                                                                          {"contact_modulus", "Es"}};
 
+/// True for the contacts whose traction under full stick is known.
+bool can_stick(const Family& family) {
+    return !family.axisymmetric() && !is_flat_punch(family.profile);
+}
+
 std::string instead_of_unused(const Family& family, const std::string& name) {
-    if ((name == "Q" || name == "sig0") && !family.has(name == "Q" ? "sig0" : "Q")) {
+    if (can_stick(family) && (name == "Q" || name == "sig0") &&
+        !family.has(name == "Q" ? "sig0" : "Q")) {
         return "add " + std::string(name == "Q" ? "sig0" : "Q") +
                ", without which there is no shear traction, or leave " + name + " out";
     }
@@ -328,11 +276,12 @@ std::string instead_of_unused(const Family& family, const std::string& name) {
 
 /// `names`: the names used by the claims over the family.
 void refuse_unused_of(const Family& family, std::set<std::string> names, const std::string& file) {
-    names.insert({"a", is_flat_punch(family.profile) ? "P" : "Es"});
-    for (const std::string_view key : profile_keys(family.profile)) {
-        names.emplace(key);
-    }
-    if (family.has("Q") && (family.has("sig0") || family.has("friction"))) {
+    const std::vector<std::string_view> of_contact = keys_of_contact(family);
+    names.insert(of_contact.begin(), of_contact.end());
+    if (is_flat_punch(family.profile)) {
+        names.insert("P");
+    } else if (family.has("Q") &&
+               (family.has("friction") || (can_stick(family) && family.has("sig0")))) {
         names.insert({"Q", "sig0", "friction"});
     }
     for (const auto* formulas : {&family.knots, &family.slopes}) {

@@ -235,7 +235,7 @@ Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim) {
             parameters.insert(name);
         }
         refuse_names(v, friction_of(ledger, *it), over);
-        if (it->axisymmetric) {
+        if (it->axisymmetric()) {
             add_name(v.symbols, "delta");
             refuse_plane_names(v, claim, over, friction_of(ledger, *it).all);
         }

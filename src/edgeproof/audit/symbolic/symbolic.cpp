@@ -295,9 +295,36 @@ Expr derive(const Expr& e, const SymbolicCase& under) { return form_in(e, under)
 
 Expr derivative(const Expr& e, const std::string& name) { return from(e).derivative(name).expr(); }
 
+namespace {
+
+/// Puts the loads of given(f, Q = ...) and given(f, sig0 = ...) into f. Nothing else depends on
+/// them.
+Expr with_given_loads(const Expr& e, const SymbolicCase& under) {
+    if (!under.full_stick || !holds_call(e, "given")) {
+        return e;
+    }
+    std::vector<Expr> args;
+    for (const Expr& part : e.args()) {
+        args.push_back(with_given_loads(part, under));
+    }
+    if (e.name() == "given" && (args[1] == Expr::symbol("Q") || args[1] == Expr::symbol("sig0"))) {
+        const Expr f = derive(args[0], under);
+        const bool of_contact = any_part(f, [](const Expr& part) {
+            return part.kind() == Expr::Kind::call && part.builtin() == formula::Builtin::none;
+        });
+        if (!of_contact) {
+            return substitute(f, args[1].name(), args[2]);
+        }
+    }
+    return Expr::with_args(e, std::move(args));
+}
+
+} // namespace
+
 bool proved_equal(const Expr& x, const Expr& y, const SymbolicCase& under) {
     const SymbolField field(under);
-    return meaning_of(x, field) == meaning_of(y, field);
+    return meaning_of(with_given_loads(x, under), field) ==
+           meaning_of(with_given_loads(y, under), field);
 }
 
 ExpansionComparison compare_expansions(const Expr& printed, const Expr& derived,

@@ -66,7 +66,8 @@ struct ExpansionComparison {
 /// Returns the partial derivative, with respect to a free name, of a formula returned by derive.
 /// Throws Error if a function that contains the name has no symbolic derivative.
 [[nodiscard]] Expr derivative(const Expr& e, const std::string& name);
-/// True if x - y is shown to vanish identically (lengths positive); false shows nothing.
+/// True if x - y is shown to vanish identically (lengths positive); false shows nothing. Under full
+/// stick, given(f, Q = ...) and given(f, sig0 = ...) have a meaning.
 [[nodiscard]] bool proved_equal(const Expr& x, const Expr& y, const SymbolicCase& under);
 /// Compares the terms up to `in.through`. Throws DomainError where there is no expansion.
 [[nodiscard]] ExpansionComparison compare_expansions(const Expr& printed, const Expr& derived,

@@ -3,7 +3,6 @@
 
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/parts/residual_fit.hpp"
-#include "edgeproof/audit/sample/body_fields.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
@@ -81,9 +80,7 @@ std::optional<Plot> plot_in(const audit::Sample& sample, const audit::Claim& cla
     }
     const long bits = formula::bits_for(2 * digits);
     const audit::EnclosedSample at(sample, bits);
-    const auto contact =
-        contact::proved_contact(sample.scene.make_profile(), sample.scene.parameter("Es"),
-                                contact::Load::right_edge(sample.scene.parameter("a")), bits);
+    const auto contact = sample.scene.contact(bits);
     const PrecisionScope scope(digits + 10);
     const std::vector<Ball> c = contact->expansion(which.edge, which.k + 1);
     const Ball printed = at.finite(says);

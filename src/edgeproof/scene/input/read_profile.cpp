@@ -54,16 +54,6 @@ Profile read_round_bodies(const io::TomlSection& section, bool two, std::optiona
     return Profile::power_law(C, Exact(whole(1)));
 }
 
-/// Below this range, the pressure at the apex agrees with that of a wedge to more digits than any
-/// search can resolve; above it, the flanks are practically vertical.
-void check_exponent(const Exact& m) {
-    static const Expr least = Expr::number(parse_decimal("1e-10"));
-    if (m.sign() > 0 && (is_less(m.expr(), least) || is_less(whole(1'000'000), m.expr()))) {
-        throw InputError("the power-law exponent m = " + m.text() + " is out of range",
-                         "give 0 (a wedge), or a number from 1e-10 to 1000000");
-    }
-}
-
 /// Runs a maker; its errors get the line of the parameter that they name.
 template <class Make>
 auto located(const io::TomlSection& section, const std::vector<std::string_view>& parameters,
@@ -139,10 +129,7 @@ const std::vector<ProfileKind>& profile_kinds() {
     static const std::vector<ProfileKind> kinds{
         {"power-law",
          {"m", "C"},
-         [](const Get& get) {
-             check_exponent(get("m"));
-             return Profile::power_law(get("C"), get("m"));
-         }},
+         [](const Get& get) { return Profile::power_law(get("C"), get("m")); }},
         {"wedge", {"phi"}, wedge},
         {"cone", {"phi"}, wedge},
         {"flat-and-rounded",
@@ -180,6 +167,30 @@ void check_tilt(const io::TomlSection& section, const std::string& kind, bool ti
 }
 
 } // namespace
+
+/// Below this range, the pressure at the apex agrees with that of a wedge to more digits than any
+/// search can resolve; above it, the flanks are practically vertical.
+void check_exponent(const io::TomlSection& section) {
+    static const Expr least = Expr::number(parse_decimal("1e-10"));
+    const Exact m = section.has("m") ? section.exact("m") : Exact();
+    if (m.sign() > 0 && (is_less(m.expr(), least) || is_less(whole(1'000'000), m.expr()))) {
+        section.reject("m", "the power-law exponent m = " + m.text() + " is out of range",
+                       "give 0 (a wedge), or a number from 1e-10 to 1000000");
+    }
+}
+
+std::vector<std::string_view> keys_of_profile(std::string_view kind) {
+    const auto row = std::ranges::find(profile_kinds(), kind, &ProfileKind::name);
+    std::vector<std::string_view> keys =
+        row != profile_kinds().end()          ? row->parameters
+        : kind == "hertz" || kind == "sphere" ? std::vector<std::string_view>{"R", "R1", "R2"}
+        : kind == "cylinder-on-flat"          ? std::vector<std::string_view>{"R"}
+                                              : std::vector<std::string_view>();
+    if (kind == "flat-and-rounded") {
+        keys.emplace_back("flat_width");
+    }
+    return keys;
+}
 
 void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scene) {
     scene.profile_line = section.line();

@@ -9,9 +9,16 @@
 /// The readers of the sections of a scene, and what they share.
 namespace edgeproof::scene {
 
+/// Returns the contact and the shear of a scene with these keys of its file, without a request. It
+/// may end on a flat, so that it carries no load, and have any exponent. Errors name no file.
+[[nodiscard]] Scene contact_with_keys(const std::vector<io::TomlTable>& tables);
+
 /// Fills in the profile or the punch of a scene from [profile]; with `tilt_unknown`, alpha must be
 /// absent.
 void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scene);
+
+/// Refuses an exponent of a power law for which searches would not end.
+void check_exponent(const io::TomlSection& profile);
 
 /// Fills in the load and the materials of a scene, whose steps are known, from [load].
 void read_load(const io::TomlSection& load, Scene& scene);

@@ -50,7 +50,7 @@ std::string_view mark_in(const io::TomlSection& top, const KindOfFile& kind) {
 
 constexpr int shown_digits = 8;
 
-void read_sections(const io::TomlSection& top, Scene& scene) {
+void read_sections(const io::TomlSection& top, Scene& scene, bool within_limits = true) {
     read_steps(top, scene);
     if (top.has("units")) {
         scene.units = read_units(top.section("units"));
@@ -64,6 +64,9 @@ void read_sections(const io::TomlSection& top, Scene& scene) {
         read_profile(profile, s.moment.has_value(), s);
     });
     const io::TomlSection profile = top.section("profile");
+    if (within_limits) {
+        check_exponent(profile);
+    }
     if (is_axisymmetric(profile)) {
         reading(profile, [](const io::TomlSection& section, Scene& s) {
             require_axisymmetric(section, s);
@@ -73,7 +76,9 @@ void read_sections(const io::TomlSection& top, Scene& scene) {
         load.reject("delta", "the approach delta of a plane contact is undetermined",
                     "give a or P, or write geometry = \"axisymmetric\" in [profile]");
     }
-    reading(load, check_reach);
+    if (within_limits) {
+        reading(load, check_reach);
+    }
     if (!scene.steps.empty()) {
         read_shear_of_steps(top, scene);
         set_step(scene, scene.steps.size());
@@ -148,6 +153,16 @@ Scene read_contact(const io::TomlSection& top) {
     Scene scene;
     scene.file = top.file();
     read_sections(top, scene);
+    return scene;
+}
+
+Scene contact_with_keys(const std::vector<io::TomlTable>& tables) {
+    Scene scene;
+    try {
+        read_sections(io::TomlSection::made(tables, ""), scene, false);
+    } catch (const InputError& error) {
+        throw InputError(error.problem(), error.instead()); // without the line 0
+    }
     return scene;
 }
 

@@ -205,6 +205,9 @@ void change_steps(Scene& scene, const std::function<void(LoadStep&)>& change);
 [[nodiscard]] Scene make_scene(const std::vector<io::TomlTable>& tables,
                                const std::string& title = "");
 
+/// The keys of [profile] with a number for a kind of profile; none for other names.
+[[nodiscard]] std::vector<std::string_view> keys_of_profile(std::string_view kind);
+
 /// Returns the text of the equivalent scene file, to be shown or saved.
 [[nodiscard]] std::string scene_text(const std::vector<io::TomlTable>& tables,
                                      const std::string& title = "");

@@ -40,7 +40,8 @@ Exact times(const Exact& x, const Rational& factor) {
 std::vector<Sample> other_contacts(const Sample& sample) {
     const auto& parameters = sample.scene.parameters;
     const bool power_law = sample.scene.profile == "power-law";
-    if (!sample.variables.empty() || !sample.scene.knots.empty() || sample.scene.axisymmetric) {
+    if (!sample.variables.empty() || !sample.scene.knots.empty() ||
+        sample.scene.as_scene()->round) {
         return {};
     }
     for (const auto& [name, value] : parameters) {
@@ -99,8 +100,7 @@ bool symmetric_family(const Ledger& ledger, const Family& family) {
             return symmetric_family(ledger, ledger.family(member));
         });
     }
-    return family.profile == "power-law" || family.profile == "flat-and-rounded" ||
-           family.profile == "piecewise-symmetric" || is_flat_punch(family.profile);
+    return !family.profile.starts_with("tilted-") && family.profile != "piecewise";
 }
 
 } // namespace
@@ -337,8 +337,8 @@ std::optional<Expr> FormulaComparison::of_cylinder() const {
     const bool cylinders = std::ranges::all_of(samples_->all(), [](const Sample& sample) {
         const SceneSpec& scene = sample.scene;
         const auto m = scene.parameters.find("m");
-        return scene.profile == "power-law" && !scene.axisymmetric && m != scene.parameters.end() &&
-               m->second == Exact::parse("1");
+        return scene.profile == "power-law" && scene.geometry != "axisymmetric" &&
+               m != scene.parameters.end() && m->second == Exact::parse("1");
     });
     const Expr of = claim_.written("of");
     const bool by_load = !holds_symbol(claim_.written("says"), "a");

@@ -78,9 +78,9 @@ std::vector<Real> ConditionInScene::knots() const {
     const long bits = formula::bits_for(digits_ + 20);
     const EnclosedSample at(sample_, bits);
     const auto value = [&](const char* name) { return at.evaluate(Expr::symbol(name)); };
-    const contact::Profile profile = sample_.scene.make_profile();
+    const auto scene = sample_.scene.as_scene();
     std::vector<Real> fractions;
-    for (const Exact& knot : profile.knots()) {
+    for (const Exact& knot : scene->profile->knots()) {
         const Ball x = ball_of(knot, bits);
         const Ball u = sample_.edge == Edge::right ? value("a") - x : value("b") + x;
         const Real fraction = at_working_precision((u / at.length()).midpoint());
@@ -98,8 +98,7 @@ Margin ConditionInScene::margin_at(const EnclosedSample& at) const {
     std::optional<Margin> least;
     for (const Relation& r : condition_) {
         using Op = Relation::Op;
-        const Ball lhs = at.evaluate(r.lhs);
-        const Ball rhs = at.evaluate(r.rhs);
+        const auto [lhs, rhs] = sides_of(r, at);
         if (!lhs.is_finite() || !rhs.is_finite()) {
             throw BudgetError("a side of the relation that is not enclosed");
         }

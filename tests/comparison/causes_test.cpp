@@ -15,7 +15,9 @@
 #include <string>
 #include <vector>
 
+using hertz_data::Diagnosed;
 using hertz_data::even_places;
+using hertz_data::is_named;
 using hertz_data::number;
 using hertz_data::table;
 
@@ -59,6 +61,12 @@ Scene hertz_scene(const std::string& moduli, bool ball = false) {
                        "s.toml");
 }
 
+void only(const FileComparison& file, const std::string& name) {
+    REQUIRE(file.diagnosis);
+    REQUIRE(file.diagnosis->causes.size() == 1);
+    CHECK(file.diagnosis->causes[0].name == name);
+}
+
 } // namespace
 
 TEST_CASE("causes: the first name is that of the mistake") {
@@ -82,10 +90,8 @@ TEST_CASE("causes: the first name is that of the mistake") {
              Case{alike, {true, 1e5, 298}, "another-force", "agree to"},
              Case{alike, {false, 1e5, 71}, "another-force", "P = "},
          }) {
-        const Scene scene = hertz_scene(one.moduli, one.data.ball);
-        SuspectContacts suspects(scene);
-        const FileComparison file = compare_file(parse_result(one.data.table(96), "r"),
-                                                 ExactContact(scene), {}, Rational(0), &suspects);
+        const FileComparison file =
+            Diagnosed(hertz_scene(one.moduli, one.data.ball)).of(one.data.table(96));
         CAPTURE(one.name);
         CAPTURE(one.data.ball);
         REQUIRE(file.diagnosis);
@@ -102,26 +108,20 @@ TEST_CASE("causes: the first name is that of the mistake") {
             CHECK(std::abs(P / one.data.P - 1) < 1e-3);
         }
     }
-    const Scene scene = hertz_scene(rigid);
-    SuspectContacts suspects(scene);
     LineOrBall nearly;
     nearly.p_times = 1.01;
-    const FileComparison five = compare_file(parse_result(nearly.table(6), "r"),
-                                             ExactContact(scene), {}, Rational(0), &suspects);
+    const FileComparison five = Diagnosed(hertz_scene(rigid)).of(nearly.table(6));
     CHECK(five.passes());
     CHECK_FALSE(five.diagnosis); // "errors of 100 % remain" of right data
 }
 
 TEST_CASE("causes: an unknown error has none, and the error of a mesh is no mistake") {
-    const Scene scene = hertz_scene(unlike);
-    const ExactContact exact(scene);
-    SuspectContacts suspects(scene);
+    Diagnosed contact(hertz_scene(unlike));
+    const double a = contact.exact.a().value;
     const auto diagnosed = [&](const std::function<double(double)>& p) {
-        const double end = 4 * exact.a().value / 3;
-        const std::string text = table(even_places(-end, end, 160), p);
         Tolerances strict;
         strict.pressure = 0.001;
-        return compare_file(parse_result(text, "r"), exact, strict, Rational(0), &suspects);
+        return contact.of(table(even_places(-4 * a / 3, 4 * a / 3, 160), p), strict);
     };
     const LineOrBall right{false, unlike_modulus};
     for (const double factor : {1.1, 1.7, 0.8, 2.1, 40.0}) {
@@ -161,7 +161,6 @@ TEST_CASE("causes: an unknown error has none, and the error of a mesh is no mist
     CHECK(wide.diagnosis->factor->error < 1e-3);
     none([&](double x) { return 1.7 * right.p(x / 1.1); });
     // The node at the edge is off by a tenth of the peak: an effect of the mesh.
-    const double a = exact.a().value;
     const FileComparison mesh = diagnosed([&](double x) {
         return right.p(x) + (std::abs(std::abs(x) - a) < a / 100 ? 0.1 * right.p(0) : 0);
     });
@@ -183,9 +182,7 @@ TEST_CASE("causes: an unknown error has none, and the error of a mesh is no mist
         const double middle = corner == 1 ? 1.24 : 1.2;
         const FileComparison quadratic =
             diagnosed([&](double x) { return right.p(x) * (++node % 2 == 0 ? middle : corner); });
-        REQUIRE(quadratic.diagnosis);
-        REQUIRE(quadratic.diagnosis->causes.size() == 1);
-        CHECK(quadratic.diagnosis->causes[0].name == "mid-side-nodes");
+        only(quadratic, "mid-side-nodes");
         CHECK((quadratic.diagnosis->causes[0].what.find("24 % too large") != std::string::npos) ==
               (corner == 1));
     }
@@ -195,20 +192,12 @@ TEST_CASE("causes: an unknown error has none, and the error of a mesh is no mist
     for (int i = -110; i <= 55; ++i) {
         forces += number(at(i)) + "," + number(right.p(at(i)) * (at(i + 1) - at(i - 1)) / 2) + "\n";
     }
-    const FileComparison of_forces =
-        compare_file(parse_result(forces, "r"), exact, {}, Rational(0), &suspects);
-    REQUIRE(of_forces.diagnosis);
-    REQUIRE(of_forces.diagnosis->causes.size() == 1);
-    CHECK(of_forces.diagnosis->causes[0].name == "nodal-forces");
+    only(contact.of(forces), "nodal-forces");
     // m and Pa, where the scene has mm and MPa.
     const std::string si = table(
         even_places(-4 * a / 3, 4 * a / 3, 160), [&](double x) { return 1e6 * right.p(x); },
         [](double x) { return x / 1000; });
-    const FileComparison in_si =
-        compare_file(parse_result(si, "r"), exact, {}, Rational(0), &suspects);
-    REQUIRE(in_si.diagnosis);
-    REQUIRE(in_si.diagnosis->causes.size() == 1);
-    CHECK(in_si.diagnosis->causes[0].name == "si-units");
+    only(contact.of(si), "si-units");
     // Right data are not diagnosed.
     CHECK_FALSE(diagnosed([&](double x) { return right.p(x); }).diagnosis);
 }
@@ -241,8 +230,7 @@ TEST_CASE("causes: noise of 5 % does not exclude the mistake that was made") {
         CAPTURE(one.contact);
         const auto tested = std::ranges::find(tested_contacts(), one.contact, &TestedContact::name);
         REQUIRE(tested != tested_contacts().end());
-        const ExactContact exact(test::scene_of(tested->keys));
-        SuspectContacts suspects(test::scene_of(tested->keys));
+        Diagnosed contact(test::scene_of(tested->keys));
         SceneKeys keys = tested->keys;
         for (const char* const key : {"load.E1", "load.nu1", "load.E2", "load.nu2"}) {
             keys.erase(key);
@@ -252,14 +240,11 @@ TEST_CASE("causes: noise of 5 % does not exclude the mistake that was made") {
         std::mt19937_64 random(1);
         int named = 0;
         for (int i = 0; i < 60; ++i) {
-            const FileComparison file =
-                compare_file(parse_result(noisy_pressures(computed, 0.05, random), "r"), exact, {},
-                             Rational(0), &suspects);
+            const FileComparison file = contact.of(noisy_pressures(computed, 0.05, random));
             REQUIRE(file.diagnosis);
-            const auto& causes = file.diagnosis->causes;
-            CHECK((causes.empty() ||
-                   std::ranges::find(causes, one.name, &Cause::name) != causes.end()));
-            named += causes.empty() ? 0 : 1;
+            const bool none = file.diagnosis->causes.empty();
+            CHECK((none || is_named(file.diagnosis, one.name)));
+            named += none ? 0 : 1;
         }
         CHECK(named >= 57);
     }
@@ -268,24 +253,21 @@ TEST_CASE("causes: noise of 5 % does not exclude the mistake that was made") {
 // A wave k elements long, taken at the nodes, alternates for k/(k - 2) nodes between two zeros of
 // its amplitude: a wave with k > 2.1 alternates over less than 21 nodes of these 60.
 TEST_CASE("causes: a smooth wave is not called mid-side nodes, and alternating nodes are") {
-    const ExactContact exact(hertz_scene(unlike));
-    SuspectContacts suspects(hertz_scene(unlike));
+    Diagnosed contact(hertz_scene(unlike));
     const LineOrBall right{false, unlike_modulus};
-    const double a = exact.a().value;
+    const double a = contact.exact.a().value;
     std::mt19937_64 random(7);
     std::normal_distribution<double> normal(0, 1);
-    const auto is_named = [&](double noise, const std::function<double(int)>& factor) {
+    const auto alternates = [&](double noise, const std::function<double(int)>& factor) {
         int i = -41;
         const std::string rows = table(even_places(-4 * a / 3, 4 * a / 3, 80), [&](double x) {
             return right.p(x) * factor(++i) * (1 + noise * normal(random));
         });
         Tolerances strict;
         strict.pressure = 0.001;
-        const auto file =
-            compare_file(parse_result(rows, "r"), exact, strict, Rational(0), &suspects);
+        const auto file = contact.of(rows, strict);
         REQUIRE(file.diagnosis);
-        const auto& causes = file.diagnosis->causes;
-        return std::ranges::find(causes, "mid-side-nodes", &Cause::name) != causes.end();
+        return is_named(file.diagnosis, "mid-side-nodes");
     };
     for (const double noise : {0.0, 1e-6, 1e-3, 0.01}) {
         CAPTURE(noise);
@@ -294,17 +276,17 @@ TEST_CASE("causes: a smooth wave is not called mid-side nodes, and alternating n
             for (const double phase : {0.0, 0.8, std::numbers::pi / 2, 4.0}) {
                 CAPTURE(elements);
                 CAPTURE(phase);
-                CHECK_FALSE(is_named(noise, [&](int i) {
+                CHECK_FALSE(alternates(noise, [&](int i) {
                     return 1 + 0.05 * std::sin(2 * std::numbers::pi * i / elements + phase);
                 }));
             }
         }
         for (const double size : {0.05, 0.24}) {
             CAPTURE(size);
-            CHECK(is_named(noise, [&](int i) { return i % 2 == 0 ? 1 + size : 1; }));
-            CHECK(is_named(noise, [&](int i) { return i % 2 == 0 ? 1 + size : 1 - size; }));
+            CHECK(alternates(noise, [&](int i) { return i % 2 == 0 ? 1 + size : 1; }));
+            CHECK(alternates(noise, [&](int i) { return i % 2 == 0 ? 1 + size : 1 - size; }));
             // An error that is larger near the edges, as that of CalculiX.
-            CHECK(is_named(noise, [&](int i) {
+            CHECK(alternates(noise, [&](int i) {
                 return 1 + (i % 2 == 0 ? size : -size) * (0.5 + std::abs(i) / 30.0);
             }));
         }
@@ -314,29 +296,25 @@ TEST_CASE("causes: a smooth wave is not called mid-side nodes, and alternating n
 TEST_CASE("causes: a mirrored tilted punch, rows shifted by one, terms instead of the pressure") {
     const std::string text = "[profile]\nkind = \"tilted-wedge\"\nphi = \"0.1\"\nalpha = \"0.04\"\n"
                              "[load]\na = \"1\"\ncontact_modulus = \"1\"\n";
-    const Scene scene = parse_scene(text, "s.toml");
-    const ExactContact exact(scene);
-    SuspectContacts suspects(scene);
+    Diagnosed contact(parse_scene(text, "s.toml"));
+    const ExactContact& exact = contact.exact;
     // The right values at wrong places: the mistake is in the places.
-    const auto diagnosed = [&](const std::function<double(double)>& p) {
-        const std::string rows = table(even_places(-1.195, 1.205, 240), p);
-        return compare_file(parse_result(rows, "r"), exact, {}, Rational(0), &suspects);
-    };
-    const auto first_name = [](const FileComparison& file) {
+    const auto first_name = [&](const std::function<double(double)>& p) {
+        const FileComparison file = contact.of(table(even_places(-1.195, 1.205, 240), p));
         return file.diagnosis && !file.diagnosis->causes.empty() ? file.diagnosis->causes[0].name
                                                                  : std::string();
     };
-    CHECK(first_name(diagnosed([&](double x) { return exact.pressure(-x); })) == "mirrored");
-    CHECK(first_name(diagnosed([&](double x) { return exact.pressure(x + 0.01); })) != "factor-2");
+    CHECK(first_name([&](double x) { return exact.pressure(-x); }) == "mirrored");
+    CHECK(first_name([&](double x) { return exact.pressure(x + 0.01); }) != "factor-2");
     const double b = exact.b().value;
-    CHECK(first_name(diagnosed([&](double x) {
+    CHECK(first_name([&](double x) {
               if (x <= -b || x >= 1) {
                   return 0.0;
               }
               const bool right = 1 - x < x + b;
               return exact.c(right ? Edge::right : Edge::left, 0).value *
                      std::sqrt(right ? 1 - x : x + b);
-          })) == "one-term");
+          }) == "one-term");
 }
 
 // A wedge of slope phi under P: p = (E* phi/pi) arccosh(a/|x|), with P = E* phi a
@@ -347,8 +325,7 @@ TEST_CASE(
         parse_scene("[profile]\nkind = \"power-law\"\nm = \"0\"\nC = \"0.1\"\n[load]\n"
                     "P = \"100\"\ncontact_modulus = \"1000\"\n",
                     "s.toml");
-    const ExactContact exact(scene);
-    SuspectContacts suspects(scene);
+    Diagnosed contact(scene);
     const double slope = 100 / std::numbers::pi;
     const auto p = [&](double x) {
         return std::abs(x) < 1 ? slope * std::acosh(1 / std::abs(x)) : 0;
@@ -363,8 +340,7 @@ TEST_CASE(
                 for (int i = 0; i <= elements; ++i) {
                     rows += number(at(i)) + "," + number(force(i)) + "\n";
                 }
-                const FileComparison file =
-                    compare_file(parse_result(rows, "r"), exact, {}, Rational(0), &suspects);
+                const FileComparison file = contact.of(rows);
                 REQUIRE(file.diagnosis);
                 REQUIRE(file.diagnosis->causes.size() == 1);
                 return file.diagnosis->causes[0].name;

@@ -152,8 +152,7 @@ TEST_CASE("digits that hide more than the tolerance, and numbers that overflow, 
         CHECK_THROWS_AS((void)parse_result("x,p\n-1,0\n" + std::string(cell) + ",1\n1,0\n", "r"),
                         InputError);
     }
-    ResultReading reading;
-    parse_scale("p=1e309", reading);
+    const ResultReading reading = reading_of({}, "", "p=1e309");
     try {
         (void)parse_result("x,p\n-1,0\n0,1\n1,0\n", "r.csv", reading);
         FAIL("a pressure of 1e309 is read");

@@ -64,6 +64,24 @@ inline std::string table(const std::vector<double>& places,
     return text;
 }
 
+/// A scene whose data are diagnosed; its origin is that of the data.
+struct Diagnosed {
+    comparison::ExactContact exact;
+    comparison::SuspectContacts suspects;
+
+    explicit Diagnosed(const scene::Scene& scene) : exact(scene), suspects(scene) {}
+    comparison::FileComparison of(const std::string& text,
+                                  const comparison::Tolerances& tolerances = {}) {
+        return comparison::compare_file(comparison::parse_result(text, "r"), exact, tolerances,
+                                        Rational(0), &suspects);
+    }
+};
+inline bool is_named(const std::optional<comparison::Diagnosis>& diagnosis,
+                     const std::string& name) {
+    return diagnosis && std::ranges::find(diagnosis->causes, name, &comparison::Cause::name) !=
+                            diagnosis->causes.end();
+}
+
 inline comparison::FileComparison compared(const std::string& text,
                                            const comparison::Tolerances& tolerances = {},
                                            const comparison::ResultReading& reading = {}) {

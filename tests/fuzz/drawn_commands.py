@@ -2,6 +2,7 @@
 """Command lines for command_line.py: every subcommand with random files and options, mostly cheap
 ones."""
 import dataclasses
+import functools
 
 from drawn_inputs import HOSTILE, WORDS, hostile, near
 
@@ -143,21 +144,9 @@ def tabled_scene(rng, library, command, digits=DIGITS, default="csv", slips=Fals
     return words + output(rng, command, command.printed)
 
 
-def pressure(rng, library, command):
-    return tabled_scene(rng, library, command)
-
-
-def expand(rng, library, command):
-    return tabled_scene(rng, library, command)
-
-
 def extent(rng, library, command):
     words = tabled_scene(rng, library, command, DIGITS[:7]) + (key(rng, "tolerance", TOLERANCES) if rng.random() < 0.9 else [])
     return words + figure(rng, command, "--figure", 0.04)
-
-
-def slip(rng, library, command):
-    return tabled_scene(rng, library, command, DIGITS[:7], slips=True)
 
 
 def figure(rng, command, option, chance):
@@ -286,11 +275,10 @@ def verify(rng, library, command):
 
 
 # The commands, each with the weight of its probability.
-COMMANDS = {"pressure": (pressure, 20), "expand": (expand, 12), "extent": (extent, 10), "slip": (slip, 10),
-            "plot": (plot, 3), "relations": (relations, 8),
-            "design": (design, 2), "table": (table, 6), "points": (points, 6), "check": (check, 10), "compare": (compare, 10),
-            "cost": (cost, 3),
-            "verify": (verify, 10)}
+COMMANDS = {"pressure": (tabled_scene, 20), "expand": (tabled_scene, 12), "extent": (extent, 10),
+            "slip": (functools.partial(tabled_scene, digits=DIGITS[:7], slips=True), 10), "plot": (plot, 3),
+            "relations": (relations, 8), "design": (design, 2), "table": (table, 6), "points": (points, 6),
+            "check": (check, 10), "compare": (compare, 10), "cost": (cost, 3), "verify": (verify, 10)}
 
 
 def drawn_command(rng, library):

@@ -42,9 +42,8 @@ def short_lists(text, rng, most=3):
     def cut(match):
         entries = re.findall(r'"[^"]*"|[^\s,]+', match.group(2))
         if len(entries) > most:
-            entries = sorted(rng.sample(range(len(entries)), most))
-            all_entries = re.findall(r'"[^"]*"|[^\s,]+', match.group(2))
-            return match.group(1) + "[" + ", ".join(all_entries[i] for i in entries) + "]"
+            chosen = sorted(rng.sample(range(len(entries)), most))
+            return match.group(1) + "[" + ", ".join(entries[i] for i in chosen) + "]"
         return match.group(0)
     return re.sub(r"(?m)^(\w+ = )\[([^\[\]{}#]*)\]", cut, text)
 
@@ -61,19 +60,18 @@ def small_recipe(text, rng):
 def small_ledger(text, rng):
     """A ledger with one or two of its claims, mostly without its [later] tables."""
     pieces = tables(text)
-    claims = [i for i, p in enumerate(pieces) if name_of(p).split(".")[0] == "claim"]
-    heads = [i for i in claims if name_of(pieces[i]) == "claim"]
-    if not heads:
-        return text
-    kept = set(range(len(pieces))) - set(claims)
-    if rng.random() < 0.95:
-        kept -= {i for i in kept if name_of(pieces[i]).split(".")[0] == "later"}
-    for head in rng.sample(heads, min(len(heads), rng.choice([1, 1, 2]))):
-        kept.add(head)
-        following = head + 1
-        while following in claims and following not in heads:
-            kept.add(following)
-            following += 1
+    head = None
+    groups = {}  # the tables of each claim, by the index of its first
+    kept = set()
+    for i, piece in enumerate(pieces):
+        kind = name_of(piece).split(".")[0]
+        head = i if name_of(piece) == "claim" else head
+        if kind == "claim" and head is not None:
+            groups.setdefault(head, []).append(i)
+        elif kind != "later" or rng.random() < 0.05:
+            kept.add(i)
+    for chosen in rng.sample(sorted(groups), min(len(groups), rng.choice([1, 1, 2]))):
+        kept.update(groups[chosen])
     return "".join(pieces[i] for i in sorted(kept))
 
 
@@ -197,36 +195,28 @@ def lines_of(text):
     return text.splitlines(keepends=True) or [""]
 
 
-def drop_line(text, rng, _library, _kind):
-    lines = lines_of(text)
-    del lines[rng.randrange(len(lines))]
-    return "".join(lines)
+def dropped(parts):
+    """A change that leaves out one of the parts, lines or tables."""
+    def change(text, rng, _library, _kind):
+        pieces = parts(text)
+        del pieces[rng.randrange(len(pieces))]
+        return "".join(pieces)
+    return change
 
 
-def double_line(text, rng, _library, _kind):
-    lines = lines_of(text)
-    lines.insert(rng.randrange(len(lines) + 1), rng.choice(lines))
-    return "".join(lines)
+def inserted(parts, kinds=None):
+    """A change that inserts a part of a file of these kinds (and mostly of the same kind), or doubles one."""
+    def change(text, rng, library, kind):
+        pieces = parts(text)
+        others = parts(library.plain(rng.choice([kind, kind, *kinds]), rng)) if kinds else pieces
+        pieces.insert(rng.randrange(len(pieces) + 1), rng.choice(others))
+        return "".join(pieces)
+    return change
 
 
-def foreign_line(text, rng, library, kind):
-    lines = lines_of(text)
-    other = lines_of(library.plain(rng.choice([kind, kind, kind, "scene", "design", "ledger"]), rng))
-    lines.insert(rng.randrange(len(lines) + 1), rng.choice(other))
-    return "".join(lines)
-
-
-def drop_table(text, rng, _library, _kind):
-    pieces = tables(text)
-    del pieces[rng.randrange(len(pieces))]
-    return "".join(pieces)
-
-
-def foreign_table(text, rng, library, kind):
-    pieces = tables(text)
-    other = tables(library.plain(rng.choice([kind, kind, "scene", "design", "ledger", "recipe"]), rng))
-    pieces.insert(rng.randrange(len(pieces) + 1), rng.choice(other))
-    return "".join(pieces)
+drop_line, drop_table, double_line = dropped(lines_of), dropped(tables), inserted(lines_of)
+foreign_line = inserted(lines_of, ["scene", "design", "ledger"])
+foreign_table = inserted(tables, ["scene", "design", "ledger", "recipe"])
 
 
 def rename_key(text, rng, _library, _kind):

@@ -167,18 +167,23 @@ def curved(knots, slopes, load):
         lambda body: ["u=1e-30", "u=1/7", "x=0", "x=1e-3"], [0, 1])
 
 
-random.seed(350)
-print("# mpmath 1.2.1, tests/oracles/axisymmetric.py > axisymmetric.txt; see tests/scene/values.txt")
-curved("1/2", "0*x;sinh(x-1/2)", "P=1 E=7/3")
-for n in range(48):
-    if n == 12:
-        print("slow")
-    words, knots_drawn = drawn(n)
-    row(words, places_near(knots_drawn), [(n // 6 + n) % 3])
-FLANK = "x;1/2+(x-1/2)*exp(x)"
-for each in [("", "sinh(x)", "P=1 E=7/3"), ("1/2", FLANK, "delta=1 E=7/3"), ("1/2", FLANK, "a=1 E=7/3"),
-             ("1/3", "x^2;1/4+log(1+x)", "a=1/3+1e-12 E=7/3"), ("", "x/sqrt(4-x^2)", "a=3/2 E=7/3"),
-             # the curved scenes of reference/axisymmetric.toml
-             ("", "x/sqrt(4-x^2)", "a=5/4 E=1"), ("", "x/2+x^3", "a=5/4 E=1"), ("1/2", FLANK, "P=1 E=1"),
-             ("1/2", FLANK, "a=1/2+1e-12 E=1")]:
-    curved(*each)
+def main():
+    random.seed(350)
+    print("# mpmath 1.2.1, tests/oracles/axisymmetric.py > axisymmetric.txt; see tests/scene/values.txt")
+    curved("1/2", "0*x;sinh(x-1/2)", "P=1 E=7/3")
+    for n in range(48):
+        if n == 12:
+            print("slow")
+        words, knots_drawn = drawn(n)
+        row(words, places_near(knots_drawn), [(n // 6 + n) % 3])
+    flank = "x;1/2+(x-1/2)*exp(x)"
+    for each in [("", "sinh(x)", "P=1 E=7/3"), ("1/2", flank, "delta=1 E=7/3"), ("1/2", flank, "a=1 E=7/3"),
+                 ("1/3", "x^2;1/4+log(1+x)", "a=1/3+1e-12 E=7/3"), ("", "x/sqrt(4-x^2)", "a=3/2 E=7/3"),
+                 # the curved scenes of reference/axisymmetric.toml
+                 ("", "x/sqrt(4-x^2)", "a=5/4 E=1"), ("", "x/2+x^3", "a=5/4 E=1"), ("1/2", flank, "P=1 E=1"),
+                 ("1/2", flank, "a=1/2+1e-12 E=1")]:
+        curved(*each)
+
+
+if __name__ == "__main__":
+    main()

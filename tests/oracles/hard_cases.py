@@ -10,7 +10,7 @@ Plane contacts -b < x < a of a slope g'. With t = sqrt((a - s)/(s + b)) and w = 
 so that a slope of linear pieces has logarithmic sums for p (eqn:SIEPressure) and for the integral of
 p(s)/(zeta - s), from which the stresses follow (muskhelishvili1977). Power laws: hypergeometric
 functions. Coefficients: Cauchy's integral of p/sqrt(u) over a circle. Extents: bisection. Bodies of
-revolution: integrals of h' (sneddon1965) by tanh-sinh.
+revolution: axisymmetric.py.
 """
 import argparse
 import ast
@@ -20,8 +20,9 @@ import re
 import sys
 import tomllib
 
+import axisymmetric
 import mpmath
-from mpmath import mp, mpf, mpc, pi, sqrt, log, atan, asin
+from mpmath import mp, mpf, mpc, pi, sqrt, log, atan
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DIGITS = 60
@@ -97,7 +98,7 @@ def knots_and_pieces(profile, upright=False):
         return [-alpha * R - 2 * t, -alpha * R], [[2 * t / R, 1 / R] + zero, [-alpha, mpf(0)] + zero, [mpf(0), 1 / R] + zero]
     knots = [exact(k) for k in profile["knots"]]
     pieces = [polynomial(s) for s in profile["slopes"]]
-    if profile.get("symmetric") and profile.get("geometry") != "axisymmetric":
+    if profile.get("symmetric"):
         mirrored = [[-c if k % 2 == 0 else c for k, c in enumerate(p)] for p in pieces]
         middle = pieces[:1] if pieces[0] == mirrored[0] else [mirrored[0], pieces[0]]
         knots = [-k for k in reversed(knots)] + [mpf(0)] * (len(middle) - 1) + knots
@@ -319,72 +320,21 @@ def shear_over_root(contact, case, u):
     return (Q / pi + side * tension * (length / 2 - u) / 4) / sqrt(length - u)
 
 
-class Revolution:
-    """h' as linear pieces from r = 0, or C r^m; all from the integral delta(s)."""
-
-    def __init__(self, case):
-        profile, load = case["profile"], case["load"]
-        self.modulus = exact(load["contact_modulus"])
-        self.law = None
-        if profile["kind"] == "power-law":
-            self.law = (exact(profile["m"]), exact(profile["C"]))
-        else:
-            knots, pieces = knots_and_pieces(profile)
-            inside = [k for k in knots if k > 0]
-            self.ends = [mpf(0)] + inside
-            self.pieces = pieces[len(pieces) - len(inside) - 1:]
-        self.a = exact(load["a"]) if "a" in load else None
-        if self.a is None:
-            given, f = (exact(load["P"]), self.force) if "P" in load else (exact(load["delta"]), lambda a: self.delta(a)[0])
-            with mp.workdps(40):
-                near = bisected(lambda a: f(a) - given, mpf(1), mpf(2))
-            # dP = 2 E* a ddelta
-            for _ in range(4):
-                rate = self.delta(near)[1] * (2 * self.modulus * near if "P" in load else 1)
-                near -= (f(near) - given) / rate
-            self.a = near
-
-    def delta(self, s):
-        """s times the integral of h'(s sin(h)), and its derivative."""
-        value = rate = mpf(0)
-        for i, v in enumerate(self.ends):
-            if v >= s:
-                break
-            A, B = self.pieces[i][:2]
-            end = self.ends[i + 1] if i + 1 < len(self.ends) and self.ends[i + 1] < s else None
-            for sign, r in ((-1, v), (1, end)):
-                h, h1 = (pi / 2, mpf(0)) if r is None else (asin(r / s), -r / (s * sqrt((s - r) * (s + r))))
-                sine, cosine = (mpf(1), mpf(0)) if r is None else (r / s, sqrt((s - r) * (s + r)) / s)
-                value += sign * (A * s * h - B * s**2 * cosine)
-                rate += sign * (A * h + A * s * h1 - 2 * B * s * cosine + B * s**2 * sine * h1)
-        return value, rate
-
-    def force(self, a=None):
-        a = a or self.a
-        top = self.delta(a)[0]
-        places = [v for v in self.ends if v < a] + [a]
-        return 2 * self.modulus * mpmath.quad(lambda s: top - self.delta(s)[0], places)
-
-    def pressure(self, u):
-        r, W2 = self.a - u, u * (2 * self.a - u)
-        if self.law:
-            m, C = self.law
-            kappa = C * wallis(m)
-            return (self.modulus / pi * (m + 1) * kappa * sqrt(W2) * self.a ** (m - 1)
-                    * mpmath.hyp2f1((1 - m) / 2, 1, mpf(3) / 2, W2 / self.a**2))
-        splits = {mpf(0), mpf(1), *(mpf(10) ** -k for k in range(1, 9))}
-        splits |= {sqrt((v - r) * (v + r) / W2) for v in self.ends if r < v < self.a}
-        return self.modulus / pi * sqrt(W2) * mpmath.quad(
-            lambda t: self.delta(s := sqrt(r * r + W2 * t * t))[1] / s, sorted(splits))
+def body_of(case):
+    """The body of revolution, with h' as the integral that defines it."""
+    def words(keys):
+        return [f"{k}={';'.join(v) if isinstance(v, list) else v}".replace(" ", "") for k, v in keys.items()]
+    load = {k: v for k, v in case["load"].items() if k != "contact_modulus"} | {"E": case["load"]["contact_modulus"]}
+    return axisymmetric.Body(" ".join(words(case["profile"]) + words(load)))
 
 
 def value(case):
     quantity, n = case["quantity"], case.get("n")
     u = exact(case["u"]) if "u" in case else None
     if case["profile"].get("geometry") == "axisymmetric":
-        body = Revolution(case)
-        return {"pressure": lambda: body.pressure(u), "load": body.force,
-                "approach": lambda: body.delta(body.a)[0]}[quantity]()
+        body = body_of(case)
+        return {"pressure": lambda: body.pressure(u), "load": lambda: body.force(body.a),
+                "approach": lambda: body.approach(body.a)}[quantity]()
     if quantity in ("sxx", "szz", "sxz"):
         return stress(case)
     contact = contact_of(case)

@@ -9,23 +9,15 @@ formulas (Proc. Cambridge Phil. Soc. 42 (1946), 29-39), integrated by Gauss-Lege
 import random
 import re
 from fractions import Fraction
+import axisymmetric
 import mpmath as mp
 
-mp.mp.dps = 25
+BODIES = [(words, axisymmetric.Body(words + " a=1 E=1")) for words in [
+    "flat-and-rounded t=3/10 R=1", "piecewise symmetric knots=1/8;1/2 slopes=x;3/4*x+1/32;3/4*x+1/32",
+    "piecewise symmetric knots=1/2 slopes=x;3*x-1", "piecewise symmetric knots=1/3;4/5 slopes=x/2;2*x-1/2;x+3/10",
+    "flat-and-rounded t=9/10 R=1", "power-law m=1/3 C=1/2", "power-law m=0 C=1/2", "power-law m=4 C=1"]]
+mp.mp.dps = 25  # the bodies compare h' with its integral at more digits
 NU = mp.mpf(3) / 10
-# The words of the scene; the exponent m and the factor C of g' = C r^m, or the knots v and the rates of g' from each knot
-# on, where g' is continuous and g'(0) = 0.
-BODIES = [
-    ("flat-and-rounded t=3/10 R=1", [(0, Fraction(0)), (Fraction(3, 10), Fraction(1))]),
-    ("piecewise symmetric knots=1/8;1/2 slopes=x;3/4*x+1/32;3/4*x+1/32", [(0, Fraction(1)), (Fraction(1, 8), Fraction(3, 4))]),
-    ("piecewise symmetric knots=1/2 slopes=x;3*x-1", [(0, Fraction(1)), (Fraction(1, 2), Fraction(3))]),
-    ("piecewise symmetric knots=1/3;4/5 slopes=x/2;2*x-1/2;x+3/10",
-     [(0, Fraction(1, 2)), (Fraction(1, 3), Fraction(2)), (Fraction(4, 5), Fraction(1))]),
-    ("flat-and-rounded t=9/10 R=1", [(0, Fraction(0)), (Fraction(9, 10), Fraction(1))]),
-    ("power-law m=1/3 C=1/2", (Fraction(1, 3), Fraction(1, 2))),
-    ("power-law m=0 C=1/2", (Fraction(0), Fraction(1, 2))),
-    ("power-law m=4 C=1", (Fraction(4), Fraction(1))),
-]
 PANELS = 8
 
 
@@ -44,24 +36,6 @@ def gauss_legendre(n):
 
 
 RULE = gauss_legendre(32)
-
-
-def number(x):
-    return mp.mpf(x.numerator) / x.denominator
-
-
-def approach_rate(body, s):
-    if isinstance(body, tuple):
-        m, C = map(number, body)
-        return C * (m + 1) * mp.sqrt(mp.pi) / 2 * mp.gamma((m + 1) / 2) / mp.gamma(m / 2 + 1) * s**m
-    total = mp.mpf(0)
-    before = Fraction(0)
-    for v, rate in body:
-        bend, before = number(rate - before), rate
-        v = number(Fraction(v))
-        if s > v:
-            total += bend * (2 * mp.sqrt(s * s - v * v) - v * mp.acos(v / s))
-    return total
 
 
 def punch(s, r, z):
@@ -85,10 +59,8 @@ def punch(s, r, z):
 
 
 def stresses(body, r, z):
-    knots = [] if isinstance(body, tuple) else [v for v, _ in body]
-    ends = sorted({0, 1, *knots, *([r] if r < 1 else [])})
-    ends = [number(Fraction(e)) for e in ends]
-    r, z = number(r), number(z)
+    r, z = mp.mpf(r.numerator) / r.denominator, mp.mpf(z.numerator) / z.denominator
+    ends = sorted({mp.mpf(x) for x in (0, 1, *body.knots, *([r] if r < 1 else [])) if x <= 1})
 
     total = [mp.mpf(0)] * 4
     for lo, hi in zip(ends, ends[1:]):
@@ -97,12 +69,13 @@ def stresses(body, r, z):
                 # s = lo + (hi - lo) t^2 removes the root of h' at a knot
                 t = (panel + (1 + node) / 2) / PANELS
                 s = lo + (hi - lo) * t * t
-                share = approach_rate(body, s) / s * weight / PANELS * (hi - lo) * t
+                share = body.smooth(s) / s * weight / PANELS * (hi - lo) * t
                 if share != 0:
                     total = [x + share * y for x, y in zip(total, punch(s, r, z))]
     return [x / mp.pi for x in total]
 
 
+RULE = gauss_legendre(32)
 random.seed(18)
 with open("stress_of_revolution.txt", "w") as out:
     out.write("# mpmath 1.2.1, tests/oracles/stress_of_revolution.py; see tests/scene/values.txt\n")

@@ -70,6 +70,16 @@ private:
             }
         }
     }
+    /// p or q, and what it is compared with.
+    struct Judged {
+        const char* symbol;
+        const Errors& errors;
+        double tolerance;
+        double scale;
+        std::string of_scale;
+        TractionOf of;
+        double ResultRow::*rounding;
+    };
     void pressure() {
         const Errors& errors = file_.errors;
         if (errors.nodes == 0) {
@@ -81,28 +91,9 @@ private:
                              "few for a comparison",
                              errors.inside, file_.inside));
         }
-        const std::string of_scale = exact_.scale().mean ? "of the mean pressure" : "of the peak";
-        digits("p", tolerances_.pressure, exact_.scale().value, of_scale, p_of,
-               &ResultRow::p_rounding);
-        hold("p", errors, tolerances_.pressure, of_scale, p_of);
-    }
-    /// Written digits may explain errors up to the tolerance, or the usual one: larger errors would
-    /// be hidden completely.
-    void digits(const char* symbol, double tolerance, double scale, const std::string& of_scale,
-                TractionOf of, double ResultRow::*rounding) {
-        double explained = 0;
-        for (std::size_t i = 0; i < file_.data.nodes.size(); ++i) {
-            const Node& node = file_.data.nodes[i];
-            const Traction* const t = of(node);
-            if (t != nullptr && t->exact && is_counted(node, tolerances_.zone, file_.contact)) {
-                const double hidden = std::min(std::abs(t->error), file_.table.rows[i].*rounding);
-                explained = std::max(explained, hidden / scale);
-            }
-        }
-        if (!(explained <= std::max(tolerance, Tolerances::usual))) {
-            fail(fmt::format("{} is written with too few digits: they hide errors of {} {}", symbol,
-                             percent(explained), of_scale));
-        }
+        hold({"p", errors, tolerances_.pressure, exact_.scale().value,
+              exact_.scale().mean ? "of the mean pressure" : "of the peak", p_of,
+              &ResultRow::p_rounding});
     }
     void shear() {
         if (!file_.shear) {
@@ -120,32 +111,47 @@ private:
                              file_.shear->inside, file_.inside));
             return;
         }
-        const double tolerance = tolerances_.q.value_or(tolerances_.pressure);
-        const std::string of_scale = "of " + exact_.shear()->scale_text;
-        digits("q", tolerance, exact_.shear()->scale, of_scale, q_of, &ResultRow::q_rounding);
-        hold("q", *file_.shear, tolerance, of_scale, q_of);
+        hold({"q", *file_.shear, tolerances_.q.value_or(tolerances_.pressure),
+              exact_.shear()->scale, "of " + exact_.shear()->scale_text, q_of,
+              &ResultRow::q_rounding});
     }
-    void hold(const char* symbol, const Errors& errors, double tolerance,
-              const std::string& of_scale, TractionOf of) {
-        const double error = in_norm(errors, tolerances_.of);
-        if (error <= tolerance) {
+    void hold(const Judged& judged) {
+        // Written digits may explain errors up to the tolerance, or the usual one: larger errors
+        // would be hidden completely.
+        double hidden = 0;
+        for (std::size_t i = 0; i < file_.data.nodes.size(); ++i) {
+            const Node& node = file_.data.nodes[i];
+            const Traction* const t = judged.of(node);
+            if (t != nullptr && t->exact && is_counted(node, tolerances_.zone, file_.contact)) {
+                const double rounding = file_.table.rows[i].*judged.rounding;
+                hidden = std::max(hidden, std::min(std::abs(t->error), rounding) / judged.scale);
+            }
+        }
+        if (!(hidden <= std::max(judged.tolerance, Tolerances::usual))) {
+            fail(fmt::format("{} is written with too few digits: they hide errors of {} {}",
+                             judged.symbol, percent(hidden), judged.of_scale));
+        }
+        const double error = in_norm(judged.errors, tolerances_.of);
+        if (error <= judged.tolerance) {
             return;
         }
-        const auto worst = tolerances_.of == Norm::local ? errors.worst_local : errors.worst;
+        const auto worst =
+            tolerances_.of == Norm::local ? judged.errors.worst_local : judged.errors.worst;
+        std::string relative_to = judged.of_scale;
         std::string where;
-        bool outside = false;
-        if (tolerances_.of != Norm::l2 && worst) {
+        if (tolerances_.of == Norm::l2) {
+            relative_to = "in the L2 norm";
+        } else if (worst) {
             const Node& node = file_.data.nodes[*worst];
-            outside = !node.place.inside();
             where = fmt::format(": line {}, x = {:.6g}, {} = {:.6g}, exact {:.6g}", node.line,
-                                node.x, symbol, of(node)->data, of(node)->exact.value_or(0));
+                                node.x, judged.symbol, judged.of(node)->data,
+                                judged.of(node)->exact.value_or(0));
+            if (tolerances_.of == Norm::local && node.place.inside()) {
+                relative_to = fmt::format("of {} itself", judged.symbol);
+            }
         }
-        fail(fmt::format("the error of {}, {} {}, is more than {}{}", symbol, percent(error),
-                         tolerances_.of == Norm::l2 ? std::string("in the L2 norm")
-                         : tolerances_.of == Norm::peak || outside
-                             ? of_scale
-                             : fmt::format("of {} itself", symbol),
-                         percent(tolerance), where));
+        fail(fmt::format("the error of {}, {} {}, is more than {}{}", judged.symbol, percent(error),
+                         relative_to, percent(judged.tolerance), where));
     }
     /// The difference between a value of the data and the result of the same rule for the exact
     /// pressure, relative to the exact value.
@@ -297,6 +303,72 @@ void find_more(FileComparison& file, const ExactContact& exact) {
                                scene::edge_name(edge) + " edge");
         }
     }
+}
+
+/// Throws InputError, with the file, if fewer than three nodes lie inside the exact contact, or if
+/// the edge zones leave none of these: such data cannot be compared. The advice depends on the
+/// loaded part of the data and its width: a finer mesh if fewer than three nodes are loaded,
+/// another origin if the width is half to twice the contact's, otherwise another unit.
+void require_nodes_inside(const FileComparison& file, const ExactContact& exact,
+                          const EdgeZone& zone) {
+    constexpr double loaded_share = 0.02; // of the largest pressure
+    constexpr double like_width = 2;      // the largest ratio of two widths of one contact
+    const auto reject = [&](const std::string& problem, const std::string& instead) {
+        throw InputError(problem, instead).at(file.table.file, 0);
+    };
+    if (file.inside >= fewest_inside) {
+        const bool any = std::ranges::any_of(file.data.nodes, [&](const Node& node) {
+            return node.place.inside() && is_counted(node, zone, file.contact);
+        });
+        if (!any) {
+            reject(
+                fmt::format("all {} nodes inside the contact lie in the edge zones", file.inside),
+                "write a narrower --edge-zone, or give a finer mesh");
+        }
+        return;
+    }
+    const auto& nodes = file.data.nodes;
+    const double a = exact.a().value;
+    const double b = exact.b().value;
+    double most = 0;
+    for (const Node& node : nodes) {
+        most = std::max(most, std::abs(node.p.data));
+    }
+    const auto pressing = [&](const Node& node) {
+        return std::abs(node.p.data) > loaded_share * most;
+    };
+    const auto first = std::ranges::find_if(nodes, pressing);
+    const std::string none =
+        fmt::format("{} of the {} nodes {} inside the contact, {:.6g} < x < {:.6g}",
+                    file.inside == 0 ? "none" : fmt::format("{}", file.inside), nodes.size(),
+                    file.inside == 2 ? "lie" : "lies", -b + file.data.origin, a + file.data.origin);
+    if (file.inside > 0 &&
+        static_cast<std::size_t>(std::ranges::count_if(nodes, pressing)) < fewest_inside) {
+        reject(none + ": too few for a comparison",
+               "give a finer mesh: three nodes or more inside");
+    }
+    if (first == nodes.end()) {
+        reject(none + ", and every pressure is zero",
+               "give the nodes of the contact, with their pressures");
+    }
+    const auto last = std::find_if(nodes.rbegin(), nodes.rend(), pressing).base() - 1;
+    const double from = first->x + file.data.origin;
+    const double to = last->x + file.data.origin;
+    const double steps = static_cast<double>(last - first);
+    // The contact ends half an element beyond the loaded nodes.
+    const double width = to - from + (steps > 0 ? (to - from) / steps : 0);
+    const double ratio = exact.length() / width;
+    const std::string instead =
+        ratio > 1 / like_width && ratio < like_width
+            ? fmt::format("write --origin {:.4g}, the x of the data at the scene's origin, or "
+                          "--origin auto",
+                          0.5 * (from + to) - 0.5 * (a - b))
+            : fmt::format("write --scale x=..., about {:.2g}, if x is in another unit than the "
+                          "scene's, --origin if it is measured from another place",
+                          ratio);
+    reject(fmt::format("{}: the pressures of the data extend from x = {:.6g} to {:.6g}", none, from,
+                       to),
+           instead);
 }
 
 } // namespace

@@ -132,19 +132,13 @@ void compare_surface(FileComparison& file, const scene::Scene& scene, const Exac
                                                       const ExactContact& exact);
 
 /// Compares all tables of a scene, with the mistakes that may explain them, and finds the orders of
-/// several. `progress` is called with the number of tables done, and that of all. Throws as
-/// require_nodes_inside().
+/// several. `progress` is called with the number of tables done, and that of all. Throws
+/// InputError, with the file, for data with too few nodes inside the contact, or inside and outside
+/// the edge zones.
 [[nodiscard]] Comparison
 compare_tables(std::vector<ResultTable> tables, const scene::Scene& scene,
                const ExactContact& exact, const Tolerances& tolerances,
                const std::optional<Rational>& origin,
                const std::function<void(std::size_t, std::size_t)>& progress);
-
-/// Throws InputError, with the file, if fewer than three nodes lie inside the exact contact, or if
-/// the edge zones leave none of these: such data cannot be compared. The advice depends on the
-/// loaded part of the data and its width: a finer mesh if fewer than three nodes are loaded,
-/// another origin if the width is half to twice the contact's, otherwise another unit.
-void require_nodes_inside(const FileComparison& file, const ExactContact& exact,
-                          const EdgeZone& zone);
 
 } // namespace edgeproof::comparison

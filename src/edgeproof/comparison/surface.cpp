@@ -17,47 +17,6 @@ namespace {
 
 constexpr unsigned surface_digits = 12;
 
-/// The exact values of one quantity along the surface of a scene.
-class SurfaceValues {
-public:
-    SurfaceValues(const scene::Scene& scene, scene::Quantity quantity, scene::Body body)
-        : scene_(scene), quantity_(quantity), body_(body) {}
-
-    /// Nothing where the scene has no value: on an edge, or for a profile without a closed form.
-    std::optional<double> operator()(double x) {
-        check_interruption();
-        scene::AskedValue asked = asked_at(quantity_, Real(x));
-        if (quantity_ == scene::Quantity::sxx) {
-            asked = {.quantity = quantity_,
-                     .in_body = scene::BodyPoint{
-                         formula::Exact(formula::Expr::number(exact_rational(x))), {}, body_}};
-        }
-        try {
-            if (!values_) {
-                values_ = std::make_unique<scene::SceneValues>(
-                    scene_, std::vector{asked},
-                    scene::Digits{surface_digits, Rounding::nearest, false});
-            }
-            const scene::BoundedValue value = values_->value(asked);
-            route_ = value.how();
-            return value.value.midpoint().convert_to<double>();
-        } catch (const Error& error) {
-            why_ = error.what();
-            return {};
-        }
-    }
-    [[nodiscard]] const std::string& route() const { return route_; }
-    [[nodiscard]] const std::string& why() const { return why_; }
-
-private:
-    const scene::Scene& scene_;
-    scene::Quantity quantity_;
-    scene::Body body_;
-    std::unique_ptr<scene::SceneValues> values_;
-    std::string route_;
-    std::string why_;
-};
-
 class SurfaceComparison {
 public:
     SurfaceComparison(FileComparison& file, const scene::Scene& scene, const ExactContact& exact,
@@ -160,7 +119,32 @@ private:
                                          scene::Body body, std::initializer_list<double> signs,
                                          const char* reference) {
         const bool gap = quantity == scene::Quantity::gap;
-        SurfaceValues exact(scene_, quantity, body);
+        std::unique_ptr<scene::SceneValues> values;
+        std::string route;
+        std::string why;
+        /// Nothing where the scene has no value: on an edge, or without a closed form.
+        const auto exact = [&](double x) -> std::optional<double> {
+            check_interruption();
+            scene::AskedValue asked = asked_at(quantity, Real(x));
+            if (quantity == scene::Quantity::sxx) {
+                asked.place.reset();
+                asked.in_body = {
+                    formula::Exact(formula::Expr::number(exact_rational(x))), {}, body};
+            }
+            try {
+                if (!values) {
+                    values = std::make_unique<scene::SceneValues>(
+                        scene_, std::vector{asked},
+                        scene::Digits{surface_digits, Rounding::nearest, false});
+                }
+                const scene::BoundedValue value = values->value(asked);
+                route = value.how();
+                return value.value.midpoint().convert_to<double>();
+            } catch (const Error& error) {
+                why = error.what();
+                return {};
+            }
+        };
         std::vector<Pair> pairs;
         double largest = 0;
         std::size_t given = 0; // nodes whose value shows whether the quantity is right
@@ -186,7 +170,7 @@ private:
         if (unknown > 0) {
             not_compared(fmt::format("{} at {}", name,
                                      unknown == 1 ? "1 node" : fmt::format("{} nodes", unknown)),
-                         exact.why());
+                         why);
         }
         if (given < fewest_inside) {
             not_compared(name, fmt::format("{} of the nodes {}the edge zones {} it; at least {} "
@@ -202,7 +186,7 @@ private:
             return {};
         }
         return largest_error(pairs, signs,
-                             {name, reference, exact.route(),
+                             {name, reference, route,
                               quantity == scene::Quantity::sxx ? exact_.scale().value : largest,
                               pairs.size(), INFINITY});
     }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/diagnose/fit.hpp"
 #include "edgeproof/diagnose/mistakes.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string_view>
 
 namespace edgeproof::diagnose {
@@ -81,6 +84,35 @@ std::vector<NamedFactor> named_factors() {
                                     factors.name, factors.common});
                 }
             }
+        }
+    }
+    return list;
+}
+
+std::vector<NearFactor> near_factors(double least, double most) {
+    constexpr double most_rest = 0.105; // that a factor with a name may leave
+    // If a factor is named, so are those whose rest, over the limits of a rest, is that much
+    // larger.
+    constexpr double similar_rest = 1.25;
+    const auto off = [](const Real& x, const Real& of) {
+        return std::abs(Real(x / of - 1).convert_to<double>());
+    };
+    const double wide = most - least;
+    const auto rest = [&](const Real& k) { return std::max(off(least, k), off(most, k)); };
+    const auto of_limits = [&](const NamedFactor& factor) {
+        const Real& k = factor.value;
+        const bool apart = wide > 0 && (k < least - wide || k > most + wide);
+        const double error = std::max(off(k, 1), off(1, k));
+        return apart || !factor.possible("")
+                   ? std::numeric_limits<double>::max()
+                   : rest(k) * std::max(1 / most_rest, least_gain / error);
+    };
+    const std::vector<NamedFactor> factors = named_factors();
+    const double nearest = of_limits(*std::ranges::min_element(factors, {}, of_limits));
+    std::vector<NearFactor> list;
+    for (const NamedFactor& factor : factors) {
+        if (nearest <= 1 && of_limits(factor) <= std::max(1.0, similar_rest * nearest)) {
+            list.push_back({factor, rest(factor.value)});
         }
     }
     return list;

@@ -41,4 +41,15 @@ struct NamedFactor {
 };
 [[nodiscard]] std::vector<NamedFactor> named_factors();
 
+struct NearFactor {
+    NamedFactor factor;
+    double rest; ///< the greatest relative error that it leaves
+};
+/// Returns the named factors k near numbers of `least` to `most` times the right ones: the rest,
+/// which has another cause, is at most a tenth, and a quarter of the error |k - 1| or |1/k - 1|,
+/// and k is not further from the interval than this is wide (unless they are a constant). If the
+/// nearest is just within these limits, those that are nearly as near are added, too: the numbers
+/// do not distinguish them.
+[[nodiscard]] std::vector<NearFactor> near_factors(double least, double most);
+
 } // namespace edgeproof::diagnose

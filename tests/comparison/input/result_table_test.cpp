@@ -31,17 +31,17 @@ std::string unescaped(const std::string& text) {
 }
 
 ResultReading reading_with(const std::vector<std::string>& options) {
-    ResultReading reading;
+    std::optional<Units> units;
+    std::string scale;
+    std::string columns;
     for (const std::string& option : options) {
         if (option == "units") {
-            reading.units = Units{unit_named("mm"), unit_named("N"), unit_named("MPa")};
-        } else if (option.starts_with("scale ")) {
-            parse_scale(option.substr(6), reading);
+            units = Units{unit_named("mm"), unit_named("N"), unit_named("MPa")};
         } else {
-            reading.columns = parse_columns(option.substr(8));
+            (option.starts_with("scale ") ? scale : columns) = option.substr(option.find(' ') + 1);
         }
     }
-    return reading;
+    return reading_of(units, columns, scale);
 }
 
 bool is_three(const std::vector<ResultRow>& rows) {

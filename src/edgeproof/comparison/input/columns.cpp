@@ -4,6 +4,7 @@
 #include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/input/scene_words.hpp"
 
 #include <fmt/format.h>
 
@@ -112,28 +113,54 @@ std::optional<NamedRole> role_of(std::string_view plain_name) {
                                           : std::optional(NamedRole{found->role, found->rank});
 }
 
-ColumnChoice parse_columns(std::string_view text) {
-    ColumnChoice choice;
-    for (std::size_t at = 0; at <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', at), text.size());
-        const std::string_view part = trimmed(text.substr(at, comma - at));
+namespace {
+
+/// A part KEY=VALUE of the text of an option.
+struct Choice {
+    std::string part;
+    std::string key;
+    std::string value;
+};
+std::vector<Choice> choices_in(const std::string& text) {
+    std::vector<Choice> choices;
+    for (const std::string& part :
+         text.empty() ? std::vector<std::string>{} : scene::parts_of(text)) {
         const std::size_t equals = std::min(part.find('='), part.size());
-        const std::string_view key = trimmed(part.substr(0, equals));
-        const std::string_view value = trimmed(part.substr(std::min(equals + 1, part.size())));
-        std::optional<std::string>* const place = key == "x"   ? &choice.x
-                                                  : key == "p" ? &choice.p
-                                                  : key == "q" ? &choice.q
+        choices.push_back({std::string(trimmed(part)), std::string(trimmed(part.substr(0, equals))),
+                           std::string(trimmed(part.substr(std::min(equals + 1, part.size()))))});
+    }
+    return choices;
+}
+
+} // namespace
+
+ResultReading reading_of(const std::optional<scene::Units>& units, const std::string& columns,
+                         const std::string& scale) {
+    ResultReading reading;
+    reading.units = units;
+    for (const auto& [part, key, value] : choices_in(columns)) {
+        std::optional<std::string>* const place = key == "x"   ? &reading.columns.x
+                                                  : key == "p" ? &reading.columns.p
+                                                  : key == "q" ? &reading.columns.q
                                                                : nullptr;
         if (place == nullptr || value.empty() || *place) {
-            throw InputError("--columns " + std::string(text) + ": '" + std::string(part) +
+            throw InputError("--columns " + columns + ": '" + part +
                                  "' does not name a column of x, p or q" +
                                  (place != nullptr && *place ? " that is not named already" : ""),
                              "write it as x=1,p=3, by number from 1 or by name");
         }
         *place = value;
-        at = comma + 1;
     }
-    return choice;
+    for (const auto& [part, key, value] : choices_in(scale)) {
+        const auto factor = conformance::written_number(value);
+        if ((key != "x" && key != "p") || factor.kind != conformance::WrittenNumber::Kind::number ||
+            !(factor.value > 0)) {
+            throw InputError("--scale " + scale + ": '" + part + "' is no factor of x or p",
+                             "write it as x=1e-3,p=1e6, with positive factors");
+        }
+        (key == "x" ? reading.x_scale : reading.p_scale) = factor.value;
+    }
+    return reading;
 }
 
 // The digits with which the numbers of a column are written.

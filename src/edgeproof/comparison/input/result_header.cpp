@@ -89,15 +89,14 @@ private:
     }
     [[nodiscard]] std::vector<Cell> cells_in(const std::string& text) const {
         std::vector<Cell> cells = split_row(text, text_.separator);
-        for (const Separator other :
-             {Separator::comma, Separator::semicolon, Separator::tab, Separator::blank}) {
+        for (const char other : {',', ';', '\t', ' '}) {
             auto again = split_row(text, other);
             if (cells.size() != text_.size && again.size() == text_.size) {
                 cells = std::move(again);
             }
         }
-        if (text_.separator == Separator::blank && cells.size() != text_.size) {
-            auto apart = split_row(wide_gaps_as_tabs(text), Separator::tab);
+        if (text_.separator == ' ' && cells.size() != text_.size) {
+            auto apart = split_row(wide_gaps_as_tabs(text), '\t');
             if (apart.size() == text_.size) {
                 cells = std::move(apart);
             }
@@ -153,7 +152,7 @@ private:
                 header_ = std::move(names);
                 return;
             }
-            const bool blanks = text_.separator == Separator::blank;
+            const bool blanks = text_.separator == ' ';
             const bool chosen_columns = blanks && reading_.columns.x && reading_.columns.p;
             if (both && !text_.lines[i].comment && names.size() > 1 && !chosen_columns) {
                 text_.reject(

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::string_view white = " \t\r\f\v";
 constexpr std::size_t lines_looked_at = 400;
-constexpr std::array all_separators{Separator::tab, Separator::semicolon, Separator::bar,
-                                    Separator::comma, Separator::blank};
+constexpr std::pair<char, const char*> separators[] = {
+    {'\t', "tabs"}, {';', "semicolons"}, {'|', "bars"}, {',', "commas"}, {' ', "blanks"}};
 
 bool is_comment(std::string_view line) {
     line = trimmed(line, white);
@@ -28,23 +28,6 @@ bool is_comment(std::string_view line) {
     }
     return std::ranges::any_of(std::array<std::string_view, 5>{"#", "%", "!", "//", "**"},
                                [line](std::string_view mark) { return line.starts_with(mark); });
-}
-
-bool separates(std::string_view line, std::size_t at, Separator separator) {
-    const char c = line[at];
-    switch (separator) {
-    case Separator::tab:
-        return c == '\t';
-    case Separator::semicolon:
-        return c == ';';
-    case Separator::bar:
-        return c == '|';
-    case Separator::comma:
-        return c == ',';
-    case Separator::blank:
-        break;
-    }
-    return c == ' ' || c == '\t';
 }
 
 Cell cell_of(std::string_view text) {
@@ -62,20 +45,18 @@ public:
     explicit ShapeFinder(ResultText& text) : text_(text) {}
 
     void find() {
-        std::optional<Separator> best;
-        long most = 0;
-        for (const Separator separator : all_separators) {
+        std::optional<long> most;
+        for (const auto& [separator, name] : separators) {
             const auto score = score_of(separator);
-            if (score && (!best || *score > most)) {
-                best = separator;
-                most = *score;
+            if (score && (!most || *score > *most)) {
+                text_.separator = separator;
+                most = score;
             }
         }
-        if (!best) {
+        if (!most) {
             text_.reject(0, "there is no row of two numbers",
                          "give a table with a column of places x and one of pressures p");
         }
-        text_.separator = *best;
         std::map<std::size_t, std::size_t> sizes;
         std::size_t seen = 0;
         for (const ResultLine& line : text_.lines) {
@@ -98,7 +79,7 @@ public:
 
 private:
     /// The numbers minus the other cells, in lines of two numbers or more; nothing without any.
-    [[nodiscard]] std::optional<long> score_of(Separator separator) const {
+    [[nodiscard]] std::optional<long> score_of(char separator) const {
         std::optional<long> score;
         std::size_t seen = 0;
         for (const ResultLine& line : text_.lines) {
@@ -125,60 +106,33 @@ private:
     ResultText& text_;
 };
 
+bool is_written_number(std::string_view text) {
+    return conformance::written_number(text).kind == conformance::WrittenNumber::Kind::number;
+}
+
 /// Writes the exponent with the letter E: in "1.5-104" Fortran omits it, because the exponent has
 /// three digits; gfortran writes a Q for four times the precision, and Mathematica "1.5*^-4".
 std::optional<std::string> with_exponent_letter(const std::string& text) {
+    std::size_t at = std::string::npos;
+    std::size_t size = 0; // of the mark that the letter replaces
     for (const std::string_view mark : {"Q", "q", "*^"}) {
-        const std::size_t at = text.find(mark);
-        if (at != std::string::npos && at > 0 && text.find_first_of("eEdD") == std::string::npos) {
-            std::string out = text;
-            out.replace(at, mark.size(), "E");
-            return conformance::written_number(out).kind == conformance::WrittenNumber::Kind::number
-                       ? std::optional(out)
-                       : std::nullopt;
+        if (at == std::string::npos && text.find_first_of("eEdD") == std::string::npos) {
+            at = text.find(mark);
+            size = mark.size();
         }
     }
-    const std::size_t sign = text.find_last_of("+-");
-    if (sign == std::string::npos || sign == 0 || text.size() - sign != 4 ||
-        text.find_first_not_of("+-.0123456789") != std::string::npos) {
+    if (at == std::string::npos && text.find_first_not_of("+-.0123456789") == std::string::npos) {
+        at = text.find_last_of("+-");
+        at = text.size() - at == 4 ? at : std::string::npos;
+        size = 0;
+    }
+    if (at == std::string::npos || at == 0) {
         return {};
     }
     std::string out = text;
-    out.insert(sign, "E");
-    return conformance::written_number(out).kind == conformance::WrittenNumber::Kind::number
-               ? std::optional(out)
-               : std::nullopt;
+    out.replace(at, size, "E");
+    return is_written_number(out) ? std::optional(out) : std::nullopt;
 }
-
-} // namespace
-
-std::string separator_name(Separator separator) {
-    switch (separator) {
-    case Separator::tab:
-        return "tabs";
-    case Separator::semicolon:
-        return "semicolons";
-    case Separator::bar:
-        return "bars";
-    case Separator::comma:
-        return "commas";
-    case Separator::blank:
-        break;
-    }
-    return "blanks";
-}
-
-std::size_t ResultText::numbers_in(const std::vector<Cell>& cells) const {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(cells, [this](const Cell& cell) { return is_number(cell); }));
-}
-
-void ResultText::reject(std::size_t line, const std::string& problem,
-                        const std::string& instead) const {
-    throw InputError(problem, instead).at(file, line);
-}
-
-namespace {
 
 /// Writes the minus sign and the blanks beyond ASCII, which spreadsheets and web pages contain, as
 /// '-' and ' '.
@@ -195,6 +149,20 @@ std::string with_ascii_marks(std::string_view line) {
 }
 
 } // namespace
+
+std::string separator_name(char separator) {
+    return std::ranges::find(separators, separator, &std::pair<char, const char*>::first)->second;
+}
+
+std::size_t ResultText::numbers_in(const std::vector<Cell>& cells) const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(cells, [this](const Cell& cell) { return is_number(cell); }));
+}
+
+void ResultText::reject(std::size_t line, const std::string& problem,
+                        const std::string& instead) const {
+    throw InputError(problem, instead).at(file, line);
+}
 
 ResultText result_text(std::string_view text, const std::string& file) {
     ResultText result{file, {}};
@@ -229,9 +197,9 @@ ResultText result_text(std::string_view text, const std::string& file) {
     return result;
 }
 
-std::vector<Cell> split_row(std::string_view line, Separator separator) {
+std::vector<Cell> split_row(std::string_view line, char separator) {
     std::vector<Cell> cells;
-    if (separator == Separator::blank) {
+    if (separator == ' ') {
         line = trimmed(line, white);
     }
     std::size_t from = 0;
@@ -247,11 +215,11 @@ std::vector<Cell> split_row(std::string_view line, Separator separator) {
             quote = line[at];
             continue;
         }
-        if (!end && !separates(line, at, separator)) {
+        if (!end && line[at] != separator && !(separator == ' ' && line[at] == '\t')) {
             continue;
         }
         const std::string_view cell = line.substr(from, at - from);
-        if (separator != Separator::blank || !cell.empty()) {
+        if (separator != ' ' || !cell.empty()) {
             cells.push_back(cell_of(cell));
         }
         from = at + 1;
@@ -262,19 +230,15 @@ std::vector<Cell> split_row(std::string_view line, Separator separator) {
     return cells;
 }
 
-std::optional<std::string> number_of(const Cell& cell, Separator separator) {
-    using conformance::WrittenNumber;
-    if (cell.text.empty()) {
-        return {};
-    }
-    if (conformance::written_number(cell.text).kind == WrittenNumber::Kind::number) {
+std::optional<std::string> number_of(const Cell& cell, char separator) {
+    if (is_written_number(cell.text)) {
         return cell.text;
     }
     if (auto fortran = with_exponent_letter(cell.text)) {
         return fortran;
     }
-    return separator != Separator::comma || cell.quoted ? conformance::with_decimal_point(cell.text)
-                                                        : std::nullopt;
+    return separator != ',' || cell.quoted ? conformance::with_decimal_point(cell.text)
+                                           : std::nullopt;
 }
 
 void DecimalMarks::see(std::string_view text, std::size_t line) {

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,18 +22,17 @@ struct ResultLine {
     bool comment = false;   ///< begins with #, %, !, //, or **
 };
 
-/// The separator of the cells of a row.
-enum class Separator { tab, semicolon, bar, comma, blank };
-[[nodiscard]] std::string separator_name(Separator separator);
+/// The separators of cells: tab, semicolon, bar, comma and blank (then a tab is one, too).
+[[nodiscard]] std::string separator_name(char separator);
 
 /// Returns the cells of a row, trimmed, without quotes. Empty cells at the end are left out.
-[[nodiscard]] std::vector<Cell> split_row(std::string_view line, Separator separator);
+[[nodiscard]] std::vector<Cell> split_row(std::string_view line, char separator);
 
 /// Returns the number in a cell as a plain decimal: a decimal comma becomes a point (unless commas
 /// are separators and the cell is not quoted), and `1.5-104` (Fortran), `1.5Q-4` and `1.5*^-4` get
 /// the exponent letter E.
 /// Returns nothing if the cell is not a number; nan and inf are not numbers.
-[[nodiscard]] std::optional<std::string> number_of(const Cell& cell, Separator separator);
+[[nodiscard]] std::optional<std::string> number_of(const Cell& cell, char separator);
 [[nodiscard]] bool is_nan_or_infinite(const Cell& cell);
 /// The text of a cell for a message: quoted, printable, not long.
 [[nodiscard]] std::string shown_cell(std::string_view text);
@@ -69,7 +67,7 @@ private:
 struct ResultText {
     std::string file;
     std::vector<ResultLine> lines;
-    Separator separator = Separator::comma;
+    char separator = ',';
     std::size_t size = 0;      ///< cells of a row
     std::size_t first_row = 0; ///< index of its line
 
@@ -121,42 +119,6 @@ struct TableHeader {
 /// Reads the lines before the first row: names, and units after them or in a row of their own.
 /// Throws InputError if x or p are not found, or are found twice, and for a unit of the wrong kind.
 [[nodiscard]] TableHeader read_header(const ResultText& text, const ResultReading& reading);
-
-/// The last of several load steps with the same places.
-struct LastStep {
-    std::vector<bool> has; ///< each row
-    std::string finding;
-};
-/// Compares the steps as numbers. `steps`: the cells of each row in the columns header.steps.
-/// Returns nothing if there is one step, or if no place occurs twice: the steps then do not divide
-/// the rows. Throws InputError for a step without a number, and if a row of another step has a
-/// place that the last one has not.
-[[nodiscard]] std::optional<LastStep> last_step(const ResultText& text, const TableHeader& header,
-                                                const std::vector<ResultRow>& rows,
-                                                const std::vector<std::vector<std::string>>& steps);
-
-/// The contact output of a node, in the order of an .frd file.
-enum ContactValue : std::size_t { copen, cslip1, cslip2, cpress, cshear1, cshear2, contact_values };
-
-/// The values of a node, as texts, and the line that has them.
-struct NodeValues {
-    std::vector<std::string> values;
-    std::size_t line = 0;
-};
-using NodeTable = std::map<std::string, NodeValues, std::less<>>; ///< by the number of the node
-
-/// The values of a file at each node; the last step replaces those before.
-struct CalculixContents {
-    NodeTable places;
-    NodeTable contact; ///< contact_values; empty texts without a value
-    NodeTable stress;  ///< SXX, SYY, SZZ
-    std::size_t steps = 0;
-};
-
-/// Reads an .frd file of CalculiX (calculix_table()); each node with contact output has a place.
-/// Returns nothing for any other text.
-[[nodiscard]] std::optional<CalculixContents> calculix_contents(std::string_view text,
-                                                                const std::string& file);
 
 /// A result of CalculiX as a table with the names COORD1, COORD2, COORD3, CPRESS, CSHEAR1, COPEN,
 /// CSLIP1, S11: a row for each node of the slave surface, with its place before the deformation. If

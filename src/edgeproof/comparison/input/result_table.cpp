@@ -14,7 +14,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <utility>
 
 namespace edgeproof::comparison {
@@ -35,11 +37,27 @@ double scaled_rounding(double rounding, const Rational& factor) {
                : std::numeric_limits<double>::infinity();
 }
 
+/// The number of a step: 2 for "2" and "Step-2".
+std::optional<Rational> step_number(std::string_view text) {
+    const std::size_t digit = std::min(text.find_first_of("0123456789"), text.size());
+    for (const std::string_view part : {text, text.substr(digit)}) {
+        const auto written = conformance::written_number(part);
+        if (written.kind == conformance::WrittenNumber::Kind::number) {
+            return written.value;
+        }
+    }
+    return {};
+}
+
 class TableReader {
 public:
     TableReader(ResultText text, const ResultReading& reading)
         : text_(std::move(text)), header_(read_header(text_, reading)) {
         table_.file = text_.file;
+        required_ = {{"x", header_.x.index}, {"p", header_.p.index}};
+        if (header_.q) {
+            required_.push_back({"q", header_.q->index});
+        }
         table_.findings = std::move(header_.findings);
     }
 
@@ -58,6 +76,19 @@ public:
     }
 
 private:
+    /// A column that has a number in each row.
+    struct Required {
+        const char* name;
+        std::size_t index;
+    };
+    /// The numbers of a row as texts.
+    struct Texts {
+        std::string x;
+        std::string p;
+        std::string q;
+        std::vector<std::string> steps; ///< in each of header_.steps
+    };
+
     /// Refuses rows before the first complete one: one of x and p is a number, or both begin like
     /// one.
     void check_before_first_row() {
@@ -84,17 +115,15 @@ private:
             return;
         }
         const auto cells = text_.cells(line);
-        const std::size_t last =
-            std::max({header_.x.index, header_.p.index, header_.q ? header_.q->index : 0});
-        const auto unusable = [&](const UsedColumn& c) {
-            return c.index >= cells.size() || !text_.is_number(cells[c.index]);
-        };
         if (cells.empty() || (numbered_ && is_summary(cells[0]))) {
             skip(line);
             return;
         }
-        if (!unusable(header_.x) && !unusable(header_.p) && !(header_.q && unusable(*header_.q))) {
-            if (cells.size() != text_.size && cells.size() > text_.size) {
+        const auto bad = std::ranges::find_if(required_, [&](const Required& column) {
+            return column.index >= cells.size() || !text_.is_number(cells[column.index]);
+        });
+        if (bad == required_.end()) {
+            if (cells.size() > text_.size) {
                 text_.reject(line.number,
                              fmt::format("the row has {} cells and the others have {}",
                                          cells.size(), text_.size),
@@ -119,22 +148,17 @@ private:
             skip(line);
             return;
         }
-        if (cells.size() <= last) {
+        if (cells.size() <= std::ranges::max(required_, {}, &Required::index).index) {
             text_.reject(
                 line.number,
                 fmt::format("the row is cut off: it has {} of {} cells", cells.size(), text_.size),
                 "write all rows alike, or take the row out");
         }
-        const UsedColumn& bad = unusable(header_.x)   ? header_.x
-                                : unusable(header_.p) ? header_.p
-                                                      : *header_.q;
-        text_.reject(line.number,
-                     fmt::format("{} of {} is no number", shown_cell(cells[bad.index].text),
-                                 unusable(header_.x)   ? "x"
-                                 : unusable(header_.p) ? "p"
-                                                       : "q"),
-                     "write a decimal such as 1.5e-3, without marks between thousands, or take the "
-                     "row out");
+        text_.reject(
+            line.number,
+            fmt::format("{} of {} is no number", shown_cell(cells[bad->index].text), bad->name),
+            "write a decimal such as 1.5e-3, without marks between thousands, or take the "
+            "row out");
     }
 
     static bool begins_like_number(const Cell& cell) {
@@ -193,15 +217,16 @@ private:
     void keep(const ResultLine& line, const std::vector<Cell>& cells) {
         ResultRow row;
         row.line = line.number;
+        Texts& texts = texts_.emplace_back();
         marks_[0].see(cells[header_.x.index].text, line.number);
         marks_[1].see(cells[header_.p.index].text, line.number);
-        x_texts_.push_back(*number_of(cells[header_.x.index], text_.separator));
-        p_texts_.push_back(*number_of(cells[header_.p.index], text_.separator));
-        row.x = value(line, x_texts_.back(), header_.x.factor);
-        row.p = value(line, p_texts_.back(), header_.p.factor);
+        texts.x = *number_of(cells[header_.x.index], text_.separator);
+        texts.p = *number_of(cells[header_.p.index], text_.separator);
+        row.x = value(line, texts.x, header_.x.factor);
+        row.p = value(line, texts.p, header_.p.factor);
         if (header_.q) {
-            q_texts_.push_back(*number_of(cells[header_.q->index], text_.separator));
-            row.q = value(line, q_texts_.back(), header_.p.factor);
+            texts.q = *number_of(cells[header_.q->index], text_.separator);
+            row.q = value(line, texts.q, header_.p.factor);
         }
         for (std::size_t k = 0; k < row.surface.size(); ++k) {
             const auto& column = header_.surface[k];
@@ -211,35 +236,81 @@ private:
                                         : std::numeric_limits<double>::quiet_NaN();
             }
         }
-        auto& step = steps_.emplace_back();
         for (const UsedColumn& column : header_.steps) {
             const Cell cell = column.index < cells.size() ? cells[column.index] : Cell{};
-            step.push_back(number_of(cell, text_.separator).value_or(cell.text));
+            texts.steps.push_back(number_of(cell, text_.separator).value_or(cell.text));
         }
         table_.rows.push_back(std::move(row));
     }
 
+    /// Of several load steps with the same places, keeps the last one. They are compared as
+    /// numbers: of steps, then of their increments. If no place occurs twice, they do not divide
+    /// the rows.
     void keep_last_step() {
-        const auto last = last_step(text_, header_, table_.rows, steps_);
-        if (!last) {
+        auto& rows = table_.rows;
+        std::set<Rational> places;
+        std::ranges::for_each(rows, [&](const ResultRow& row) { places.insert(row.x); });
+        if (std::ranges::adjacent_find(texts_, std::not_equal_to(), &Texts::steps) ==
+                texts_.end() ||
+            places.size() == rows.size()) {
             return;
         }
-        const auto keep_last = [&](auto& list) {
-            std::size_t kept = 0;
-            for (std::size_t i = 0; i < list.size(); ++i) {
-                if (last->has[i]) {
-                    std::swap(list[kept++], list[i]);
+        std::vector<std::vector<Rational>> numbers(rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            for (const std::string& step : texts_[i].steps) {
+                const auto number = step_number(step);
+                if (!number) {
+                    text_.reject(rows[i].line,
+                                 shown_cell(step) +
+                                     " is no number of a step, and places are repeated",
+                                 "number the steps, or give the rows of one step only");
                 }
+                numbers[i].push_back(*number);
             }
-            list.resize(kept);
-        };
-        keep_last(table_.rows);
-        keep_last(x_texts_);
-        keep_last(p_texts_);
-        if (header_.q) {
-            keep_last(q_texts_);
         }
-        table_.findings.push_back(last->finding);
+        const std::size_t count = std::set(numbers.begin(), numbers.end()).size();
+        if (count == 1) {
+            return;
+        }
+        const auto greatest = std::ranges::max_element(numbers);
+        const std::string shown = shown_cell(fmt::format(
+            "{}",
+            fmt::join(texts_[static_cast<std::size_t>(greatest - numbers.begin())].steps, ", ")));
+        std::vector<ResultRow> last;
+        std::vector<Texts> texts_of_last;
+        places.clear();
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (numbers[i] == *greatest) {
+                places.insert(rows[i].x);
+                last.push_back(rows[i]);
+                texts_of_last.push_back(texts_[i]);
+            }
+        }
+        const auto alone = std::ranges::find_if(
+            rows, [&](const ResultRow& row) { return !places.contains(row.x); });
+        if (alone != rows.end()) {
+            text_.reject(alone->line,
+                         "the steps are mixed: the last one, " + shown +
+                             ", has no row at this place",
+                         "give the rows of one step only");
+        }
+        rows = std::move(last);
+        texts_ = std::move(texts_of_last);
+        table_.findings.push_back(fmt::format("column {} has {} steps: the last, {}, is compared",
+                                              header_.steps.front().index + 1, count, shown));
+    }
+
+    [[nodiscard]] std::vector<std::string_view> column(std::string Texts::*text) const {
+        std::vector<std::string_view> all;
+        std::ranges::transform(texts_, std::back_inserter(all), text);
+        return all;
+    }
+    void set_rounding(double ResultRow::*rounding, std::string Texts::*text,
+                      const Rational& factor) {
+        const auto half = column_rounding(column(text));
+        for (std::size_t i = 0; i < half.size(); ++i) {
+            table_.rows[i].*rounding = scaled_rounding(half[i], factor);
+        }
     }
 
     [[nodiscard]] bool is_even() const {
@@ -276,15 +347,12 @@ private:
                 skipped_ == 1 ? "1 line" : fmt::format("{} lines", skipped_),
                 skipped_ == 1 ? "is" : "are", first_skipped_));
         }
-        table_.p_digits = carried_digits({p_texts_.begin(), p_texts_.end()});
+        table_.p_digits = carried_digits(column(&Texts::p));
         table_.p_factor = header_.p.factor.convert_to<double>();
-        const auto x_half = column_rounding({x_texts_.begin(), x_texts_.end()});
-        const auto p_half = column_rounding({p_texts_.begin(), p_texts_.end()});
-        const auto q_half = column_rounding({q_texts_.begin(), q_texts_.end()});
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            rows[i].x_rounding = scaled_rounding(x_half[i], header_.x.factor);
-            rows[i].p_rounding = scaled_rounding(p_half[i], header_.p.factor);
-            rows[i].q_rounding = header_.q ? scaled_rounding(q_half[i], header_.p.factor) : 0;
+        set_rounding(&ResultRow::x_rounding, &Texts::x, header_.x.factor);
+        set_rounding(&ResultRow::p_rounding, &Texts::p, header_.p.factor);
+        if (header_.q) {
+            set_rounding(&ResultRow::q_rounding, &Texts::q, header_.p.factor);
         }
         if (!std::ranges::is_sorted(rows, {}, &ResultRow::x)) {
             const bool falling = std::ranges::is_sorted(rows, std::greater(), &ResultRow::x);
@@ -311,12 +379,10 @@ private:
     ResultText text_;
     TableHeader header_;
     ResultTable table_;
+    std::vector<Required> required_;
     bool numbered_ = false;              ///< the first cell of the first row is a number
     std::vector<DecimalMarks> marks_{2}; ///< of x and p
-    std::vector<std::string> x_texts_;
-    std::vector<std::string> p_texts_;
-    std::vector<std::string> q_texts_;
-    std::vector<std::vector<std::string>> steps_; ///< of each row, in each of header_.steps
+    std::vector<Texts> texts_;           ///< of each row
     std::size_t skipped_ = 0;
     std::size_t first_skipped_ = 0;
 };
@@ -337,38 +403,6 @@ ResultTable parse_result(std::string_view text, const std::string& file,
 
 ResultTable read_result(const std::filesystem::path& file, const ResultReading& reading) {
     return parse_result(io::read_text(file, "result (a table of x and p)"), file.string(), reading);
-}
-
-void parse_scale(std::string_view text, ResultReading& reading) {
-    for (std::size_t at = 0; at <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', at), text.size());
-        const std::string_view part = text.substr(at, comma - at);
-        const std::size_t equals = std::min(part.find('='), part.size());
-        const std::string_view key = part.substr(0, equals);
-        const auto factor = conformance::written_number(
-            equals < part.size() ? part.substr(equals + 1) : std::string_view{});
-        if ((key != "x" && key != "p") || factor.kind != conformance::WrittenNumber::Kind::number ||
-            !(factor.value > 0)) {
-            throw InputError("--scale " + std::string(text) + ": '" + std::string(part) +
-                                 "' is no factor of x or p",
-                             "write it as x=1e-3,p=1e6, with positive factors");
-        }
-        (key == "x" ? reading.x_scale : reading.p_scale) = factor.value;
-        at = comma + 1;
-    }
-}
-
-ResultReading reading_of(const std::optional<scene::Units>& units, const std::string& columns,
-                         const std::string& scale) {
-    ResultReading reading;
-    reading.units = units;
-    if (!columns.empty()) {
-        reading.columns = parse_columns(columns);
-    }
-    if (!scale.empty()) {
-        parse_scale(scale, reading);
-    }
-    return reading;
 }
 
 } // namespace edgeproof::comparison

@@ -40,14 +40,12 @@ struct NamedRole {
 /// first. Nothing for another name.
 [[nodiscard]] std::optional<int> step_rank(std::string_view plain_name);
 
-/// The user's choice of columns: "x=1,p=3", "x=COORD1,p=CPRESS,q=CSHEAR1".
+/// The user's choice of columns, by number from 1 or by name.
 struct ColumnChoice {
     std::optional<std::string> x;
     std::optional<std::string> p;
     std::optional<std::string> q;
 };
-/// Throws InputError for a text of another form.
-[[nodiscard]] ColumnChoice parse_columns(std::string_view text);
 
 /// A row of a result: the exact written values of place and pressure, in the scene's units.
 struct ResultRow {
@@ -101,10 +99,9 @@ struct ResultReading {
 [[nodiscard]] ResultTable read_result(const std::filesystem::path& file,
                                       const ResultReading& reading = {});
 
-/// Reads "x=1e-3,p=1e6". Throws InputError for another form and for a factor that is not positive.
-void parse_scale(std::string_view text, ResultReading& reading);
-
-/// `columns`, `scale`: as parse_columns() and parse_scale() read them; empty: not given.
+/// Reads the options: columns "x=1,p=3" or "x=COORD1,p=CPRESS,q=CSHEAR1", factors "x=1e-3,p=1e6";
+/// an empty text is not given. Throws InputError for other forms, and for a factor that is not
+/// positive.
 [[nodiscard]] ResultReading reading_of(const std::optional<scene::Units>& units,
                                        const std::string& columns, const std::string& scale);
 

@@ -58,60 +58,56 @@ std::vector<Sizes> sizes_of(const Questions& questions, ReferenceOptions options
     return list;
 }
 
-Regime regime_of(const Question& q, const Sizes& sizes) {
-    if (!q.at_edge()) {
-        return Regime::contact;
-    }
-    if (!q.at_point()) {
-        return Regime::coefficient;
-    }
-    const double length = sizes.a + sizes.b;
-    const double u = q.u->to<Real>().convert_to<double>();
-    if (std::min(u, length - u) <= length / 1000) {
-        return Regime::near_edge;
-    }
-    const double x = q.edge == contact::Edge::right ? sizes.a - u : u - sizes.b;
-    if (std::abs(x) <= length / 100) {
-        return Regime::apex;
-    }
-    for (const double knot : sizes.knots) {
-        if (std::abs(x - knot) <= length / 100) {
-            return Regime::knot;
+/// The place of a point: the distances from its edge, from the origin, and from the nearest knot.
+struct PointPlace {
+    double u;
+    double x;
+    double from_knot = std::numeric_limits<double>::infinity();
+    double length; ///< a + b
+
+    PointPlace(const Question& q, const Sizes& s)
+        : u(q.u->to<Real>().convert_to<double>()),
+          x(q.edge == contact::Edge::right ? s.a - u : u - s.b), length(s.a + s.b) {
+        for (const double knot : s.knots) {
+            from_knot = std::min(from_knot, std::abs(x - knot));
         }
     }
-    return u > length / 2 ? Regime::far_field : Regime::interior;
+    [[nodiscard]] Regime regime() const {
+        return std::min(u, length - u) <= length / 1000 ? Regime::near_edge
+               : std::abs(x) <= length / 100            ? Regime::apex
+               : from_knot <= length / 100              ? Regime::knot
+               : u > length / 2                         ? Regime::far_field
+                                                        : Regime::interior;
+    }
+    [[nodiscard]] bool outside() const { return !(u > 0 && u < length); }
+};
+
+Regime regime_of(const Question& q, const Sizes& sizes) {
+    return q.u           ? PointPlace(q, sizes).regime()
+           : q.at_edge() ? Regime::coefficient
+                         : Regime::contact;
 }
 
 Nearness nearness_of(const Question& q, const Sizes& sizes) {
-    const double length = sizes.a + sizes.b;
-    Nearness near;
     if (q.u) {
-        near.edge = q.u->to<Real>().convert_to<double>() / length;
-        near.other_edge = std::max(1 - near.edge, 0.0);
-        const double x = q.edge == contact::Edge::right ? sizes.a - near.edge * length
-                                                        : near.edge * length - sizes.b;
-        near.knot = std::abs(x) / length; // of the apex
-        for (const double knot : sizes.knots) {
-            near.knot = std::min(near.knot, std::abs(x - knot) / length);
-        }
-    } else if (!sizes.knots.empty()) {
-        near.edge_to_knot = 1;
-        for (const double knot : sizes.knots) {
-            const bool right = !q.at_edge() || q.edge == contact::Edge::right;
-            const bool left = !q.at_edge() || q.edge == contact::Edge::left;
-            for (const double apart :
-                 {right ? sizes.a - knot : length, left ? sizes.b + knot : length}) {
-                near.edge_to_knot = std::min(near.edge_to_knot, std::max(apart, 0.0) / length);
-            }
+        const PointPlace at(q, sizes);
+        return {at.u / at.length, std::max(1 - at.u / at.length, 0.0),
+                std::min(std::abs(at.x), at.from_knot) / at.length};
+    }
+    if (sizes.knots.empty()) {
+        return {};
+    }
+    const double length = sizes.a + sizes.b;
+    Nearness near{.edge_to_knot = 1};
+    for (const double knot : sizes.knots) {
+        const bool right = !q.at_edge() || q.edge == contact::Edge::right;
+        const bool left = !q.at_edge() || q.edge == contact::Edge::left;
+        for (const double apart :
+             {right ? sizes.a - knot : length, left ? sizes.b + knot : length}) {
+            near.edge_to_knot = std::min(near.edge_to_knot, std::max(apart, 0.0) / length);
         }
     }
     return near;
-}
-
-/// True if a point has no reference because it lies outside the contact.
-bool is_outside(const Question& q, const Sizes& sizes) {
-    const double u = q.u ? q.u->to<Real>().convert_to<double>() : 0;
-    return q.u && !(u > 0 && u < sizes.a + sizes.b);
 }
 
 Real ulp(const Real& x) {
@@ -138,14 +134,14 @@ double digits_of(const Real& relative, unsigned most) {
     return std::clamp(digits, 0.0, static_cast<double>(most));
 }
 
-/// Compares an answer with a reference of a given number of digits. `scale`: of a value that is 0.
-CaseAgreement compared(const Answer& answer, const Reference& reference, const Target& target,
-                       unsigned digits, double scale) {
-    CaseAgreement result;
-    result.reference = printed_text(reference.value, {std::min(digits, 20U), Rounding::nearest});
-    if (answer.state != Answer::State::number) {
-        result.ulps = std::numeric_limits<double>::infinity();
-        return result;
+/// Sets what depends on the answer. `held` has the rest, the scale of a reference that is 0 too.
+void judge(CaseAgreement& held, const Answer& answer, const Reference& reference,
+           const Target& target, unsigned digits) {
+    if (!held.no_reference.empty() || answer.state != Answer::State::number) {
+        held.digits = held.relative = 0;
+        held.ulps = std::numeric_limits<double>::infinity();
+        held.within = held.pass = held.explained = false;
+        return;
     }
     const Ball& exact = reference.value.value;
     const long bits = std::max(exact.bits(), formula::bits_for(digits + 20));
@@ -153,27 +149,20 @@ CaseAgreement compared(const Answer& answer, const Reference& reference, const T
     // The uncertainty of the reference is not counted as an error of the answer.
     const Real off = error.lower() > 0 ? error.lower() : Real(0);
     const bool zero = contains_zero(exact);
-    const Real size = zero ? Real(scale) : Real(abs(exact.midpoint()));
+    const Real size = zero ? Real(held.scale) : Real(abs(exact.midpoint()));
     const Real relative = off / size;
-    result.digits = digits_of(relative, digits);
+    held.digits = digits_of(relative, digits);
     // For a ball around a power of two, the unit is that of the power, not the half of it below.
     const Real reach = zero ? size : Real(abs(exact).upper());
-    result.ulps = off == 0 ? 0 : Real(off / ulp(reach)).convert_to<double>();
-    result.relative = relative.convert_to<double>();
+    held.ulps = off == 0 ? 0 : Real(off / ulp(reach)).convert_to<double>();
+    held.relative = relative.convert_to<double>();
     const double needed = target.digits.value_or(target.ulps ? 0 : Target::default_digits);
-    result.within =
+    held.within =
         ((target.stated() && !target.digits) || relative <= Real(pow(Real(10), Real(-needed)))) &&
-        (!target.ulps || result.ulps <= *target.ulps);
-    result.pass = result.within;
-    return result;
-}
-
-/// Lets an error pass that the conditioning explains, if the target allows it.
-void take_conditioning(CaseAgreement& held, const Answer& answer, const Target& target) {
-    held.explained = held.no_reference.empty() && answer.state == Answer::State::number &&
-                     held.conditioning &&
-                     held.relative <= explained_by_conditioning * held.conditioning->moved;
-    held.pass = held.pass || (held.explained && target.forgives());
+        (!target.ulps || held.ulps <= *target.ulps);
+    held.explained =
+        held.conditioning && held.relative <= explained_by_conditioning * held.conditioning->moved;
+    held.pass = held.within || (held.explained && target.forgives());
 }
 
 /// `all`: the conditioning of all cases, not only of those that miss the target.
@@ -193,32 +182,33 @@ Agreements held_against(std::vector<ReferenceOrWhy> found, const Answers& answer
             const Question& q = questions.list[i];
             const Sizes& s = sizes[q.contact];
             CaseAgreement& held = result.cases[i];
-            if (!found[i].reference) {
-                held.ulps = std::numeric_limits<double>::infinity();
-                held.no_reference = std::move(found[i].why);
-                held.regime = is_outside(q, s) ? Regime::outside : regime_of(q, s);
-                continue;
-            }
-            result.references[i] = std::move(*found[i].reference);
-            const double scale = scale_of(q, std::abs(s.force), s.a + s.b);
-            held = compared(answers.given[i], result.references[i], target, result.digits, scale);
-            held.scale = scale;
             held.regime = regime_of(q, s);
-            held.nearness = nearness_of(q, s);
+            held.no_reference = std::move(found[i].why);
+            if (found[i].reference) {
+                result.references[i] = std::move(*found[i].reference);
+                held.reference = printed_text(result.references[i].value,
+                                              {std::min(result.digits, 20U), Rounding::nearest});
+                held.scale = scale_of(q, std::abs(s.force), s.a + s.b);
+                held.nearness = nearness_of(q, s);
+            } else if (q.u && PointPlace(q, s).outside()) {
+                held.regime = Regime::outside;
+            }
+            judge(held, answers.given[i], result.references[i], target, result.digits);
         }
     });
     std::vector<std::size_t> conditioned;
     for (std::size_t i = 0; i < found.size(); ++i) {
-        result.estimates += found[i].reference && !result.references[i].value.proved ? 1 : 0;
-        if (result.cases[i].no_reference.empty() && (all || !result.cases[i].pass)) {
+        const CaseAgreement& held = result.cases[i];
+        result.estimates += held.no_reference.empty() && !result.references[i].value.proved ? 1 : 0;
+        if (held.no_reference.empty() && (all || !held.pass)) {
             conditioned.push_back(i);
         }
     }
     const auto conditions = conditioning(questions, result.references, conditioned, options);
-    for (std::size_t i = 0; i < result.cases.size(); ++i) {
-        CaseAgreement& held = result.cases[i];
-        held.conditioning = conditions[i];
-        take_conditioning(held, answers.given[i], target);
+    const PrecisionScope scope(result.digits + 20);
+    for (const std::size_t i : conditioned) {
+        result.cases[i].conditioning = conditions[i];
+        judge(result.cases[i], answers.given[i], result.references[i], target, result.digits);
     }
     return result;
 }
@@ -268,18 +258,7 @@ Agreements compare_again(const Answers& answers, const Target& target, const Agr
     const PrecisionScope scope(known.digits + 20);
     Agreements result = known;
     for (std::size_t i = 0; i < result.cases.size(); ++i) {
-        CaseAgreement& held = result.cases[i];
-        if (!held.no_reference.empty()) {
-            continue;
-        }
-        const CaseAgreement old =
-            std::exchange(held, compared(answers.given[i], known.references[i], target,
-                                         known.digits, held.scale));
-        held.regime = old.regime;
-        held.nearness = old.nearness;
-        held.scale = old.scale;
-        held.conditioning = old.conditioning;
-        take_conditioning(held, answers.given[i], target);
+        judge(result.cases[i], answers.given[i], known.references[i], target, known.digits);
     }
     return result;
 }

@@ -108,9 +108,8 @@ private:
     [[nodiscard]] formula::Exact number_of(const io::Csv::Row& row, const std::string& name) const {
         const std::string text = cell(row, name);
         try {
-            formula::Exact number = formula::Exact::parse(text);
-            return number;
-        } catch (const Error& error) {
+            return formula::Exact::parse(text);
+        } catch (const Error&) {
             reject(row, name + " = '" + text + "' is no number",
                    "repeat the " + name + " of the question");
         }
@@ -174,43 +173,55 @@ std::optional<std::size_t> asked_by_note(const io::Csv& csv, std::size_t i) {
     return asked;
 }
 
-/// Replaces decimal commas by points if the separator is not a comma, as in spreadsheets of some
-/// countries. The ids are not changed.
-void put_decimal_points(const io::Csv& head, std::size_t id, io::Csv::Row& row) {
-    if (head.separator == ',') {
-        return;
-    }
-    for (std::size_t i = 0; i < row.cells.size(); ++i) {
-        if (i != id) {
-            row.cells[i] = with_decimal_point(row.cells[i]).value_or(row.cells[i]);
-        }
-    }
-}
-
 /// True for a readable row with as many cells as the header; otherwise adds a fault.
 bool whole(const io::Csv& csv, const io::Csv::Row& row, std::vector<std::string>& faults) {
     const std::size_t needed = csv.header.cells.size();
     if (row.fault.empty() && row.cells.size() == needed) {
         return true;
     }
-    const std::string begins = row.cells.front().substr(0, longest_shown);
-    const bool commas = csv.separator == ',' && row.cells.size() > needed;
+    const bool commas = row.fault.empty() && csv.separator == ',' && row.cells.size() > needed;
     faults.push_back(place(csv, row.line) + "garbage: " +
                      (!row.fault.empty() ? row.fault
                                          : std::to_string(row.cells.size()) + " cells, not " +
                                                std::to_string(needed)) +
-                     ": \"" + begins + "\"" +
-                     (row.fault.empty() && commas
-                          ? " (commas in numbers? write decimal points and no marks between "
-                            "thousands, or separate by semicolons)"
-                          : ""));
+                     ": \"" + row.cells.front().substr(0, longest_shown) + "\"" +
+                     (commas ? " (commas in numbers? write decimal points and no marks between "
+                               "thousands, or separate by semicolons)"
+                             : ""));
     return false;
+}
+
+/// Calls take(row, id, answer) for each whole row; it returns a fault, or an empty text. If the
+/// separator is not a comma, decimal commas become points, except in ids.
+template <class Take>
+void read_rows(const io::Csv& csv, std::vector<std::string>& faults, const Take& take) {
+    const AnswerColumns columns = columns_of(csv);
+    for (io::Csv::Row row : csv.rows) {
+        for (std::size_t i = 0; csv.separator != ',' && i < row.cells.size(); ++i) {
+            if (i != columns.id) {
+                row.cells[i] = with_decimal_point(row.cells[i]).value_or(row.cells[i]);
+            }
+        }
+        if (!whole(csv, row, faults)) {
+            continue;
+        }
+        Answer answer = read_answer(row.cells[columns.value]);
+        answer.line = row.line;
+        const std::string fault = take(row, row.cells[columns.id], std::move(answer));
+        if (!fault.empty()) {
+            faults.push_back(place(csv, row.line) + fault);
+        }
+    }
+}
+
+std::string answered_twice(const std::string& id, std::size_t first) {
+    return id + " is answered twice, first in line " + std::to_string(first);
 }
 
 } // namespace
 
 Answers echoed_answers(const io::Csv& csv) {
-    const AnswerColumns columns = columns_of(csv);
+    (void)columns_of(csv);
     Answers answers;
     answers.questions.file = csv.file;
     Echo echo(csv, answers.questions);
@@ -220,23 +231,15 @@ Answers echoed_answers(const io::Csv& csv) {
             .at(csv.file, csv.header.line);
     }
     std::map<std::string, std::size_t> lines;
-    for (io::Csv::Row row : csv.rows) {
-        put_decimal_points(csv, columns.id, row);
-        if (!whole(csv, row, answers.faults)) {
-            continue;
-        }
-        const std::string& id = row.cells[columns.id];
+    read_rows(csv, answers.faults, [&](const auto& row, const auto& id, Answer answer) {
         const auto [first, is_new] = lines.emplace(id, row.line);
         if (!is_new) {
-            answers.faults.push_back(place(csv, row.line) + id +
-                                     " is answered twice, first in line " +
-                                     std::to_string(first->second));
-            continue;
+            return answered_twice(id, first->second);
         }
         answers.questions.list.push_back(echo.read(row, id));
-        answers.given.push_back(read_answer(row.cells[columns.value]));
-        answers.given.back().line = row.line;
-    }
+        answers.given.push_back(std::move(answer));
+        return std::string();
+    });
     for (std::size_t i = 0; i < csv.notes.size(); ++i) {
         const auto asked = asked_by_note(csv, i);
         if (asked && *asked > lines.size()) {
@@ -249,7 +252,6 @@ Answers echoed_answers(const io::Csv& csv) {
 }
 
 Answers answers_to(const Questions& asked, const io::Csv& csv) {
-    const AnswerColumns columns = columns_of(csv);
     Answers answers{asked, {}, {}, 0};
     answers.given.resize(asked.list.size());
     answers.questions.file = csv.file;
@@ -258,31 +260,20 @@ Answers answers_to(const Questions& asked, const io::Csv& csv) {
         index.emplace(asked.list[i].id, i);
     }
     std::size_t next = 0;
-    for (io::Csv::Row row : csv.rows) {
-        put_decimal_points(csv, columns.id, row);
-        if (!whole(csv, row, answers.faults)) {
-            continue;
-        }
-        const std::string& id = row.cells[columns.id];
-        const auto fault = [&](const std::string& what) {
-            answers.faults.push_back(place(csv, row.line) + what);
-        };
+    read_rows(csv, answers.faults, [&](const auto&, const auto& id, Answer answer) {
         const auto found = index.find(id);
         if (found == index.end()) {
-            fault("'" + id.substr(0, longest_shown) + "' was not asked");
-            continue;
+            return "'" + id.substr(0, longest_shown) + "' was not asked";
         }
         const std::size_t i = found->second;
-        Answer& answer = answers.given[i];
-        if (answer.line != 0) {
-            fault(id + " is answered twice, first in line " + std::to_string(answer.line));
-            continue;
+        if (answers.given[i].line != 0) {
+            return answered_twice(id, answers.given[i].line);
         }
         answers.out_of_order += i < next ? 1 : 0; // the id identifies the question
         next = std::max(next, i + 1);
-        answer = read_answer(row.cells[columns.value]);
-        answer.line = row.line;
-    }
+        answers.given[i] = std::move(answer);
+        return std::string();
+    });
     return answers;
 }
 

@@ -40,7 +40,7 @@ inline constexpr std::size_t most_failing = 10'000;
 using KnownReadings = std::map<std::string, std::map<std::size_t, std::optional<Real>>>;
 
 /// Searches the failing rows for numbers of few digits, for a loss of digits that follows a
-/// distance, for questions interpreted differently (wrong_rows.hpp), and for a uniform factor (2,
+/// distance, for questions interpreted differently (readings.hpp), and for a uniform factor (2,
 /// 1/2, pi, units of other systems, ... or any other), a sign, and exchanged edges: for each
 /// quantity at both edges, else at one. A cause is accepted if at least 3 failing rows, and 9 of
 /// 10, follow it within their own scatter, this scatter is below 12 %, and it leaves less than a
@@ -58,10 +58,7 @@ using KnownReadings = std::map<std::string, std::map<std::size_t, std::optional<
 [[nodiscard]] std::vector<Convention> infer_conventions(const Answers& answers,
                                                         const Agreements& agreements,
                                                         const ReferenceOptions& options,
-                                                        KnownReadings& known);
-[[nodiscard]] std::vector<Convention> infer_conventions(const Answers& answers,
-                                                        const Agreements& agreements,
-                                                        const ReferenceOptions& options);
+                                                        KnownReadings* known = nullptr);
 
 /// Checks if answers that miss the target are in single precision, or were written with few digits.
 /// Each quantity is checked separately.

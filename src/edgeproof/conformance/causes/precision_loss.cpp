@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/number_text.hpp"
-#include "edgeproof/conformance/causes/wrong_rows.hpp"
+#include "edgeproof/conformance/causes/readings.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <string>
 #include <utility>
@@ -71,28 +72,69 @@ bool is_cut(const Answer& answer, const Reference& reference, unsigned digits) {
             value.convert_to<double>() == answer.value.convert_to<double>());
 }
 
+/// Wrong answers of one quantity.
 struct Tally {
-    std::vector<std::size_t> wrong;
-    std::size_t failing = 0; ///< of these, the rows that are not otherwise wrong
-    unsigned written = 0;
-    double digits = 40;
+    std::vector<std::size_t> wrong; ///< other than 0
     std::vector<std::size_t> single;
     std::vector<std::size_t> cut;
-    std::vector<std::size_t> zeros; ///< wrong answers that are 0
+    std::vector<std::size_t> zeros;
+    std::size_t failing = 0; ///< the wrong rows that are not otherwise wrong
+    unsigned written = 0;
+    double digits = 40;
 
+    void add(std::size_t i, const Answer& answer, const Reference& reference, double right_digits) {
+        if (answer.value == 0) {
+            zeros.push_back(i);
+            return;
+        }
+        wrong.push_back(i);
+        const unsigned carried = digits_carried(answer);
+        const bool is_cut_off =
+            carried > 0 && carried < full_digits && is_cut(answer, reference, carried);
+        if (right_digits < least_digits_kept && !is_cut_off) {
+            return;
+        }
+        ++failing;
+        if (is_single(answer)) {
+            single.push_back(i);
+        }
+        if (is_cut_off) {
+            cut.push_back(i);
+        }
+        written = std::max(written, carried);
+        digits = std::min(digits, right_digits);
+    }
     /// The number of decimals, if most of the cut answers have it, and few the number of digits.
     [[nodiscard]] std::optional<unsigned> decimals(const Answers& answers) const {
-        unsigned most = 0;
-        for (const std::size_t i : cut) {
-            most = std::max(most, decimals_carried(answers.given[i]));
-        }
-        const auto by_decimals = std::ranges::count_if(
-            cut, [&](std::size_t i) { return decimals_carried(answers.given[i]) == most; });
+        std::vector<unsigned> of_cut;
+        std::ranges::transform(cut, std::back_inserter(of_cut),
+                               [&](std::size_t i) { return decimals_carried(answers.given[i]); });
+        const unsigned most = of_cut.empty() ? 0 : std::ranges::max(of_cut);
         const auto by_digits = std::ranges::count_if(
             cut, [&](std::size_t i) { return digits_carried(answers.given[i]) == written; });
         const auto all = static_cast<std::ptrdiff_t>(cut.size());
-        return most > 0 && 2 * by_decimals > all && 2 * by_digits < all ? std::optional(most)
-                                                                        : std::nullopt;
+        return most > 0 && 2 * std::ranges::count(of_cut, most) > all && 2 * by_digits < all
+                   ? std::optional(most)
+                   : std::nullopt;
+    }
+    /// The rows that cutting explains: also those that other errors have moved by a unit of the
+    /// last digit, and those that are cut to 0.
+    [[nodiscard]] std::vector<std::size_t> explained(const Answers& answers,
+                                                     const Agreements& agreements,
+                                                     std::optional<unsigned> to_decimals) const {
+        std::vector<std::size_t> rows = wrong;
+        std::erase_if(rows, [&](std::size_t i) {
+            const Answer& answer = answers.given[i];
+            const unsigned carried = digits_carried(answer);
+            return to_decimals ? decimals_carried(answer) > *to_decimals ||
+                                     agreements.cases[i].digits < carried - 1.0
+                               : carried > written || agreements.cases[i].digits < written - 1;
+        });
+        std::ranges::copy_if(zeros, std::back_inserter(rows), [&](std::size_t i) {
+            const Real ours = agreements.references[i].value.value.midpoint();
+            return to_decimals && abs(ours) <= pow(Real(10), -static_cast<int>(*to_decimals)) / 2;
+        });
+        return rows;
     }
 };
 
@@ -101,72 +143,39 @@ struct Tally {
 std::vector<Convention> infer_precision_loss(const Answers& answers, const Agreements& agreements) {
     std::map<std::string, Tally> families;
     for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
-        const Answer& answer = answers.given[i];
         const CaseAgreement& held = agreements.cases[i];
-        const bool number =
-            answer.state == Answer::State::number && answer.value != 0 && held.no_reference.empty();
-        const unsigned written = number ? digits_carried(answer) : 0;
-        const bool cut = number && written > 0 && written < full_digits && !held.pass &&
-                         is_cut(answer, agreements.references[i], written);
-        if (answer.state == Answer::State::number && answer.value == 0 && !held.pass &&
-            held.no_reference.empty()) {
-            families[family_of(answers.questions.list[i])].zeros.push_back(i);
+        if (answers.given[i].state == Answer::State::number && held.no_reference.empty() &&
+            !held.pass) {
+            families[family_of(answers.questions.list[i])].add(
+                i, answers.given[i], agreements.references[i], held.digits);
         }
-        if (!number || held.pass) {
-            continue;
-        }
-        Tally& t = families[family_of(answers.questions.list[i])];
-        t.wrong.push_back(i);
-        if (held.digits < least_digits_kept && !cut) {
-            continue;
-        }
-        ++t.failing;
-        if (is_single(answer)) {
-            t.single.push_back(i);
-        }
-        if (cut) {
-            t.cut.push_back(i);
-        }
-        t.written = std::max(t.written, written);
-        t.digits = std::min(t.digits, held.digits);
     }
     std::vector<Convention> found;
-    for (const auto& of_family : families) {
-        const Tally& t = of_family.second;
+    for (const auto& [family, t] : families) {
         const bool cut = enough(t.cut.size(), t.wrong.size());
         if (!cut && !enough(t.single.size(), t.failing)) {
             continue;
         }
-        Convention c;
-        c.of = of_family.first;
-        const auto decimals = cut ? t.decimals(answers) : std::nullopt;
-        c.relation = decimals ? fmt::format("right, and cut to {} decimals when written", *decimals)
-                     : cut    ? fmt::format("right, and cut to {} digits when written", t.written)
-                              : "in single precision (binary32)";
+        Convention& c = found.emplace_back();
+        c.of = family;
+        c.name = "binary32";
+        c.relation = "in single precision (binary32)";
+        c.hint = "compute and write in double precision";
         c.digits = c.held = t.digits;
+        c.failing = t.failing;
         c.rows = cut ? t.cut.size() : t.single.size();
         c.which = t.single;
-        if (cut) { // also those that other errors have moved by a unit of the last digit
-            c.which = t.wrong;
-            std::erase_if(c.which, [&](std::size_t i) {
-                const unsigned carried = digits_carried(answers.given[i]);
-                return decimals ? decimals_carried(answers.given[i]) > *decimals ||
-                                      agreements.cases[i].digits < carried - 1.0
-                                : carried > t.written || agreements.cases[i].digits < t.written - 1;
-            });
-            std::ranges::copy_if(t.zeros, std::back_inserter(c.which), [&](std::size_t i) {
-                const Real ours = agreements.references[i].value.value.midpoint();
-                return decimals && abs(ours) <= pow(Real(10), -static_cast<int>(*decimals)) / 2;
-            });
+        if (cut) {
+            const auto decimals = t.decimals(answers);
+            c.name = decimals ? fmt::format("rounded-to-{}-decimals", *decimals)
+                              : fmt::format("rounded-to-{}", t.written);
+            c.relation =
+                fmt::format("right, and cut to {} {} when written", decimals.value_or(t.written),
+                            decimals ? "decimals" : "digits");
+            c.hint = "write all 17 digits of a double (%.17g), or state what you write with "
+                     "--digits";
+            c.which = t.explained(answers, agreements, decimals);
         }
-        c.failing = t.failing;
-        c.hint = cut ? "write all 17 digits of a double (%.17g), or state what you write with "
-                       "--digits"
-                     : "compute and write in double precision";
-        c.name = decimals ? fmt::format("rounded-to-{}-decimals", *decimals)
-                 : cut    ? fmt::format("rounded-to-{}", t.written)
-                          : "binary32";
-        found.push_back(std::move(c));
     }
     return found;
 }
@@ -237,26 +246,23 @@ std::optional<LossLine> fitted_loss(std::vector<LossRow>& rows) {
     }
     std::ranges::sort(rows, std::greater(), &LossRow::place);
     std::vector<double> far;
-    for (std::size_t i = 0; i < std::max<std::size_t>(rows.size() / 4, 1); ++i) {
-        far.push_back(rows[i].digits);
-    }
+    std::ranges::transform(rows | std::views::take(rows.size() / 4), std::back_inserter(far),
+                           &LossRow::digits);
     LossLine line;
     line.plateau = std::min(median_of(std::move(far)), full_double + 1);
-    std::vector<const LossRow*> lossy;
-    for (const LossRow& row : rows) {
-        if (row.digits < line.plateau - near_line && row.digits > no_digits) {
-            lossy.push_back(&row);
-        }
-    }
+    std::vector<LossRow> lossy;
+    std::ranges::copy_if(rows, std::back_inserter(lossy), [&](const LossRow& row) {
+        return row.digits < line.plateau - near_line && row.digits > no_digits;
+    });
     if (lossy.size() < least_lossy_rows ||
-        lossy.front()->place - lossy.back()->place < least_decades) {
+        lossy.front().place - lossy.back().place < least_decades) {
         return {};
     }
     std::vector<double> rates;
-    for (std::size_t i = 0; i < lossy.size(); ++i) {
-        for (std::size_t k = i + 1; k < lossy.size(); ++k) {
-            if (const double apart = lossy[i]->place - lossy[k]->place; apart >= 1) {
-                rates.push_back((lossy[i]->digits - lossy[k]->digits) / apart);
+    for (const LossRow& farther : lossy) {
+        for (const LossRow& row : lossy) {
+            if (const double apart = farther.place - row.place; apart >= 1) {
+                rates.push_back((farther.digits - row.digits) / apart);
             }
         }
     }
@@ -265,8 +271,8 @@ std::optional<LossLine> fitted_loss(std::vector<LossRow>& rows) {
     }
     line.rate = median_of(std::move(rates));
     std::vector<double> levels;
-    for (const LossRow* row : lossy) {
-        levels.push_back(row->digits - line.rate * row->place);
+    for (const LossRow& row : lossy) {
+        levels.push_back(row.digits - line.rate * row.place);
     }
     line.at_one = median_of(std::move(levels));
     return line;

@@ -104,23 +104,18 @@ std::vector<GridAxis> read_axes(const io::TomlSection& scene) {
     return axes;
 }
 
-std::vector<scene::AskedPoint> read_points(const io::TomlSection& scene) {
-    std::vector<scene::AskedPoint> points;
-    if (!scene.has("u")) {
-        return points;
-    }
-    if (scene.is_table("u")) {
+std::vector<io::TomlSection::Item> read_points(const io::TomlSection& scene) {
+    std::vector<io::TomlSection::Item> points;
+    if (scene.has("u") && scene.is_table("u")) {
         for (const formula::Exact& u : read_range(scene, "u")) {
             points.push_back({u, scene.line("u")});
         }
-    } else {
-        for (const auto& item : scene.exacts("u")) {
-            points.push_back({item.value, item.line});
-        }
+    } else if (scene.has("u")) {
+        points = scene.exacts("u");
     }
-    for (const scene::AskedPoint& point : points) {
-        if (point.u.sign() <= 0) {
-            scene.reject(point.line, "u = " + point.u.text() + " is not inside the contact",
+    for (const auto& [u, line] : points) {
+        if (u.sign() <= 0) {
+            scene.reject(line, "u = " + u.text() + " is not inside the contact",
                          "give distances from the edge, 0 < u < a + b");
         }
     }
@@ -147,17 +142,6 @@ std::vector<scene::BodyPoint> read_body_points(const io::TomlSection& scene) {
     return points;
 }
 
-std::vector<formula::Exact> read_tolerances(const io::TomlSection& scene) {
-    std::vector<formula::Exact> tolerances;
-    if (scene.has("tolerance")) {
-        io::at_place(scene.file(), scene.line("tolerance"), [&] {
-            std::ranges::transform(scene.written_list("tolerance"), std::back_inserter(tolerances),
-                                   scene::parse_tolerance);
-        });
-    }
-    return tolerances;
-}
-
 /// Reads the questions for one contact, in the order of the rows. `line`: of the quantities.
 std::vector<Question> read_asked(const io::TomlSection& scene, std::size_t& line) {
     std::vector<scene::NamedQuantity> quantities;
@@ -172,8 +156,14 @@ std::vector<Question> read_asked(const io::TomlSection& scene, std::size_t& line
     }
     const std::vector<contact::Edge> edges =
         scene.has("edges") ? scene::read_edges(scene) : std::vector{contact::Edge::right};
-    const std::vector<scene::AskedPoint> points = read_points(scene);
-    const std::vector<formula::Exact> tolerances = read_tolerances(scene);
+    const auto points = read_points(scene);
+    std::vector<formula::Exact> tolerances;
+    if (scene.has("tolerance")) {
+        io::at_place(scene.file(), scene.line("tolerance"), [&] {
+            std::ranges::transform(scene.written_list("tolerance"), std::back_inserter(tolerances),
+                                   scene::parse_tolerance);
+        });
+    }
     /// Makes questions for the quantities with `is(row)`, each a copy of `like`.
     const auto questions = [&](const std::string& from, const scene::AskedValue& like,
                                const auto& is) {
@@ -231,10 +221,10 @@ std::vector<Question> read_asked(const io::TomlSection& scene, std::size_t& line
             add(questions(from + ":tolerance=" + tolerance.text(), value, to_tolerance));
         }
         value.tolerance.reset();
-        for (const scene::AskedPoint& point : points) {
-            value.u = point.u;
-            for (Question& q : questions(from + ":u=" + point.u.text(), value, at_point)) {
-                q.line = point.line;
+        for (const auto& [u, of_u] : points) {
+            value.u = u;
+            for (Question& q : questions(from + ":u=" + u.text(), value, at_point)) {
+                q.line = of_u;
                 list.push_back(std::move(q));
             }
         }
@@ -244,34 +234,19 @@ std::vector<Question> read_asked(const io::TomlSection& scene, std::size_t& line
 
 constexpr std::size_t most_questions = 1'000'000;
 
-/// Returns the indices of the values of contact number `contact` on each axis; the last axis varies
-/// fastest.
-std::vector<std::size_t> at_contact(const std::vector<GridAxis>& axes, std::size_t contact) {
-    std::vector<std::size_t> at(axes.size());
-    for (std::size_t i = axes.size(); i-- > 0;) {
-        at[i] = contact % axes[i].values.size();
-        contact /= axes[i].values.size();
-    }
-    return at;
-}
-
-std::string id_of(const GridScene& scene, const std::vector<std::size_t>& at) {
-    std::string id = scene.name;
-    for (std::size_t i = 0; i < at.size(); ++i) {
-        const GridAxis& axis = scene.axes[i];
-        id += axis.grid ? ":" + axis.key + "=" + axis.values[at[i]] : "";
-    }
-    return id;
-}
-
-AskedContact contact_of(const GridScene& scene, const std::vector<std::size_t>& at,
-                        const std::string& file) {
+/// Contact number `contact` of a grid, whose last axis varies fastest, and the begin of the ids of
+/// its questions.
+std::pair<AskedContact, std::string> at_contact(const GridScene& scene, std::size_t contact,
+                                                const std::string& file) {
     std::vector<Parameter> parameters;
-    for (std::size_t i = 0; i < at.size(); ++i) {
-        const GridAxis& axis = scene.axes[i];
-        parameters.push_back({axis.key, axis.values[at[i]], axis.line});
+    std::string id;
+    for (auto axis = scene.axes.rbegin(); axis != scene.axes.rend(); ++axis) {
+        const std::string& value = axis->values[contact % axis->values.size()];
+        contact /= axis->values.size();
+        parameters.push_back({axis->key, value, axis->line});
+        id.insert(0, axis->grid ? ":" + axis->key + "=" + value : "");
     }
-    return make_asked_contact(std::move(parameters), file, scene.line);
+    return {make_asked_contact(std::move(parameters), file, scene.line), scene.name + id};
 }
 
 /// The questions of all scenes. Throws InputError for a question asked twice, for one that a
@@ -283,24 +258,20 @@ Questions questions_of(const std::vector<GridScene>& scenes, const std::string& 
     for (const GridScene& scene : scenes) {
         std::size_t contacts = 1;
         for (const GridAxis& axis : scene.axes) {
-            if (axis.values.size() > most_questions / scene.asked.size() / contacts) {
-                throw InputError("more than a million questions", "split the recipe")
-                    .at(file, scene.asked.front().line);
-            }
-            contacts *= axis.values.size();
+            contacts = std::min(contacts * axis.values.size(), most_questions + 1);
         }
         if (all.list.size() + contacts * scene.asked.size() > most_questions) {
             throw InputError("more than a million questions", "split the recipe")
                 .at(file, scene.asked.front().line);
         }
         for (std::size_t c = 0; c < contacts; ++c) {
-            const std::vector<std::size_t> at = at_contact(scene.axes, c);
-            all.contacts.push_back(contact_of(scene, at, file));
+            auto [contact, id] = at_contact(scene, c, file);
+            all.contacts.push_back(std::move(contact));
             for (Question q : scene.asked) {
                 if (c == 0) {
                     check_askable(all.contacts.back(), q, file, scene.asked_line);
                 }
-                q.id = id_of(scene, at) + q.id;
+                q.id.insert(0, id);
                 if (!ids.insert(q.id).second) {
                     throw InputError("the question " + q.id + " is asked twice",
                                      "leave one out, or give the second scene another name")

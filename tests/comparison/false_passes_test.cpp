@@ -133,7 +133,7 @@ TEST_CASE("a mesh that misses the peak of a sharp punch does not determine it") 
     CHECK(judged(text(2100), sharp).passes());
 }
 
-TEST_CASE("digits that hide more than the tolerance, and numbers that overflow, do not pass") {
+TEST_CASE("digits that hide more than the tolerance do not pass") {
     // The values 0 and 1 for a pressure up to 9/8: half a unit of the last digit is 44 % of the
     // peak.
     const auto whole = [](double x) { return std::round(p(x)); };
@@ -144,22 +144,4 @@ TEST_CASE("digits that hide more than the tolerance, and numbers that overflow, 
     const FileComparison file = judged(text, exact());
     CHECK_FALSE(file.passes());
     CHECK(file.failures.front().find("too few digits") != std::string::npos);
-    for (const char* const cell : {"nan", "inf", "-inf", "1e309", "1e400", "NaN", "1.#INF", "****",
-                                   "-1.#IND", "--", "n/a"}) {
-        CAPTURE(std::string(cell));
-        CHECK_THROWS_AS((void)parse_result("x,p\n-1,0\n0," + std::string(cell) + "\n1,0\n", "r"),
-                        InputError);
-        CHECK_THROWS_AS((void)parse_result("x,p\n-1,0\n" + std::string(cell) + ",1\n1,0\n", "r"),
-                        InputError);
-    }
-    const ResultReading reading = reading_of({}, "", "p=1e309");
-    try {
-        (void)parse_result("x,p\n-1,0\n0,1\n1,0\n", "r.csv", reading);
-        FAIL("a pressure of 1e309 is read");
-    } catch (const InputError& error) {
-        CHECK(std::string(error.what()).starts_with("r.csv:3: '1' times its scale"));
-    }
-    CHECK_FALSE(compare_file(parse_result("x,p\n-2,0\n-1,0\n0,0\n1,0\n2,0\n", "r.csv", reading),
-                             exact(), {}, Rational(0))
-                    .passes());
 }

@@ -5,12 +5,11 @@
 ///   questions/recipe.hpp       Recipe: grids of contacts with questions, from TOML
 ///   questions/reference.hpp    the answers, the same on any number of threads; how much of an
 ///                              error the rounding of the inputs explains
-///   answers/answers.hpp        the answers of another program, right or wrong; number_text.hpp
+///   answers/answers.hpp        the answers of another program, right or wrong
 ///   answers/agreement.hpp      correct digits, ulps, and the position in the contact
 ///   causes/convention.hpp      failures that another convention or interpretation explains
 #include "edgeproof/conformance/answers/agreement.hpp"
 #include "edgeproof/conformance/answers/answers.hpp"
-#include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/conformance/causes/convention.hpp"
 #include "edgeproof/conformance/questions/question.hpp"
 #include "edgeproof/conformance/questions/recipe.hpp"

@@ -26,6 +26,8 @@ constexpr double deviations_of_noise = 3.5;
 constexpr double of_allowance = 2; // nine of ten values, over the root mean square
 constexpr double of_smooth = 3;    // the same of what a cause leaves
 constexpr double rounding = 1e-7;  // smaller scatter is not used to distinguish causes
+/// Many causes are tried, and a constant is fitted to the numbers: chance may favour it by more.
+constexpr double favour_of_constant = 2;
 
 std::vector<double> absolute(std::vector<double> list) {
     for (double& x : list) {
@@ -182,18 +184,9 @@ double indistinguishable_misfit(const Fit& best, std::size_t rows) {
                                           : of_one * std::max(1.0, size / independent_values);
 }
 
-namespace {
-
-/// Many causes are tried, and a constant is fitted to the numbers: chance may favour it by more.
-constexpr double favour_of_constant = 2;
-
-} // namespace
-
 double unit_of(const std::vector<Candidate>& candidates, double noise) {
-    double least = std::numeric_limits<double>::max();
-    for (const Candidate& c : candidates) {
-        least = std::min(least, c.fit.scatter);
-    }
+    const auto scatter = [](const Candidate& c) { return c.fit.scatter; };
+    const double least = scatter(*std::ranges::min_element(candidates, {}, scatter));
     return std::max(least * uncertainty_of_scatter(candidates.front().fit.off.size()), noise);
 }
 

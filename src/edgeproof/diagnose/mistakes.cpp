@@ -5,6 +5,7 @@
 #include "edgeproof/formula/parse.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -51,10 +52,10 @@ constexpr std::size_t most_other_steps = 12;
 struct Row {
     std::string_view when;
     std::string_view name;
-    std::string_view what;
-    std::string_view formula;
+    std::string what;
+    std::string formula;
 };
-constexpr Row table[] = {
+const Row named_rows[] = {
     {"bodies", "e-for-e-star", "E of body 1 instead of E*", "E1"},
     {"bodies", "one-body-modulus", "E/(1 - nu^2) of body 1 instead of E*", "E1/(1 - nu1^2)"},
     {"bodies", "shear-modulus", "2G of body 1 instead of E*", "E1/(1 + nu1)"},
@@ -79,20 +80,6 @@ constexpr Row table[] = {
     {"modulus", "factor-2", "half of E*", "x/2"},
     {"modulus", "factor-pi", "pi times E*", "Pi*x"},
     {"modulus", "factor-pi", "E* divided by pi", "x/Pi"},
-    {"modulus", "plane-stress", "plane stress, E instead of E/(1 - nu^2), if nu is 1/4",
-     "x*(1 - (1/4)^2)"},
-    {"modulus", "plane-stress", "plane stress, E instead of E/(1 - nu^2), if nu is 0.28",
-     "x*(1 - 0.28^2)"},
-    {"modulus", "plane-stress", "plane stress, E instead of E/(1 - nu^2), if nu is 3/10",
-     "x*(1 - 0.3^2)"},
-    {"modulus", "plane-stress", "plane stress, E instead of E/(1 - nu^2), if nu is 0.32",
-     "x*(1 - 0.32^2)"},
-    {"modulus", "plane-stress", "plane stress, E instead of E/(1 - nu^2), if nu is 1/3",
-     "x*(1 - (1/3)^2)"},
-    {"modulus", "plane-stress", "plane stress, E instead of E/(1 - nu^2), if nu is 0.35",
-     "x*(1 - 0.35^2)"},
-    {"modulus", "plane-stress", "plane stress, E instead of E/(1 - nu^2), if nu is 1/2",
-     "x*(1 - (1/2)^2)"},
     {"circle", "radius-as-diameter", "half the radius", "2*x"},
     {"circle", "radius-as-diameter", "the diameter instead of the radius", "x/2"},
     {"C", "factor-2", "twice C", "2*x"},
@@ -132,10 +119,21 @@ constexpr Row table[] = {
     {"bulk_tension", "sign-of-tension", "the bulk tension of the wrong sign relative to Q", "-x"},
 };
 
+/// The rows, and those of a modulus under plane stress for usual values of nu.
+std::vector<Row> rows() {
+    std::vector<Row> all(std::begin(named_rows), std::end(named_rows));
+    for (const std::string nu : {"1/4", "0.28", "3/10", "0.32", "1/3", "0.35", "1/2"}) {
+        all.push_back({"modulus", "plane-stress",
+                       "plane stress, E instead of E/(1 - nu^2), if nu is " + nu,
+                       "x*(1 - (" + nu + ")^2)"});
+    }
+    return all;
+}
+
 using Wrong = std::function<Exact(const Exact&)>;
 using Keys = std::set<std::string>;
 
-Wrong wrong_number(std::string_view formula, const Scene& scene) {
+Wrong wrong_number(const std::string& formula, const Scene& scene) {
     return [formula, bodies = scene.bodies, radii = scene.radii](const Exact& x) {
         std::map<std::string, Exact> numbers{{"x", x}};
         if (bodies) {
@@ -267,9 +265,10 @@ private:
     /// Adds the rows of the table; `set` puts the wrong number into a scene.
     void add(const Keys& when, std::string_view advice,
              const std::function<void(Scene&, const Wrong&)>& set, const std::string& of = "") {
+        static const std::vector<Row> table = rows();
         for (const Row& row : table) {
             if (when.contains(std::string(row.when))) {
-                add(row.name, std::string(row.what) + of, advice,
+                add(row.name, row.what + of, advice,
                     [set, wrong = wrong_number(row.formula, scene_)](Scene& s) { set(s, wrong); });
             }
         }

@@ -1,29 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/agreement.hpp"
-#include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/conformance/causes/convention.hpp"
+#include "edgeproof/io/number_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <utility>
 
 namespace {
 
-const std::string agreement_header =
-    "id,kind,m,C,phi,alpha,a,contact_modulus,quantity,edge,u,value\n";
+/// Answers to questions about contacts with the cells kind, m, ..., contact_modulus. A row:
+/// quantity, edge, u, value.
+Answers answered(const std::string& contact, const std::vector<std::string>& rows) {
+    std::string text = "id,kind,m,C,phi,alpha,a,contact_modulus,quantity,edge,u,value\n";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        text += std::to_string(i) + "," + contact + "," + rows[i] + "\n";
+    }
+    Answers answers = echoed_answers(parse_csv(text, "a.csv"));
+    CHECK(answers.faults.empty());
+    return answers;
+}
 // Hertz, a = 1: p = sqrt(u (2 - u))/2, so that p = 0.3 at u = 0.2 and 0.4 at u = 0.4 (3-4-5
 // triangle).
-const std::string hertz_cells = ",power-law,1,1,,,1,1,";
-
-Answers answered(const std::string& rows) {
-    return echoed_answers(parse_csv(agreement_header + rows, "a.csv"));
-}
+const std::string hertz = "power-law,1,1,,,1,1";
 
 Agreements held(const Answers& answers, const Target& target = {}) {
     return compare(answers, target, {});
@@ -32,23 +37,9 @@ Agreements held(const Answers& answers, const Target& target = {}) {
 } // namespace
 
 TEST_CASE("digits and ulps by hand") {
-    const Answers answers = answered("exact" + hertz_cells +
-                                     "p,right,0.2,0.3\n"
-                                     "millionth" +
-                                     hertz_cells +
-                                     "p,left,0.2,0.3000003\n"
-                                     "ulp" +
-                                     hertz_cells +
-                                     "p,right,0.4,0.40000000000000005551115123125783\n"
-                                     "half" +
-                                     hertz_cells +
-                                     "p,right,0.4,0.2\n"
-                                     "zero" +
-                                     hertz_cells +
-                                     "M,,,1e-12\n"
-                                     "nan" +
-                                     hertz_cells + "p,right,0.4,nan\n");
-    REQUIRE(answers.faults.empty());
+    const Answers answers = answered(hertz, {"p,right,0.2,0.3", "p,left,0.2,0.3000003",
+                                             "p,right,0.4,0.40000000000000005551115123125783",
+                                             "p,right,0.4,0.2", "M,,,1e-12", "p,right,0.4,nan"});
     const Agreements a = held(answers, {6.0, {}});
     REQUIRE(a.cases.size() == 6);
     CHECK(a.cases[0].digits == a.digits);
@@ -70,53 +61,42 @@ TEST_CASE("digits and ulps by hand") {
 TEST_CASE("the unit in the last place of a power of two, whose ball reaches below it") {
     // p = C sqrt(u (2 - u))/2: 0.6 C/2 at u = 0.2, 0.8 C/2 at 0.4 and 0.28 C/2 at 0.04. The double
     // after 1/2 is 1/2 + 2^-53, one unit off.
-    const std::string next = "0.50000000000000011102230246251565404236316680908203125\n";
-    const Answers answers = answered("1,power-law,1,5/3,,,1,1,p,right,0.2," + next +
-                                     "2,power-law,1,5/4,,,1,1,p,right,0.4," + next +
-                                     "3,power-law,1,25/7,,,1,1,p,left,0.04," + next +
-                                     "4,power-law,1,5/7,,,1,7/3,p,left,0.2," + next);
-    REQUIRE(answers.faults.empty());
-    for (const CaseAgreement& held_case : held(answers).cases) {
-        CHECK(held_case.ulps == doctest::Approx(1).epsilon(1e-9));
+    const std::string next = "0.50000000000000011102230246251565404236316680908203125";
+    for (const auto& [contact, place] : {std::pair{"power-law,1,5/3,,,1,1", "p,right,0.2,"},
+                                         {"power-law,1,5/4,,,1,1", "p,right,0.4,"},
+                                         {"power-law,1,25/7,,,1,1", "p,left,0.04,"},
+                                         {"power-law,1,5/7,,,1,7/3", "p,left,0.2,"}}) {
+        CHECK(held(answered(contact, {place + next})).cases[0].ulps ==
+              doctest::Approx(1).epsilon(1e-9));
     }
 }
 
 TEST_CASE("the reference is computed at what the row says, to the last bit") {
     // The binary64 u is a little larger than 0.2: p is larger by (1 - u)/sqrt(u (2 - u))/2 du.
-    const Answers answers =
-        answered("u" + hertz_cells +
-                 "p,right,0.200000000000000011102230246251565404236316680908203125," + "0.3\n");
-    const Agreements a = held(answers);
+    const Agreements a = held(
+        answered(hertz, {"p,right,0.200000000000000011102230246251565404236316680908203125,0.3"}));
     // dp = 0.8/0.6/2 1.1102230246251565e-17 = 7.401486830834377e-18, relative to 0.3
     CHECK(a.cases[0].digits == doctest::Approx(-std::log10(7.401486830834377e-18 / 0.3)));
 }
 
 TEST_CASE("regimes") {
-    const std::string wedge = ",tilted-wedge,,,0.2,0.1,1,1,";
-    const Agreements a = held(answered("1" + wedge +
-                                       "p,right,1e-4,1\n" // L = 1 + b, b < 1
-                                       "2" +
-                                       wedge +
-                                       "p,right,0.5,1\n"
-                                       "3" +
-                                       wedge +
-                                       "p,right,0.999,1\n"
-                                       "4" +
-                                       wedge +
-                                       "c_2,left,,1\n"
-                                       "5" +
-                                       wedge +
-                                       "b,,,1\n"
-                                       "6,power-law,1,1,,,1,1,p,right,1.9999,1\n"));
-    const Regime expected[] = {Regime::near_edge,   Regime::interior, Regime::apex,
-                               Regime::coefficient, Regime::contact,  Regime::near_edge};
-    for (std::size_t i = 0; i < 6; ++i) {
-        CHECK(a.cases[i].regime == expected[i]);
-    }
+    const auto regimes = [](const std::string& contact, const std::vector<std::string>& places) {
+        std::vector<Regime> found;
+        for (const CaseAgreement& one : held(answered(contact, places)).cases) {
+            found.push_back(one.regime);
+        }
+        return found;
+    };
+    // a + b = 1 + b, b < 1
+    CHECK(regimes("tilted-wedge,,,0.2,0.1,1,1",
+                  {"p,right,1e-4,1", "p,right,0.5,1", "p,right,0.999,1", "c_2,left,,1", "b,,,1"}) ==
+          std::vector{Regime::near_edge, Regime::interior, Regime::apex, Regime::coefficient,
+                      Regime::contact});
+    CHECK(regimes(hertz, {"p,right,1.9999,1"}) == std::vector{Regime::near_edge});
 }
 
 TEST_CASE("a decimal comma is none if commas separate the cells; a column occurs once") {
-    const Answers comma = answered("1" + hertz_cells + "p,right,0.2,\"0,3\"\n");
+    const Answers comma = answered(hertz, {"p,right,0.2,\"0,3\""});
     CHECK(comma.given.at(0).state == Answer::State::garbage);
     CHECK_THROWS_AS(
         (void)echoed_answers(parse_csv("id,quantity,kind,value,value\n1,P,x,1,2\n", "a")),
@@ -128,26 +108,23 @@ namespace {
 /// Returns the conventions found for points of a tilted wedge at both edges, answered by
 /// f(reference, reference at the other edge).
 template <class F> std::vector<Convention> conventions_of(const F& f) {
-    const std::string wedge = ",tilted-wedge,,,0.2,0.05,1,1,p,";
-    const char* const points[] = {"0.001", "0.01", "0.1", "0.2"};
-    std::string rows;
-    for (const char* edge : {"right", "left"}) {
-        for (const char* u : points) {
-            rows += std::string(edge) + u + wedge + edge + "," + u + ",0\n";
+    const std::string wedge = "tilted-wedge,,,0.2,0.05,1,1";
+    std::vector<std::string> rows;
+    for (const std::string edge : {"right", "left"}) {
+        for (const char* const u : {"0.001", "0.01", "0.1", "0.2"}) {
+            rows.push_back("p," + edge + "," + u + ",");
         }
     }
-    const Agreements exact = held(answered(rows));
-    const auto value = [&](std::size_t i) {
-        return exact.references[i].value.value.midpoint().convert_to<double>();
-    };
-    rows.clear();
-    for (std::size_t i = 0; i < 8; ++i) {
-        const std::string edge = i < 4 ? "right" : "left";
-        char text[40];
-        std::snprintf(text, sizeof text, "%.17g", f(edge, value(i), value((i + 4) % 8)));
-        rows += edge + std::to_string(i) + wedge + edge + "," + points[i % 4] + "," + text + "\n";
+    std::vector<double> exact;
+    for (const std::string& row : rows) {
+        const Agreements one = held(answered(wedge, {row + "0"}));
+        exact.push_back(one.references[0].value.value.midpoint().convert_to<double>());
     }
-    const Answers answers = answered(rows);
+    for (std::size_t i = 0; i < 8; ++i) {
+        rows[i] +=
+            fmt::format("{:.17g}", f(i < 4 ? "right" : "left", exact[i], exact[(i + 4) % 8]));
+    }
+    const Answers answers = answered(wedge, rows);
     return infer_conventions(answers, held(answers), {});
 }
 
@@ -182,12 +159,9 @@ TEST_CASE("another convention is recognised and reported, with its accuracy") {
 }
 
 TEST_CASE("of many failing rows the first are searched for causes") {
-    std::string rows;
-    for (std::size_t k = 0; k < most_failing + 100; ++k) {
-        rows +=
-            std::to_string(k) + hertz_cells + "p,right,0.2," + (k < most_failing ? "0.6\n" : "5\n");
-    }
-    const Answers answers = answered(rows);
+    std::vector<std::string> rows(most_failing, "p,right,0.2,0.6");
+    rows.resize(most_failing + 100, "p,right,0.2,5");
+    const Answers answers = answered(hertz, rows);
     const auto found = infer_conventions(answers, held(answers), {});
     REQUIRE(found.size() == 1);
     CHECK(found[0].name == "factor-2");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/comparison/comparison.hpp"
-#include "edgeproof/conformance/answers/number_text.hpp"
+#include "edgeproof/io/number_text.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/tables/comparison_report.hpp"
@@ -90,12 +90,12 @@ std::optional<Rational> origin_of(const std::string& text) {
     if (text == "auto") {
         return {};
     }
-    const auto number = conformance::written_number(text);
-    if (number.kind != conformance::WrittenNumber::Kind::number) {
+    const auto number = io::read_number(text);
+    if (!number) {
         throw InputError("--origin " + text + " is no place",
                          "give the x of the data at which the scene has its origin, or auto");
     }
-    return number.value;
+    return number;
 }
 
 int compare_results(const CompareOptions& o) {

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 namespace edgeproof::comparison {
 namespace {
@@ -50,15 +52,15 @@ public:
 
     [[nodiscard]] std::vector<Suspect> of_shear() && {
         const scene::Scene& scene = contacts_.scene();
-        const auto factor = [&](const char* name, const std::string& what, double k) {
+        for (const auto& [name, what, k] :
+             {std::tuple{"factor-2", "q is twice too large", 2.0},
+              {"factor-2", "q is half as large", 0.5},
+              {"factor-pi", "q is pi times too large", std::acos(-1)},
+              {"factor-pi", "q is pi times too small", 1 / std::acos(-1)}}) {
             add(name, what, [&](std::size_t i) {
                 return nodes_[i].q ? k * nodes_[i].q->exact.value_or(no_value) : no_value;
             });
-        };
-        factor("factor-2", "q is twice too large", 2);
-        factor("factor-2", "q is half as large", 0.5);
-        factor("factor-pi", "q is pi times too large", std::acos(-1));
-        factor("factor-pi", "q is pi times too small", 1 / std::acos(-1));
+        }
         for (const diagnose::Mistake& mistake : diagnose::shear_mistakes(scene)) {
             if (const ExactContact* const contact = changed(mistake, mistake.change)) {
                 add(mistake.name, mistake.what, [&](std::size_t i) {
@@ -307,32 +309,28 @@ private:
 
     void terms() {
         static constexpr std::array names{"one-term", "two-term", "three-term"};
-        const auto sum = [this](contact::Edge edge, double u, std::size_t n) {
-            double value = 0;
-            for (std::size_t k = n; k-- > 0;) {
-                value = value * u + exact_.c(edge, k).value;
-            }
-            return value * std::sqrt(u);
-        };
+        using OfPlace = contact::Edge (*)(const ExactContact::Place&);
+        static constexpr std::pair<const char*, OfPlace> edges[] = {
+            {"the nearer edge", [](const auto& place) { return place.nearer(); }},
+            {"the right edge", [](const auto&) { return contact::Edge::right; }},
+            {"the left edge", [](const auto&) { return contact::Edge::left; }}};
         for (std::size_t n = 1; n <= names.size(); ++n) {
             const std::string count = n == 1 ? "term" : fmt::format("{} terms", n);
-            const auto at = [&](const std::string& where, const auto& edge_of) {
+            for (const auto& [where, edge_of] : edges) {
                 add(names[n - 1],
                     fmt::format("the first {} of the expansion at {} instead of p", count, where),
                     [&](std::size_t i) {
                         const auto& place = nodes_[i].place;
-                        if (!place.inside()) {
-                            return 0.0;
-                        }
                         const contact::Edge edge = edge_of(place);
-                        return sum(
-                            edge, edge == contact::Edge::right ? place.from_right : place.from_left,
-                            n);
+                        const bool right = edge == contact::Edge::right;
+                        const double u = right ? place.from_right : place.from_left;
+                        double sum = 0;
+                        for (std::size_t k = place.inside() ? n : 0; k-- > 0;) {
+                            sum = sum * u + exact_.c(edge, k).value;
+                        }
+                        return place.inside() ? sum * std::sqrt(u) : 0;
                     });
-            };
-            at("the nearer edge", [](const auto& place) { return place.nearer(); });
-            at("the right edge", [](const auto&) { return contact::Edge::right; });
-            at("the left edge", [](const auto&) { return contact::Edge::left; });
+            }
         }
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/input/result_lines.hpp"
-#include "edgeproof/conformance/answers/number_text.hpp"
+#include "edgeproof/io/number_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
@@ -170,7 +170,7 @@ private:
         if (!number) {
             reject("'" + printable(text) + "' is no number");
         }
-        return {text, conformance::written_number(*number).value.convert_to<double>()};
+        return {text, io::read_number(*number).value().convert_to<double>()};
     }
 
     std::string_view text_;

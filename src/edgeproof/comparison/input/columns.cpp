@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/input/result_lines.hpp"
 #include "edgeproof/comparison/input/result_table.hpp"
-#include "edgeproof/conformance/answers/number_text.hpp"
+#include "edgeproof/io/number_text.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/input/scene_words.hpp"
@@ -152,21 +152,20 @@ ResultReading reading_of(const std::optional<scene::Units>& units, const std::st
         *place = value;
     }
     for (const auto& [part, key, value] : choices_in(scale)) {
-        const auto factor = conformance::written_number(value);
-        if ((key != "x" && key != "p") || factor.kind != conformance::WrittenNumber::Kind::number ||
-            !(factor.value > 0)) {
+        const auto factor = io::read_number(value);
+        if ((key != "x" && key != "p") || !factor || !(*factor > 0)) {
             throw InputError("--scale " + scale + ": '" + part + "' is no factor of x or p",
                              "write it as x=1e-3,p=1e6, with positive factors");
         }
-        (key == "x" ? reading.x_scale : reading.p_scale) = factor.value;
+        (key == "x" ? reading.x_scale : reading.p_scale) = factor;
     }
     return reading;
 }
 
 // The digits with which the numbers of a column are written.
 
-using conformance::DecimalForm;
-using conformance::form_of;
+using io::DecimalForm;
+using io::form_of;
 
 std::vector<double> column_rounding(const std::vector<std::string_view>& column) {
     std::vector<DecimalForm> forms;
@@ -198,7 +197,7 @@ CarriedDigits carried_digits(const std::vector<std::string_view>& column) {
     std::size_t decisive = 0;
     digits.binary32 = true;
     for (std::size_t i = 0; i < column.size(); ++i) {
-        const double value = conformance::written_number(column[i]).value.convert_to<double>();
+        const double value = io::read_number(column[i]).value().convert_to<double>();
         DecimalForm form = form_of(column[i]);
         constexpr int digits_of_binary64 = 15; // more digits only show the conversion to binary
         if (form.significant > digits_of_binary64) {

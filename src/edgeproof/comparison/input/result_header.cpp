@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/input/result_lines.hpp"
 
-#include "edgeproof/conformance/answers/number_text.hpp"
+#include "edgeproof/io/number_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -56,9 +56,7 @@ std::optional<Rational> step_of(std::string_view name) {
         return {};
     }
     const std::string_view text = trimmed(name.substr(equals + 1));
-    const auto number = conformance::written_number(text.substr(0, text.find(' ')));
-    return number.kind == conformance::WrittenNumber::Kind::number ? std::optional(number.value)
-                                                                   : std::nullopt;
+    return io::read_number(text.substr(0, text.find(' ')));
 }
 
 class HeaderReader {
@@ -212,7 +210,6 @@ private:
     }
     /// A column without a unit has that of x or p.
     void find_surface(const std::map<ColumnRole, Found>& roles) {
-        const scene::Units units = reading_.units.value_or(scene::Units{});
         for (std::size_t k = 0; k < surface_roles.size(); ++k) {
             const auto found = roles.find(surface_roles[k]);
             if (found == roles.end()) {
@@ -231,9 +228,7 @@ private:
                 c.factor = (length ? found_.x : found_.p).factor;
                 continue;
             }
-            convert(c, length ? scene::Unit::Dimension::length : scene::Unit::Dimension::pressure,
-                    length ? reading_.x_scale : reading_.p_scale,
-                    length ? units.length : units.pressure, header_[c.index].text.c_str());
+            convert(c, length, header_[c.index].text);
         }
     }
     [[nodiscard]] std::string column_text(const UsedColumn& c) const {
@@ -333,13 +328,14 @@ private:
                 }
             }
         }
-        const scene::Units units = reading_.units.value_or(scene::Units{});
-        convert(found_.x, scene::Unit::Dimension::length, reading_.x_scale, units.length, "x");
-        convert(found_.p, scene::Unit::Dimension::pressure, reading_.p_scale, units.pressure, "p");
+        convert(found_.x, true, "x");
+        convert(found_.p, false, "p");
     }
-    void convert(UsedColumn& c, scene::Unit::Dimension dimension,
-                 const std::optional<Rational>& scale, const std::optional<scene::Unit>& wanted,
-                 const char* key) {
+    /// `length`: the column has lengths, else pressures.
+    void convert(UsedColumn& c, bool length, const std::string& key) {
+        const scene::Units units = reading_.units.value_or(scene::Units{});
+        const auto& wanted = length ? units.length : units.pressure;
+        const auto& scale = length ? reading_.x_scale : reading_.p_scale;
         const auto& unit = c.name.unit;
         if (scale) {
             c.factor = *scale;
@@ -353,7 +349,7 @@ private:
                 fmt::format("'{}', the unit of {}, is not known", printable(c.name.unread), key),
                 fmt::format("write one such as mm, um or in, kPa, MPa, psi or N/mm^2, or give the "
                             "factor to the unit of the scene: --scale {}",
-                            dimension == scene::Unit::Dimension::length ? "x=25.4" : "p=1000"));
+                            length ? "x=25.4" : "p=1000"));
         }
         if (!c.name.unread.empty()) {
             found_.findings.push_back(fmt::format(
@@ -363,7 +359,8 @@ private:
         if (!unit) {
             return;
         }
-        if (unit->dimension != dimension) {
+        if (unit->dimension !=
+            (length ? scene::Unit::Dimension::length : scene::Unit::Dimension::pressure)) {
             text_.reject(header_line_,
                          fmt::format("{} is in {}, which is not a unit of it", key, unit->name),
                          "name the right column by --columns, or the factor by --scale");

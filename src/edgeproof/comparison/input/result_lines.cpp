@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/input/result_lines.hpp"
-#include "edgeproof/conformance/answers/number_text.hpp"
+#include "edgeproof/io/number_text.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
@@ -106,10 +106,6 @@ private:
     ResultText& text_;
 };
 
-bool is_written_number(std::string_view text) {
-    return conformance::written_number(text).kind == conformance::WrittenNumber::Kind::number;
-}
-
 /// Writes the exponent with the letter E: in "1.5-104" Fortran omits it, because the exponent has
 /// three digits; gfortran writes a Q for four times the precision, and Mathematica "1.5*^-4".
 std::optional<std::string> with_exponent_letter(const std::string& text) {
@@ -131,7 +127,7 @@ std::optional<std::string> with_exponent_letter(const std::string& text) {
     }
     std::string out = text;
     out.replace(at, size, "E");
-    return is_written_number(out) ? std::optional(out) : std::nullopt;
+    return io::read_number(out) ? std::optional(out) : std::nullopt;
 }
 
 /// Writes the minus sign and the blanks beyond ASCII, which spreadsheets and web pages contain, as
@@ -231,14 +227,13 @@ std::vector<Cell> split_row(std::string_view line, char separator) {
 }
 
 std::optional<std::string> number_of(const Cell& cell, char separator) {
-    if (is_written_number(cell.text)) {
+    if (io::read_number(cell.text)) {
         return cell.text;
     }
     if (auto fortran = with_exponent_letter(cell.text)) {
         return fortran;
     }
-    return separator != ',' || cell.quoted ? conformance::with_decimal_point(cell.text)
-                                           : std::nullopt;
+    return separator != ',' || cell.quoted ? io::with_decimal_point(cell.text) : std::nullopt;
 }
 
 void DecimalMarks::see(std::string_view text, std::size_t line) {
@@ -285,9 +280,9 @@ std::string shown_cell(std::string_view text) {
 }
 
 bool is_nan_or_infinite(const Cell& cell) {
-    using conformance::WrittenNumber;
-    const WrittenNumber::Kind kind = conformance::written_number(cell.text).kind;
-    return kind == WrittenNumber::Kind::nan || kind == WrittenNumber::Kind::infinite;
+    using enum io::WrittenNumber::Kind;
+    const io::WrittenNumber::Kind kind = io::written_number(cell.text).kind;
+    return kind == nan || kind == infinite;
 }
 
 } // namespace edgeproof::comparison

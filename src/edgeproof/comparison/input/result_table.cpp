@@ -2,7 +2,7 @@
 #include "edgeproof/comparison/input/result_table.hpp"
 
 #include "edgeproof/comparison/input/result_lines.hpp"
-#include "edgeproof/conformance/answers/number_text.hpp"
+#include "edgeproof/io/number_text.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
@@ -41,9 +41,8 @@ double scaled_rounding(double rounding, const Rational& factor) {
 std::optional<Rational> step_number(std::string_view text) {
     const std::size_t digit = std::min(text.find_first_of("0123456789"), text.size());
     for (const std::string_view part : {text, text.substr(digit)}) {
-        const auto written = conformance::written_number(part);
-        if (written.kind == conformance::WrittenNumber::Kind::number) {
-            return written.value;
+        if (auto number = io::read_number(part)) {
+            return number;
         }
     }
     return {};
@@ -200,13 +199,12 @@ private:
 
     [[nodiscard]] Rational value(const ResultLine& line, const std::string& text,
                                  const Rational& factor) const {
-        const auto written = conformance::written_number(text);
-        if (written.kind != conformance::WrittenNumber::Kind::number ||
-            abs(written.value) > largest_number()) {
+        const auto written = io::read_number(text);
+        if (!written || abs(*written) > largest_number()) {
             text_.reject(line.number, shown_cell(text) + " is beyond the range of a double",
                          "write a number that a result can have");
         }
-        Rational scaled = written.value * factor;
+        Rational scaled = *written * factor;
         if (abs(scaled) > largest_number()) {
             text_.reject(line.number,
                          shown_cell(text) + " times its scale is beyond the range of a double",

@@ -128,21 +128,9 @@ std::pair<double, bool> refined_shift(const std::vector<RoughPoint>& all, const 
 
 /// Returns the power of ten between 10^-5 and 10^-4 of the length.
 Rational round_step(double length) {
-    Rational step(1, 100000);
-    for (double unit = 10; unit <= length; unit *= 10) {
-        step *= 10;
-    }
-    for (double unit = 1; unit > length; unit /= 10) {
-        step /= 10;
-    }
-    return step;
-}
-
-Integer floor(const Rational& q) {
-    const Integer n = numerator(q);
-    const Integer d = denominator(q);
-    Integer quotient = n / d; // rounded towards zero
-    return quotient * d > n ? Integer(quotient - 1) : quotient;
+    const int exponent = static_cast<int>(std::floor(std::log10(length))) - 5;
+    const Rational power(pow(Integer(10), static_cast<unsigned>(std::abs(exponent))));
+    return exponent < 0 ? Rational(1 / power) : power;
 }
 
 class Aligner {
@@ -360,7 +348,7 @@ std::optional<FoundShift> found_shift(const std::vector<RoughPoint>& points,
         // the origin is uncertain.
         const Rational step = round_step(length);
         const Rational units = exact_rational(found) / step;
-        const Rational round = step * Rational(floor(units + Rational(1, 2)));
+        const Rational round = step * exact_rational(std::round(units.convert_to<double>()));
         const bool meant = std::abs((round - exact_rational(found)).convert_to<double>()) <
                            10 * search_width * length;
         origin.exact = meant ? Real(round) : origin.exact;

@@ -31,14 +31,12 @@ struct Inwards {
 };
 
 Inwards inwards(const AlignedResult& data, contact::Edge edge) {
+    const bool right = edge == contact::Edge::right;
     Inwards out;
-    for (const Node& node : data.nodes) {
-        out.d.push_back(edge == contact::Edge::right ? -node.x : node.x);
+    for (std::size_t i = 0; i < data.nodes.size(); ++i) {
+        const Node& node = data.nodes[right ? data.nodes.size() - 1 - i : i];
+        out.d.push_back(right ? -node.x : node.x);
         out.p.push_back(node.p.data);
-    }
-    if (edge == contact::Edge::right) {
-        std::ranges::reverse(out.d);
-        std::ranges::reverse(out.p);
     }
     return out;
 }

@@ -5,6 +5,7 @@
 #include "edgeproof/parallel/parallel_for.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -216,38 +217,18 @@ Agreements held_against(std::vector<ReferenceOrWhy> found, const Answers& answer
 } // namespace
 
 std::string regime_name(Regime regime) {
-    switch (regime) {
-    case Regime::near_edge:
-        return "near edge";
-    case Regime::apex:
-        return "apex";
-    case Regime::knot:
-        return "knot";
-    case Regime::far_field:
-        return "far field";
-    case Regime::interior:
-        return "interior";
-    case Regime::coefficient:
-        return "coefficient";
-    case Regime::contact:
-        return "contact";
-    case Regime::outside:
-        break;
-    }
-    return "outside";
-}
-
-unsigned reference_digits(const Target& target) {
-    const double wanted = target.digits.value_or(0);
-    return std::max(least_reference_digits, static_cast<unsigned>(wanted) + digits_beyond);
+    static constexpr std::array names{"near edge", "apex",        "knot",    "far field",
+                                      "interior",  "coefficient", "contact", "outside"};
+    return names.at(static_cast<std::size_t>(regime));
 }
 
 Agreements compare(const Answers& answers, const Target& target, ReferenceOptions options) {
-    options.digits = {reference_digits(target), Rounding::nearest, false};
+    const auto wanted = static_cast<unsigned>(target.digits.value_or(0)) + digits_beyond;
+    options.digits = {std::max(least_reference_digits, wanted), Rounding::nearest, false};
     const Questions& questions = answers.questions;
     auto found = references_or_why(questions, options);
-    if (!found.empty() && std::none_of(found.begin(), found.end(),
-                                       [](const ReferenceOrWhy& r) { return r.reference; })) {
+    if (!found.empty() &&
+        std::ranges::none_of(found, [](const auto& r) { return r.reference.has_value(); })) {
         (void)references(questions, options); // throws the first error
     }
     return held_against(std::move(found), answers, target, options,

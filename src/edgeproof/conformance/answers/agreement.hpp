@@ -71,9 +71,6 @@ struct Agreements {
 
 inline constexpr std::size_t most_conditioned = 5000;
 
-/// Returns the number of digits that a reference needs for this target.
-[[nodiscard]] unsigned reference_digits(const Target& target);
-
 /// Computes each reference exactly for the numbers in the answer's row, and compares. For a
 /// reference that is zero, the scale of the error follows from P and L = a + b: P for a force, P L
 /// for M, P/L for a traction, P/L^(k + 3/2) for c_k, and so on. The conditioning is computed for

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/answers.hpp"
 
-#include "edgeproof/conformance/answers/number_text.hpp"
+#include "edgeproof/io/number_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 
@@ -79,14 +79,11 @@ private:
         throw InputError(problem, instead).at(csv_.file, row.line);
     }
     [[nodiscard]] std::size_t contact_of(const io::Csv::Row& row) {
-        all_.clear();
+        std::string all;
         for (const auto& [key, at] : keys_) {
-            (all_ += row.cells[at]) += '\n';
+            (all += row.cells[at]) += '\n';
         }
-        if (last_ && last_->first == all_) { // rows of one contact usually follow one another
-            return last_->second;
-        }
-        const auto [found, is_new] = known_.emplace(all_, to_.contacts.size());
+        const auto [found, is_new] = known_.emplace(std::move(all), to_.contacts.size());
         if (is_new) {
             std::vector<Parameter> parameters;
             for (const auto& [key, at] : keys_) {
@@ -96,7 +93,6 @@ private:
             }
             to_.contacts.push_back(make_asked_contact(std::move(parameters), csv_.file, row.line));
         }
-        last_ = *found;
         return found->second;
     }
     /// The cell of a column; empty if there is no such column.
@@ -118,9 +114,7 @@ private:
     const io::Csv& csv_;
     Questions& to_;
     std::vector<std::pair<std::string, std::size_t>> keys_;
-    std::map<std::string, std::size_t> known_;
-    std::string all_; ///< the parameters of the row
-    std::optional<std::pair<std::string, std::size_t>> last_;
+    std::map<std::string, std::size_t> known_; ///< by the cells of the parameters
 };
 
 std::string place(const io::Csv& csv, std::size_t line) {
@@ -199,7 +193,7 @@ void read_rows(const io::Csv& csv, std::vector<std::string>& faults, const Take&
     for (io::Csv::Row row : csv.rows) {
         for (std::size_t i = 0; csv.separator != ',' && i < row.cells.size(); ++i) {
             if (i != columns.id) {
-                row.cells[i] = with_decimal_point(row.cells[i]).value_or(row.cells[i]);
+                row.cells[i] = io::with_decimal_point(row.cells[i]).value_or(row.cells[i]);
             }
         }
         if (!whole(csv, row, faults)) {
@@ -219,6 +213,17 @@ std::string answered_twice(const std::string& id, std::size_t first) {
 }
 
 } // namespace
+
+Answer read_answer(std::string_view given) {
+    using enum Answer::State;
+    io::WrittenNumber written = io::written_number(given);
+    const Answer::State state = written.kind == io::WrittenNumber::Kind::number     ? number
+                                : written.kind == io::WrittenNumber::Kind::nan      ? nan
+                                : written.kind == io::WrittenNumber::Kind::infinite ? infinite
+                                : given.empty()                                     ? missing
+                                                                                    : garbage;
+    return {state, std::move(written.value), std::string(given)};
+}
 
 Answers echoed_answers(const io::Csv& csv) {
     (void)columns_of(csv);

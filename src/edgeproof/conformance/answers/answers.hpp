@@ -21,7 +21,7 @@ struct Answer {
     std::size_t line = 0; ///< in the file of answers; 0: there is no row
 };
 
-/// Reads a number written by a program (number_text.hpp has the grammar): a decimal, with E or D
+/// Reads a number written by a program (io/number_text.hpp has the grammar): a decimal, with E or D
 /// for the exponent, or a hexadecimal float; "nan", "inf", nothing, or garbage. Never throws.
 [[nodiscard]] Answer read_answer(std::string_view given);
 

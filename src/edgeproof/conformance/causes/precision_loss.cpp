@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/answers/number_text.hpp"
 #include "edgeproof/conformance/causes/readings.hpp"
+#include "edgeproof/io/number_text.hpp"
 
 #include <fmt/format.h>
 
@@ -28,13 +28,13 @@ constexpr unsigned full_digits = 15;
 
 /// The form of the shortest decimal that is the same binary64 (12300 has three digits, and no
 /// decimals): a program may round and then write all digits.
-DecimalForm shortest_form(const Answer& answer) {
-    return form_of(fmt::format("{}", answer.value.convert_to<double>()));
+io::DecimalForm shortest_form(const Answer& answer) {
+    return io::form_of(fmt::format("{}", answer.value.convert_to<double>()));
 }
 
 /// The significant digits as written; 0 for another text than a decimal.
 unsigned digits_written(const Answer& answer) {
-    return static_cast<unsigned>(form_of(answer.text).significant);
+    return static_cast<unsigned>(io::form_of(answer.text).significant);
 }
 /// The significant digits of a decimal as written, or of the shortest one.
 unsigned digits_carried(const Answer& answer) {

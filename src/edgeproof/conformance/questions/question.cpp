@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/questions/question.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
-#include <boost/algorithm/string/trim.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,8 +24,7 @@ std::vector<std::string> Parameter::items() const {
     }
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find(';', at), text.size());
-        items.push_back(text.substr(at, end - at));
-        boost::trim_if(items.back(), [](char c) { return c == ' '; });
+        items.emplace_back(io::trimmed(std::string_view(text).substr(at, end - at), " "));
         at = end + 1;
     }
     return items;
@@ -36,8 +35,8 @@ void Parameter::set_items(const std::vector<std::string>& items) {
 }
 
 bool Parameter::is_word() const {
-    return key == "kind" || key == "geometry" || key == "slopes" || key == "symmetric" ||
-           key == "path";
+    const auto words = {"kind", "geometry", "slopes", "symmetric", "path"};
+    return std::ranges::find(words, key) != words.end();
 }
 
 std::string parameter_text(const AskedContact& contact, std::string_view key) {
@@ -46,15 +45,12 @@ std::string parameter_text(const AskedContact& contact, std::string_view key) {
 }
 
 std::vector<std::string> Questions::columns() const {
-    std::set<std::string, std::less<>> used;
-    for (const AskedContact& contact : contacts) {
-        for (const Parameter& p : contact.parameters) {
-            used.insert(p.key);
-        }
-    }
     std::vector<std::string> keys;
     for (const ParameterKey& key : parameter_keys()) {
-        if (used.contains(key.name)) {
+        if (std::ranges::any_of(contacts, [&](const AskedContact& contact) {
+                return std::ranges::find(contact.parameters, key.name, &Parameter::key) !=
+                       contact.parameters.end();
+            })) {
             keys.emplace_back(key.name);
         }
     }

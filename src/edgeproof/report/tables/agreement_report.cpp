@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/tables/agreement_report.hpp"
 
-#include "edgeproof/conformance/answers/number_text.hpp"
+#include "edgeproof/io/number_text.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"
@@ -32,19 +32,10 @@ std::string digits_text(double digits, unsigned most) {
 }
 
 /// Returns the upper one of two medians.
-long median_of(const std::map<long, std::size_t>& counts) {
-    std::size_t all = 0;
-    for (const auto& [value, n] : counts) {
-        all += n;
-    }
-    std::size_t before = 0;
-    for (const auto& [value, n] : counts) {
-        before += n;
-        if (before > all / 2) {
-            return value;
-        }
-    }
-    return 0;
+long median_of(std::vector<long> list) {
+    const auto middle = list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2);
+    std::ranges::nth_element(list, middle);
+    return *middle;
 }
 
 std::string ulps_text(double ulps) {
@@ -144,10 +135,9 @@ struct Tally {
     std::size_t rows = 0;
     std::size_t failed = 0;
     std::size_t explained = 0; ///< below the target, but explained by the conditioning
-    /// Of the answers that are numbers: the worst one, and the distribution of their digits, in
-    /// tenths as shown.
+    /// Of the answers that are numbers: the worst one, and their digits in tenths, as shown.
     std::optional<std::size_t> worst;
-    std::map<long, std::size_t> tenths;
+    std::vector<long> tenths;
 };
 
 std::string regimes_text(const Conformance& c) {
@@ -160,7 +150,7 @@ std::string regimes_text(const Conformance& c) {
         t.failed += c.failed(i) ? 1 : 0;
         if (c.answers.given[i].state == conformance::Answer::State::number &&
             held.no_reference.empty()) {
-            ++t.tenths[tenths_of(held.digits)];
+            t.tenths.push_back(tenths_of(held.digits));
             t.explained += held.explained && !held.within ? 1 : 0;
             t.worst = !t.worst || held.digits < cases[*t.worst].digits ? i : t.worst;
         }
@@ -247,23 +237,19 @@ std::string notes_text(const Conformance& c) {
 }
 
 std::string complaints_text(const Conformance& c, std::size_t errors) {
-    std::string out;
-    const std::size_t all = c.answers.faults.size() + c.failures();
-    std::size_t shown = 0;
-    for (const std::string& fault : c.answers.faults) {
-        if (shown < errors) {
-            ++shown;
-            out += printable(fault) + "\n";
+    std::vector<std::string> lines = c.answers.faults;
+    for (std::size_t i = 0; i < c.agreements.cases.size() && lines.size() < errors; ++i) {
+        if (c.failed(i)) {
+            lines.push_back(
+                placed(c.answers, i) + c.answers.questions.list[i].id + ": " +
+                complaint(c.answers.given[i], c.agreements.cases[i], c.agreements.digits));
         }
     }
-    for (std::size_t i = 0; i < c.agreements.cases.size() && shown < errors; ++i) {
-        if (c.failed(i)) {
-            ++shown;
-            out += printable(
-                       placed(c.answers, i) + c.answers.questions.list[i].id + ": " +
-                       complaint(c.answers.given[i], c.agreements.cases[i], c.agreements.digits)) +
-                   "\n";
-        }
+    std::string out;
+    const std::size_t all = c.answers.faults.size() + c.failures();
+    const std::size_t shown = std::min(lines.size(), errors);
+    for (std::size_t i = 0; i < shown; ++i) {
+        out += printable(lines[i]) + "\n";
     }
     if (all > shown) {
         out += fmt::format("{}{} more (--errors shows more of them)\n", shown > 0 ? "and " : "",

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/answers/number_text.hpp"
+#include "edgeproof/io/number_text.hpp"
 
-#include "edgeproof/conformance/answers/answers.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
-namespace edgeproof::conformance {
+namespace edgeproof::io {
 namespace {
 
 using Kind = WrittenNumber::Kind;
@@ -68,7 +68,7 @@ bool is_payload(std::string_view text) {
 } // namespace
 
 WrittenNumber written_number(std::string_view text) {
-    const std::string lower = io::lower_case(text);
+    const std::string lower = lower_case(text);
     std::string_view rest = lower;
     const bool negative = rest.starts_with('-');
     rest.remove_prefix(negative || rest.starts_with('+') ? 1 : 0);
@@ -82,6 +82,11 @@ WrittenNumber written_number(std::string_view text) {
                                               : decimal_value(std::string(rest));
     return value ? WrittenNumber{Kind::number, negative ? Rational(-*value) : *value}
                  : WrittenNumber{};
+}
+
+std::optional<Rational> read_number(std::string_view text) {
+    WrittenNumber written = written_number(text);
+    return written.kind == Kind::number ? std::optional(std::move(written.value)) : std::nullopt;
 }
 
 DecimalForm form_of(std::string_view text) {
@@ -129,18 +134,7 @@ std::optional<std::string> with_decimal_point(std::string_view text) {
     }
     std::string pointed(text);
     pointed[comma] = '.';
-    return written_number(pointed).kind == Kind::number ? std::optional(pointed) : std::nullopt;
+    return read_number(pointed) ? std::optional(pointed) : std::nullopt;
 }
 
-Answer read_answer(std::string_view given) {
-    using enum Answer::State;
-    WrittenNumber written = written_number(given);
-    const Answer::State state = written.kind == Kind::number     ? number
-                                : written.kind == Kind::nan      ? nan
-                                : written.kind == Kind::infinite ? infinite
-                                : given.empty()                  ? missing
-                                                                 : garbage;
-    return {state, std::move(written.value), std::string(given)};
-}
-
-} // namespace edgeproof::conformance
+} // namespace edgeproof::io

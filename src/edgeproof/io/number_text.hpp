@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgeproof::conformance {
+namespace edgeproof::io {
 
 /// The interpretation of a text that another program wrote for a number.
 struct WrittenNumber {
@@ -16,7 +16,7 @@ struct WrittenNumber {
     Rational value; ///< the exact value of the text, for Kind::number
 };
 
-/// The grammar of numbers in answers, for the whole text; letters of either case:
+/// The grammar of numbers that other programs write, for the whole text; letters of either case:
 ///
 ///     number      = [sign] (decimal | hexadecimal)
 ///     decimal     = digits-with-a-point [(E | D) [sign] digits]
@@ -28,6 +28,9 @@ struct WrittenNumber {
 /// At most one sign, no blanks. A number beyond 10^(+-100000) or of more than 100,000 digits is
 /// Kind::other. Never throws.
 [[nodiscard]] WrittenNumber written_number(std::string_view text);
+
+/// Returns the exact value of a number of this grammar; nothing for another text.
+[[nodiscard]] std::optional<Rational> read_number(std::string_view text);
 
 /// The digits of a number as it is written.
 struct DecimalForm {
@@ -45,4 +48,4 @@ struct DecimalForm {
 /// Replaces the comma by a point, if the text is then a decimal of the grammar.
 [[nodiscard]] std::optional<std::string> with_decimal_point(std::string_view text);
 
-} // namespace edgeproof::conformance
+} // namespace edgeproof::io

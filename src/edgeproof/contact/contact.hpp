@@ -10,6 +10,7 @@
 ///   tilt/tilt_solver.hpp              the tilt for a given force and moment
 ///   double_word/double_word_pressure.hpp  pressures to binary64, in double words with bounds
 ///   enclosure/ball_contact.hpp        BallContact: the contact in balls, proved
+///   enclosure/zone_equations.hpp      the edges for a force, an edge or a tilt, by interval Newton
 ///   enclosure/exact_contact.hpp       exact values; edges on a knot, decided by exact algebra
 ///   enclosure/ball_extent.hpp         how far n terms stay within a tolerance, proved
 ///   slip/ball_slip.hpp                BallSlip: partial slip, proved

@@ -9,6 +9,8 @@
 
 #include <doctest/doctest.h>
 
+#include <utility>
+
 using scenes::agree;
 using scenes::exact;
 
@@ -131,6 +133,18 @@ TEST_CASE("force and moment over extreme ratios: the flat-and-rounded punch") {
     const EnclosedTilt upright = tilt_to(30, punch, exact("7/3"), exact("0.3"), exact("-0.3"));
     CHECK(upright.exactly_zero);
     CHECK(upright.near.kind() == Profile::Kind::tilted_flat_and_rounded);
+}
+
+// For R = 0 the moment about the middle of the flat is pi E* alpha t^2/4 (docs/mechanics.md,
+// "Profiles"). The contact of a sharp corner differs by about R^(2/3).
+TEST_CASE("a nearly sharp corner has nearly the tilt of a sharp one") {
+    for (const auto& [R, near] : {std::pair("1e-60", "1e-38"), std::pair("1e-100", "1e-64")}) {
+        const EnclosedTilt tilt = enclose_tilt(TiltedPunch::flat_and_rounded(exact("1"), exact(R)),
+                                               exact("1"), exact("1"), exact("-1/2"), 2048);
+        const Ball off = tilt.alpha - 2 / Ball::pi(2048);
+        CHECK(certainly_less(abs(off), enclosed_constant(exact(near), 64)));
+        CHECK(tilt.alpha.relative_accuracy_bits() > 256);
+    }
 }
 
 TEST_CASE("the paper's punch is found again from its force and moment") {

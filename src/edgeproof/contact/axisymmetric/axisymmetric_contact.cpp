@@ -22,16 +22,18 @@ public:
     explicit AxisymmetricZones(const AxisymmetricContact& contact)
         : ZoneSolver(contact), contact_(contact) {}
     [[nodiscard]] ZoneValues values(const BallZone& zone) const override {
-        const AxisymmetricContact c = contact_.with_radius(zone.a);
-        const Ball rate = c.force_rate();
-        return {c.force(), Ball(0, bits()), rate, rate};
+        return {contact_.with_radius(zone.a).force(), Ball(0, bits())};
+    }
+    [[nodiscard]] ZoneRates rates(const BallZone& zone) const override {
+        const Ball rate = contact_.with_radius(zone.a).force_rate();
+        return {rate, rate};
     }
     [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const override {
         return contact_.with_radius(zone.a).pressure(edge, u);
     }
     [[nodiscard]] BallZone zone(const Ball& force, const Ball& /*tilt*/,
-                                const BallZone& /*near*/) const override {
-        const Ball a = contact_.radius_for(force);
+                                const BallZone& near) const override {
+        const Ball a = contact_.radius_for(force, near.a);
         return {a, a};
     }
     [[nodiscard]] std::vector<Ball> force_rates(const Ball& a, std::size_t terms) const override {
@@ -101,20 +103,19 @@ void AxisymmetricContact::find_radius(const Load& load) {
         a_ = given;
         find_knots_on_edges();
     } else if (load.kind == Load::Kind::force) {
-        a_ = radius_for(given);
+        a_ = radius_for(given, Ball(1, bits_));
     } else {
         a_ = isolate_zero([&](const Ball& s) { return given - approach_at(s); },
-                          [&](const Ball& s) { return -approach_rate_at(s); },
-                          near_radius(given, Integrand::slope), radius_sought, {.near = !linear_});
+                          [&](const Ball& s) { return -approach_rate_at(s); }, Ball(1, bits_),
+                          radius_sought);
     }
     b_ = a_;
 }
 
-Ball AxisymmetricContact::radius_for(const Ball& P) const {
+Ball AxisymmetricContact::radius_for(const Ball& P, const Ball& start) const {
     return isolate_zero([&](const Ball& s) { return P - force_at(s); },
                         [&](const Ball& s) { return -(modulus_ * s * approach_rate_at(s) * 2); },
-                        near_radius(P / (modulus_ * 2), Integrand::moment), radius_sought,
-                        {.near = !linear_});
+                        start, radius_sought);
 }
 
 AxisymmetricContact AxisymmetricContact::with_radius(const Ball& a) const {
@@ -136,25 +137,6 @@ Ball AxisymmetricContact::minimum_end() const {
     const auto rises = std::find_if(rings_.begin(), rings_.end(),
                                     [&](const Ring& ring) { return !begins_flat(ring); });
     return rises == rings_.end() ? Ball(0, bits_) : rises->v;
-}
-
-Ball AxisymmetricContact::near_radius(const Ball& given, Integrand of) const {
-    constexpr long few_bits = 40;
-    constexpr int most_halvings = 200;
-    Ball lo(0, bits_);
-    std::optional<Ball> hi;
-    Ball s(1, bits_);
-    for (int k = 0; k < most_halvings && !(hi && certainly_less(*hi * 63, lo * 64)); ++k) {
-        const Ball found = over_rings(radius(s), of, few_bits).real();
-        // Beyond the largest radius at which g' is defined, the integral is not finite.
-        if (certainly_less(of == Integrand::slope ? found * s : found, given)) {
-            lo = s;
-        } else {
-            hi = s;
-        }
-        s = middle(!hi ? s * 2 : certainly_positive(lo) ? (lo + *hi) / 2 : *hi / 2);
-    }
-    return s;
 }
 
 std::unique_ptr<ZoneSolver> axisymmetric_zones(const AxisymmetricContact& contact) {

@@ -45,8 +45,9 @@ public:
     [[nodiscard]] Ball force_rate() const { return modulus_ * a_ * approach_rate_at(a_) * 2; }
     /// Returns the coefficients of dP/da (force/length) at the radius a - d in powers of d.
     [[nodiscard]] std::vector<Ball> force_rates(std::size_t terms) const;
-    /// The radius (length) of the contact of the same profile under the total force P.
-    [[nodiscard]] Ball radius_for(const Ball& P) const;
+    /// The radius (length) of the contact of the same profile under the total force P; the search
+    /// begins at `start`.
+    [[nodiscard]] Ball radius_for(const Ball& P, const Ball& start) const;
     /// The contact of the same profile with the radius `a` (length).
     [[nodiscard]] AxisymmetricContact with_radius(const Ball& a) const;
     /// The radius (length) at which g' begins to rise.
@@ -108,9 +109,6 @@ private:
     [[nodiscard]] bool inside(std::size_t knot) const override;
     /// Finds the radius of a load.
     void find_radius(const Load& load);
-    /// A radius near the one at which the integral, times s for the slope, is `given`. It proves
-    /// nothing.
-    [[nodiscard]] Ball near_radius(const Ball& given, Integrand of) const;
     [[nodiscard]] Radius radius(const Ball& s) const;
     /// s^2 = A^2 + w^2 beyond the rings that are not beyond A; `on` is the ring at A itself.
     [[nodiscard]] Radius radius(const Ball& A, std::optional<std::size_t> on, const Box& w) const;
@@ -122,9 +120,8 @@ private:
     [[nodiscard]] Box value(std::size_t knot, const Box& r, Integrand of) const;
     /// (r g')'/r near the axis, for g'(0) = 0.
     [[nodiscard]] Box rate_over_radius(const Box& r) const;
-    /// The integral of f/sqrt(s^2 - r^2) over 0 < r < s to `accuracy` bits. A wide s gives a coarse
-    /// enclosure.
-    [[nodiscard]] Box over_rings(const Radius& at, Integrand of, long accuracy) const;
+    /// The integral of f/sqrt(s^2 - r^2) over 0 < r < s. A wide s gives a coarse enclosure.
+    [[nodiscard]] Box over_rings(const Radius& at, Integrand of) const;
     /// h'(s)/s before the second ring, for g'(0) = 0.
     [[nodiscard]] Box rate_over_radius_at(const Box& s) const;
     /// h'(s) without the jump of the ring `except`.

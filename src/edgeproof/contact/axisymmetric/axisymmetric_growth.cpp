@@ -21,10 +21,9 @@ constexpr long parts_of_range = 8;         ///< into which a coarse enclosure is
 bool is_narrow(const Box& s) { return acb_rel_accuracy_bits(s.get()) >= narrow_bits_of_radius; }
 
 /// The integral of f over 0 < t < 1, or a coarse enclosure of it.
-Box integral_or_range(const std::function<Box(const Box& t)>& f, bool narrow, long accuracy,
-                      long bits) {
+Box integral_or_range(const std::function<Box(const Box& t)>& f, bool narrow, long bits) {
     if (narrow) {
-        return inner_integral_of(f, {bits, accuracy, Ball(0, bits), Ball(1, bits)});
+        return inner_integral_of(f, {bits, bits, Ball(0, bits), Ball(1, bits)});
     }
     Box sum(bits);
     for (long i = 0; i < parts_of_range; ++i) {
@@ -114,7 +113,7 @@ Box AxisymmetricContact::rate_over_radius(const Box& r) const {
 }
 
 // docs/axisymmetric.md, "Curved slopes": r = s cos(psi)
-Box AxisymmetricContact::over_rings(const Radius& at, Integrand of, long accuracy) const {
+Box AxisymmetricContact::over_rings(const Radius& at, Integrand of) const {
     Box sum(bits_);
     if (linear_) { // docs/axisymmetric.md, "Piecewise linear slopes"
         for (std::size_t i = 0; i < at.y.size(); ++i) {
@@ -142,7 +141,7 @@ Box AxisymmetricContact::over_rings(const Radius& at, Integrand of, long accurac
                                 [&](const Box& t) {
                                     return value(rings_[i].knot, at.s * cos(inner + width * t), of);
                                 },
-                                narrow, accuracy, bits_);
+                                narrow, bits_);
         outer = inner;
     }
     return sum;
@@ -155,7 +154,7 @@ Box AxisymmetricContact::rate_over_radius_at(const Box& s) const {
                    const Box part = cos(t * quarter); // r/s
                    return rate_over_radius(s * part) * part;
                },
-               is_narrow(s), bits_, bits_) *
+               is_narrow(s), bits_) *
            quarter;
 }
 
@@ -165,7 +164,7 @@ Box AxisymmetricContact::angle(const Radius& at, std::size_t ring) const {
 }
 
 Box AxisymmetricContact::approach_rate(const Radius& at, std::optional<std::size_t> except) const {
-    Box sum = linear_ ? Box(bits_) : over_rings(at, Integrand::rate, bits_);
+    Box sum = linear_ ? Box(bits_) : over_rings(at, Integrand::rate);
     for (std::size_t i = 0; i < at.y.size(); ++i) {
         const auto& [v, jump, rate, knot] = rings_[i];
         const bool corner = !contains_zero(jump);
@@ -186,11 +185,11 @@ Ball AxisymmetricContact::approach_rate_at(const Ball& s) const {
 }
 
 Ball AxisymmetricContact::approach_at(const Ball& s) const {
-    return s * over_rings(radius(s), Integrand::slope, bits_).real();
+    return s * over_rings(radius(s), Integrand::slope).real();
 }
 
 Ball AxisymmetricContact::force_at(const Ball& s) const {
-    return modulus_ * 2 * over_rings(radius(s), Integrand::moment, bits_).real();
+    return modulus_ * 2 * over_rings(radius(s), Integrand::moment).real();
 }
 
 std::vector<Ball> AxisymmetricContact::expansion(Edge /*edge*/, std::size_t terms) const {

@@ -225,7 +225,7 @@ Ball AxisymmetricContact::loop_integral(const Ball& from, const Ball& tau) const
     const Ball P = force();
     const Ball mean = P * (1 - tau / 2);
     const auto loop = [&](const Radius& at, const Box& /*depth*/) {
-        return Box(mean) - over_rings(at, Integrand::moment, bits_) * (modulus_ * 2);
+        return Box(mean) - over_rings(at, Integrand::moment) * (modulus_ * 2);
     };
     return over_approach(from, {}, a_ - from, loop, P * tau * (approach() - approach_at(from)));
 }
@@ -253,7 +253,7 @@ Ball AxisymmetricContact::over_plane_widths(const Ball& from, const Ball& to,
                            [&](const Box& t) {
                                const Box w = t * width + first;
                                const Radius at = radius(v, i, w);
-                               const Box L = over_rings(at, Integrand::first_moment, bits_);
+                               const Box L = over_rings(at, Integrand::first_moment);
                                return f(L * modulus_) * w / (at.s * at.s);
                            },
                            goal);

@@ -62,7 +62,7 @@ Box IntegratedContact::over_spans(const Ball& a, const Ball& b,
 CauchyIntegral IntegratedContact::cauchy_integral(const Box& zeta) const {
     const Ball pi = Ball::pi(bits_);
     const Ball factor = modulus_ / 2;
-    const Ball mean = zone_ ? zone_mean_slope() : Ball(0, bits_);
+    const Ball mean = zone_ ? slope_integral(a_, b_, 0) / pi : Ball(0, bits_);
     const Ball x = zeta.real();
     const bool surface = arb_is_zero(zeta.imaginary().data()) != 0;
     if (surface && !certainly_less(a_, x) && !certainly_less(x, -b_)) {

@@ -3,6 +3,7 @@
 #include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/curved/pressure_disk.hpp"
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
+#include "edgeproof/contact/enclosure/zone_equations.hpp"
 #include "edgeproof/contact/stress/cauchy_integral.hpp"
 
 #include <array>
@@ -57,10 +58,8 @@ public:
     /// The zone -b < x < a of the same profile, for any tilt that makes it a contact; a power law
     /// is integrated like every other slope. See BallContact::between.
     [[nodiscard]] IntegratedContact between(const Ball& a, const Ball& b, long bits) const;
-    /// F (force/length), mean slope, rates and pressure of a zone (ZoneValues).
-    [[nodiscard]] Ball zone_force() const { return force_of(a_, b_); }
-    [[nodiscard]] Ball zone_mean_slope() const;
-    [[nodiscard]] Ball zone_rate(Edge edge) const;
+    [[nodiscard]] ZoneValues zone_values() const;
+    [[nodiscard]] Ball zone_rate(Edge edge) const; ///< of ZoneRates
     [[nodiscard]] Ball zone_pressure(Edge edge, const Ball& u) const;
     /// The Cauchy integral of the pressure of the contact, or of the zone (docs/stress.md, "Curved
     /// slopes"). Enclosed; not finite on the surface in the contact at knots and edges, except for
@@ -106,14 +105,9 @@ private:
                                                          std::size_t terms) const;
     /// Returns c_k at the right edge.
     [[nodiscard]] std::vector<Ball> right_expansion(std::size_t terms) const;
-    /// An approximation of the edges; it proves nothing.
-    struct Guess {
-        Ball a;
-        Ball b;
-        Ball force_rate; ///< P'(a)
-        Ball b_rate;     ///< b'(a)
-    };
-    [[nodiscard]] Guess guess() const;
+    /// The equations of the edges, by integrals of `bits` bits.
+    [[nodiscard]] ZoneEquations equations(long bits) const;
+    [[nodiscard]] BallZone near_edges() const;
     /// Encloses the edges that are not given.
     void enclose_edges();
     /// Encloses b for the right edge `a`, near `start`; nothing if the bits do not suffice.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
-#include "edgeproof/contact/enclosure/isolate_zero.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -15,7 +14,7 @@ constexpr long spent_on_signs = 24; ///< bits, for the sign of a sum near its ze
 constexpr long spent_on_both = 16;  ///< additional bits if an edge depends on the other one
 
 constexpr long few_bits = 80; ///< of the search for the edges
-constexpr int most_chords = 40;
+constexpr long enough = 24;   ///< bits of accuracy, for Newton's method
 
 struct Between {
     Ball lo;
@@ -43,81 +42,60 @@ std::optional<Ball> IntegratedContact::left_edge_near(const Ball& a, const Ball&
     return {};
 }
 
-/// Searches for the edges between brackets with few bits, then by chords. With the partial
-/// derivatives P_a and P_b of P(a, b), the integral of g' over theta has the derivatives kappa P_a
-/// and -kappa P_b, kappa = 4/(E* (a + b)). So b' = P_a/P_b and P' = 2 P_a along the contacts that
-/// satisfy the consistency condition (docs/mechanics.md, "One measure, six kernels").
-IntegratedContact::Guess IntegratedContact::guess() const {
+/// With the partial derivatives P_a and P_b of P(a, b), the integral of g' over theta has the
+/// derivatives kappa P_a and -kappa P_b, kappa = 4/(E* (a + b)). So b' = P_a/P_b along the contacts
+/// that satisfy the consistency condition (docs/mechanics.md, "One measure, six kernels").
+ZoneEquations IntegratedContact::equations(long bits) const {
+    (void)roots(); // shared by all zones
     const bool by_force = load_.kind == Load::Kind::force;
     const bool symmetric = profile_.symmetric();
-    (void)roots(); // shared by all zones
-    const auto near = [&](long bits) {
-        // Where an integral has no value, the edge is too far out.
-        const auto or_beyond = [bits](Ball f) {
-            return f.is_finite() ? std::move(f) : Ball(-1, bits);
-        };
-        Ball b(0, bits);
-        const auto zone_at = [&](const Ball& a) {
-            if (!symmetric) {
-                const auto zone = [&](const Ball& x) { return between(a, x, bits); };
-                b = isolate_zero(
-                    [&](const Ball& x) { return or_beyond(zone(x).zone_mean_slope()); },
-                    [&](const Ball& x) {
-                        return zone(x).zone_rate(Edge::left) * -2 /
-                               (Ball::pi(bits) * modulus_.with_bits(bits) * (a + x));
-                    },
-                    certainly_positive(b) ? b : a, "the left edge", {.prove = false});
-            }
-            return between(a, symmetric ? a : b, bits);
-        };
-        Ball a(a_.midpoint(), bits);
-        if (by_force) {
-            const Ball P = enclosed_constant(load_.value, bits);
-            a = isolate_zero([&](const Ball& x) { return or_beyond(P - zone_at(x).zone_force()); },
-                             [&](const Ball& x) {
-                                 return -between(x, symmetric ? x : b, bits).zone_rate(Edge::right);
-                             },
-                             P / modulus_.with_bits(bits), "the right edge",
-                             {.prove = false, .nested = !symmetric});
-        }
-        const IntegratedContact found = zone_at(a);
-        const Ball rate = found.zone_rate(Edge::right);
-        return Guess{
-            found.a_.with_bits(bits_), found.b_.with_bits(bits_), rate.with_bits(bits_),
-            (symmetric ? Ball(1, bits) : rate / found.zone_rate(Edge::left)).with_bits(bits_)};
+    const auto zone_at = [this, bits](const BallZone& zone) {
+        return between(zone.a, zone.b, bits);
     };
-    Guess found = near(std::min(bits_, few_bits));
-    if (!by_force) {
-        found.a = a_;
+    // Integrals that are not needed are left out.
+    return {
+        .values =
+            [=](const BallZone& zone) {
+                const IntegratedContact at = zone_at(zone);
+                const Ball none(0, bits);
+                return ZoneValues{by_force ? at.force() : none,
+                                  symmetric ? none
+                                            : at.slope_integral(at.a_, at.b_, 0) / Ball::pi(bits)};
+            },
+        .rates =
+            [=](const BallZone& zone) {
+                const IntegratedContact at = zone_at(zone);
+                const Ball left = at.zone_rate(Edge::left);
+                return ZoneRates{by_force && !symmetric ? at.zone_rate(Edge::right) : left, left};
+            },
+        .modulus = modulus_.with_bits(bits),
+        .tilt = Ball(0, bits),
+        .force = by_force ? std::optional(enclosed_constant(load_.value, bits)) : std::nullopt,
+        .right_edge = by_force ? std::nullopt : std::optional(enclosed_constant(load_.value, bits)),
+        .symmetric = symmetric};
+}
+
+/// A search with few bits, then with all; it proves nothing.
+BallZone IntegratedContact::near_edges() const {
+    std::optional<BallZone> zone;
+    for (const long bits : {std::min(bits_, few_bits), bits_}) {
+        const ZoneEquations wanted = equations(bits);
+        const Ball origin(0, bits);
+        const ZoneEquations::Distances afar{
+            origin, origin,
+            middle(wanted.force ? *wanted.force / wanted.modulus : *wanted.right_edge)};
+        try {
+            zone = wanted.search(zone ? BallZone{zone->a.with_bits(bits), zone->b.with_bits(bits)}
+                                      : wanted.from_afar(afar, enough));
+        } catch (const BudgetError&) {
+            zone = wanted.from_afar(afar, bits / 2);
+        }
     }
-    const Ball P = by_force ? enclosed_constant(load_.value, bits_) : Ball(0, bits_);
-    const Ball enough = found.a * power_of_two(16 - bits_, bits_);
-    for (int k = 0; k < most_chords; ++k) {
-        const Ball kappa = 4 / (modulus_ * (found.a + found.b));
-        const Ball C = symmetric ? Ball(0, bits_) : slope_integral(found.a, found.b, 0) / kappa;
-        Ball da(0, bits_);
-        Ball db(0, bits_);
-        if (by_force) {
-            const Ball missing = P - force_of(found.a, found.b);
-            da = (missing - C) / found.force_rate;
-            db = symmetric ? da : (missing + C) * found.b_rate / found.force_rate;
-        } else {
-            db = C * 2 * found.b_rate / found.force_rate;
-        }
-        if (!da.is_finite() || !db.is_finite()) {
-            break;
-        }
-        found.a = middle(found.a + da);
-        found.b = middle(found.b + db);
-        if (certainly_less(abs(middle(da)) + abs(middle(db)), enough)) {
-            return found;
-        }
-    }
-    return near(bits_);
+    return *zone;
 }
 
 void IntegratedContact::enclose_edges() {
-    const Guess near = guess();
+    const BallZone near = near_edges();
     const auto too_few = [&] {
         return BudgetError("ball arithmetic at " + std::to_string(bits_) +
                            " bits does not enclose an edge");
@@ -136,6 +114,8 @@ void IntegratedContact::enclose_edges() {
     }
     const Ball P = enclosed_constant(load_.value, bits_);
     const bool symmetric = profile_.symmetric();
+    const ZoneRates rates = equations(few_bits).rates(near);
+    const Ball b_rate = middle(rates.right / rates.left);
     // P increases with a along the contacts that satisfy the consistency condition; the left edge
     // of each is enclosed (docs/curved-slopes.md, "Edges").
     for (long narrow = bits_ - spent_on_signs - (symmetric ? 0 : spent_on_both); narrow > 8;
@@ -144,7 +124,7 @@ void IntegratedContact::enclose_edges() {
         std::optional<Between> b = a;
         if (!symmetric) {
             const auto left_of = [&](const Ball& x) {
-                const Ball start = near.b + near.b_rate * (x - near.a);
+                const Ball start = near.b + b_rate * (x - near.a);
                 return left_edge_near(x, middle(start));
             };
             const auto lo = left_of(a.lo);

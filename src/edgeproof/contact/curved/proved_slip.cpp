@@ -50,8 +50,8 @@ IntegratedContact IntegratedContact::between(const Ball& a, const Ball& b, long 
     return zone;
 }
 
-Ball IntegratedContact::zone_mean_slope() const {
-    return slope_integral(a_, b_, 0) / Ball::pi(bits_);
+ZoneValues IntegratedContact::zone_values() const {
+    return {force_of(a_, b_), slope_integral(a_, b_, 0) / Ball::pi(bits_)};
 }
 
 // c_0 = 2 P'/(pi sqrt(D)) (docs/expansions.md) along the contacts of one tilt, and P' is E*/2 times
@@ -75,9 +75,11 @@ public:
     explicit IntegratedZones(IntegratedContact contact)
         : ZoneSolver(contact), contact_(std::move(contact)) {}
     [[nodiscard]] ZoneValues values(const BallZone& zone) const override {
+        return contact_.between(zone.a, zone.b, bits()).zone_values();
+    }
+    [[nodiscard]] ZoneRates rates(const BallZone& zone) const override {
         const IntegratedContact c = contact_.between(zone.a, zone.b, bits());
-        return {c.zone_force(), c.zone_mean_slope(), c.zone_rate(Edge::right),
-                c.zone_rate(Edge::left)};
+        return {c.zone_rate(Edge::right), c.zone_rate(Edge::left)};
     }
     [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const override {
         return contact_.between(zone.a, zone.b, bits()).zone_pressure(edge, u);
@@ -90,7 +92,7 @@ public:
         }
         const auto few = [](const Ball& x) { return Ball(x.midpoint(), coarse_zone_bits); };
         const IntegratedZones coarse(contact_.between(near.a, near.b, coarse_zone_bits));
-        BallZone start = coarse.search(few(force), few(tilt), {few(near.a), few(near.b)});
+        BallZone start = coarse.equations(few(force), few(tilt)).search({few(near.a), few(near.b)});
         start = {start.a.with_bits(bits()), start.b.with_bits(bits())};
         return ZoneSolver::zone(force, tilt, start);
     }
@@ -133,6 +135,18 @@ public:
         const Ball left = half_integral(b, a, m, half, half);
         const Ball moments =
             half_integral(a, b, m + 1, half, half) + half_integral(b, a, m + 1, half, half);
+        // The force and the mean slope (docs/partial-slip.md, "The corrective contact")
+        return {modulus() * factor_ / 2 * (moments - (a - b) / 2 * (right - left)),
+                factor_ * (right - left) / Ball::pi(bits())};
+    }
+    [[nodiscard]] ZoneRates rates(const BallZone& zone) const override {
+        const Ball& a = zone.a;
+        const Ball& b = zone.b;
+        if (!certainly_positive(a) || !certainly_positive(b)) {
+            return integrals_->rates(zone);
+        }
+        const Ball half(Rational(1, 2), bits());
+        const Ball& m = exponent_;
         const Ball scale = modulus() * factor_ / 2;
         // A and B (docs/mechanics.md, "One measure, six kernels") with dg' = C m |v|^(m - 1) dv
         const auto rate = [&](const Ball& to, const Ball& from) {
@@ -140,9 +154,7 @@ public:
                    (half_integral(to, from, m - 1, half, -half) +
                     half_integral(from, to, m - 1, half + 1, half));
         };
-        // The force and the mean slope (docs/partial-slip.md, "The corrective contact")
-        return {scale * (moments - (a - b) / 2 * (right - left)),
-                factor_ * (right - left) / Ball::pi(bits()), rate(a, b), rate(b, a)};
+        return {rate(a, b), rate(b, a)};
     }
     [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const override {
         return integrals_->pressure(zone, edge, u);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/linear_contact.hpp"
 
-#include "edgeproof/contact/enclosure/isolate_zero.hpp"
+#include "edgeproof/contact/enclosure/zone_equations.hpp"
 
 namespace edgeproof::contact {
 namespace {
@@ -77,50 +77,36 @@ template struct LinearContact<BallSeries>;
 Extent<Ball> solve_edges(const LinearContact<Ball>& contact, const LinearContact<Ball>& in_middle,
                          bool symmetric, const std::optional<Ball>& a,
                          const std::optional<Ball>& P) {
-    constexpr const char* left_edge = "the left edge";
-    constexpr const char* right_edge = "the right edge";
-    std::optional<Ball> last; // the last left edge, the start for the next one
-    // An estimate of the left edge in the middle of the box.
-    const auto about_left = [&](const Ball& right) {
-        if (symmetric) {
-            return right;
-        }
-        last = approximate_zero(
-            [&](const Ball& b) {
-                return in_middle.imbalance({right, b});
-            },
-            [&](const Ball& b) {
-                return in_middle.imbalance_rate({right, b});
-            },
-            last ? *last : right, left_edge);
-        return *last;
-    };
-    const auto edges_to = [&](const Ball& right) {
-        return symmetric ? Extent<Ball>{right, right}
-                         : Extent<Ball>{right, prove_zero(
-                                                   [&](const Ball& b) {
-                                                       return contact.imbalance({right, b});
-                                                   },
-                                                   [&](const Ball& b) {
-                                                       return contact.imbalance_rate({right, b});
-                                                   },
-                                                   about_left(middle(right)), left_edge)};
-    };
-    if (a) {
-        return edges_to(*a);
+    constexpr long enough = 24; // bits, for Newton's method
+    if (a && symmetric) {
+        return {*a, *a};
     }
-    const Ball load = middle(*P);
-    const auto in_middle_to = [&](const Ball& right) {
-        return Extent<Ball>{right, about_left(right)};
+    const auto equations = [&](const LinearContact<Ball>& of) -> ZoneEquations {
+        return {
+            .values =
+                [&of](const BallZone& zone) {
+                    const Extent<Ball> e{zone.a, zone.b};
+                    return ZoneValues{of.force(e), of.imbalance(e) / Ball::pi(of.modulus.bits())};
+                },
+            .rates =
+                [&of](const BallZone& zone) {
+                    const Extent<Ball> e{zone.a, zone.b};
+                    return ZoneRates{of.force_rate(e),
+                                     of.imbalance_rate(e) * e.length() * of.modulus / -2};
+                },
+            .modulus = of.modulus,
+            .tilt = Ball(0, of.modulus.bits()),
+            .force = P,
+            .right_edge = a,
+            .symmetric = symmetric};
     };
-    const Ball about =
-        approximate_zero([&](const Ball& x) { return load - in_middle.force(in_middle_to(x)); },
-                         [&](const Ball& x) { return -in_middle.force_rate(in_middle_to(x)); },
-                         middle(load / in_middle.modulus), right_edge,
-                         {.prove = false, .nested = true, .most_stalls = 40});
-    return edges_to(prove_zero([&](const Ball& x) { return *P - contact.force(edges_to(x)); },
-                               [&](const Ball& x) { return -contact.force_rate(edges_to(x)); },
-                               about, right_edge));
+    ZoneEquations narrow = equations(in_middle);
+    narrow.force = P ? std::optional(middle(*P)) : P;
+    const Ball origin(0, in_middle.modulus.bits());
+    const Ball first = middle(a ? *a : *P / in_middle.modulus);
+    const BallZone found = narrow.search(narrow.from_afar({origin, origin, first}, enough));
+    const BallZone zone = equations(contact).proved(found);
+    return {zone.a, zone.b};
 }
 
 Extent<BallSeries> moving_edges(const LinearContact<BallSeries>& contact, const Extent<Ball>& edges,

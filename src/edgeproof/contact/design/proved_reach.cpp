@@ -2,6 +2,7 @@
 #include "edgeproof/contact/design/best_reach.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/isolate_zero.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
@@ -10,13 +11,14 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace edgeproof::contact {
 namespace {
 
 constexpr std::size_t most_intervals = 60'000;
 constexpr int most_halvings_at_edge = 400;
-constexpr int most_newton_images = 60;
+constexpr long kept_bits = 24; ///< bits that are lost on the way to an exit
 constexpr double bits_of_the_costs = 192;
 constexpr long sample_bits = 96;
 constexpr int sample_points = 160;
@@ -123,32 +125,15 @@ private:
     /// Encloses the exit in lo ... hi, where f is monotone, within the tolerance at lo and beyond
     /// it at hi.
     [[nodiscard]] ProvedReach crossing(const Rational& lo, const Rational& hi, int side) const {
-        Ball x = Ball::hull(Ball(lo, bits_), Ball(hi, bits_));
         const Ball level = side > 0 ? tolerance_ : -tolerance_;
-        for (int k = 0; k < most_newton_images; ++k) {
-            const Ball m(x.midpoint(), bits_);
-            Ball image = m - (f_.at(m) - level) / f_.along(x, Along::u)[1];
-            if (!image.is_finite()) {
-                image = x; // bisect below
-            }
-            Ball next = x;
-            if (arb_intersection(next.data(), x.data(), image.data(), bits_) == 0) {
-                break;
-            }
-            if (certainly_less(Ball(next.radius(), bits_) * 2, Ball(x.radius(), bits_))) {
-                x = next;
-                continue;
-            }
-            const Ball at_m = f_.at(m);
-            if (within(at_m)) {
-                x = Ball::from_interval(m.midpoint(), x.upper(), bits_);
-            } else if (beyond(at_m)) {
-                x = Ball::from_interval(x.lower(), m.midpoint(), bits_);
-            } else {
-                break;
-            }
-        }
-        return {x, true, 0, side};
+        const auto place = enclosed_crossing(
+            {lo, hi, side > 0}, bits_, kept_bits,
+            [&](const Rational& u) {
+                const BallSeries at = f_.along(Ball(u, bits_), Along::u);
+                return std::pair(at[0] - level, at[1]);
+            },
+            [&](const Rational& u) { return f_.at(Ball(u, bits_)) - level; });
+        return {place ? *place : Ball::hull(Ball(lo, bits_), Ball(hi, bits_)), true, 0, side};
     }
 
     const ErrorOverBox& f_;

@@ -3,7 +3,6 @@
 
 #include "edgeproof/contact/enclosure/exact_contact.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
-#include "edgeproof/contact/enclosure/isolate_zero.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -40,16 +39,24 @@ BallContact::BallContact(const Profile& near, const Ball& alpha, const Exact& co
     : BallContact(near, enclosed_constant(contact_modulus, bits), bits) {
     tilt_by(alpha);
     const Ball given = constant(load.value.expr());
-    a_ = load.kind == Load::Kind::right_edge ? given : solve_right_edge_for_force(given);
-    b_ = solve_left_edge(a_);
+    const bool by_force = load.kind == Load::Kind::force;
+    isolate(by_force ? equations(given, {}) : equations({}, given));
     fix();
 }
 
 void BallContact::solve(const Exact& contact_modulus, const Load& load) {
     const Ball given = constant(load.value.expr());
-    // Newton's method doubles the digits: the searches begin with the edges of half as many bits.
+    if (power_ || (known_a_ && profile_.symmetric())) {
+        a_ = known_a_ ? given : power_->half_width(given);
+        b_ = a_;
+        fix();
+        return;
+    }
+    const ZoneEquations wanted = known_a_ ? equations({}, given) : equations(given, {});
+    std::optional<BallZone> zone;
+    // Newton's method doubles the digits: the search begins with the edges of half as many bits.
     constexpr long fewest_bits = 128;
-    if (!power_ && !profile_.symmetric() && bits_ >= 2 * fewest_bits) {
+    if (bits_ >= 2 * fewest_bits) {
         try {
             const BallContact coarse(profile_, contact_modulus, load, bits_ / 2);
             if (coarse.known_b_) {
@@ -57,32 +64,29 @@ void BallContact::solve(const Exact& contact_modulus, const Load& load) {
                 fix();
                 return;
             }
-            a_ = coarse.a_.with_bits(bits_);
-            b_ = coarse.b_.with_bits(bits_);
+            zone = {coarse.a_.with_bits(bits_), coarse.b_.with_bits(bits_)};
         } catch (const BudgetError&) {
             // More bits may isolate the edges.
         }
     }
     const auto isolate = [&] {
         try {
-            a_ = known_a_ ? given : solve_right_edge_for_force(given);
-            b_ = solve_left_edge(a_);
+            zone = wanted.search(*zone);
+            zone = wanted.proved(*zone);
             return true;
         } catch (const BudgetError&) {
             // Too few bits, or an edge on a corner, which no number of bits can isolate.
             return false;
         }
     };
-    bool isolated = isolate();
-    if (!isolated && certainly_positive(b_)) {
-        a_ = b_ = Ball(0, bits_);
+    bool isolated = zone && isolate();
+    if (!isolated) {
+        zone = from_afar(wanted);
         isolated = isolate();
     }
+    a_ = known_a_ ? given : zone->a;
+    b_ = zone->b;
     if (!isolated || edge_may_be_on_knot()) {
-        if (!isolated) {
-            a_ = known_a_ ? given : solve_right_edge_for_force(given, false);
-            b_ = solve_left_edge(a_, false);
-        }
         if (const auto exact = exact_edges(profile_, contact_modulus, load, a_, b_)) {
             lie_at(*exact);
         } else if (!isolated) {
@@ -155,8 +159,8 @@ std::vector<Mark<Ball>> BallContact::marks(const Extent<Ball>& e) const {
 
 BallContact BallContact::with_right_edge(const Ball& a) const {
     BallContact other(*this);
-    other.move_edges(a, Ball(0, bits_));
-    other.b_ = other.solve_left_edge(a);
+    other.move_edges(a, a);
+    other.isolate(other.equations({}, a));
     other.fix();
     return other;
 }
@@ -168,23 +172,12 @@ BallContact BallContact::between(const Ball& a, const Ball& b) const {
     return zone;
 }
 
-Ball BallContact::zone_force() const {
-    return modulus_ / 2 * over_linear_measure<ForceKernel>(slope_, {a_, b_}, fixed_.marks);
-}
-
-Ball BallContact::zone_rate(Edge edge) const {
-    const Extent<Ball> e{a_, b_};
-    return modulus_ / 2 *
-           (edge == Edge::right ? over_linear_measure<RightRateKernel>(slope_, e, fixed_.marks)
-                                : over_linear_measure<LeftRateKernel>(slope_, e, fixed_.marks));
-}
-
-Ball BallContact::zone_mean_slope() const {
+ZoneValues BallContact::values_of(const BallZone& zone) const {
     // The integral of (k + r s)/w between two marks, with s = c + y, h' = -1/w and w' = -y/w
     // (docs/mechanics.md); the mean slope of docs/partial-slip.md.
-    const Ball c = (a_ - b_) / 2;
-    const Extent<Ball> e{a_, b_};
-    const std::vector<Mark<Ball>>& list = fixed_.marks;
+    const Extent<Ball> e{zone.a, zone.b};
+    const Ball c = (zone.a - zone.b) / 2;
+    const std::vector<Mark<Ball>> list = marks(e);
     Ball sum(0, bits_);
     Mark<Ball> previous = end_mark(e, Edge::left);
     for (std::size_t i = 0; i <= list.size(); ++i) {
@@ -194,7 +187,15 @@ Ball BallContact::zone_mean_slope() const {
                piece.rate * (previous.w - next.w);
         previous = std::move(next);
     }
-    return sum / Ball::pi(bits_);
+    return {modulus_ / 2 * over_linear_measure<ForceKernel>(slope_, e, list),
+            sum / Ball::pi(bits_)};
+}
+
+ZoneRates BallContact::rates_of(const BallZone& zone) const {
+    const Extent<Ball> e{zone.a, zone.b};
+    const std::vector<Mark<Ball>> list = marks(e);
+    return {modulus_ / 2 * over_linear_measure<RightRateKernel>(slope_, e, list),
+            modulus_ / 2 * over_linear_measure<LeftRateKernel>(slope_, e, list)};
 }
 
 BallContact BallContact::mirrored() const {
@@ -217,74 +218,50 @@ Ball BallContact::force_of(const Extent<Ball>& e) const {
     return modulus_ / 2 * over_measure<ForceKernel>(e);
 }
 
-Ball BallContact::force_rate_of(const Extent<Ball>& e, Edge edge) const {
-    return modulus_ / 2 *
-           (edge == Edge::right ? over_measure<RightRateKernel>(e)
-                                : over_measure<LeftRateKernel>(e));
+// The mean slope of a zone about the origin by the consistency condition, which cancels less.
+ZoneEquations BallContact::equations(const std::optional<Ball>& force,
+                                     const std::optional<Ball>& right_edge) const {
+    const bool by_force = force.has_value();
+    return {.values =
+                [this, by_force](const BallZone& zone) {
+                    const Extent<Ball> e{zone.a, zone.b};
+                    return ZoneValues{by_force ? force_of(e) : Ball(0, bits_),
+                                      imbalance(e) / Ball::pi(bits_)};
+                },
+            .rates = [this](const BallZone& zone) { return rates_of(zone); },
+            .modulus = modulus_,
+            .tilt = Ball(0, bits_),
+            .force = force,
+            .right_edge = right_edge,
+            .symmetric = profile_.symmetric()};
 }
 
-Ball BallContact::solve_left_edge(const Ball& a, bool prove) const {
-    if (profile_.symmetric()) {
-        return a;
+// Where the minimum is a flat, the unknowns are the distances of the edges from its ends: on the
+// flat itself the edges are not determined. P/E* is the length that the force would indent; any
+// positive start is possible.
+BallZone BallContact::from_afar(const ZoneEquations& wanted) const {
+    const Ball a_from = minimum_end(Edge::right);
+    Ball first = wanted.force ? *wanted.force / modulus_ : *wanted.right_edge - a_from;
+    if (!certainly_positive(first)) {
+        first = *wanted.right_edge;
     }
-    const Ball origin(0, bits_);
-    const auto left_end = profile_.flat_end(Edge::left);
-    if (left_end && known_a_ && prove) {
-        try {
-            return left_edge_from(origin, a, a, prove);
-        } catch (const BudgetError&) {
-            // The unknown is then the distance from the end of the flat, below.
-        }
-    }
-    const auto right_end = profile_.flat_end(Edge::right);
-    const Ball inset = right_end ? a - slope_.knots[*right_end] : a;
-    return left_edge_from(left_end ? -slope_.knots[*left_end] : origin,
-                          certainly_positive(inset) ? inset : a, a, prove);
+    return wanted.from_afar({a_from, minimum_end(Edge::left), first}, bits_ / 2);
 }
 
-// Where the minimum is a flat, the unknown is the distance of the edge from the end of the flat: on
-// the flat itself the edge is not determined.
-Ball BallContact::left_edge_from(const Ball& end, const Ball& start, const Ball& a,
-                                 bool prove) const {
-    const bool near = certainly_positive(b_ - end); // b_ is a start from a search with fewer bits
-    return end + isolate_zero(
-                     [&](const Ball& y) {
-                         return imbalance({a, end + y});
-                     },
-                     // docs/mechanics.md: the derivative of the imbalance with respect to b is -B/D
-                     [&](const Ball& y) {
-                         const Ball b = end + y;
-                         return -(over_measure<LeftRateKernel>({a, b}) / (a + b));
-                     },
-                     near ? b_ - end : start, "the left edge",
-                     {.prove = prove, .near = near, .most_stalls = known_a_ ? 400 : 40});
-}
-
-Ball BallContact::solve_right_edge_for_force(const Ball& P, bool prove) const {
-    if (power_) {
-        return power_->half_width(P);
+void BallContact::isolate(const ZoneEquations& wanted) {
+    if (wanted.right_edge && wanted.symmetric) {
+        a_ = b_ = *wanted.right_edge;
+        return;
     }
-    const auto end = profile_.flat_end(Edge::right);
-    const Ball L = end ? slope_.knots[*end] : Ball(0, bits_);
-    const bool near = certainly_positive(b_) && certainly_positive(a_ - L); // as for the left edge
-    // The start P/E* is the length that the force would indent; any positive start is possible.
-    return L + isolate_zero(
-                   [&](const Ball& z) {
-                       const Ball a = L + z;
-                       return P - force_of({a, solve_left_edge(a, prove)});
-                   },
-                   [&](const Ball& z) {
-                       const Ball a = L + z;
-                       return -force_rate_of({a, solve_left_edge(a, prove)}, Edge::right);
-                   },
-                   near ? a_ - L : P / modulus_, "the right edge",
-                   {.prove = prove, .nested = true, .near = near, .most_stalls = 40});
+    const BallZone zone = wanted.proved(wanted.search(from_afar(wanted)));
+    a_ = zone.a;
+    b_ = zone.b;
 }
 
 Ball BallContact::force() const { return power_ ? power_->force(a_) : force_of({a_, b_}); }
 
 Ball BallContact::force_rate() const {
-    return power_ ? power_->force_rate(a_) : force_rate_of({a_, b_}, Edge::right);
+    return power_ ? power_->force_rate(a_) : rates_of({a_, b_}).right;
 }
 
 Ball BallContact::moment() const {

@@ -4,6 +4,7 @@
 #include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/enclosure/power_law_integral.hpp"
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
+#include "edgeproof/contact/enclosure/zone_equations.hpp"
 #include "edgeproof/contact/law/kernels.hpp"
 #include "edgeproof/contact/law/linear_measure.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
@@ -84,11 +85,10 @@ public:
     /// not change the formula of the pressure (docs/partial-slip.md, "The corrective contact"). For
     /// a power law only symmetric zones are allowed.
     [[nodiscard]] BallContact between(const Ball& a, const Ball& b) const;
-    /// For such a zone of a piecewise linear slope: the force; E*/2 times the kernel integral A or
-    /// B of docs/mechanics.md; the mean of g' over the zone with the weight 1/(pi w).
-    [[nodiscard]] Ball zone_force() const;
-    [[nodiscard]] Ball zone_rate(Edge edge) const;
-    [[nodiscard]] Ball zone_mean_slope() const;
+    /// The integrals over such a zone of a piecewise linear slope, of a contact without known
+    /// edges.
+    [[nodiscard]] ZoneValues values_of(const BallZone& zone) const;
+    [[nodiscard]] ZoneRates rates_of(const BallZone& zone) const;
 
 private:
     BallContact(const Profile& profile, const Ball& modulus, long bits);
@@ -120,15 +120,14 @@ private:
     [[nodiscard]] Ball pressure(const Place& at, bool least = false) const;
     /// The marks of the knots.
     [[nodiscard]] std::vector<Mark<Ball>> marks(const Extent<Ball>& e) const;
-    /// Without `prove` the zero is the approximate place that the search found.
-    [[nodiscard]] Ball solve_left_edge(const Ball& a, bool prove = true) const;
-    /// The left edge for a given right one; the unknown is its distance from `end`.
-    [[nodiscard]] Ball left_edge_from(const Ball& end, const Ball& start, const Ball& a,
-                                      bool prove) const;
-    [[nodiscard]] Ball solve_right_edge_for_force(const Ball& P, bool prove = true) const;
+    /// The equations of the edges for a force, or for a right edge.
+    [[nodiscard]] ZoneEquations equations(const std::optional<Ball>& force,
+                                          const std::optional<Ball>& right_edge) const;
+    [[nodiscard]] BallZone from_afar(const ZoneEquations& wanted) const;
+    /// Encloses the edges, which are not known yet.
+    void isolate(const ZoneEquations& wanted);
     [[nodiscard]] Ball imbalance(const Extent<Ball>& e) const;
     [[nodiscard]] Ball force_of(const Extent<Ball>& e) const;
-    [[nodiscard]] Ball force_rate_of(const Extent<Ball>& e, Edge edge) const;
     template <class Kernel> [[nodiscard]] Ball over_measure(const Extent<Ball>& e) const;
 
     std::optional<PowerLawIntegral> power_law_integral_;

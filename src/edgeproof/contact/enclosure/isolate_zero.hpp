@@ -11,86 +11,75 @@
 
 namespace edgeproof::contact {
 
-/// Options of a search for a zero.
-struct ZeroSearch {
-    bool prove = true;   ///< false: the result is the place found, without a proof
-    bool nested = false; ///< the function needs another search, so that it has fewer correct bits
-    bool near = false;   ///< the start is near the zero, and f need not be finite far from it
-    bool to_roundoff = false; ///< the search also ends where the ball of f contains 0
-    int most_stalls = 400; ///< number of small steps without progress after which the search ends
-};
-
-/// Returns a place near the zero of f, which is monotone on the positive axis; it proves nothing.
-/// f(x) > 0 must mean that the zero lies beyond x; `rate` is f' (of one sign). Throws a DomainError
-/// that names `what` if f > 0 however far out.
+/// Returns a place near the zero of f, which is monotone on the positive axis, to `accuracy` bits
+/// or to the roundoff of f; it proves nothing. f(x) > 0 must mean that the zero lies beyond x, as
+/// it must lie before an x where f is not finite; `rate` is f' (of one sign), called after f at the
+/// same place. `near`: the start is near the zero. Throws a DomainError that names `what` if f > 0
+/// however far out.
 template <class F, class Rate>
 Ball approximate_zero(const F& f, const Rate& rate, const Ball& start, const char* what,
-                      const ZeroSearch& search = {}) {
-    const long bits = start.bits();
+                      long accuracy, bool near = false) {
+    constexpr int most_doublings = 64;
+    constexpr int most_steps = 400;
     Ball x = middle(start);
-    // First a search for a certain change of sign, then Newton's method on midpoints.
     std::optional<Ball> lo;
     std::optional<Ball> hi;
-    long factor = 2;
-    constexpr int most_doublings = 64;
-    int doublings = 0;
-    for (; doublings < most_doublings && !search.near && !(lo && hi); ++doublings) {
-        const Ball value = f(x);
+    // Returns f with certain signs at the ends of the range; 0 within its roundoff.
+    const auto value_at = [&](const Ball& at) {
+        Ball value = f(at);
+        value = !value.is_finite()     ? Ball(-1, at.bits())
+                : contains_zero(value) ? Ball(0, at.bits())
+                                       : middle(value);
         if (certainly_positive(value)) {
-            lo = x;
-            x = middle(x * factor);
+            lo = at;
         } else if (certainly_negative(value)) {
-            hi = x;
-            x = middle(x / factor);
-        } else {
-            break;
+            hi = at;
         }
-        factor = factor < (1L << 30) ? factor * factor : factor;
-    }
-    if (lo && hi) {
-        x = middle(sqrt(*lo * *hi));
-    } else if (doublings == most_doublings && lo) {
-        throw DomainError(std::string("no value of ") + what +
-                          " satisfies the equations of this contact: the profile does not rise on "
-                          "that side");
-    }
-    const long wanted = search.nested && !search.prove ? bits / 2 : bits - 12;
-    const Ball tiny = power_of_two(-wanted, bits);
-    const Ball noise = power_of_two(-(bits / 8 * 3), bits);
-    int stalls = 0;
-    std::optional<Ball> previous;
-    for (int k = 0; k < 400; ++k) {
-        const Ball enclosed = f(x);
-        if (search.to_roundoff && contains_zero(enclosed)) {
+        return value;
+    };
+    // First a search for a change of sign, then Newton's method on midpoints.
+    long factor = 2;
+    for (int k = 0; !near && !(lo && hi); ++k) {
+        if (k == most_doublings && lo) {
+            throw DomainError(std::string("no value of ") + what +
+                              " satisfies the equations of this contact: the profile does not "
+                              "rise on that side");
+        }
+        const Ball value = value_at(x);
+        if (contains_zero(value) || k == most_doublings) {
             return x;
         }
-        const Ball value = middle(enclosed);
-        if (certainly_positive(value)) {
-            lo = x;
-        } else if (certainly_negative(value)) {
-            hi = x;
+        x = middle(certainly_positive(value) ? x * factor : x / factor);
+        factor = factor < (1L << 30) ? factor * factor : factor;
+    }
+    const auto between = [&] { return middle(sqrt(*lo * *hi)); };
+    x = near ? x : between();
+    const Ball tiny = power_of_two(-accuracy, x.bits());
+    std::optional<Ball> previous;
+    for (int k = 0; k < most_steps; ++k) {
+        const Ball value = value_at(x);
+        if (contains_zero(value)) {
+            return x;
         }
         const Ball step = middle(value / rate(x));
-        // Halve instead of a step where the rate may be zero (an edge on the end of a flat), and
-        // where steps do not shrink: near a corner f behaves like a root, and Newton's method
-        // oscillates.
         Ball next = step.is_finite() ? middle(x - step) : x;
         const bool inside = step.is_finite() && (!lo || certainly_less(*lo, next)) &&
                             (!hi || certainly_less(next, *hi)) && certainly_positive(next);
         if (inside && !certainly_less(tiny * abs(x), abs(step))) {
             return next;
         }
+        // Halve instead of a step where the rate may be zero (an edge on the end of a flat), and
+        // where steps do not shrink: near a corner f behaves like a root, and Newton's method
+        // oscillates.
         const bool slow = inside && previous && !certainly_less(abs(step) * 2, *previous);
-        // Near a knot f has half the bits, or fewer if it needs another search.
-        stalls += (slow || !inside) && certainly_less(abs(step), noise * abs(x)) ? 1 : 0;
-        if (stalls > search.most_stalls) {
-            break;
-        }
         if ((!inside || slow) && lo && hi) {
-            next = middle(sqrt(*lo * *hi));
+            next = between();
+            if (!certainly_less(tiny * *hi, *hi - *lo)) {
+                return next;
+            }
             previous = std::nullopt;
         } else if (!inside) {
-            break;
+            return x;
         } else {
             previous = abs(step);
         }
@@ -122,12 +111,13 @@ Ball prove_zero(const F& f, const Rate& rate, const Ball& x, const char* what) {
                       " bits does not isolate " + what);
 }
 
-/// The zero of f, found and, if that is wanted, proved.
+/// The zero of f, found and proved.
 template <class F, class Rate>
 Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* what,
-                  const ZeroSearch& search) {
-    const Ball x = approximate_zero(f, rate, start, what, search);
-    return search.prove ? prove_zero(f, rate, x, what) : x;
+                  bool near = false) {
+    constexpr long bits_lost = 12;
+    return prove_zero(f, rate,
+                      approximate_zero(f, rate, start, what, start.bits() - bits_lost, near), what);
 }
 
 /// A place between lo and hi at which a function crosses zero; between them it is monotone.

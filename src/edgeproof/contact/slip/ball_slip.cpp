@@ -24,7 +24,7 @@ BallSlip::BallSlip(const ProvedContact& contact, const ZoneSolver& zones, const 
         std::optional<BallZone> found;
         if (!stick && !contains_zero(over_Q_)) {
             try {
-                found = zones_.search(F, tilt, whole_);
+                found = zones_.equations(F, tilt).search(whole_);
             } catch (const BudgetError&) {
                 look_beyond(load.bulk_tension); // before a longer search, which may not end
                 if (beyond_) {
@@ -33,7 +33,7 @@ BallSlip::BallSlip(const ProvedContact& contact, const ZoneSolver& zones, const 
             }
         }
         stick_ = stick   ? *stick
-                 : found ? zones_.proved(F, tilt, *found)
+                 : found ? zones_.equations(F, tilt).proved(*found)
                          : zones_.zone(F, tilt, whole_);
         for (const Edge edge : {Edge::right, Edge::left}) {
             if (certainly_negative(size(edge))) {
@@ -79,7 +79,7 @@ Ball BallSlip::rate_between(const BallZone& outer, const BallZone& inner, Edge e
     const Ball turn =
         Ball::pi(zones_.bits()) * over_Q_ * Ball::hull(outer.length(), inner.length()) / 8;
     const Ball share = edge == Edge::right ? 1 + turn : 1 - turn;
-    return force_ * share / zones_.values(box).rate(edge);
+    return force_ * share / zones_.rates(box).at(edge);
 }
 
 // d at most reaches the minimum of g' without a tilt, or the other edge of the stick zone
@@ -96,30 +96,20 @@ bool BallSlip::slips_from_the_first(Edge edge) const {
 }
 
 // docs/partial-slip.md, "When it holds": F increases with the length of the zone that begins at an
-// edge of the contact, at half the rate dP/da of its free edge. The signs of F - P on both sides of
-// the place found enclose the length.
+// edge of the contact, at half the rate dP/da of its free edge.
 Ball BallSlip::tension_limit(Edge edge) const {
-    const long bits = zones_.bits();
     const Ball P = force_ * (1 - ratio_);
     const Ball& fixed = whole_.at(edge);
-    const auto values = [&](const Ball& length) {
-        const Ball free = length - middle(fixed);
-        return zones_.values(edge == Edge::left ? BallZone{free, fixed} : BallZone{fixed, free});
+    const auto zone = [&](const Ball& length) {
+        return edge == Edge::left ? BallZone{length - fixed, fixed}
+                                  : BallZone{fixed, length - fixed};
     };
-    const Ball found =
-        isolate_zero([&](const Ball& length) { return P - values(length).force; },
-                     [&](const Ball& length) { return -values(length).rate(opposite(edge)) / 2; },
-                     whole_.length(), "the limit of the bulk tension", {.prove = false});
-    for (long lost = 24; lost < bits; lost += 24) {
-        const Ball slack = whole_.length() * power_of_two(lost - bits, bits);
-        const Ball lo = lower_end(found - slack);
-        const Ball hi = upper_end(found + slack);
-        if (certainly_less(values(lo).force, P) && certainly_less(P, values(hi).force)) {
-            const Ball tilt = -values(Ball::hull(lo, hi)).mean_slope;
-            return direction_ * tilt * friction_ * zones_.modulus() * 2;
-        }
-    }
-    throw BudgetError("too few bits to enclose the limit of the bulk tension");
+    const Ball length =
+        isolate_zero([&](const Ball& D) { return P - zones_.values(zone(D)).force; },
+                     [&](const Ball& D) { return -zones_.rates(zone(D)).at(opposite(edge)) / 2; },
+                     whole_.length(), "the limit of the bulk tension");
+    const Ball tilt = -zones_.values(zone(length)).mean_slope;
+    return direction_ * tilt * friction_ * zones_.modulus() * 2;
 }
 
 // Without a bulk tension the stick zone lies within the contact: the limits have opposite signs.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/zone_equations.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
@@ -10,29 +11,6 @@
 #include <vector>
 
 namespace edgeproof::contact {
-
-/// -b < x < a, in balls.
-struct BallZone {
-    Ball a;
-    Ball b;
-    [[nodiscard]] Ball length() const { return a + b; }
-    [[nodiscard]] const Ball& at(Edge edge) const { return edge == Edge::right ? a : b; }
-};
-
-/// The integrals that decide which zone of the profile is a contact (docs/partial-slip.md, "The
-/// corrective contact").
-struct ZoneValues {
-    Ball force;      ///< F = (E*/2) integral of w dg'
-    Ball mean_slope; ///< (1/pi) integral of g'/w ds: minus the tilt
-    /// E*/2 times the integral of sqrt((v+b)/(a-v)) dg' (right) or of its inverse (left): dP/da and
-    /// dP/db along the contacts of one tilt (docs/mechanics.md). For a wide zone they enclose the
-    /// values of all zones in it; not finite if an edge may lie on a corner.
-    Ball right_rate;
-    Ball left_rate;
-    [[nodiscard]] const Ball& rate(Edge edge) const {
-        return edge == Edge::right ? right_rate : left_rate;
-    }
-};
 
 /// The contacts of the slopes g' + tilt under any force, in balls: they bound the stick zone in
 /// partial slip (docs/partial-slip.md, "The corrective contact"). The zone for a force P and a tilt
@@ -52,8 +30,10 @@ public:
     [[nodiscard]] long bits() const { return bits_; }
     /// E* (stress).
     [[nodiscard]] const Ball& modulus() const { return modulus_; }
-    /// Returns the integrals over `zone` (length).
+    /// Return the integrals over `zone` (length).
     [[nodiscard]] virtual ZoneValues values(const BallZone& zone) const = 0;
+    [[nodiscard]] virtual ZoneRates rates(const BallZone& zone) const = 0;
+    [[nodiscard]] ZoneEquations equations(const Ball& force, const Ball& tilt) const;
     /// Returns the pressure (stress) of that contact at the distance `u` inwards from an edge of
     /// the zone (length).
     [[nodiscard]] virtual Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const = 0;
@@ -64,11 +44,6 @@ public:
     /// @param near a zone that contains it, from which the search begins
     [[nodiscard]] virtual BallZone zone(const Ball& force, const Ball& tilt,
                                         const BallZone& near) const;
-    /// Finds the zone by Newton's method on midpoints, which proves nothing.
-    [[nodiscard]] BallZone search(const Ball& force, const Ball& tilt, const BallZone& near) const;
-    /// Encloses the zone that a search has found. Throws BudgetError where the bits do not isolate
-    /// it.
-    [[nodiscard]] BallZone proved(const Ball& force, const Ball& tilt, const BallZone& found) const;
     /// Returns the coefficients of dP/da (force/length) at the radius a - d in powers of d, of an
     /// axisymmetric contact; none for plane contacts.
     [[nodiscard]] virtual std::vector<Ball> force_rates(const Ball& /*a*/,

@@ -252,7 +252,7 @@ AxisymmetricStress::Greatest AxisymmetricStress::greatest_on_axis() const {
                          return Ball::hull(lo, hi) * moment_between(lo, hi, 4) * 36 -
                                 moment_between(lo, hi, 3) * (poisson_ * 4 + 22);
                      },
-                     middle(sqrt(one.lo->w * one.hi.w)), "the depth of the greatest tau_max", {});
+                     middle(sqrt(one.lo->w * one.hi.w)), "the depth of the greatest tau_max");
     if (!certainly_less(one.lo->w, w) || !certainly_less(w, one.hi.w)) {
         throw BudgetError("the search for the depth of the greatest tau_max found another one");
     }

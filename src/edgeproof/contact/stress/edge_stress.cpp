@@ -64,8 +64,7 @@ void EdgeStress::add_contact(const BallContact& contact, const Ball& pressure, c
 }
 
 void EdgeStress::add_zone(const BallContact& zone, const Ball& at, const Ball& shear) {
-    const Ball force = zone.piecewise_linear() ? zone.zone_force() : zone.force();
-    const Ball most = force / (at - zone.a() - radius_);
+    const Ball most = zone.force() / (at - zone.a() - radius_);
     const std::vector<Ball> a =
         taylor_on_circle([&](const Box& z) { return cauchy_integral(zone, z + at).value; }, most,
                          radius_, Rational(3, 4), (shear_.size() + 1) / 2);

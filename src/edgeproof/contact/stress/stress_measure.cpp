@@ -99,8 +99,7 @@ StressMeasure::StressMeasure(StressField field, const StressNorm& norm)
       bulk_(field_.bulk * Ball::pi(field_.bits()) / 2) {
     for (const LoadPart& part : field_.parts) {
         weights_.emplace_back(part.pressure, -part.shear);
-        forces_.push_back(part.contact.piecewise_linear() ? part.contact.zone_force()
-                                                          : part.contact.force());
+        forces_.push_back(part.contact.force());
     }
 }
 

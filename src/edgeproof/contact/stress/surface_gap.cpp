@@ -134,9 +134,7 @@ SurfacePotential potential_about(const BallContact& contact, Edge edge, const Ba
     const bool right = edge == Edge::right;
     const Ball inside =
         right ? lower_end(contact.a()) - slack * 2 : slack * 2 - lower_end(contact.b());
-    const Ball there = right                        ? Ball(0, x.bits())
-                       : contact.piecewise_linear() ? contact.zone_force()
-                                                    : contact.force();
+    const Ball there = right ? Ball(0, x.bits()) : contact.force();
     if (contact.piecewise_linear()) {
         return {lift_of_linear(contact, x), Ball::hull(there, carried_by_linear(contact, inside))};
     }

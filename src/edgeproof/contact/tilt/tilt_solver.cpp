@@ -14,7 +14,7 @@ namespace edgeproof::contact {
 namespace {
 
 constexpr long fewest_bits = 80; ///< of the search from which the last steps start
-constexpr int most_steps = 60;
+constexpr long bits_of_search = 24;
 
 Expr number(long k) { return Expr::number(Rational(k)); }
 
@@ -82,10 +82,8 @@ EnclosedTilt tilt_of_flat(const TiltedPunch& punch, const Exact& modulus, const 
     // y(v), the moment less that at v = 0, or its negative, rises with v to t P at the other end;
     // |dM/dalpha| = pi E* c^2/4 - P R (docs/mechanics.md, "Profiles").
     const Exact of_end(near ? M.expr() + punch.t.expr() * P.expr() : -M.expr());
-    const Exact to_other_end(near ? -M.expr() : M.expr() + punch.t.expr() * P.expr());
     struct Values {
         Ball y;
-        Ball to_other_end; // t P - y
         Ball rate;
     };
     const auto values = [&](const Ball& v) -> Values {
@@ -94,50 +92,29 @@ EnclosedTilt tilt_of_flat(const TiltedPunch& punch, const Exact& modulus, const 
         const Ball from_upright =
             contact.moment() + enclosed_constant(punch.t, b) * enclosed_constant(P, b);
         const Ball c = contact.length() / 2;
-        return {near ? from_upright : -contact.moment(), near ? -contact.moment() : from_upright,
+        return {near ? from_upright : -contact.moment(),
                 Ball::pi(b) * contact.modulus() * c * c / 4 -
                     enclosed_constant(P, b) * enclosed_constant(punch.R, b)};
     };
-    // First Newton's method for log(y/(t P - y)) as a function of log(v/(lift - v)): near the ends,
-    // and between them where the corner is sharp, y and t P - y are like powers of v.
-    const long coarse = std::max(fewest_bits, bits / 2);
-    const Ball range = enclosed_constant(lift, coarse);
-    const Ball wanted = enclosed_constant(of_end, coarse) / enclosed_constant(to_other_end, coarse);
-    Ball odds(1, coarse);
-    const auto place = [&] { return middle(range * odds / (odds + 1)); };
-    Ball step(1, coarse);
-    for (int k = 0; !certainly_less(abs(step), power_of_two(-10, coarse)); ++k) {
-        check_interruption();
-        const Values at = values(place());
-        if (k == most_steps) {
-            throw BudgetError("too few bits to search for the tilt");
-        }
-        if (!certainly_positive(at.y) || !certainly_positive(at.to_other_end)) {
-            step = step / 2; // half of the last step back
-            odds = middle(odds * exp(step));
-            continue;
-        }
-        const Ball power =
-            at.rate * odds * range / pow_int(odds + 1, 2) * (1 / at.y + 1 / at.to_other_end);
-        step = middle(log(at.y / at.to_other_end / wanted) / power);
-        if (!step.is_finite()) {
-            throw BudgetError("too few bits to search for the tilt");
-        }
-        odds = middle(odds * exp(-step));
-    }
     Ball last_place(0, bits);
     std::optional<Values> last;
     const auto values_at = [&](const Ball& v) -> const Values& {
-        if (!last || arb_equal(v.data(), last_place.data()) == 0) {
+        if (!last || v.bits() != last_place.bits() || arb_equal(v.data(), last_place.data()) == 0) {
             last.emplace(values(v));
             last_place = v;
         }
         return *last;
     };
-    const Ball v = isolate_zero(
-        [&](const Ball& at) { return enclosed_constant(of_end, bits) - values_at(at).y; },
-        [&](const Ball& at) { return -values_at(at).rate; }, place().with_bits(bits), "the tilt",
-        {.near = true, .to_roundoff = true});
+    const auto missing = [&](const Ball& at) {
+        check_interruption();
+        return enclosed_constant(of_end, at.bits()) - values_at(at).y;
+    };
+    const auto rate = [&](const Ball& at) { return -values_at(at).rate; };
+    // The tilt lies between the nearer end and the middle.
+    const long coarse = std::max(fewest_bits, bits / 2);
+    const Ball found = approximate_zero(missing, rate, enclosed_constant(lift, coarse) / 2,
+                                        "the tilt", bits_of_search);
+    const Ball v = isolate_zero(missing, rate, found.with_bits(bits), "the tilt", true);
     return tilt_at(punch, v, near, lift, 1);
 }
 

@@ -6,7 +6,6 @@
 
 #include <doctest/doctest.h>
 
-#include <thread>
 #include <vector>
 
 namespace {
@@ -44,18 +43,6 @@ TEST_CASE("Gauss-Legendre: known nodes, and exact to degree 2n - 1 and no furthe
         CHECK(contains(power(top - 2), Rational(2, top - 1)));
         CHECK_FALSE(contains(power(top), Rational(2, top + 1)));
     }
-}
-
-TEST_CASE("a table is made once, also when two threads ask for it together") {
-    std::shared_ptr<const GaussLegendreBalls> one;
-    std::shared_ptr<const GaussLegendreBalls> other;
-    std::thread first([&] { one = gauss_legendre_balls(47, 333); });
-    std::thread second([&] { other = gauss_legendre_balls(47, 333); });
-    first.join();
-    second.join();
-    CHECK(one == other);
-    CHECK(one->x.size() == 24);
-    CHECK(gauss_legendre_balls(47, 334) != one);
 }
 
 TEST_CASE("enclosed nodes hold the roots of the polynomial, and are narrow") {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/quadrature/gauss_legendre.hpp"
+
 #include "edgeproof/precision/bounded_cache.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
-#include <mutex>
 #include <utility>
 
 namespace edgeproof::quadrature {
@@ -23,32 +23,14 @@ GaussLegendreBalls build(std::size_t n, long bits) {
     return rule;
 }
 
-/// One slot for each table, so that threads that need another table do not wait while one is built.
-struct Slot {
-    std::once_flag once;
-    GaussLegendreBalls rule;
-};
-
-struct Tables {
-    static constexpr std::size_t most = 64;
-    std::mutex guard;
-    BoundedCache<std::pair<std::size_t, long>, Slot> slots{most};
-};
-Tables& tables() {
-    static Tables all;
-    return all;
-}
-
 } // namespace
 
 std::shared_ptr<const GaussLegendreBalls> gauss_legendre_balls(std::size_t n, long bits) {
-    std::shared_ptr<Slot> slot;
-    {
-        const std::lock_guard lock(tables().guard);
-        slot = tables().slots.get({n, bits}, [] { return std::make_shared<Slot>(); });
-    }
-    std::call_once(slot->once, [&] { slot->rule = build(n, bits); });
-    return {slot, &slot->rule};
+    constexpr std::size_t most_rules = 64;
+    thread_local BoundedCache<std::pair<std::size_t, long>, const GaussLegendreBalls> rules(
+        most_rules);
+    return rules.get({n, bits},
+                     [&] { return std::make_shared<const GaussLegendreBalls>(build(n, bits)); });
 }
 
 } // namespace edgeproof::quadrature

@@ -16,8 +16,8 @@ struct GaussLegendreBalls {
     std::vector<Ball> weight;
 };
 
-/// The rule at a working precision of `bits`, n >= 1. A table is built at its first use, for all
-/// threads, and never changed; the most recent tables are kept.
+/// The rule at a working precision of `bits`, n >= 1. A table is built at its first use in a
+/// thread, which keeps the most recent ones.
 [[nodiscard]] std::shared_ptr<const GaussLegendreBalls> gauss_legendre_balls(std::size_t n,
                                                                              long bits);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/certificate/certificate.hpp"
 
+#include "edgeproof/audit/ledger/ledger_parts.hpp"
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/io/csv.hpp"
 #include "edgeproof/io/text_file.hpp"
@@ -21,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using audit::Claim;
+using audit::collect_words;
 using audit::Family;
 using audit::Ledger;
 
@@ -87,32 +89,19 @@ std::string text_of(const Family& family, const Ledger& ledger) {
     return text;
 }
 
-/// Whether a name occurs in a text as a whole word.
-bool has_word(std::string_view text, std::string_view word) {
-    const auto part_of_name = [](char c) {
-        return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-               c == '_';
-    };
-    for (std::size_t at = text.find(word); at != std::string_view::npos;
-         at = text.find(word, at + 1)) {
-        const std::size_t end = at + word.size();
-        if ((at == 0 || !part_of_name(text[at - 1])) &&
-            (end == text.size() || !part_of_name(text[end]))) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /// Adds to a text the definitions whose names occur in it, and those that these use.
 std::string with_definitions(std::string text, const Claim& claim) {
+    std::set<std::string> words;
     std::set<std::string> added;
+    collect_words(text, words);
     for (bool more = true; more;) {
         more = false;
         for (const audit::Vocabulary::Definition& d : claim.vocabulary.definitions) {
-            if (!added.contains(d.name) && has_word(text, d.name)) {
-                added.insert(d.name);
-                text += line_of({"define", d.name, d.argument.value_or(""), to_text(d.body)});
+            if (words.contains(d.name) && added.insert(d.name).second) {
+                const std::string line =
+                    line_of({"define", d.name, d.argument.value_or(""), to_text(d.body)});
+                collect_words(line, words);
+                text += line;
                 more = true;
             }
         }

@@ -20,8 +20,8 @@ constexpr int halvings = 16; // places in an integral: at least 2^-16 of its len
 class Subexpression {
 public:
     Subexpression(const Sample& sample, long bits, std::map<std::string, Ball> variables)
-        : sample_(sample), at_(sample, bits), bits_(bits), profile_(*sample.scene.as_scene()->profile),
-          variables_(std::move(variables)) {
+        : sample_(sample), at_(sample, bits), bits_(bits),
+          profile_(*sample.scene.as_scene()->profile), variables_(std::move(variables)) {
         for (const auto& [name, value] : variables_) {
             at_.set(name, value);
         }

@@ -2,7 +2,6 @@
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 
 #include "edgeproof/audit/enclosure/contact_formulas.hpp"
-#include "edgeproof/audit/enclosure/enclosed_reach.hpp"
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/stress/plane_stress.hpp"
 #include "edgeproof/precision/rounding/escalate.hpp"
@@ -221,17 +220,7 @@ Ball EnclosedSample::call(const Expr& node, std::span<const Ball> args) const {
                                 : other.b();
     }
     if (name == "exit" || name == "measure" || name == "best") {
-        const auto exact = [&](std::size_t i) {
-            const auto value = constant(node.arg(i));
-            if (!value) {
-                throw Error("the arguments of " + name + " are not numbers");
-            }
-            return *value;
-        };
-        const ReachQuestion question{sample_.edge, exact(0), exact(1)};
-        return name != "best"
-                   ? enclosed_reach(sample_.scene, question, name == "exit", bits_)
-                   : best_value(sample_.scene, question, node.arg(2).name(), exact(3), exact(4));
+        return reach(node);
     }
     if (name == "binv" && certainly_positive(args[0])) {
         return closed_form(name).mirrored().with_right_edge(args[0]).b();

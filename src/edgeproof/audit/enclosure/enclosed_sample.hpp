@@ -174,6 +174,11 @@ private:
     /// Returns u_A - u_B at a place in the contact.
     [[nodiscard]] Ball slip(const Ball& x) const;
     [[nodiscard]] Ball gap(const Ball& x) const;
+    /// Returns exit(n, tol), measure(n, tol) or best(n, tol, m, lo, hi), proved (ball_extent.hpp,
+    /// contact/design). Throws BudgetError if the bits do not decide, and Error if the tolerance is
+    /// nowhere reached or the question has no meaning. `best` is up to the middle of the contact,
+    /// only for the exponent m of a power law; no other value is better by more than 1e-8.
+    [[nodiscard]] Ball reach(const Expr& call) const;
     [[nodiscard]] Ball traction(const Expr& written, const Ball& at) const {
         if (!slips()) {
             const Edge edge = u_ ? sample_.edge : Edge::right;

@@ -210,6 +210,8 @@ void collect_families(const Ledger& ledger, const std::string& name, std::set<st
     }
 }
 
+} // namespace
+
 void collect_words(std::string_view text, std::set<std::string>& into) {
     const auto of_word = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
     for (auto it = text.begin(); it != text.end();) {
@@ -218,6 +220,8 @@ void collect_words(std::string_view text, std::set<std::string>& into) {
         it = std::find_if(end, text.end(), of_word);
     }
 }
+
+namespace {
 
 /// Returns the names that a claim uses, including those in the bodies of its definitions. A name in
 /// a field that is not a formula counts as used.

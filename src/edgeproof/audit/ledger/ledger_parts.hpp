@@ -5,6 +5,7 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,6 +31,9 @@ void try_drawing(const Family& family, const std::string& file, const std::vecto
 /// Every parameter must have an effect: on the contact, on another parameter, or in a formula of a
 /// claim over the family. Throws InputError at the line of a parameter without effect.
 void refuse_unused_parameters(const Ledger& ledger);
+
+/// Adds the words of a text: letters, digits and _.
+void collect_words(std::string_view text, std::set<std::string>& into);
 
 /// Reads the definitions in a ledger's [define]; their bodies may use each other and the parameters
 /// of any family. Throws InputError with the file and the line.

@@ -118,8 +118,8 @@ TEST_CASE("an unknown name is an error that lists the names that may be used") {
 
 TEST_CASE("names with a meaning of their own cannot be given to variables") {
     Symbols s;
-    for (const char* name : {"e", "I", "pi", "Pi", "inf", "nan", "sqrt", "pv", "integral", "",
-                             "1a", "a b", "a'", "\xC3\xA9"}) {
+    for (const char* name : {"e", "I", "pi", "Pi", "inf", "nan", "sqrt", "pv", "integral", "", "1a",
+                             "a b", "a'", "\xC3\xA9"}) {
         CHECK_THROWS_AS(s.add(name), InputError);
         CHECK_THROWS_AS(s.add_function(name, 1), InputError);
     }

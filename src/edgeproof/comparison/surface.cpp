@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <memory>
 
 namespace edgeproof::comparison {
@@ -25,8 +24,7 @@ public:
 
     void compare_all() {
         if (usable(0, "gap")) {
-            keep(compare(0, "gap", scene::Quantity::gap, scene::Body::A, {1},
-                         "of the largest exact gap at these nodes"));
+            keep(compare(0, "gap", scene::Quantity::gap));
         }
         slip();
         if (usable(2, "sxx")) {
@@ -50,20 +48,15 @@ private:
             not_compared("slip", "the scene has no friction");
             return;
         }
-        keep(compare(1, "slip", scene::Quantity::slip_displacement, scene::Body::A, {1, -1},
-                     "of the largest exact slip at these nodes"));
+        keep(compare(1, "slip", scene::Quantity::slip_displacement));
     }
     void sxx() {
-        const auto of = [&](scene::Body body) {
-            return compare(2, "sxx", scene::Quantity::sxx, body, {1},
-                           exact_.scale().mean ? "of the mean pressure" : "of the peak");
-        };
-        const auto of_A = of(scene::Body::A);
+        const auto of_A = compare(2, "sxx", scene::Quantity::sxx);
         if (!of_A || !scene_.shear) {
             keep(of_A);
             return;
         }
-        const auto of_B = of(scene::Body::B);
+        const auto of_B = compare(2, "sxx", scene::Quantity::sxx, scene::Body::B);
         const bool B = of_B && of_B->peak < of_A->peak;
         keep(B ? of_B : of_A);
         file_.data.findings.push_back(fmt::format(
@@ -113,12 +106,13 @@ private:
         double exact;
     };
 
-    /// The largest error for the better one of the `signs`; nothing, with the reason, if too few
-    /// nodes have a value.
+    /// The largest error, of slip for the better one of its directions; nothing, with the reason,
+    /// if too few nodes have a value.
     std::optional<SurfaceErrors> compare(std::size_t k, const char* name, scene::Quantity quantity,
-                                         scene::Body body, std::initializer_list<double> signs,
-                                         const char* reference) {
+                                         scene::Body body = scene::Body::A) {
         const bool gap = quantity == scene::Quantity::gap;
+        const bool of_slip = quantity == scene::Quantity::slip_displacement;
+        const bool of_sxx = quantity == scene::Quantity::sxx;
         std::unique_ptr<scene::SceneValues> values;
         std::string route;
         std::string why;
@@ -126,7 +120,7 @@ private:
         const auto exact = [&](double x) -> std::optional<double> {
             check_interruption();
             scene::AskedValue asked = asked_at(quantity, Real(x));
-            if (quantity == scene::Quantity::sxx) {
+            if (of_sxx) {
                 asked.place.reset();
                 asked.in_body = {
                     formula::Exact(formula::Expr::number(exact_rational(x))), {}, body};
@@ -154,7 +148,7 @@ private:
             const auto& data = file_.table.rows[i].surface[k];
             const bool inside = node.place.inside();
             if (!data || !is_counted(node, tolerances_.zone, file_.contact) ||
-                (quantity == scene::Quantity::slip_displacement && !inside)) {
+                (of_slip && !inside)) {
                 continue;
             }
             const bool closed = gap && inside;
@@ -185,14 +179,14 @@ private:
             }
             return {};
         }
-        return largest_error(pairs, signs,
-                             {name, reference, route,
-                              quantity == scene::Quantity::sxx ? exact_.scale().value : largest,
-                              pairs.size(), INFINITY});
-    }
-    static SurfaceErrors largest_error(const std::vector<Pair>& pairs,
-                                       std::initializer_list<double> signs, SurfaceErrors found) {
-        for (const double sign : signs) {
+        SurfaceErrors found{name,
+                            of_sxx ? exact_.scale().mean ? "of the mean pressure" : "of the peak"
+                                   : fmt::format("of the largest exact {} at these nodes", name),
+                            route,
+                            of_sxx ? exact_.scale().value : largest,
+                            pairs.size(),
+                            INFINITY};
+        for (const double sign : {1.0, of_slip ? -1.0 : 1.0}) {
             SurfaceErrors one = found;
             one.peak = -1;
             for (const Pair& p : pairs) {
@@ -204,9 +198,7 @@ private:
                     one.exact = p.exact;
                 }
             }
-            if (one.peak < found.peak) {
-                found = one;
-            }
+            found = one.peak < found.peak ? one : found;
         }
         return found;
     }

@@ -65,7 +65,7 @@ formula::Exact exactly(const Real& x) {
 std::vector<std::optional<Real>> values_of(const Questions& questions,
                                            const ReferenceOptions& options) {
     std::vector<std::optional<Real>> values;
-    for (const auto& found : references_where_any(questions, options)) {
+    for (const auto& [found, why] : references_or_why(questions, options, false)) {
         values.push_back(found ? std::optional(found->value.value.midpoint()) : std::nullopt);
     }
     return values;

@@ -57,7 +57,7 @@ public:
               {"factor-2", "q is half as large", 0.5},
               {"factor-pi", "q is pi times too large", std::acos(-1)},
               {"factor-pi", "q is pi times too small", 1 / std::acos(-1)}}) {
-            add(name, what, [&](std::size_t i) {
+            add(name, what, [this, k = k](std::size_t i) {
                 return nodes_[i].q ? k * nodes_[i].q->exact.value_or(no_value) : no_value;
             });
         }
@@ -319,7 +319,7 @@ private:
             for (const auto& [where, edge_of] : edges) {
                 add(names[n - 1],
                     fmt::format("the first {} of the expansion at {} instead of p", count, where),
-                    [&](std::size_t i) {
+                    [this, n, edge_of = edge_of](std::size_t i) {
                         const auto& place = nodes_[i].place;
                         const contact::Edge edge = edge_of(place);
                         const bool right = edge == contact::Edge::right;

@@ -93,11 +93,12 @@ template <class Value>
 /// place. `nodes`: by x.
 template <class Nodes> [[nodiscard]] double width_of_node(const Nodes& nodes, std::size_t i) {
     const double x = nodes[i].x;
-    const auto here =
-        std::ranges::equal_range(nodes, x, {}, [](const auto& node) { return node.x; });
-    const double before = here.begin() != nodes.begin() ? std::prev(here.begin())->x : x;
-    const double after = here.end() != nodes.end() ? here.end()->x : x;
-    return 0.5 * (after - before) / static_cast<double>(here.size());
+    const auto of_x = [](const auto& node) { return node.x; };
+    const auto begin = std::ranges::lower_bound(nodes, x, {}, of_x);
+    const auto end = std::ranges::upper_bound(nodes, x, {}, of_x);
+    const double before = begin != nodes.begin() ? std::prev(begin)->x : x;
+    const double after = end != nodes.end() ? end->x : x;
+    return 0.5 * (after - before) / static_cast<double>(end - begin);
 }
 
 /// A node of the data in double precision, for the search of a shift.

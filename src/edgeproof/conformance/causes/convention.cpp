@@ -52,15 +52,13 @@ struct CommonRatio {
     double error = 0;
     /// |value/of - 1|
     [[nodiscard]] double off(const Real& of) const { return std::abs(relative(value, of)); }
-    [[nodiscard]] std::string text() const; ///< with its significant digits
+    [[nodiscard]] std::string text() const { ///< with its significant digits
+        constexpr double most_printed = 1e-10;
+        const double digits = -std::log10(error + most_printed);
+        return fmt::format("{:.{}g}", value.convert_to<double>(),
+                           static_cast<int>(std::max(2.0, std::round(digits))));
+    }
 };
-
-std::string CommonRatio::text() const {
-    constexpr double most_printed = 1e-10;
-    const double digits = -std::log10(error + most_printed);
-    return fmt::format("{:.{}g}", value.convert_to<double>(),
-                       static_cast<int>(std::max(2.0, std::round(digits))));
-}
 
 /// Returns nothing if fewer than nine of ten rows have a value.
 std::optional<CommonRatio> common_ratio(const WrongRows& rows, const Values& values) {

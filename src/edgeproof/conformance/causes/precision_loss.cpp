@@ -10,7 +10,6 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <string>
 #include <utility>
@@ -246,8 +245,9 @@ std::optional<LossLine> fitted_loss(std::vector<LossRow>& rows) {
     }
     std::ranges::sort(rows, std::greater(), &LossRow::place);
     std::vector<double> far;
-    std::ranges::transform(rows | std::views::take(rows.size() / 4), std::back_inserter(far),
-                           &LossRow::digits);
+    for (std::size_t i = 0; i < rows.size() / 4; ++i) {
+        far.push_back(rows[i].digits);
+    }
     LossLine line;
     line.plateau = std::min(median_of(std::move(far)), full_double + 1);
     std::vector<LossRow> lossy;

@@ -296,11 +296,12 @@ Values Readings::found(const Reading& reading, const std::vector<std::size_t>& w
         otherwise.list.push_back(std::move(q));
         of.push_back(k);
     }
-    const auto found = references_where_any(otherwise, options_);
+    const auto found = references_or_why(otherwise, options_, false);
     Values values(which.size());
     for (std::size_t k = 0; k < of.size(); ++k) {
-        if (found[k] && !contains_zero(found[k]->value.value)) {
-            const Real& value = found[k]->value.value.midpoint();
+        const auto& reference = found[k].reference;
+        if (reference && !contains_zero(reference->value.value)) {
+            const Real& value = reference->value.value.midpoint();
             values[of[k]] = reading.value ? reading.value(value) : std::optional(value);
         }
     }

@@ -129,35 +129,28 @@ std::vector<Reference> references(const Questions& questions, const ReferenceOpt
 }
 
 std::vector<ReferenceOrWhy> references_or_why(const Questions& questions,
-                                              const ReferenceOptions& options) {
+                                              const ReferenceOptions& options, bool strict) {
     std::vector<ReferenceOrWhy> results(questions.list.size());
     answer_all(questions, options, [&](std::size_t i, const auto& answering) {
-        Answering& answers = answering(); // throws for an invalid contact
+        const Question& q = questions.list[i];
+        if (strict) {
+            (void)answering(); // throws for an invalid contact
+        } else if (lack_of(questions.contacts[q.contact].scene, q)) {
+            return; // the approach of a plane contact, q without shear
+        }
         try {
-            results[i].reference = answers.answer(i);
+            results[i].reference = answering().answer(i);
         } catch (const InputError& error) {
-            if (!questions.list[i].at_point()) {
+            if (strict && !q.at_point()) {
                 throw;
             }
             results[i].why = error.problem();
         } catch (const BudgetError& error) {
             results[i].why = error.what();
-        }
-    });
-    return results;
-}
-
-std::vector<std::optional<Reference>> references_where_any(const Questions& questions,
-                                                           const ReferenceOptions& options) {
-    std::vector<std::optional<Reference>> results(questions.list.size());
-    answer_all(questions, options, [&](std::size_t i, const auto& answering) {
-        const Question& q = questions.list[i];
-        if (lack_of(questions.contacts[q.contact].scene, q)) {
-            return; // the approach of a plane contact, q without shear
-        }
-        try {
-            results[i] = answering().answer(i);
-        } catch (const Error&) { // there is no answer
+        } catch (const Error&) {
+            if (strict) {
+                throw;
+            }
         }
     });
     return results;
@@ -273,10 +266,10 @@ public:
                 }
             }
         }
-        const auto found = references_where_any(asked, options);
+        const auto found = references_or_why(asked, options, false);
         for (std::size_t k = 0; k < found.size(); ++k) {
-            if (found[k]) {
-                values_.emplace(changes[k], found[k]->value.value.midpoint());
+            if (const auto& reference = found[k].reference) {
+                values_.emplace(changes[k], reference->value.value.midpoint());
             }
         }
     }

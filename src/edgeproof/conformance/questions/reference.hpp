@@ -31,18 +31,15 @@ struct ReferenceOptions {
 [[nodiscard]] std::vector<Reference> references(const Questions& questions,
                                                 const ReferenceOptions& options);
 
-/// Like references, but empty where there is no answer. Throws Interrupted.
-[[nodiscard]] std::vector<std::optional<Reference>>
-references_where_any(const Questions& questions, const ReferenceOptions& options);
-
 struct ReferenceOrWhy {
     std::optional<Reference> reference;
     std::string why; ///< a point outside the contact, or an exhausted budget
 };
-/// Like references, with a reason for each missing answer. Throws as references() does for an
-/// invalid contact; Interrupted.
-[[nodiscard]] std::vector<ReferenceOrWhy> references_or_why(const Questions& questions,
-                                                            const ReferenceOptions& options);
+/// Like references, with a reason for each missing answer. With `strict`, throws as references()
+/// does for an invalid contact; without it, such questions have no answer either. Throws
+/// Interrupted.
+[[nodiscard]] std::vector<ReferenceOrWhy>
+references_or_why(const Questions& questions, const ReferenceOptions& options, bool strict = true);
 
 /// The dependence of a value on the numbers of its question.
 struct Conditioning {

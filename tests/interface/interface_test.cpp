@@ -72,7 +72,7 @@ TEST_CASE("edgeproof.hpp: questions that make no sense are refused with what to 
                                                  {"pp", "u=1", "write p, q"},
                                                  {"p", "v=1", "write u="},
                                                  {"p", "u", "write u="},
-                                                 {"c_0", "edge=top", "write right or left"},
+                                                 {"c_0", "edge=top", "no edge 'top'"},
                                                  {"sxx", "at=1", "add at=X,Z"},
                                                  {"sxx", "at=0,1 body=C", "write A"},
                                                  {"q", "u=1", "add [shear]"},

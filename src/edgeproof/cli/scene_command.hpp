@@ -34,12 +34,6 @@ void draw_figure_option(const scene::Scene& scene, const SceneOptions& options);
 void add_fact(std::vector<report::Fact>& facts, const std::string& key, const scene::Scene& scene,
               const scene::SceneResult& result, scene::Quantity quantity);
 
-/// Reads the option --body.
-[[nodiscard]] scene::Body body_of(const std::string& name);
-/// Reads a point "X,Z" of an option such as --point, in the names of the scene.
-[[nodiscard]] scene::BodyPoint point_of(const std::string& option, const std::string& text,
-                                        const scene::Place::Names& names);
-
 /// Returns the unit of a quantity in the units of the scene; empty if they are not known.
 [[nodiscard]] std::string unit_of(const scene::Scene& scene, scene::Quantity quantity,
                                   std::size_t k = 0);

@@ -85,10 +85,8 @@ void choose_step(scene::Scene& scene, const std::string& step) {
     if (step.empty()) {
         return;
     }
-    if (scene.steps.empty()) {
-        throw InputError("--step " + step + ": the scene has no steps",
-                         "add [[step]] sections, or leave --step out");
-    }
+    require(!scene.steps.empty(), "--step " + step + ": the scene has no steps",
+            "add [[step]] sections, or leave --step out");
     set_step(scene, whole_number("--step", step, 1, scene.steps.size()));
 }
 
@@ -164,10 +162,9 @@ std::size_t whole_number(const std::string& option, const std::string& text, std
     std::size_t value = 0;
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc{} || stop != end || value < least || value > most) {
-        throw InputError(option + " " + text + " is out of range",
-                         fmt::format("give a whole number from {} to {}", least, most));
-    }
+    require(error == std::errc{} && stop == end && value >= least && value <= most,
+            option + " " + text + " is out of range",
+            fmt::format("give a whole number from {} to {}", least, most));
     return value;
 }
 
@@ -189,9 +186,8 @@ report::TableFormat format_of(const std::string& name) {
 }
 
 bool text_or_json(const std::string& format) {
-    if (!format.empty() && format != "text" && format != "json") {
-        throw InputError("--format " + format + " is no format", "write text or json");
-    }
+    require(format.empty() || format == "text" || format == "json",
+            "--format " + format + " is no format", "write text or json");
     return format == "json";
 }
 

@@ -79,9 +79,8 @@ std::vector<std::string> with_words(const CLI::App& app,
         }
         std::string value = equals < word.size() ? word.substr(equals + 1) : "";
         if (equals == word.size()) {
-            if (i + 1 == arguments.size()) {
-                throw InputError(word + " has no value", fmt::format("write {}=VALUE", key->name));
-            }
+            require(i + 1 != arguments.size(), word + " has no value",
+                    fmt::format("write {}=VALUE", key->name));
             value = arguments[++i];
             while (key->list && i + 1 < arguments.size() && !is_option(arguments[i + 1]) &&
                    !names_scene(arguments[i + 1]) &&

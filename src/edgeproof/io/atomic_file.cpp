@@ -106,9 +106,7 @@ OutputTarget OutputTarget::of(const std::filesystem::path& file) {
     }
     struct stat found {};
     if (::stat(target.path.c_str(), &found) == 0) {
-        if (S_ISDIR(found.st_mode)) {
-            throw InputError(file.string() + " is a folder", "name a file");
-        }
+        require(!S_ISDIR(found.st_mode), file.string() + " is a folder", "name a file");
         target.special = !S_ISREG(found.st_mode);
         target.mode = found.st_mode & 07777U;
     }

@@ -11,11 +11,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace edgeproof::python {
 namespace {
@@ -28,8 +30,7 @@ struct Verified {
     std::string source;
     std::string json;
     std::string counts;
-    std::vector<std::string> differences;
-    bool recorded = false;
+    std::optional<std::vector<std::string>> differences; ///< nothing if none are recorded
 };
 
 Verified verified(const std::string& file, const audit::AuditOptions& options) {
@@ -40,7 +41,6 @@ Verified verified(const std::string& file, const audit::AuditOptions& options) {
     Verified v{result.source, report::verdicts_json(result), report::counts_line(result), {}};
     const std::filesystem::path golden = report::golden_file(file);
     if (report::has_golden_file(file)) {
-        v.recorded = true;
         v.differences = report::golden_differences(result, golden, options.only);
     }
     return v;
@@ -48,16 +48,13 @@ Verified verified(const std::string& file, const audit::AuditOptions& options) {
 
 py::dict verify(const std::string& ledger, long digits, const std::string& only, long threads,
                 py::object callback) {
-    if (digits < least_digits || digits > most_digits_of_claims) {
-        throw InputError("digits = " + std::to_string(digits) + " is out of range",
-                         "give a number from " + std::to_string(least_digits) + " to " +
-                             std::to_string(most_digits_of_claims));
-    }
-    if (threads < 0 || threads > most_threads) {
-        throw InputError("threads = " + std::to_string(threads) + " is out of range",
-                         "give a number from 0 (as many as the machine has) to " +
-                             std::to_string(most_threads));
-    }
+    require(digits >= least_digits && digits <= most_digits_of_claims,
+            "digits = " + std::to_string(digits) + " is out of range",
+            "give a number from " + std::to_string(least_digits) + " to " +
+                std::to_string(most_digits_of_claims));
+    require(threads >= 0 && threads <= most_threads,
+            "threads = " + std::to_string(threads) + " is out of range",
+            "give a number from 0 (as many as the machine has) to " + std::to_string(most_threads));
     audit::AuditOptions options;
     options.digits = static_cast<unsigned>(digits);
     options.threads = static_cast<int>(threads);
@@ -66,19 +63,14 @@ py::dict verify(const std::string& ledger, long digits, const std::string& only,
         options.progress = std::ref(progress);
         return verified(ledger, options);
     });
-    py::dict d;
-    d["source"] = v.source;
-    d["json"] = v.json;
-    d["counts"] = v.counts;
-    d["differences"] = v.recorded ? py::cast(v.differences) : py::object(py::none());
-    return d;
+    return py::dict("source"_a = v.source, "json"_a = v.json, "counts"_a = v.counts,
+                    "differences"_a = v.differences);
 }
 
 } // namespace
 
 void bind_audit(py::module_& module) {
-    module.def("verify", &verify, py::arg("ledger"), py::arg("digits"), py::arg("only"),
-               py::arg("threads"), py::arg("progress"));
+    module.def("verify", &verify, "ledger"_a, "digits"_a, "only"_a, "threads"_a, "progress"_a);
 }
 
 namespace {
@@ -98,8 +90,8 @@ std::string relations(std::vector<std::string> quantities, long degree, bool sym
 } // namespace
 
 void bind_relations(py::module_& module) {
-    module.def("relations", &relations, py::arg("quantities"), py::arg("degree"),
-               py::arg("symmetric"), py::arg("given"), py::arg("free"));
+    module.def("relations", &relations, "quantities"_a, "degree"_a, "symmetric"_a, "given"_a,
+               "free"_a);
 }
 
 } // namespace edgeproof::python

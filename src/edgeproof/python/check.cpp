@@ -16,6 +16,7 @@
 #include <utility>
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace edgeproof::python {
 namespace {
@@ -69,47 +70,30 @@ py::dict case_of(const report::Conformance& c, std::size_t i) {
     using State = conformance::Answer::State;
     static constexpr std::array states{"number", "missing", "nan", "infinite", "garbage", "died"};
     static_assert(states.size() == static_cast<std::size_t>(State::died) + 1);
-    py::dict d;
-    d["id"] = question.id;
-    d["quantity"] = scene::symbol_of(question);
-    d["regime"] = conformance::regime_name(held.regime);
-    d["value"] = answer.text;
-    d["state"] = states.at(static_cast<std::size_t>(answer.state));
-    d["reference"] = text_or_none(held.reference);
-    d["digits"] = held.digits;
-    d["ulps"] = held.ulps;
-    d["relative"] = held.relative;
-    d["passed"] = !c.failed(i);
-    d["explained"] = held.explained;
-    d["no_reference"] = text_or_none(held.no_reference);
-    return d;
+    return py::dict("id"_a = question.id, "quantity"_a = scene::symbol_of(question),
+                    "regime"_a = conformance::regime_name(held.regime), "value"_a = answer.text,
+                    "state"_a = states.at(static_cast<std::size_t>(answer.state)),
+                    "reference"_a = text_or_none(held.reference), "digits"_a = held.digits,
+                    "ulps"_a = held.ulps, "relative"_a = held.relative, "passed"_a = !c.failed(i),
+                    "explained"_a = held.explained,
+                    "no_reference"_a = text_or_none(held.no_reference));
 }
 
 py::dict result_of(const report::Conformance& c) {
-    py::dict d;
-    d["passed"] = c.pass();
-    d["text"] = report::conformance_text(c, most_errors_shown);
-    d["faults"] = c.answers.faults;
     py::list cases;
     for (std::size_t i = 0; i < c.agreements.cases.size(); ++i) {
         cases.append(case_of(c, i));
     }
-    d["cases"] = cases;
     py::list conventions;
     for (const conformance::Convention& k : c.conventions) {
-        py::dict one;
-        one["of"] = k.of;
-        one["relation"] = k.relation;
-        one["digits"] = k.digits;
-        one["rows"] = k.rows;
-        one["failing"] = k.failing;
-        one["hint"] = k.hint;
-        one["also"] = k.also;
-        conventions.append(one);
+        conventions.append(py::dict("of"_a = k.of, "relation"_a = k.relation, "digits"_a = k.digits,
+                                    "rows"_a = k.rows, "failing"_a = k.failing, "hint"_a = k.hint,
+                                    "also"_a = k.also));
     }
-    d["conventions"] = conventions;
-    d["estimates"] = c.agreements.estimates;
-    return d;
+    return py::dict("passed"_a = c.pass(),
+                    "text"_a = report::conformance_text(c, most_errors_shown),
+                    "faults"_a = c.answers.faults, "cases"_a = cases, "conventions"_a = conventions,
+                    "estimates"_a = c.agreements.estimates);
 }
 
 /// Checks the text `answers`, called `name` (with or without a recipe), or the program `command`,
@@ -141,10 +125,9 @@ py::dict check(const std::optional<std::string>& answers, const std::string& nam
 } // namespace
 
 void bind_check(py::module_& module) {
-    module.def("questions", &questions, py::arg("recipe"));
-    module.def("check", &check, py::arg("answers"), py::arg("name"), py::arg("recipe"),
-               py::arg("command"), py::arg("seconds"), py::arg("digits"), py::arg("ulps"),
-               py::arg("conditioned"), py::arg("threads"), py::arg("progress"));
+    module.def("questions", &questions, "recipe"_a);
+    module.def("check", &check, "answers"_a, "name"_a, "recipe"_a, "command"_a, "seconds"_a,
+               "digits"_a, "ulps"_a, "conditioned"_a, "threads"_a, "progress"_a);
 }
 
 } // namespace edgeproof::python

@@ -16,6 +16,7 @@
 #include <vector>
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace edgeproof::python {
 namespace {
@@ -61,19 +62,15 @@ py::dict compare(const NativeScene& native, const std::string& name, const Resul
             compare_tables(std::move(tables), scene, exact, t, at, std::ref(progress))};
         return std::pair(comparison_json(report), comparison_text(report));
     });
-    py::dict d;
-    d["json"] = json;
-    d["text"] = text;
-    return d;
+    return py::dict("json"_a = json, "text"_a = text);
 }
 
 } // namespace
 
 void bind_compare(py::module_& module) {
-    module.def("compare", &compare, py::arg("scene"), py::arg("name"), py::arg("results"),
-               py::arg("columns"), py::arg("scale"), py::arg("origin"), py::arg("tolerance"),
-               py::arg("of"), py::arg("edge_zone"), py::arg("tolerance_a"), py::arg("tolerance_P"),
-               py::arg("tolerance_c0"), py::arg("partial"), py::arg("progress"));
+    module.def("compare", &compare, "scene"_a, "name"_a, "results"_a, "columns"_a, "scale"_a,
+               "origin"_a, "tolerance"_a, "of"_a, "edge_zone"_a, "tolerance_a"_a, "tolerance_P"_a,
+               "tolerance_c0"_a, "partial"_a, "progress"_a);
 }
 
 } // namespace edgeproof::python

@@ -12,21 +12,19 @@
 #include <utility>
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace edgeproof::python {
 namespace {
 
 contact::DesignOptions search_of(const std::string& gap, long digits) {
     contact::DesignOptions search;
-    if (digits < 2 || digits > static_cast<long>(scene::most_design_digits)) {
-        throw InputError("digits = " + std::to_string(digits) + " is out of range",
-                         "give a number from 2 to " + std::to_string(scene::most_design_digits));
-    }
+    require(digits >= 2 && digits <= static_cast<long>(scene::most_design_digits),
+            "digits = " + std::to_string(digits) + " is out of range",
+            "give a number from 2 to " + std::to_string(scene::most_design_digits));
     search.digits = static_cast<unsigned>(digits);
     search.gap = parse_decimal(gap);
-    if (search.gap <= 0) {
-        throw InputError("gap = " + gap + " is not positive", "give gap=\"1e-6\"");
-    }
+    require(search.gap > 0, "gap = " + gap + " is not positive", "give gap=\"1e-6\"");
     return search;
 }
 
@@ -79,27 +77,19 @@ py::dict design(const std::string& text, const std::string& file, const std::str
     if (design.printed) {
         printed[name] = given(*design.printed);
     }
-    py::dict d;
-    d["json"] = json;
-    d["values"] = values;
-    d["reach"] = value(best.reach);
-    d["proved"] = result.proved();
-    d["missing"] = result.missing;
-    d["attained"] = best.attained;
-    d["touches_at"] = optional_value(best.touches_at);
-    d["reach_shown_at"] = shown_at;
-    d["printed"] = printed;
-    d["reach_at_printed"] = optional_value(result.printed_reach);
-    d["falls_short_by"] = optional_value(result.falls_short);
-    return d;
+    return py::dict("json"_a = json, "values"_a = values, "reach"_a = value(best.reach),
+                    "proved"_a = result.proved(), "missing"_a = result.missing,
+                    "attained"_a = best.attained, "touches_at"_a = optional_value(best.touches_at),
+                    "reach_shown_at"_a = shown_at, "printed"_a = printed,
+                    "reach_at_printed"_a = optional_value(result.printed_reach),
+                    "falls_short_by"_a = optional_value(result.falls_short));
 }
 
 } // namespace
 
 void bind_design(py::module_& module) {
-    module.def("design", &design, py::arg("text"), py::arg("file"), py::arg("gap"),
-               py::arg("digits"), py::arg("maximise"), py::arg("tolerance"), py::arg("edge"),
-               py::arg("terms"), py::arg("progress"));
+    module.def("design", &design, "text"_a, "file"_a, "gap"_a, "digits"_a, "maximise"_a,
+               "tolerance"_a, "edge"_a, "terms"_a, "progress"_a);
 }
 
 } // namespace edgeproof::python

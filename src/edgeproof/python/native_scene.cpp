@@ -15,43 +15,7 @@ Texts texts_in(const std::map<std::string, KeyValue>& asked, const char* name) {
     return found == asked.end() ? Texts{} : std::get<Texts>(found->second);
 }
 
-std::vector<scene::BodyPoint> points_of(const Texts& x, const Texts& z, scene::Body body,
-                                        const scene::Place::Names& names) {
-    const auto number = [&](const char* key, const std::string& text) {
-        try {
-            return scene::exact_in(text, names);
-        } catch (const InputError& error) {
-            throw InputError(std::string(key) + " = \"" + text + "\": " + error.problem(),
-                             error.instead());
-        }
-    };
-    std::vector<scene::BodyPoint> points;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        points.push_back({number("x", x[i]), number("z", z.at(i)), body});
-        if (points.back().z.sign() < 0) {
-            throw InputError("the depth z = " + z[i] + " is negative",
-                             "give z >= 0, the depth into the body");
-        }
-    }
-    return points;
-}
-
 } // namespace
-
-contact::Edge edge_named(const std::string& name) {
-    if (const auto edge = scene::edge_named(name)) {
-        return *edge;
-    }
-    throw InputError("there is no edge '" + name + "'", "write \"right\" or \"left\"");
-}
-
-scene::Body body_named(const std::string& name) {
-    if (name != "A" && name != "B") {
-        throw InputError("there is no body '" + name + "'",
-                         "write \"A\" (on which Q acts) or \"B\"");
-    }
-    return name == "A" ? scene::Body::A : scene::Body::B;
-}
 
 NativeScene::NativeScene(std::string text, scene::Scene scene)
     : text_(std::move(text)), scene_(std::move(scene)),
@@ -64,8 +28,9 @@ scene::Scene NativeScene::asking(std::map<std::string, KeyValue> asked) const {
     const Texts x = texts_in(asked, "points_x");
     const Texts z = texts_in(asked, "points_z");
     const auto body = asked.find("body");
-    const scene::Body of =
-        body == asked.end() ? scene::Body::A : body_named(std::get<std::string>(body->second));
+    const scene::Body of = body == asked.end()
+                               ? scene::Body::A
+                               : scene::body_named(std::get<std::string>(body->second));
     for (const char* const key : {"points_x", "points_z", "body"}) {
         asked.erase(key);
     }
@@ -88,7 +53,11 @@ scene::Scene NativeScene::asking(std::map<std::string, KeyValue> asked) const {
     scene.ask.digits = digits_asked(scene.ask.digits.count);
     scene.ask.surface_of = of;
     if (!x.empty()) {
-        scene.ask.in_bodies = points_of(x, z, of, scene::exact_names_of(scene));
+        const scene::Place::Names names = scene::exact_names_of(scene);
+        scene.ask.in_bodies.clear();
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            scene.ask.in_bodies.push_back(scene::body_point(x[i], z.at(i), of, names));
+        }
     }
     return scene;
 }

@@ -56,10 +56,4 @@ private:
     std::shared_ptr<Pool> pool_;
 };
 
-/// Returns the edge "right" or "left". Throws InputError for other names.
-[[nodiscard]] contact::Edge edge_named(const std::string& name);
-
-/// Returns the body "A" or "B". Throws InputError for other names.
-[[nodiscard]] scene::Body body_named(const std::string& name);
-
 } // namespace edgeproof::python

@@ -27,6 +27,7 @@
 #include <vector>
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace edgeproof::python {
 namespace {
@@ -104,28 +105,24 @@ py::dict run(const NativeScene& self, const std::map<std::string, KeyValue>& ask
         points.append(py::make_tuple(point.body == scene::Body::A ? "A" : "B", point.x.text(),
                                      point.z.text()));
     }
-    py::dict d;
-    d["rows"] = rows;
-    d["points"] = points;
-    d["places"] = texts_of(scene->ask.u, place_text);
-    d["s_half_powers"] = scene::shear_half_powers(*scene);
-    d["in_proportion"] = result.in_proportion;
-    d["proved"] = std::ranges::all_of(
-        result.rows, [](const scene::Row& row) { return !row.value || row.value->proved; });
-    return d;
+    return py::dict("rows"_a = rows, "points"_a = points,
+                    "places"_a = texts_of(scene->ask.u, place_text),
+                    "s_half_powers"_a = scene::shear_half_powers(*scene),
+                    "in_proportion"_a = result.in_proportion,
+                    "proved"_a = std::ranges::all_of(result.rows, [](const scene::Row& row) {
+                        return !row.value || row.value->proved;
+                    }));
 }
 
 /// Returns the questions of a scene's file: quantities, edges, terms, u, digits.
 py::dict asked_of(const scene::Scene& scene) {
     const auto& tolerance = scene.ask.tolerance;
-    py::dict d;
-    d["quantities"] = texts_of(scene.ask.quantities, scene::group_name);
-    d["edges"] = texts_of(scene.ask.edges, scene::edge_name);
-    d["terms"] = scene.ask.terms;
-    d["u"] = texts_of(scene.ask.u, [](const scene::AskedPoint& point) { return point.text(); });
-    d["tolerance"] = text_or_none(tolerance ? tolerance->text() : "");
-    d["digits"] = scene.ask.digits.count;
-    return d;
+    return py::dict(
+        "quantities"_a = texts_of(scene.ask.quantities, scene::group_name),
+        "edges"_a = texts_of(scene.ask.edges, scene::edge_name), "terms"_a = scene.ask.terms,
+        "u"_a = texts_of(scene.ask.u, [](const scene::AskedPoint& point) { return point.text(); }),
+        "tolerance"_a = text_or_none(tolerance ? tolerance->text() : ""),
+        "digits"_a = scene.ask.digits.count);
 }
 
 /// Returns the name of the element at a place in memory: "u[3]", "u[0, 2]".
@@ -160,16 +157,15 @@ py::array_t<double> for_each_place(const Doubles& places, const char* name,
 /// Returns "p", "q", "local" or "rel" at many places: coordinates x, or distances from the edge.
 py::array_t<double> binary64(const NativeScene& self, const std::string& quantity, long terms,
                              const std::string& edge, bool by_x, const Doubles& places) {
-    if (terms < 0 || terms > most_terms) {
-        throw InputError("terms = " + std::to_string(terms) + " is out of range",
-                         "give a number from 1 to " + std::to_string(most_terms));
-    }
+    require(terms >= 0 && terms <= most_terms,
+            "terms = " + std::to_string(terms) + " is out of range",
+            "give a number from 1 to " + std::to_string(most_terms));
     using scene::Quantity;
     static const std::map<std::string, Quantity> named{
         {"p", Quantity::p}, {"q", Quantity::q}, {"local", Quantity::local}, {"rel", Quantity::rel}};
     const scene::Binary64Question question{named.at(quantity), static_cast<std::size_t>(terms),
                                            by_x};
-    const contact::Edge at = edge_named(edge);
+    const contact::Edge at = scene::edge_of(edge);
     return for_each_place(places, by_x ? "x" : "u",
                           [&](std::span<const double> from, std::span<double> to) {
                               self.binary64(question, at, from, to);
@@ -201,13 +197,8 @@ py::list plots(const NativeScene& self, const std::map<std::string, KeyValue>& a
             curves.append(py::make_tuple(curve.title, static_cast<int>(pen.colour), pen.dash,
                                          pen.point, pen.width, x, y));
         }
-        py::dict d;
-        d["title"] = plot.title;
-        d["x"] = axis(plot.x);
-        d["y"] = axis(plot.y);
-        d["curves"] = curves;
-        d["level"] = plot.level;
-        panels.append(d);
+        panels.append(py::dict("title"_a = plot.title, "x"_a = axis(plot.x), "y"_a = axis(plot.y),
+                               "curves"_a = curves, "level"_a = plot.level));
     }
     return panels;
 }
@@ -218,7 +209,7 @@ py::dict stresses(const NativeScene& self, const std::string& body, const Double
     if (x.size() != z.size()) {
         throw Error("x and z differ in size");
     }
-    const scene::Body at = body_named(body);
+    const scene::Body at = scene::body_named(body);
     const std::vector<py::ssize_t> shape(x.shape(), x.shape() + x.ndim());
     py::dict arrays;
     const auto array = [&](const char* name) {
@@ -261,9 +252,9 @@ void bind_scene(py::module_& module) {
                 return without_gil(
                     [&] { return NativeScene(text, scene::parse_scene(text, file)); });
             },
-            py::arg("text"), py::arg("file"))
-        .def_static("from_entries", &from_entries, py::arg("title"), py::arg("profile"),
-                    py::arg("load"), py::arg("shear"), py::arg("steps"))
+            "text"_a, "file"_a)
+        .def_static("from_entries", &from_entries, "title"_a, "profile"_a, "load"_a, "shear"_a,
+                    "steps"_a)
         .def_property_readonly("text", &NativeScene::text)
         .def_property_readonly("file", [](const NativeScene& s) { return s.scene().file; })
         .def_property_readonly("title", [](const NativeScene& s) { return s.scene().title; })
@@ -275,18 +266,17 @@ void bind_scene(py::module_& module) {
         .def_property_readonly("integrated",
                                [](const NativeScene& s) { return !s.scene().closed(); })
         .def_property_readonly("asked", [](const NativeScene& s) { return asked_of(s.scene()); })
-        .def("run", &run, py::arg("asked"))
-        .def("plots", &plots, py::arg("asked"))
-        .def("binary64", &binary64, py::arg("quantity"), py::arg("terms"), py::arg("edge"),
-             py::arg("by_x"), py::arg("places"))
-        .def("stresses", &stresses, py::arg("body"), py::arg("x"), py::arg("z"));
+        .def("run", &run, "asked"_a)
+        .def("plots", &plots, "asked"_a)
+        .def("binary64", &binary64, "quantity"_a, "terms"_a, "edge"_a, "by_x"_a, "places"_a)
+        .def("stresses", &stresses, "body"_a, "x"_a, "z"_a);
     refuse_new(native);
-    module.def("nearest_to", &nearest_to, py::arg("text"));
-    module.def("given", &given, py::arg("text"), py::arg("digits"));
+    module.def("nearest_to", &nearest_to, "text"_a);
+    module.def("given", &given, "text"_a, "digits"_a);
     module.def(
         "read_text",
         [](const std::string& file, const std::string& what) { return io::read_text(file, what); },
-        py::arg("file"), py::arg("what"));
+        "file"_a, "what"_a);
 }
 
 } // namespace edgeproof::python

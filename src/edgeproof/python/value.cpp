@@ -13,6 +13,7 @@
 #include <utility>
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace edgeproof::python {
 namespace {
@@ -104,9 +105,7 @@ std::string dumped(const Ball& x) {
 
 Ball loaded(const std::string& text, long bits) {
     Ball x(0, bits);
-    if (arb_load_str(x.data(), text.c_str()) != 0) {
-        throw InputError("this is not a pickled Value", "");
-    }
+    require(arb_load_str(x.data(), text.c_str()) == 0, "this is not a pickled Value", "");
     return x;
 }
 
@@ -119,9 +118,7 @@ py::tuple state_of(const Value& v) {
 
 /// The inverse of state_of(); pickle calls it.
 Value from_state(const py::tuple& state) {
-    if (state.size() != 6) {
-        throw InputError("this is not a pickled Value", "");
-    }
+    require(state.size() == 6, "this is not a pickled Value", "");
     scene::BoundedValue value{loaded(state[0].cast<std::string>(), state[1].cast<long>()),
                               state[2].cast<bool>(), state[3].cast<std::string>()};
     if (!state[4].is_none()) {
@@ -207,10 +204,9 @@ std::optional<Rational> number_of(const py::object& other) {
 scene::Digits digits_asked(unsigned count) { return {count, Rounding::nearest, true}; }
 
 unsigned checked_digits(long count) {
-    if (count < 2 || count > most_digits) {
-        throw InputError("digits = " + std::to_string(count) + " is out of range",
-                         "give a number from 2 to " + std::to_string(most_digits));
-    }
+    require(count >= 2 && count <= most_digits,
+            "digits = " + std::to_string(count) + " is out of range",
+            "give a number from 2 to " + std::to_string(most_digits));
     return static_cast<unsigned>(count);
 }
 
@@ -285,7 +281,7 @@ treated as independent: x - x is an enclosure of 0, not 0. Raises ZeroDivisionEr
             [](const Value& v, long digits) {
                 return scene::printed(v.value(), digits_asked(checked_digits(digits))).text;
             },
-            py::arg("digits"),
+            "digits"_a,
             "rounded(digits)\n\nThe text at another number of digits, rounded from the value "
             "itself.")
         .def(
@@ -327,19 +323,15 @@ treated as independent: x - x is an enclosure of 0, not 0. Raises ZeroDivisionEr
         .def(
             "to_dict",
             [](const Value& v) {
-                py::dict d;
-                d["text"] = v.printed().text;
-                d["bound"] = v.printed().bound;
-                d["proved"] = v.value().proved;
-                d["route"] = v.value().route;
-                return d;
+                return py::dict("text"_a = v.printed().text, "bound"_a = v.printed().bound,
+                                "proved"_a = v.value().proved, "route"_a = v.value().route);
             },
             "to_dict()\n\n{\"text\", \"bound\", \"proved\", \"route\"}.")
         .def("__reduce__", [](const Value& v) {
             return py::make_tuple(py::module_::import("edgeproof._value").attr("restored"),
                                   state_of(v));
         });
-    module.def("value_of_state", &from_state, py::arg("state"));
+    module.def("value_of_state", &from_state, "state"_a);
     refuse_new(value);
     bind_arithmetic(value);
     value.attr("__hash__") = py::none(); // the bounds may not decide whether two values are equal

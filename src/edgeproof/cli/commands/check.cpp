@@ -79,10 +79,8 @@ void refuse_recipe(const CheckOptions& o) {
 }
 
 void refuse_if_none(bool none, const CheckOptions& o, const std::string& what) {
-    if (none && o.only != "*") {
-        throw InputError("--only " + o.only + ": no id of " + what + " matches",
-                         "write the begin of ids and a star, such as 'hertz:*'");
-    }
+    require(!none || o.only == "*", "--only " + o.only + ": no id of " + what + " matches",
+            "write the begin of ids and a star, such as 'hertz:*'");
 }
 
 /// Reads the answers whose ids match --only. A note of the number of questions is then left out.
@@ -123,9 +121,8 @@ conformance::Questions questions_of(const conformance::Recipe& recipe, const Che
 
 /// Runs a program. Its answers are never bad input, only wrong.
 conformance::Answers ask_program(const CheckOptions& o) {
-    if (!o.recipe.empty()) {
-        throw InputError("--recipe is given with --exec", "give the recipe alone, as the first");
-    }
+    require(o.recipe.empty(), "--recipe is given with --exec",
+            "give the recipe alone, as the first");
     conformance::ProgramDriverOptions options;
     options.command = o.command;
     options.seconds = positive("--timeout", o.timeout, 1e9);
@@ -158,22 +155,14 @@ int check(CheckOptions& o) {
     o.recipe = file_or_shipped(o.recipe, shipped_recipes);
     o.answers = file_or_shipped(o.answers, shipped_recipes);
     o.json = text_or_json(o.format) || o.json;
-    if (o.json && !o.ledger.empty()) {
-        throw InputError("--json is for answers", "leave --json out");
-    }
-    if (o.only != "*" && !o.ledger.empty()) {
-        throw InputError("--only is for answers", "leave --only out");
-    }
-    if (!o.out.empty() && !o.ledger.empty()) {
-        throw InputError("--out is for answers", "leave --out out");
-    }
+    require(!o.json || o.ledger.empty(), "--json is for answers", "leave --json out");
+    require(o.only == "*" || o.ledger.empty(), "--only is for answers", "leave --only out");
+    require(o.out.empty() || o.ledger.empty(), "--out is for answers", "leave --out out");
     if (!o.ledger.empty()) {
         return check_ledger(o.ledger, threads_of(o.threads));
     }
-    if (o.answers.empty()) {
-        throw InputError("there is nothing to check",
-                         "give ANSWERS.csv, or RECIPE.toml with --exec, or --ledger FORMULAS.toml");
-    }
+    require(!o.answers.empty(), "there is nothing to check",
+            "give ANSWERS.csv, or RECIPE.toml with --exec, or --ledger FORMULAS.toml");
     io::check_output(o.junit);
     io::check_output(o.out);
     report::Conformance result;

@@ -74,10 +74,9 @@ comparison::Tolerances tolerances_of(const CompareOptions& o) {
             continue;
         }
         const auto* const row = std::ranges::find(tolerance_rows, name, &ToleranceRow::name);
-        if (row == std::end(tolerance_rows)) {
-            throw InputError("--tolerance " + o.tolerance + ": there is no " + name,
-                             "write p, a, P, c0, q or surface, such as p=3%,a=1%");
-        }
+        require(row != std::end(tolerance_rows),
+                "--tolerance " + o.tolerance + ": there is no " + name,
+                "write p, a, P, c0, q or surface, such as p=3%,a=1%");
         t.*row->field = value;
     }
     t.of = comparison::norm_named(o.of);
@@ -91,20 +90,17 @@ std::optional<Rational> origin_of(const std::string& text) {
         return {};
     }
     const auto number = io::read_number(text);
-    if (!number) {
-        throw InputError("--origin " + text + " is no place",
-                         "give the x of the data at which the scene has its origin, or auto");
-    }
+    require(number.has_value(), "--origin " + text + " is no place",
+            "give the x of the data at which the scene has its origin, or auto");
     return number;
 }
 
 int compare_results(const CompareOptions& o) {
     const bool json = o.json || text_or_json(o.format);
     io::check_output(o.out);
-    if (o.scene.empty() || o.results.empty()) {
-        throw InputError(o.scene.empty() ? "no scene is given" : "no result is given",
-                         "write edgeproof compare SCENE.toml RESULT.csv");
-    }
+    require(!o.scene.empty() && !o.results.empty(),
+            o.scene.empty() ? "no scene is given" : "no result is given",
+            "write edgeproof compare SCENE.toml RESULT.csv");
     const comparison::Tolerances tolerances = tolerances_of(o);
     const auto origin = origin_of(o.origin);
     comparison::ResultReading reading = comparison::reading_of({}, o.columns, o.scale);

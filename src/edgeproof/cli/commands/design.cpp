@@ -44,10 +44,9 @@ void move_question(GivenScene& given, const std::string& maximise) {
     if (!maximise.empty()) {
         design.entries.push_back({"maximise", maximise});
     }
-    if (given.file.empty() &&
-        std::ranges::count(design.entries, "tolerance", &io::TomlEntry::key) == 0) {
-        throw InputError("no tolerance is given", "add tolerance=1%");
-    }
+    require(!given.file.empty() ||
+                std::ranges::count(design.entries, "tolerance", &io::TomlEntry::key) != 0,
+            "no tolerance is given", "add tolerance=1%");
     if (!design.entries.empty()) {
         given.instead.push_back(std::move(design));
     }
@@ -74,9 +73,7 @@ scene::DesignScene design_of(const DesignCommandOptions& o) {
 
 Rational gap_of(const std::string& text) {
     const Rational gap = parse_decimal(text);
-    if (gap <= 0) {
-        throw InputError("--gap " + text + " is not positive", "write --gap 1e-6");
-    }
+    require(gap > 0, "--gap " + text + " is not positive", "write --gap 1e-6");
     return gap;
 }
 

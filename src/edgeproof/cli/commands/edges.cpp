@@ -15,11 +15,9 @@ int expand(const ComputeOptions& o) {
     if (!o.angle.empty()) {
         return expand_stresses(o);
     }
-    if (!o.body.empty()) {
-        throw InputError("--body " + o.body +
-                             " has no effect: without --angle no stress is computed",
-                         "leave --body out");
-    }
+    require(o.body.empty(),
+            "--body " + o.body + " has no effect: without --angle no stress is computed",
+            "leave --body out");
     check_figure_option(o.figure);
     Computing c(o);
     ask_at_edges(c.scene);

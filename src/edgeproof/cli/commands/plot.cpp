@@ -13,7 +13,7 @@ struct PlotOptions : SceneOptions {
 };
 
 report::Plot contours_of(const PlotOptions& o, const scene::Scene& scene) {
-    const scene::Body body = body_of(o.body);
+    const scene::Body body = scene::body_named(o.body);
     for (const scene::QuantityRow& row : scene::quantity_rows()) {
         if (row.group == scene::QuantityGroup::stress && row.name == o.field) {
             return io::at_place(scene.file, scene.load_line,
@@ -27,9 +27,7 @@ report::Plot contours_of(const PlotOptions& o, const scene::Scene& scene) {
 int plot(PlotOptions& o) {
     std::string file;
     std::swap(file, o.out); // the file of the picture, not of a table
-    if (file.empty()) {
-        throw InputError("there is no file for the picture", "add --out pad.svg");
-    }
+    require(!file.empty(), "there is no file for the picture", "add --out pad.svg");
     check_figure_option(file);
     const scene::Scene scene = asked_scene(o);
     const std::string text = report::picture_file(

@@ -20,9 +20,8 @@ struct RelationsOptions : OutputOptions {
 /// Splits "P2=m*P1/a" into a name and a formula.
 std::pair<std::string, std::string> given_name(const std::string& text) {
     const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
-        throw InputError("--given " + text + " gives no name a formula", "write --given P2=m*P1/a");
-    }
+    require(equals != std::string::npos && equals != 0 && equals + 1 != text.size(),
+            "--given " + text + " gives no name a formula", "write --given P2=m*P1/a");
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 

@@ -27,10 +27,9 @@ Quantity greatest_of(const std::string& name) {
 
 int greatest(Computing& c) {
     const Quantity quantity = greatest_of(c.o.greatest);
-    const scene::Body body = body_of(c.body);
-    if (!c.o.points.empty()) {
-        throw InputError("--greatest and --point exclude each other", "leave out one of them");
-    }
+    const scene::Body body = scene::body_named(c.body);
+    require(c.o.points.empty(), "--greatest and --point exclude each other",
+            "leave out one of them");
     if (!is_known(c.scene, quantity, body)) {
         c.reject(c.o.greatest + " needs Poisson's ratio", "add nu = \"0.3\" to [load]",
                  c.scene.load_line);
@@ -76,12 +75,10 @@ formula::Exact angle_of(const std::string& text) {
     } catch (const InputError& error) {
         throw InputError("--angle " + text + ": " + error.problem(), error.instead());
     }
-    if (angle.sign() < 0 ||
-        formula::Exact(angle.expr() - formula::Exact::of(Rational(180)).expr()).sign() > 0) {
-        throw InputError(
+    require(angle.sign() >= 0 &&
+                formula::Exact(angle.expr() - formula::Exact::of(Rational(180)).expr()).sign() <= 0,
             "--angle " + text + " does not lie in the body",
             "write degrees from 0 (along the contact) to 180 (along the free surface)");
-    }
     return angle;
 }
 
@@ -91,7 +88,7 @@ int stress(const ComputeOptions& o) {
     refuse_words(o, {"edges", "terms", "process_zone", "u", "x"},
                  "stresses are asked for at points of a body (--point X,Z)");
     Computing c(o);
-    const scene::Body body = body_of(c.body);
+    const scene::Body body = scene::body_named(c.body);
     std::vector<scene::BodyPoint>& points = c.scene.ask.in_bodies;
     if (!o.greatest.empty()) {
         return greatest(c);
@@ -99,7 +96,10 @@ int stress(const ComputeOptions& o) {
     if (!o.points.empty()) {
         points.clear();
         for (const std::string& text : o.points) {
-            points.push_back(point_of("--point", text, exact_names_of(c.scene)));
+            const std::vector<std::string> parts = parts_of(text);
+            require(parts.size() == 2, "--point " + text + " is no point",
+                    "write X,Z, such as --point 0,1/2");
+            points.push_back(scene::body_point(parts[0], parts[1], body, exact_names_of(c.scene)));
         }
     }
     if (points.empty()) {
@@ -165,7 +165,7 @@ int displacement(const ComputeOptions& o) {
             scene::Place::parse(o.reference, scene::Place::From::origin, names_of(c.scene))
                 .distance(contact::Edge::right);
     }
-    ask.surface_of = body_of(c.body);
+    ask.surface_of = scene::body_named(c.body);
     if (ask.reference) {
         ask.quantities.insert(QuantityGroup::surface);
     }
@@ -200,17 +200,16 @@ int displacement(const ComputeOptions& o) {
 
 int expand_stresses(const ComputeOptions& o) {
     refuse_words(o, {"quantities"}, "with --angle only the stresses are computed");
-    if (!o.figure.empty()) {
-        throw InputError("--figure " + o.figure +
-                             " has no effect: with --angle only the stresses are computed",
-                         "leave --figure out");
-    }
+    require(o.figure.empty(),
+            "--figure " + o.figure + " has no effect: with --angle only the stresses are computed",
+            "leave --figure out");
     const formula::Exact angle = angle_of(o.angle);
     Computing c(o);
     ask_at_edges(c.scene);
     ask_terms(c.scene);
     const std::vector<scene::RayTerm> terms = io::at_place(c.scene.file, c.scene.load_line, [&] {
-        return scene::ray_terms(c.scene, body_of(c.body), angle, c.scene.ask.most_terms());
+        return scene::ray_terms(c.scene, scene::body_named(c.body), angle,
+                                c.scene.ask.most_terms());
     });
     c.scene.ask.quantities = {QuantityGroup::contact};
     c.run();
@@ -238,36 +237,6 @@ int expand_stresses(const ComputeOptions& o) {
         lines[i].n = i;
     }
     return c.write(columns, lines);
-}
-
-scene::Body body_of(const std::string& name) {
-    if (name != "A" && name != "B") {
-        throw InputError("--body " + name + ": there is no such body",
-                         "write A (on which Q acts) or B");
-    }
-    return name == "A" ? scene::Body::A : scene::Body::B;
-}
-
-scene::BodyPoint point_of(const std::string& option, const std::string& text,
-                          const scene::Place::Names& names) {
-    const std::vector<std::string> parts = parts_of(text);
-    if (parts.size() != 2) {
-        throw InputError(option + " " + text + " is no point",
-                         "write X,Z, such as " + option + " 0,1/2");
-    }
-    const auto number = [&](const std::string& part) {
-        try {
-            return scene::exact_in(part, names);
-        } catch (const InputError& error) {
-            throw InputError(option + " " + text + ": " + error.problem(), error.instead());
-        }
-    };
-    scene::BodyPoint point{number(parts[0]), number(parts[1])};
-    if (point.z.sign() < 0) {
-        throw InputError(option + " " + text + ": the depth is negative",
-                         "give z >= 0, the depth into the body");
-    }
-    return point;
 }
 
 } // namespace edgeproof::cli

@@ -71,19 +71,13 @@ void write_files(const audit::AuditResult& result, const audit::Ledger& ledger,
 
 int verify(VerifyOptions& o) {
     o.ledger = file_or_shipped(o.ledger, shipped_ledgers);
-    if (o.digits < 10 || o.digits > most_digits_of_a_formula) {
-        throw InputError("--digits " + std::to_string(o.digits) + " is out of range",
-                         "give a number of digits from 10 to " +
-                             std::to_string(most_digits_of_a_formula));
-    }
-    if (o.record && o.only != "*") {
-        throw InputError("--record with --only would forget the other claims",
-                         "record all of them");
-    }
-    if (o.record && o.ledger == "-") {
-        throw InputError("--record needs a ledger's name to store the record next to it",
-                         "give its file");
-    }
+    require(o.digits >= 10 && o.digits <= most_digits_of_a_formula,
+            "--digits " + std::to_string(o.digits) + " is out of range",
+            "give a number of digits from 10 to " + std::to_string(most_digits_of_a_formula));
+    require(!o.record || o.only == "*", "--record with --only would forget the other claims",
+            "record all of them");
+    require(!o.record || o.ledger != "-",
+            "--record needs a ledger's name to store the record next to it", "give its file");
     const audit::Ledger ledger = read_ledger(o.ledger, audit::ClaimErrors::kept);
     if (ledger.claims.empty() && !ledger.errors.empty()) {
         return report_claim_errors(ledger.errors);

@@ -25,10 +25,8 @@ struct TomlSection::Access {
     }
     [[nodiscard]] const toml::node& node(std::string_view key) const {
         const toml::node* found = table().get(key);
-        if (found == nullptr) {
-            self.reject(self.line(), "there is no " + std::string(key),
-                        "add " + std::string(key) + " = \"...\"");
-        }
+        self.require(found != nullptr, self.line(), "there is no " + std::string(key),
+                     "add " + std::string(key) + " = \"...\"");
         return *found;
     }
     [[nodiscard]] std::size_t line_of(const toml::node& n) const {
@@ -50,10 +48,8 @@ struct TomlSection::Access {
             text.erase(0, 1);
         }
         const double read = n.as_floating_point()->get();
-        if (read - read != 0) {
-            self.reject(line_of(n), std::string(key) + " is not a finite number",
-                        "write a finite number, or a quoted expression");
-        }
+        self.require(read - read == 0, line_of(n), std::string(key) + " is not a finite number",
+                     "write a finite number, or a quoted expression");
         double again = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), again);
         if (end != text.data() + text.size() || text.empty() ||
@@ -61,12 +57,10 @@ struct TomlSection::Access {
             self.reject(line_of(n), std::string(key) + " is a number that cannot be read exactly",
                         "quote it: \"...\"");
         }
-        if (significant_digits(text) > most_float_digits) {
-            self.reject(line_of(n),
-                        std::string(key) + " = " + text +
-                            " has more than 15 significant digits as a float",
-                        "quote it: \"" + text + "\"");
-        }
+        self.require(significant_digits(text) <= most_float_digits, line_of(n),
+                     std::string(key) + " = " + text +
+                         " has more than 15 significant digits as a float",
+                     "quote it: \"" + text + "\"");
         return text;
     }
     [[nodiscard]] std::string scalar(const toml::node& n, std::string_view key) const {
@@ -76,10 +70,8 @@ struct TomlSection::Access {
         if (const auto* i = n.as_integer()) {
             return std::to_string(i->get());
         }
-        if (!n.is_floating_point()) {
-            self.reject(line_of(n), std::string(key) + " is not a number",
-                        "write a number or a quoted expression such as \"3/2\"");
-        }
+        self.require(n.is_floating_point(), line_of(n), std::string(key) + " is not a number",
+                     "write a number or a quoted expression such as \"3/2\"");
         return float_text(n, key);
     }
     [[nodiscard]] std::string written(const toml::node& n, std::string_view key) const {
@@ -113,10 +105,8 @@ struct TomlSection::Access {
     }
     [[nodiscard]] std::string text(const toml::node& n, std::string_view key) const {
         const auto* s = n.as_string();
-        if (s == nullptr) {
-            self.reject(line_of(n), std::string(key) + " is not a quoted text",
-                        "write " + std::string(key) + " = \"...\"");
-        }
+        self.require(s != nullptr, line_of(n), std::string(key) + " is not a quoted text",
+                     "write " + std::string(key) + " = \"...\"");
         return s->get();
     }
     [[nodiscard]] std::size_t count(const toml::node& n, std::string_view key, long least,
@@ -133,10 +123,9 @@ struct TomlSection::Access {
         }
         long value = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc{} || end != text.data() + text.size() || value < least ||
-            value > most) {
-            self.reject(line_of(n), std::string(key) + " = " + text + " is out of range", range);
-        }
+        self.require(error == std::errc{} && end == text.data() + text.size() && value >= least &&
+                         value <= most,
+                     line_of(n), std::string(key) + " = " + text + " is out of range", range);
         return static_cast<std::size_t>(value);
     }
     /// Returns read(x, key) for both elements x of each pair in a list.
@@ -145,10 +134,10 @@ struct TomlSection::Access {
         const auto is_pair = [](const toml::node& n) {
             return n.is_array() && n.as_array()->size() == 2;
         };
-        if (list == nullptr || list->empty() || !std::all_of(list->begin(), list->end(), is_pair)) {
-            self.reject(key, std::string(key) + " is no list of pairs",
-                        "write " + std::string(key) + " = [[\"0\", \"1/2\"], [\"1\", \"2\"]]");
-        }
+        self.require(list != nullptr && !list->empty() &&
+                         std::all_of(list->begin(), list->end(), is_pair),
+                     key, std::string(key) + " is no list of pairs",
+                     "write " + std::string(key) + " = [[\"0\", \"1/2\"], [\"1\", \"2\"]]");
         std::vector<std::array<decltype(std::invoke(read, *this, node(key), key)), 2>> pairs;
         for (const toml::node& n : *list) {
             pairs.push_back({std::invoke(read, *this, *n.as_array()->get(0), key),

@@ -113,6 +113,13 @@ public:
                              const std::string& instead) const;
     [[noreturn]] void reject(std::string_view key, const std::string& problem,
                              const std::string& instead) const;
+    /// Rejects the value of a key, or one at a line, if a requirement on it does not hold.
+    void require(bool holds, const auto& where, const std::string& problem,
+                 const std::string& instead) const {
+        if (!holds) {
+            reject(where, problem, instead);
+        }
+    }
 
 private:
     struct Source;

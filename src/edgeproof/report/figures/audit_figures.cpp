@@ -177,10 +177,8 @@ FiguresOfSource figures_of_source(const std::filesystem::path& ledger) {
     for (const io::TomlSection& section : top.sections_or_none("figure")) {
         section.allow({"id", "title", "caption", "panel", "scenes"});
         const std::string panel = section.text("panel");
-        if (panel != "pressure" && panel != "errors") {
-            section.reject("panel", "there is no panel '" + panel + "'",
-                           "write \"pressure\" or \"errors\"");
-        }
+        section.require(panel == "pressure" || panel == "errors", "panel",
+                        "there is no panel '" + panel + "'", "write \"pressure\" or \"errors\"");
         const Panels panels = panel == "errors" ? Panels::errors : Panels::pressure;
         FigureRecipe figure{own_id(section, "id", section.text("id")),
                             section.text("title"),

@@ -94,9 +94,8 @@ void write_plot_files(const Plot& plot, const std::string& svg,
 
 void check_picture_name(const std::string& file) {
     const std::filesystem::path ending = std::filesystem::path(file).extension();
-    if (ending != ".svg" && ending != ".png" && ending != ".pdf") {
-        throw InputError(file + " is neither .svg, .png nor .pdf", "name the file so");
-    }
+    require(ending == ".svg" || ending == ".png" || ending == ".pdf",
+            file + " is neither .svg, .png nor .pdf", "name the file so");
 }
 
 std::string picture_file(const std::vector<Plot>& plots, const std::string& file) {

@@ -229,9 +229,8 @@ Table with_columns(const Table& table, const std::vector<std::string>& names) {
     part.columns.clear();
     part.rows.assign(table.rows.size(), {});
     for (const std::string& name : names) {
-        if (std::ranges::find(known, name) == known.end()) {
-            throw InputError("--columns: there is no column '" + name + "'", one_of(name, known));
-        }
+        require(std::ranges::find(known, name) != known.end(),
+                "--columns: there is no column '" + name + "'", one_of(name, known));
         const auto at = static_cast<std::size_t>(
             std::ranges::find(table.columns, name, &Column::name) - table.columns.begin());
         part.columns.push_back(table.columns[at]);

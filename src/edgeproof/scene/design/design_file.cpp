@@ -20,10 +20,8 @@ constexpr long most_design_terms = 12;
 
 Rational rational_at(const io::TomlSection& section, std::string_view key) {
     const Exact x = section.exact(key);
-    if (!x.is_rational()) {
-        section.reject(key, std::string(key) + " = " + x.text() + " is not rational",
-                       "give a decimal or a quotient");
-    }
+    section.require(x.is_rational(), key, std::string(key) + " = " + x.text() + " is not rational",
+                    "give a decimal or a quotient");
     return x.rational();
 }
 
@@ -31,10 +29,8 @@ contact::ParameterRange range_at(const io::TomlSection& section, std::string_vie
     const io::TomlSection range = section.section(key);
     range.allow({"from", "to"});
     const contact::ParameterRange r{rational_at(range, "from"), rational_at(range, "to")};
-    if (!(r.from < r.to)) {
-        section.reject(key, "the range of " + std::string(key) + " is empty",
-                       "write { from = \"0\", to = \"3\" }, from < to");
-    }
+    section.require(r.from < r.to, key, "the range of " + std::string(key) + " is empty",
+                    "write { from = \"0\", to = \"3\" }, from < to");
     return r;
 }
 
@@ -59,44 +55,33 @@ void read_parameter(const io::TomlSection& top, std::size_t line, DesignScene& d
     if (top.has("parameters")) {
         const io::TomlSection section = top.section("parameters");
         for (const std::string& key : section.keys()) {
-            if (key == "x" || key == "pi" || key == "Pi") {
-                section.reject(key, "no parameter may be called " + key, "take another name");
-            }
+            section.require(key != "x" && key != "pi" && key != "Pi", key,
+                            "no parameter may be called " + key, "take another name");
             add(section, key);
         }
     }
-    if (ranges != 1) {
-        top.reject(line, std::to_string(ranges) + " numbers of the scene are ranges",
-                   "write one as { from = \"0\", to = \"3\" }");
-    }
+    top.require(ranges == 1, line, std::to_string(ranges) + " numbers of the scene are ranges",
+                "write one as { from = \"0\", to = \"3\" }");
 }
 
 std::vector<Edge> edges_named(const std::string& edge) {
-    if (edge == "both") {
-        return {Edge::right, Edge::left};
-    }
-    if (const auto one = edge_named(edge)) {
-        return {*one};
-    }
-    throw InputError("there is no edge '" + edge + "'", "write right, left or both");
+    require(edge == "both" || edge == "right" || edge == "left", "there is no edge '" + edge + "'",
+            "write right, left or both");
+    return edge == "both" ? std::vector{Edge::right, Edge::left} : std::vector{edge_of(edge)};
 }
 
 DesignObjective objective_named(const std::string& maximise) {
     // In the order of DesignObjective.
     static constexpr std::array<std::string_view, 2> names{"first_exit", "measure"};
     const auto* const name = std::ranges::find(names, maximise);
-    if (name == names.end()) {
-        throw InputError("unknown objective '" + maximise + "'", one_of(maximise, names));
-    }
+    require(name != names.end(), "unknown objective '" + maximise + "'", one_of(maximise, names));
     return static_cast<DesignObjective>(name - names.begin());
 }
 
 Exact tolerance_below_1(const std::string& text) {
     Exact tolerance = parse_tolerance(text);
-    if (!tolerance.is_rational() || tolerance.rational() >= 1) {
-        throw InputError("the tolerance is not a rational number below 1",
-                         "write 1%, 0.01 or 1/100");
-    }
+    require(tolerance.is_rational() && tolerance.rational() < 1,
+            "the tolerance is not a rational number below 1", "write 1%, 0.01 or 1/100");
     return tolerance;
 }
 
@@ -120,34 +105,28 @@ void read_design_section(const io::TomlSection& section, DesignScene& design) {
     }
     if (section.has("of")) {
         const std::string of = section.text("of");
-        if (of != "pressure" && of != "shear") {
-            section.reject("of", "there is no traction '" + of + "'", "write pressure or shear");
-        }
+        section.require(of == "pressure" || of == "shear", "of",
+                        "there is no traction '" + of + "'", "write pressure or shear");
         design.shear = of == "shear";
     }
     if (section.has("unit")) {
         const std::string unit = section.text("unit");
-        if (unit != "fraction" && unit != "distance") {
-            section.reject("unit", "unknown unit '" + unit + "'",
-                           "write fraction (of a + b) or distance");
-        }
+        section.require(unit == "fraction" || unit == "distance", "unit",
+                        "unknown unit '" + unit + "'", "write fraction (of a + b) or distance");
         design.unit =
             unit == "distance" ? contact::ReachUnit::distance : contact::ReachUnit::fraction;
     }
     if (section.has("part")) {
         design.part = rational_at(section, "part");
-        if (design.part <= 0 || design.part > 1) {
-            section.reject("part", "the part looked at is not in 0 ... 1",
-                           "write part = \"1/2\", a fraction of a + b from the edge");
-        }
+        section.require(design.part > 0 && design.part <= 1, "part",
+                        "the part looked at is not in 0 ... 1",
+                        "write part = \"1/2\", a fraction of a + b from the edge");
     }
     if (section.has("printed")) {
         const io::TomlSection printed = section.section("printed");
         for (const std::string& key : printed.keys()) {
-            if (key != design.parameter) {
-                section.reject("printed", "there is no parameter " + key,
-                               "write " + design.parameter);
-            }
+            section.require(key == design.parameter, "printed", "there is no parameter " + key,
+                            "write " + design.parameter);
             design.printed = rational_at(printed, key);
         }
     }
@@ -216,10 +195,8 @@ Scene DesignScene::at(const Rational& value) const {
 DesignScene parse_design(std::string_view text, const std::string& file,
                          const std::vector<io::TomlTable>& instead) {
     const io::TomlSection top = io::TomlSection::parse(text, file, instead);
-    if (!top.has("design")) {
-        top.reject(top.line(), "there is no [design]",
-                   "add [design] with a tolerance (docs/design.md)");
-    }
+    top.require(top.has("design"), top.line(), "there is no [design]",
+                "add [design] with a tolerance (docs/design.md)");
     const io::TomlSection section = top.section("design");
     section.allow({"maximise", "of", "terms", "tolerance", "edge", "unit", "part", "printed"});
     top.allow({"title", "profile", "load", "shear", "ask", "parameters", "design"});
@@ -239,10 +216,9 @@ DesignScene parse_design(std::string_view text, const std::string& file,
         io::at_place(ask.file(), ask.line(),
                      [&] { read_ask(ask, top.section("profile"), asking); });
     }
-    if (design.shear && !one.shear) {
-        section.reject(section.line(), "shear is requested, but there is no [shear]",
-                       "add [shear] with Q or bulk_tension");
-    }
+    section.require(!design.shear || one.shear, section.line(),
+                    "shear is requested, but there is no [shear]",
+                    "add [shear] with Q or bulk_tension");
     return design;
 }
 

@@ -302,9 +302,7 @@ void read_steps(const io::TomlSection& top, Scene& scene) {
         const io::TomlSection& section = sections[i];
         section.allow({"P", "Q", "bulk_tension", "cycles"});
         if (section.has("cycles")) {
-            if (first < i) {
-                section.reject("cycles", "cycles is given in two steps", "give it in one");
-            }
+            section.require(first >= i, "cycles", "cycles is given in two steps", "give it in one");
             first = i;
             cycles = section.count("cycles", 1, most_cycles);
         }

@@ -77,19 +77,16 @@ Place::Place(std::string text, From from, Expr value, const Names& names)
 
 Place Place::parse(std::string_view text, From from, const Names& names) {
     const bool percent = !text.empty() && text.back() == '%';
-    if (percent && from == From::origin) {
-        throw InputError("a percentage is of the length a + b, from an edge",
-                         "give it as u, or x as a place, such as \"a/2\"");
-    }
+    require(!percent || from != From::origin, "a percentage is of the length a + b, from an edge",
+            "give it as u, or x as a place, such as \"a/2\"");
     std::set<std::string> known{"a", "b"};
     for (const auto& [name, value] : names) {
         known.insert(name);
     }
     Expr value =
         formula::parse(percent ? text.substr(0, text.size() - 1) : text, formula::Symbols(known));
-    if (formula::has_binder(value)) {
-        throw InputError("an integral or a sum is no place", "write a formula such as \"a/2\"");
-    }
+    require(!formula::has_binder(value), "an integral or a sum is no place",
+            "write a formula such as \"a/2\"");
     if (percent) {
         value = value / Expr::number(Rational(100)) * (Expr::symbol("a") + Expr::symbol("b"));
     }

@@ -3,6 +3,7 @@
 
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/curved/integrated_contact.hpp"
+#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
@@ -287,6 +288,19 @@ std::optional<Edge> edge_named(std::string_view name) {
         }
     }
     return {};
+}
+
+Edge edge_of(std::string_view name) {
+    const auto edge = edge_named(name);
+    require(edge.has_value(), "there is no edge '" + std::string(name) + "'",
+            "write \"right\" or \"left\"");
+    return *edge;
+}
+
+Body body_named(std::string_view name) {
+    require(name == "A" || name == "B", "there is no body '" + std::string(name) + "'",
+            "write A (on which Q acts) or B");
+    return name == "A" ? Body::A : Body::B;
 }
 
 } // namespace edgeproof::scene

@@ -249,5 +249,9 @@ struct GroupRow {
 
 [[nodiscard]] std::string edge_name(Edge edge);
 [[nodiscard]] std::optional<Edge> edge_named(std::string_view name);
+/// The same, but throws InputError for other names than right and left.
+[[nodiscard]] Edge edge_of(std::string_view name);
+/// Reads A or B. Throws InputError for other names.
+[[nodiscard]] Body body_named(std::string_view name);
 
 } // namespace edgeproof::scene

@@ -52,9 +52,8 @@ std::optional<Route> route_of(const io::TomlSection& ask, const Scene& scene) {
     }
     static constexpr std::array<std::string_view, 4> names{
         "automatic", "closed-form", "singular-integral", "barber-mossakovskii"};
-    if (name != names[0] && name != names[1]) {
-        ask.reject("route", "unknown route '" + name + "'", one_of(name, names));
-    }
+    ask.require(name == names[0] || name == names[1], "route", "unknown route '" + name + "'",
+                one_of(name, names));
     return {};
 }
 
@@ -110,10 +109,9 @@ public:
         return *number;
     }
     [[nodiscard]] AskedPoint inside(AskedPoint point) const {
-        if (sign_of(section_, key_, point.u) <= 0) {
-            section_.reject(point.line, "u = " + point.u.text() + " is not inside the contact",
-                            "give distances from the edge, 0 < u < a + b");
-        }
+        section_.require(sign_of(section_, key_, point.u) > 0, point.line,
+                         "u = " + point.u.text() + " is not inside the contact",
+                         "give distances from the edge, 0 < u < a + b");
         return point;
     }
 
@@ -194,19 +192,12 @@ std::vector<AskedPoint> read_places(const io::TomlSection& ask, const Place::Nam
 std::vector<Edge> read_edges(const io::TomlSection& section) {
     std::vector<Edge> edges;
     for (const std::string& name : section.texts("edges")) {
-        const auto edge = edge_named(name);
-        if (!edge) {
-            section.reject("edges", "there is no edge '" + name + "'",
-                           "write \"right\" or \"left\"");
-        }
-        if (std::ranges::find(edges, *edge) != edges.end()) {
-            section.reject("edges", "the edge '" + name + "' is asked for twice", "name each once");
-        }
-        edges.push_back(*edge);
+        const Edge edge = at_key(section, "edges", [&] { return edge_of(name); });
+        section.require(std::ranges::find(edges, edge) == edges.end(), "edges",
+                        "the edge '" + name + "' is asked for twice", "name each once");
+        edges.push_back(edge);
     }
-    if (edges.empty()) {
-        section.reject("edges", "no edge is asked for", "write \"right\" or \"left\"");
-    }
+    section.require(!edges.empty(), "edges", "no edge is asked for", "write \"right\" or \"left\"");
     return edges;
 }
 
@@ -254,6 +245,22 @@ Place::Names exact_names_of(const Scene& scene) {
     return names;
 }
 
+BodyPoint body_point(const std::string& x, const std::string& z, Body body,
+                     const Place::Names& names) {
+    const auto number = [&](const char* key, const std::string& text) {
+        try {
+            return exact_in(text, names);
+        } catch (const InputError& error) {
+            throw InputError(std::string(key) + " = \"" + text + "\": " + error.problem(),
+                             error.instead());
+        }
+    };
+    BodyPoint point{number("x", x), number("z", z), body};
+    require(point.z.sign() >= 0, "the depth z = " + z + " is negative",
+            "give z >= 0, the depth into the body");
+    return point;
+}
+
 Exact exact_in(const std::string& text, const Place::Names& names) {
     if (!has_names(text)) {
         return Exact::parse(text);
@@ -272,9 +279,8 @@ int sign_of(const io::TomlSection& section, std::string_view key, const Exact& v
 
 void require_positive(const io::TomlSection& section, std::string_view key, const Exact& value,
                       const std::string& instead) {
-    if (sign_of(section, key, value) <= 0) {
-        section.reject(key, std::string(key) + " = " + value.text() + " is not positive", instead);
-    }
+    section.require(sign_of(section, key, value) > 0, key,
+                    std::string(key) + " = " + value.text() + " is not positive", instead);
 }
 
 void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene& scene) {
@@ -298,16 +304,10 @@ void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene&
     if (ask.has("points")) {
         result.in_bodies.clear();
         const Place::Names names = exact_names_of(scene);
-        const auto number = [&](const io::TomlSection::Written& item) {
-            return io::at_place(ask.file(), item.line, [&] { return exact_in(item.text, names); });
-        };
         for (const auto& [x, z] : ask.pairs_written("points")) {
-            const BodyPoint point{number(x), number(z)};
-            if (sign_of(ask, "points", point.z) < 0) {
-                ask.reject(z.line, "the depth z = " + z.text + " is negative",
-                           "give points [x, z] with z >= 0, the depth into the body");
-            }
-            result.in_bodies.push_back(point);
+            result.in_bodies.push_back(io::at_place(ask.file(), z.line, [&, x = x, z = z] {
+                return body_point(x.text, z.text, Body::A, names);
+            }));
         }
     }
     if (ask.has("tolerance")) {
@@ -394,17 +394,14 @@ Exact parse_tolerance(std::string_view text) {
                              "write it as 1%, 0.01 or 1/100");
         }
     }();
-    if (given.sign() <= 0) {
-        throw InputError("a tolerance of " + std::string(text) + " is not positive",
-                         "give a tolerance > 0, such as 1%");
-    }
+    require(given.sign() > 0, "a tolerance of " + std::string(text) + " is not positive",
+            "give a tolerance > 0, such as 1%");
     const Exact tolerance = percent ? Exact(given.expr() / whole(100)) : given;
     static const Expr least = Expr::number(parse_decimal("1e-60"));
     static const Expr most = Expr::number(parse_decimal("1e6"));
-    if (is_less(tolerance.expr(), least) || is_less(most, tolerance.expr())) {
-        throw InputError("a tolerance of " + std::string(text) + " is out of range",
-                         "give one from 1e-60 to 1e6, such as 1%");
-    }
+    require(!is_less(tolerance.expr(), least) && !is_less(most, tolerance.expr()),
+            "a tolerance of " + std::string(text) + " is out of range",
+            "give one from 1e-60 to 1e6, such as 1%");
     return tolerance;
 }
 

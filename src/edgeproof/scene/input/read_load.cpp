@@ -11,11 +11,10 @@ namespace edgeproof::scene {
 namespace {
 
 void check_poisson(const io::TomlSection& load, const char* key, const Exact& nu) {
-    if (sign_of(load, key, Exact(nu.expr() + whole(1))) <= 0 ||
-        sign_of(load, key, Exact(whole(1) - whole(2) * nu.expr())) < 0) {
-        load.reject(key, std::string(key) + " = " + nu.text() + " is no Poisson's ratio",
-                    "give -1 < nu <= 1/2");
-    }
+    load.require(sign_of(load, key, Exact(nu.expr() + whole(1))) > 0 &&
+                     sign_of(load, key, Exact(whole(1) - whole(2) * nu.expr())) >= 0,
+                 key, std::string(key) + " = " + nu.text() + " is no Poisson's ratio",
+                 "give -1 < nu <= 1/2");
 }
 
 /// `keys`: of E and nu of the one body, then of the other.
@@ -37,23 +36,18 @@ Exact modulus_of_bodies(const io::TomlSection& load, const std::array<const char
 Exact read_modulus(const io::TomlSection& load, Scene& scene) {
     if (load.has("E")) {
         for (const char* const key : {"contact_modulus", "E1", "nu1", "E2", "nu2"}) {
-            if (load.has(key)) {
-                load.reject("E", std::string("E and ") + key + " are both given",
-                            "give E and nu for two equal bodies, or E1, nu1, E2 and nu2, or "
-                            "contact_modulus");
-            }
+            load.require(!load.has(key), "E", std::string("E and ") + key + " are both given",
+                         "give E and nu for two equal bodies, or E1, nu1, E2 and nu2, or "
+                         "contact_modulus");
         }
-        if (!load.has("nu")) {
-            load.reject("E", "E is given without nu", "add nu = \"0.3\", Poisson's ratio");
-        }
+        load.require(load.has("nu"), "E", "E is given without nu",
+                     "add nu = \"0.3\", Poisson's ratio");
         return modulus_of_bodies(load, {"E", "nu", "E", "nu"}, scene);
     }
     const bool by_bodies = load.has("E1") || load.has("nu1") || load.has("E2") || load.has("nu2");
     if (load.has("contact_modulus")) {
-        if (by_bodies) {
-            load.reject("contact_modulus", "the contact modulus is given twice",
-                        "give contact_modulus, or E1, nu1, E2 and nu2");
-        }
+        load.require(!by_bodies, "contact_modulus", "the contact modulus is given twice",
+                     "give contact_modulus, or E1, nu1, E2 and nu2");
         Exact modulus = contact_constant(load, "contact_modulus");
         require_positive(load, "contact_modulus", modulus, "give E* > 0");
         if (load.has("nu")) {
@@ -66,12 +60,9 @@ Exact read_modulus(const io::TomlSection& load, Scene& scene) {
         load.reject("nu", "nu is given in addition to nu1 and nu2",
                     "leave nu out; it belongs to a contact_modulus");
     }
-    if (!by_bodies) {
-        load.reject(
-            load.line(), "there is no contact_modulus",
-            "add contact_modulus = \"...\" (E*), or E and nu of two equal bodies, or E1, nu1, "
-            "E2 and nu2");
-    }
+    load.require(by_bodies, load.line(), "there is no contact_modulus",
+                 "add contact_modulus = \"...\" (E*), or E and nu of two equal bodies, or E1, nu1, "
+                 "E2 and nu2");
     return modulus_of_bodies(load, {"E1", "nu1", "E2", "nu2"}, scene);
 }
 
@@ -81,15 +72,12 @@ void read_friction(const io::TomlSection& shear, ShearSpec& spec, Scene& scene) 
     scene.tension_line = shear.line(shear.has("bulk_tension") ? "bulk_tension" : "friction");
     require_positive(shear, "friction", *spec.friction,
                      "give a coefficient of friction > 0, or leave it out: nothing slips then");
-    if (spec.path == contact::LoadingPath::together) {
-        shear.reject("friction", "P and Q grow together: nothing slips as long as |Q| < f P",
-                     "leave friction out, or write path = \"normal-first\"");
-    }
-    if (sign_of(shear, "Q", spec.Q) == 0) {
-        shear.reject("friction",
-                     "without a shear force Q the two edges slip in opposite directions, outwards",
-                     "give Q that is not zero, or leave friction out: nothing slips then");
-    }
+    shear.require(spec.path != contact::LoadingPath::together, "friction",
+                  "P and Q grow together: nothing slips as long as |Q| < f P",
+                  "leave friction out, or write path = \"normal-first\"");
+    shear.require(sign_of(shear, "Q", spec.Q) != 0, "friction",
+                  "without a shear force Q the two edges slip in opposite directions, outwards",
+                  "give Q that is not zero, or leave friction out: nothing slips then");
     // Slip zones of unequal size under steep flanks need integrals that take too much work.
     if (scene.profile && scene.profile->kind() == Profile::Kind::power_law &&
         spec.bulk_tension.sign() != 0 &&
@@ -113,33 +101,25 @@ void check_materials(const io::TomlSection& shear, const ShearSpec& spec, const 
     const auto dilation = [](const Exact& E, const Exact& nu) {
         return (whole(1) - whole(2) * nu.expr()) * (whole(1) + nu.expr()) / E.expr();
     };
-    if (!contact::certainly_zero(dilation(E1, nu1) - dilation(E2, nu2))) {
-        shear.reject(shear.line(),
-                     "bodies of different materials couple the shear to the pressure: "
-                     "(1 - 2 nu)(1 + nu)/E is not the same in both",
-                     "give both bodies the same E and nu, or nu = \"1/2\", or leave [shear] out");
-    }
-    if (spec.bulk_tension.sign() != 0) {
-        shear.reject(
-            "bulk_tension",
-            "a bulk tension strains bodies of different stiffness differently, so that the "
-            "difference of their tensions does not determine the mismatch",
-            "give both bodies the same E and nu, or bulk_tension = \"0\"");
-    }
+    shear.require(contact::certainly_zero(dilation(E1, nu1) - dilation(E2, nu2)), shear.line(),
+                  "bodies of different materials couple the shear to the pressure: "
+                  "(1 - 2 nu)(1 + nu)/E is not the same in both",
+                  "give both bodies the same E and nu, or nu = \"1/2\", or leave [shear] out");
+    shear.require(spec.bulk_tension.sign() == 0, "bulk_tension",
+                  "a bulk tension strains bodies of different stiffness differently, so that the "
+                  "difference of their tensions does not determine the mismatch",
+                  "give both bodies the same E and nu, or bulk_tension = \"0\"");
 }
 
 /// Q = (Q/(f P)) f P.
 Exact force_of_ratio(const io::TomlSection& shear, const Scene& scene) {
     const Load& load = scene.given_load();
-    if (shear.has("Q")) {
-        shear.reject("q_ratio", "q_ratio and Q are both given", "give one of the two");
-    }
-    if (!shear.has("friction") || load.kind != Load::Kind::force) {
-        shear.reject("q_ratio",
-                     std::string("q_ratio is given without ") +
-                         (shear.has("friction") ? "P" : "friction"),
-                     "add friction, and P to [load]: Q is the ratio times f P");
-    }
+    shear.require(!shear.has("Q"), "q_ratio", "q_ratio and Q are both given",
+                  "give one of the two");
+    shear.require(shear.has("friction") && load.kind == Load::Kind::force, "q_ratio",
+                  std::string("q_ratio is given without ") +
+                      (shear.has("friction") ? "P" : "friction"),
+                  "add friction, and P to [load]: Q is the ratio times f P");
     return Exact(contact_constant(shear, "q_ratio").expr() *
                  contact_constant(shear, "friction").expr() * load.value.expr());
 }
@@ -159,28 +139,21 @@ void read_load(const io::TomlSection& load, Scene& scene) {
     scene.contact_modulus = read_modulus(load, scene);
     std::string given;
     for (const char* const key : {"a", "width", "P", "delta"}) {
-        if (load.has(key) && !given.empty()) {
-            load.reject(key, "both " + given + " and " + key + " are given",
-                        "give one of a = \"...\" and P = \"...\"");
-        }
+        load.require(!load.has(key) || given.empty(), key,
+                     "both " + given + " and " + key + " are given",
+                     "give one of a = \"...\" and P = \"...\"");
         given = load.has(key) ? key : given;
     }
     if (!scene.steps.empty()) {
-        if (!given.empty()) {
-            load.reject(given, given + " is given in addition to the steps",
-                        "leave it out: P of the steps is the load");
-        }
-        if (load.has("M")) {
-            load.reject("M", "M is given in addition to the steps",
-                        "leave it out: the tilt alpha is given in [profile], and keeps its value");
-        }
+        load.require(given.empty(), given, given + " is given in addition to the steps",
+                     "leave it out: P of the steps is the load");
+        load.require(!load.has("M"), "M", "M is given in addition to the steps",
+                     "leave it out: the tilt alpha is given in [profile], and keeps its value");
         scene.load = Load::force(scene.steps.back().P);
         return;
     }
-    if (given.empty()) {
-        load.reject(load.line(), "neither a nor P is given",
-                    "give one of a = \"...\" and P = \"...\"");
-    }
+    load.require(!given.empty(), load.line(), "neither a nor P is given",
+                 "give one of a = \"...\" and P = \"...\"");
     const Exact value = contact_constant(load, given);
     require_positive(load, given, value, "give " + given + " > 0");
     scene.load = given == "P"       ? Load::force(value)
@@ -189,20 +162,16 @@ void read_load(const io::TomlSection& load, Scene& scene) {
                                     : Load::right_edge(Exact(value.expr() / whole(2)));
     scene.load_line = load.line(given);
     if (load.has("M")) {
-        if (given != "P") {
-            load.reject("M", "a moment M is given with " + given,
-                        "give P and M, or a and the tilt alpha in [profile]");
-        }
+        load.require(given == "P", "M", "a moment M is given with " + given,
+                     "give P and M, or a and the tilt alpha in [profile]");
         scene.moment = contact_constant(load, "M");
     }
 }
 
 void check_reach(const io::TomlSection& load, const Scene& scene) {
-    if (load.has("width") && !scene.symmetric()) {
-        load.reject("width",
-                    "the width is given, but the edges are at different distances from the origin",
-                    "give a (the right edge) or P");
-    }
+    load.require(!load.has("width") || scene.symmetric(), "width",
+                 "the width is given, but the edges are at different distances from the origin",
+                 "give a (the right edge) or P");
     if (scene.load.kind != Load::Kind::right_edge || !scene.profile) {
         return;
     }
@@ -211,21 +180,19 @@ void check_reach(const io::TomlSection& load, const Scene& scene) {
         return;
     }
     const Exact& end = scene.profile->knots()[*knot];
-    if (sign_of(load, "a", Exact(scene.load.value.expr() - end.expr())) <= 0) {
-        load.reject(load.has("a") ? "a" : "width",
-                    (scene.symmetric() ? "the half-width a = " : "the right edge a = ") +
-                        scene.load.value.text() +
-                        " does not reach beyond the flat, which ends at x = " + end.text(),
-                    "give a > " + end.text() + ": under any load the whole flat is in contact");
-    }
+    load.require(sign_of(load, "a", Exact(scene.load.value.expr() - end.expr())) > 0,
+                 load.has("a") ? "a" : "width",
+                 (scene.symmetric() ? "the half-width a = " : "the right edge a = ") +
+                     scene.load.value.text() +
+                     " does not reach beyond the flat, which ends at x = " + end.text(),
+                 "give a > " + end.text() + ": under any load the whole flat is in contact");
 }
 
 void read_shear(const io::TomlSection& shear, Scene& scene) {
     shear.allow({"Q", "q_ratio", "bulk_tension", "bulk_A", "path", "friction"});
-    if (!shear.has("Q") && !shear.has("q_ratio") && !shear.has("bulk_tension")) {
-        shear.reject(shear.line(), "the shear section has no load",
-                     "add Q = \"...\" or bulk_tension = \"...\", or leave [shear] out");
-    }
+    shear.require(shear.has("Q") || shear.has("q_ratio") || shear.has("bulk_tension"), shear.line(),
+                  "the shear section has no load",
+                  "add Q = \"...\" or bulk_tension = \"...\", or leave [shear] out");
     const auto or_zero = [&](const char* key) {
         return shear.has(key) ? contact_constant(shear, key) : Exact();
     };
@@ -233,11 +200,10 @@ void read_shear(const io::TomlSection& shear, Scene& scene) {
     spec.Q = shear.has("q_ratio") ? force_of_ratio(shear, scene) : or_zero("Q");
     spec.bulk_tension = or_zero("bulk_tension");
     spec.bulk_A = or_zero("bulk_A");
-    if (sign_of(shear, "Q", spec.Q) == 0 &&
-        sign_of(shear, "bulk_tension", spec.bulk_tension) == 0) {
-        shear.reject(shear.line(), "the shear section has no load: Q and bulk_tension are zero",
-                     "give one that is not, or leave [shear] out");
-    }
+    shear.require(sign_of(shear, "Q", spec.Q) != 0 ||
+                      sign_of(shear, "bulk_tension", spec.bulk_tension) != 0,
+                  shear.line(), "the shear section has no load: Q and bulk_tension are zero",
+                  "give one that is not, or leave [shear] out");
     if (shear.has("path")) {
         const std::string path = shear.text("path");
         if (path == "together") {
@@ -247,10 +213,9 @@ void read_shear(const io::TomlSection& shear, Scene& scene) {
                          "write normal-first (P held, then Q) or together (P and Q in proportion)");
         }
     }
-    if (spec.path == contact::LoadingPath::together && spec.bulk_tension.sign() != 0) {
-        shear.reject("bulk_tension", "P and Q grow together under a bulk tension",
-                     "give bulk_tension = \"0\": only then is q = (Q/P) p");
-    }
+    shear.require(spec.path != contact::LoadingPath::together || spec.bulk_tension.sign() == 0,
+                  "bulk_tension", "P and Q grow together under a bulk tension",
+                  "give bulk_tension = \"0\": only then is q = (Q/P) p");
     if (scene.round &&
         (!shear.has("friction") || spec.bulk_tension.sign() != 0 || spec.bulk_A.sign() != 0)) {
         refuse_round_shear(shear, shear.line(),

@@ -111,9 +111,7 @@ using Get = std::function<Exact(std::string_view key)>;
 /// A wedge, or a cone: g' = phi.
 Profile wedge(const Get& get) {
     const Exact phi = get("phi");
-    if (phi.sign() <= 0) {
-        throw InputError("the slope phi = " + phi.text() + " is not positive", "give phi > 0");
-    }
+    require(phi.sign() > 0, "the slope phi = " + phi.text() + " is not positive", "give phi > 0");
     return Profile::power_law(phi, Exact(whole(0)));
 }
 
@@ -152,18 +150,15 @@ const std::vector<ProfileKind>& profile_kinds() {
 /// The tilt is given, or it is solved for; other profiles have none.
 void check_tilt(const io::TomlSection& section, const std::string& kind, bool tilted,
                 bool tilt_unknown) {
-    if (tilted && tilt_unknown && section.has("alpha")) {
-        section.reject("alpha", "both the tilt alpha and the moment M are given",
-                       "give alpha with a or P, or P and M without alpha");
-    }
-    if (tilted && !tilt_unknown && !section.has("alpha")) {
-        section.reject(section.line(), "there is no tilt alpha",
-                       "add alpha = \"...\", or give P and M in [load] so that it is solved for");
-    }
-    if (!tilted && tilt_unknown) {
-        section.reject("kind", "a moment M is given, and a " + kind + " profile has no tilt",
-                       "leave M out, or take a tilted-wedge or tilted-flat-and-rounded profile");
-    }
+    section.require(!tilted || !tilt_unknown || !section.has("alpha"), "alpha",
+                    "both the tilt alpha and the moment M are given",
+                    "give alpha with a or P, or P and M without alpha");
+    section.require(!tilted || tilt_unknown || section.has("alpha"), section.line(),
+                    "there is no tilt alpha",
+                    "add alpha = \"...\", or give P and M in [load] so that it is solved for");
+    section.require(tilted || !tilt_unknown, "kind",
+                    "a moment M is given, and a " + kind + " profile has no tilt",
+                    "leave M out, or take a tilted-wedge or tilted-flat-and-rounded profile");
 }
 
 } // namespace
@@ -214,10 +209,8 @@ void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scen
     }
     std::vector<std::string_view> parameters = row->parameters;
     const bool by_width = kind == "flat-and-rounded" && section.has("flat_width");
-    if (by_width && section.has("t")) {
-        section.reject("flat_width", "the flat is given twice",
-                       "give t, its half-length, or flat_width, its length");
-    }
+    section.require(!by_width || !section.has("t"), "flat_width", "the flat is given twice",
+                    "give t, its half-length, or flat_width, its length");
     if (by_width) {
         parameters.front() = "flat_width";
     }
@@ -303,15 +296,12 @@ bool is_axisymmetric(const io::TomlSection& profile) {
         return of_revolution;
     }
     const std::string geometry = profile.text("geometry");
-    if (of_revolution && geometry == "plane") {
-        profile.reject("geometry", "a " + kind + " is axisymmetric",
-                       kind == "sphere" ? "write kind = \"hertz\" for cylinders"
-                                        : "write kind = \"wedge\" for a plane contact");
-    }
-    if (geometry != "plane" && geometry != "axisymmetric") {
-        profile.reject("geometry", "unknown geometry '" + geometry + "'",
-                       "write plane or axisymmetric");
-    }
+    profile.require(!of_revolution || geometry != "plane", "geometry",
+                    "a " + kind + " is axisymmetric",
+                    kind == "sphere" ? "write kind = \"hertz\" for cylinders"
+                                     : "write kind = \"wedge\" for a plane contact");
+    profile.require(geometry == "plane" || geometry == "axisymmetric", "geometry",
+                    "unknown geometry '" + geometry + "'", "write plane or axisymmetric");
     return geometry == "axisymmetric";
 }
 

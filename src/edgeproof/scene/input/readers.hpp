@@ -57,6 +57,11 @@ using EndOfRange = std::function<Exact(const io::TomlSection& range, std::string
 /// Returns the number that a text gives in these names. Throws InputError if it has none.
 [[nodiscard]] Exact exact_in(const std::string& text, const Place::Names& names);
 
+/// Returns the point of a body at x and the depth z, as exact_in() reads them. Throws InputError
+/// for z < 0, too.
+[[nodiscard]] BodyPoint body_point(const std::string& x, const std::string& z, Body body,
+                                   const Place::Names& names);
+
 /// True if [profile] says geometry = "axisymmetric".
 [[nodiscard]] bool is_axisymmetric(const io::TomlSection& profile);
 /// Refuses a profile that is not computed as a body of revolution.

@@ -65,10 +65,8 @@ void refuse_whole_tolerance(const std::string& option, const std::string& text) 
         return;
     }
     const Rational given = parse_decimal(text);
-    if (given >= 1) {
-        throw InputError(option + " " + text + " is " + exact_text(Rational(given * 100)) + " %",
-                         "write " + text + "% or " + exact_text(Rational(given / 100)));
-    }
+    require(given < 1, option + " " + text + " is " + exact_text(Rational(given * 100)) + " %",
+            "write " + text + "% or " + exact_text(Rational(given / 100)));
 }
 
 std::vector<std::string> parts_of(const std::string& text) {
@@ -122,10 +120,8 @@ GivenScene given_scene(const std::vector<std::string>& words) {
     for (const std::string& word : words) {
         const std::size_t length = key_length(word);
         if (length == std::string::npos) {
-            if (!given.file.empty()) {
-                throw InputError("there are two scenes, " + given.file + " and " + word,
-                                 "give one file, and key=value for what differs");
-            }
+            require(given.file.empty(), "there are two scenes, " + given.file + " and " + word,
+                    "give one file, and key=value for what differs");
             given.file = word;
             continue;
         }
@@ -163,10 +159,9 @@ GivenScene given_scene(const std::vector<std::string>& words) {
             given.instead.push_back({keys_of_sections[i].first, 0, std::move(entries[i])});
         }
     }
-    if (given.file.empty() && given.instead.empty()) {
-        throw InputError("no scene is given", "name its file, - for standard input, or give its "
-                                              "keys: kind=hertz R=100 P=120 ...");
-    }
+    require(!given.file.empty() || !given.instead.empty(), "no scene is given",
+            "name its file, - for standard input, or give its "
+            "keys: kind=hertz R=100 P=120 ...");
     return given;
 }
 
@@ -186,14 +181,8 @@ AskedValue asked_value(std::string_view quantity, const std::map<std::string, st
     };
     AskedValue asked{named->quantity, named->k};
     const QuantityRow& row = row_of(asked.quantity);
-    const std::string edge = given("edge").value_or("right");
-    const auto at_edge = edge_named(edge);
-    require(at_edge.has_value(), "edge=" + edge + " is no edge", "write right or left");
-    asked.edge = *at_edge;
-    const std::string of_body = given("body").value_or("A");
-    require(of_body == "A" || of_body == "B", "body=" + of_body + " is no body",
-            "write A (on which Q acts) or B");
-    const Body body = of_body == "A" ? Body::A : Body::B;
+    asked.edge = edge_of(given("edge").value_or("right"));
+    const Body body = body_named(given("body").value_or("A"));
     const auto place = [&](const std::string& text, Place::From from) {
         return Place::parse(text, from, names).distance(asked.edge);
     };
@@ -214,7 +203,7 @@ AskedValue asked_value(std::string_view quantity, const std::map<std::string, st
         if (both.size() != 2) {
             missing("at=X,Z, the place and the depth");
         }
-        asked.in_body = {exact_in(both[0], names), exact_in(both[1], names), body};
+        asked.in_body = body_point(both[0], both[1], body, names);
     } else if (row.place == QuantityRow::Place::surface) {
         asked.in_body = {Exact(), Exact(), body};
         asked.reference = place(given("reference").value_or("0"), Place::From::origin);

@@ -161,12 +161,12 @@ Ball BallLevel::gap(const AskedValue& at) {
 Ball BallLevel::gap_beyond(const Ball& x, Edge edge, const Ball& beyond) const {
     const BallContact* const form = contact_->closed_form();
     if (scene_.round) {
-        if (scene_.curved_body() && monotonicity_of_slope(*scene_.profile, abs(x), abs(x)).kind !=
-                                        contact::SlopeMonotonicity::Kind::rises) {
-            throw InputError("g' is not proved not to decrease up to the place, so that the gap is "
-                             "not computed",
-                             "give a place nearer to the contact");
-        }
+        require(!scene_.curved_body() ||
+                    monotonicity_of_slope(*scene_.profile, abs(x), abs(x)).kind ==
+                        contact::SlopeMonotonicity::Kind::rises,
+                "g' is not proved not to decrease up to the place, so that the gap is "
+                "not computed",
+                "give a place nearer to the contact");
         return form != nullptr ? axisymmetric_gap(*form, beyond)
                                : of_revolution().gap_beyond(beyond);
     }

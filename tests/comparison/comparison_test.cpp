@@ -182,6 +182,22 @@ TEST_CASE("the rounding of written digits explains errors of its size, and no la
     CHECK_FALSE(compared(wrong, within(0.009)).passes());
 }
 
+TEST_CASE("the rounding of pressures in the contact does not explain pressures outside it") {
+    const auto cause = [](double outside) {
+        std::string text = "x,p\n";
+        for (const double x : even_places(-2, 2, 96)) {
+            char row[60];
+            std::snprintf(row, sizeof row, "%.9f,%.4e\n", x, std::abs(x) < a ? p(x) : outside);
+            text += row;
+        }
+        Diagnosed data(parse_scene(edgeproof::hertz_data::scene_text, "s.toml"));
+        return data.of(text, within(1e-9)).diagnosis;
+    };
+    CHECK(is_named(cause(0), "rounded-to-5"));
+    REQUIRE(cause(0.8 * p0));
+    CHECK(cause(0.8 * p0)->causes.empty());
+}
+
 TEST_CASE("x from any origin, mirrored order, compression negative: the same result") {
     for (const double shift : {1.5, -1.5, 2.0, 100.0, -7.25}) {
         CAPTURE(shift);

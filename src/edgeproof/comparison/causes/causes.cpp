@@ -452,7 +452,8 @@ constexpr double units_of_binary32 = 16;
 constexpr double rms_with_noise = 0.65;
 constexpr double largest_with_noise = 2;
 
-/// True if rounding by `allowed` at each node explains all errors that count.
+/// True if rounding by `allowed` at each node explains all errors that count, those of pressures
+/// outside the contact, too.
 template <class Allowed>
 bool rounding_explains(const AlignedResult& data, const ExactContact& exact,
                        const Allowed& allowed) {
@@ -460,7 +461,7 @@ bool rounding_explains(const AlignedResult& data, const ExactContact& exact,
     double squares = 0;
     std::size_t n = 0;
     for (const Node& node : data.nodes) {
-        if (node.p.exact && node.place.u() > near_edge_share * exact.length()) {
+        if (node.p.exact && std::abs(node.place.u()) > near_edge_share * exact.length()) {
             const double part = std::abs(node.p.error) / std::max(allowed(node), node.p.rounding);
             largest = std::max(largest, part);
             squares += part * part;
@@ -473,8 +474,8 @@ bool rounding_explains(const AlignedResult& data, const ExactContact& exact,
 
 /// Finds pressures that carry fewer digits than are written: rounded to a number of significant
 /// digits or decimals, or numbers of binary32; accepted if the errors away from the edges (by a
-/// fiftieth of the contact) are no larger than this rounding explains. For binary32, 16 units in
-/// the last place of the largest pressure are allowed for a computation.
+/// fiftieth of the contact, on either side) are no larger than this rounding explains. For
+/// binary32, 16 units in the last place of the largest pressure are allowed for a computation.
 std::optional<Cause> cause_in_digits(const ResultTable& table, const AlignedResult& data,
                                      const ExactContact& exact) {
     const CarriedDigits& digits = table.p_digits;

@@ -210,8 +210,8 @@ Form exact_form(const Expr& e) {
     return algebra::form_of(e, [](std::string_view) -> Form { throw NoExactForm(); });
 }
 
-ExactContact::ExactContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
-                           const Ball& near_a, const Ball& near_b)
+AlgebraicContact::AlgebraicContact(const Profile& profile, const Exact& contact_modulus,
+                                   const Load& load, const Ball& near_a, const Ball& near_b)
     : profile_(profile), modulus_(exact_form(contact_modulus.expr())) {
     if (profile.kind() == Profile::Kind::power_law) {
         const auto m = exact_form(profile.parameters().at("m").expr()).rational();
@@ -238,15 +238,15 @@ ExactContact::ExactContact(const Profile& profile, const Exact& contact_modulus,
     find_edges(load, near_a, near_b);
 }
 
-const Form& ExactContact::known(const std::optional<Form>& x) {
+const Form& AlgebraicContact::known(const std::optional<Form>& x) {
     return x ? *x : throw NoExactForm();
 }
 
-const std::vector<Mark<Form>>& ExactContact::marks() const {
+const std::vector<Mark<Form>>& AlgebraicContact::marks() const {
     return marks_.empty() ? throw NoExactForm() : marks_;
 }
 
-void ExactContact::find_edges(const Load& load, const Ball& near_a, const Ball& near_b) {
+void AlgebraicContact::find_edges(const Load& load, const Ball& near_a, const Ball& near_b) {
     const Form given = exact_form(load.value.expr());
     const bool by_force = load.kind == Load::Kind::force;
     std::vector<Form> guesses;
@@ -286,7 +286,7 @@ void ExactContact::find_edges(const Load& load, const Ball& near_a, const Ball& 
     marks_.clear();
 }
 
-bool ExactContact::holds(const Load& load) {
+bool AlgebraicContact::holds(const Load& load) {
     try {
         place_knots();
         return (profile_.symmetric() || linear_imbalance(slope_, {*a_, *b_}, marks_).is_zero()) &&
@@ -296,7 +296,7 @@ bool ExactContact::holds(const Load& load) {
     }
 }
 
-void ExactContact::place_knots() {
+void AlgebraicContact::place_knots() {
     marks_.clear();
     const Extent<Form> e{*a_, *b_};
     for (const Form& v : slope_.knots) {
@@ -311,26 +311,26 @@ void ExactContact::place_knots() {
     }
 }
 
-template <class Kernel> Form ExactContact::over_measure() const {
+template <class Kernel> Form AlgebraicContact::over_measure() const {
     return over_linear_measure<Kernel>(slope_, {a(), b()}, marks());
 }
 
-Form ExactContact::force() const {
+Form AlgebraicContact::force() const {
     // moore-hills EQ22, by docs/mechanics.md, "One measure, six kernels"
     return exponent_ ? power_factor_ * pow(a(), Rational(*exponent_ + 1))
                      : modulus_ / 2 * over_measure<ForceKernel>();
 }
 
-Form ExactContact::moment() const {
+Form AlgebraicContact::moment() const {
     return profile_.symmetric() ? Form() : modulus_ / 4 * over_measure<MomentKernel>();
 }
 
-bool ExactContact::bends(std::size_t knot) const {
+bool AlgebraicContact::bends(std::size_t knot) const {
     return !(slope_.rate(knot) == slope_.rate(knot + 1) &&
              slope_.pieces[knot].at_origin == slope_.pieces[knot + 1].at_origin);
 }
 
-Form ExactContact::pressure(Edge edge, const Form& u) const {
+Form AlgebraicContact::pressure(Edge edge, const Form& u) const {
     const Form other = length() - u;
     const Form root = sqrt(u * other);
     if (exponent_) {
@@ -367,7 +367,7 @@ Form ExactContact::pressure(Edge edge, const Form& u) const {
     return modulus_ / (2 * Form::pi()) * arc_of(slope_, e, marks()) * root;
 }
 
-std::vector<Form> ExactContact::expansion(Edge, std::size_t terms) const {
+std::vector<Form> AlgebraicContact::expansion(Edge, std::size_t terms) const {
     using S = series::Series<Form>;
     if (terms == 0 || terms > most_exact_coefficients || !profile_.symmetric()) {
         throw NoExactForm();

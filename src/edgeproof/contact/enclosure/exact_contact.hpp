@@ -47,13 +47,13 @@ struct ExactEdges {
 /// A pressure with a logarithm needs no such decision: by `baker1966`, logarithms of algebraic
 /// numbers, pi and 1 are linearly independent over the algebraic numbers unless trivially
 /// dependent, so that the pressure is not a rational number.
-class ExactContact {
+class AlgebraicContact {
 public:
     /// `near_a` and `near_b` enclose the edges (lengths). An edge that is not given is guessed from
     /// its ball, and accepted only if the exact equations hold for the guess; their solution is
     /// unique.
-    ExactContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
-                 const Ball& near_a, const Ball& near_b);
+    AlgebraicContact(const Profile& profile, const Exact& contact_modulus, const Load& load,
+                     const Ball& near_a, const Ball& near_b);
 
     [[nodiscard]] const Form& a() const { return known(a_); }
     [[nodiscard]] const Form& b() const { return known(b_); }

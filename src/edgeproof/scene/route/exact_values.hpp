@@ -102,7 +102,7 @@ private:
     }
 
     const Scene& scene_;
-    contact::ExactContact contact_;
+    contact::AlgebraicContact contact_;
     std::size_t terms_;
     std::map<std::pair<Edge, bool>, std::vector<Number>> known_terms_;
 };

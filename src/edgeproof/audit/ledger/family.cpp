@@ -151,6 +151,10 @@ std::map<std::string, Exact, std::less<>> SceneSpec::names() const {
 std::shared_ptr<const scene::Scene> SceneSpec::as_scene() const {
     constexpr std::size_t most_kept = 64;
     thread_local BoundedCache<std::string, const scene::Scene> kept(most_kept);
+    const auto Es = parameters.find("Es");
+    if (Es != parameters.end() && Es->second.sign() <= 0) { // a scene has another word for it
+        throw InputError("Es = " + Es->second.text() + " is not positive", "give Es > 0");
+    }
     const std::vector<io::TomlTable> tables = tables_of(*this);
     return kept.get(scene::scene_text(tables), [&] {
         auto made = std::make_shared<const scene::Scene>(scene::contact_with_keys(tables));

@@ -11,7 +11,6 @@
 
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -36,14 +35,13 @@ std::optional<Quantity> hard_quantity(const std::string& name) {
 
 struct HardCase {
     std::string name;
-    std::string group;
     Scene scene;
     AskedValue asked;
     Real expected;
 };
 
 HardCase read_case(const std::string& name, const TomlSection& section) {
-    HardCase c{name, section.text("class"), read_contact(section), {}, {}};
+    HardCase c{name, read_contact(section), {}, {}};
     const auto quantity = hard_quantity(section.text("quantity"));
     REQUIRE_MESSAGE(quantity, name);
     c.asked.quantity = *quantity;
@@ -159,26 +157,10 @@ void check_case(const HardCase& c) {
 
 } // namespace
 
-TEST_CASE("hard cases: one of each class has the digits of mpmath") {
-    std::set<std::string> seen;
-    for (const HardCase& c : hard_cases()) {
-        const bool quick = c.asked.quantity != Quantity::c &&
-                           c.asked.quantity != Quantity::residual &&
-                           c.asked.quantity != Quantity::extent && c.scene.profile &&
-                           c.scene.profile->piecewise_linear() && c.scene.symmetric();
-        if (quick && seen.insert(c.group).second) {
-            check_case(c);
-        }
-    }
-    CHECK(seen.size() >= 9);
-}
-
-TEST_SUITE("slow") {
-    TEST_CASE("every hard case has the digits of mpmath") {
-        const std::vector<HardCase> cases = hard_cases();
-        CHECK(cases.size() >= 325);
-        for (const HardCase& c : cases) {
-            check_case(c);
-        }
+TEST_CASE("every hard case has the digits of mpmath") {
+    const std::vector<HardCase> cases = hard_cases();
+    CHECK(cases.size() >= 325);
+    for (const HardCase& c : cases) {
+        check_case(c);
     }
 }

@@ -188,7 +188,8 @@ private:
         const Edge edge = own_place                ? sample_.edge
                           : certainly_negative(at) ? Edge::left
                                                    : Edge::right;
-        return partial_slip().proved.traction(edge, distance(edge, written, at));
+        return partial_slip().proved.traction(edge, distance(edge, written, at),
+                                              own_place ? std::nullopt : constant(written));
     }
 
     /// Calls use(integral, surroundings) with the variables of the sample put in.
@@ -216,7 +217,9 @@ private:
             return contact().pressure(sample_.edge, *u_);
         }
         const Edge edge = certainly_negative(at) ? Edge::left : Edge::right;
-        return contact().pressure(edge, distance(edge, written, at));
+        const Ball u = distance(edge, written, at);
+        const std::optional<Exact> x = constant(written);
+        return x ? contact().pressure(edge, u, *x) : contact().pressure(edge, u);
     }
     /// Returns g'(x); if the ball of x contains a knot, the values of the pieces on both sides.
     [[nodiscard]] Ball slope(const Ball& at) const {

@@ -28,8 +28,10 @@ public:
         const Ball rate = contact_.with_radius(zone.a).force_rate();
         return {rate, rate};
     }
-    [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const override {
-        return contact_.with_radius(zone.a).pressure(edge, u);
+    [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u,
+                                const std::optional<Exact>& x) const override {
+        const AxisymmetricContact part = contact_.with_radius(zone.a);
+        return x ? part.pressure(edge, u, *x) : part.pressure(edge, u);
     }
     [[nodiscard]] BallZone zone(const Ball& force, const Ball& /*tilt*/,
                                 const BallZone& near) const override {

@@ -59,6 +59,7 @@ public:
 
     [[nodiscard]] Ball pressure(Edge edge, const Exact& u) const override;
     [[nodiscard]] Ball pressure(Edge edge, const Ball& u) const override;
+    [[nodiscard]] Ball pressure(Edge edge, const Ball& u, const Exact& x) const override;
     [[nodiscard]] Ball least_pressure(Edge edge, const Ball& u) const override;
     [[nodiscard]] BallSeries pressure_series(Edge edge, const Ball& u,
                                              std::size_t order) const override;
@@ -134,6 +135,8 @@ private:
     [[nodiscard]] bool begins_flat(const Ring& ring) const;
     [[nodiscard]] Place place_of(Edge edge, const Ball& u) const;
     [[nodiscard]] Place place_at(const Exact& r) const;
+    /// The place, on a ring if its x is known to be that of the ring.
+    [[nodiscard]] Place on_ring(Place at, const Exact& x) const;
     [[nodiscard]] Ball pressure(const Place& at, bool least) const;
     /// The same of a linear slope, ring by ring; and the integral of h' by parts between the rings,
     /// with (s^2 - r^2)^(-1/2), or with its inverse.

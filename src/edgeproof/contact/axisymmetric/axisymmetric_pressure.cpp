@@ -33,28 +33,29 @@ AxisymmetricContact::Place AxisymmetricContact::place_of(Edge /*edge*/, const Ba
 
 AxisymmetricContact::Place AxisymmetricContact::place_at(const Exact& r) const {
     const Ball x = enclosed_constant(r, bits_);
-    Place at{a_ - x, a_ + x, x, {}};
+    return on_ring({a_ - x, a_ + x, x, {}}, r);
+}
+
+AxisymmetricContact::Place AxisymmetricContact::on_ring(Place at, const Exact& x) const {
     for (std::size_t i = 0; i < rings_.size(); ++i) {
-        if (overlaps(x, rings_[i].v) &&
-            certainly_zero(profile_.knots()[rings_[i].knot].expr() - r.expr())) {
+        const Expr v = profile_.knots()[rings_[i].knot].expr();
+        if (overlaps(at.r, rings_[i].v) &&
+            (certainly_zero(x.expr() - v) || certainly_zero(x.expr() + v))) {
             at.on = i;
+            at.r = rings_[i].v;
         }
     }
     return at;
 }
 
 Ball AxisymmetricContact::pressure(Edge edge, const Exact& u) const {
-    Place at = place_of(edge, enclosed_constant(u, bits_));
-    if (const auto a = known(edge)) {
-        const Expr x = a->expr() - u.expr();
-        for (std::size_t i = 0; i < rings_.size(); ++i) {
-            const Expr v = profile_.knots()[rings_[i].knot].expr();
-            if (overlaps(at.r, rings_[i].v) && (certainly_zero(x - v) || certainly_zero(x + v))) {
-                at.on = i;
-            }
-        }
-    }
-    return pressure(at, false);
+    const Place at = place_of(edge, enclosed_constant(u, bits_));
+    const auto a = known(edge);
+    return pressure(a ? on_ring(at, Exact(a->expr() - u.expr())) : at, false);
+}
+
+Ball AxisymmetricContact::pressure(Edge edge, const Ball& u, const Exact& x) const {
+    return pressure(on_ring(place_of(edge, u), x), false);
 }
 
 Ball AxisymmetricContact::pressure_at(const Exact& r) const { return pressure(place_at(r), false); }

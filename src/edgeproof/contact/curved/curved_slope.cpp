@@ -9,6 +9,7 @@
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/ball/acb_values.hpp"
 #include "edgeproof/precision/ball/interval.hpp"
+#include "edgeproof/precision/ball/magnitude.hpp"
 
 #include <vector>
 
@@ -34,6 +35,12 @@ Box twice_square(decltype(acb_sin)& of_half, const Box& t) {
     acb_mul_2exp_si(r.get(), t.get(), -1);
     of_half(r.get(), r.get(), r.bits());
     return r * r * Ball(2, r.bits());
+}
+
+/// True if r/d is so small that the quotient by r^terms would lose most of the bits.
+bool is_small(const Box& r, const Ball& d, std::size_t terms) {
+    const long bits = r.bits() / static_cast<long>(terms + 1);
+    return Magnitude(r.get()) <= Magnitude::least(Ball(d * power_of_two(-bits, d.bits())));
 }
 
 Box power(Box x, std::size_t n) {
@@ -64,8 +71,9 @@ Box SlopeOnSpan::quotient(const Ball& x, const std::vector<Ball>& taylor, bool h
     const std::size_t terms = taylor.size();
     const Box r =
         from_right_edge && span.root == 0 ? -(twice_square(acb_sin, t) * half_length) : s - x;
-    if (holds_x && r.contains_zero()) {
-        // A divided difference is a mean of the derivative over the hull of its points.
+    if (holds_x && (r.contains_zero() || (span.root == 0 && is_small(r, half_length, terms)))) {
+        // A divided difference is a mean of the derivative over the hull of its points. Next to x
+        // the mean loses less than the difference.
         return taylor_coefficient(slope, Box::hull(Box(x.with_bits(s.bits())), s), terms);
     }
     Box sum(s.bits());

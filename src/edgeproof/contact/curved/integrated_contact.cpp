@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/curved/integrated_contact.hpp"
+#include "edgeproof/algebra/identity.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/exact_contact.hpp"
@@ -7,6 +8,7 @@
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
+#include "edgeproof/precision/ball/interval.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -26,6 +28,18 @@ long goal_between(const Ball& a, const Ball& b, long bits) {
     constexpr long spare = 8;
     const long accuracy = Ball(a + b).relative_accuracy_bits(); // of an exact sum: beyond all bits
     return accuracy >= bits ? bits : std::min(bits, std::max(spare, accuracy + spare));
+}
+
+/// True if the pieces on both sides of a knot are proved to be one formula, which has a Taylor
+/// series at the knot.
+bool one_formula(const Profile& profile, std::size_t knot) {
+    const Expr& right = profile.pieces()[knot + 1].slope;
+    if (profile.has_corner(knot) || !algebra::proved_zero(right - profile.pieces()[knot].slope)) {
+        return false;
+    }
+    const std::vector<Ball> series = slope_series(
+        right, enclosed_constant(profile.knots()[knot], Interval::bits), 2, Interval::bits);
+    return std::ranges::all_of(series, [](const Ball& g) { return g.is_finite(); });
 }
 
 } // namespace
@@ -76,7 +90,7 @@ CauchyIntegral IntegratedContact::cauchy_integral(const Box& zeta) const {
             return {unknown, unknown};
         }
         const Ball slope = series_of_slope(*piece, x, 1)[0] - mean;
-        const Ball p = on_edge ? Ball(0, bits_) : zone_pressure(Edge::right, a_ - x);
+        const Ball p = on_edge ? Ball(0, bits_) : zone_pressure(Edge::right, a_ - x, {});
         return {Box(slope * pi * factor, -pi * p), unknown};
     }
     const Box root = root_outside({a_, b_}, zeta);
@@ -165,10 +179,11 @@ std::vector<Ball> IntegratedContact::right_expansion(std::size_t terms) const {
     for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
         if (certainly_less(slope_.knots[i], a_)) {
             ++last;
-        } else if (!certainly_less(a_, slope_.knots[i]) && on_edge_[i] != Edge::right) {
+        } else if (bends(i) && !certainly_less(a_, slope_.knots[i]) && on_edge_[i] != Edge::right) {
             return std::vector<Ball>(terms, unknown_ball(bits_));
         }
     }
+    last = whole_piece(last);
     // p = (E*/(2 pi)) sqrt(u (D - u)) I(x), where I is the sum of I_k (-u)^k (docs/expansions.md,
     // "Coefficients of curved slopes").
     std::vector<Ball> I =
@@ -212,20 +227,30 @@ Ball IntegratedContact::pressure(Edge edge, const Exact& u) const {
     if (const auto piece = piece_of(x)) {
         return pressure_at(from_edge, x, *piece, {});
     }
-    const auto a = known(edge);
-    for (std::size_t i = 0; a && i < slope_.knots.size(); ++i) {
+    if (const auto a = known(edge)) {
         const Expr exactly = edge == Edge::right ? a->expr() - u.expr() : u.expr() - a->expr();
-        if (inside(i) && overlaps(x, slope_.knots[i]) && !profile_.has_corner(i) &&
-            certainly_zero(exactly - profile_.knots()[i].expr())) {
-            return pressure_at(from_edge, x, i, i);
+        if (const auto p = pressure_at_knot(from_edge, Exact(exactly))) {
+            return *p;
         }
     }
     return unknown_ball(bits_);
 }
 
-Ball IntegratedContact::pressure_at_knot(Edge edge, std::size_t knot) const {
-    const Ball& x = slope_.knots[knot];
-    return pressure_at(edge == Edge::right ? a_ - x : x + b_, x, knot, knot);
+Ball IntegratedContact::pressure(Edge edge, const Ball& u, const Exact& x) const {
+    const auto at_knot = pressure_at_knot(u, x);
+    return at_knot ? *at_knot : pressure(edge, u);
+}
+
+std::optional<Ball> IntegratedContact::pressure_at_knot(const Ball& from_edge,
+                                                        const Exact& x) const {
+    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
+        if (inside(i) && !profile_.has_corner(i) &&
+            overlaps(enclosed_constant(x, bits_), slope_.knots[i]) &&
+            certainly_zero(x.expr() - profile_.knots()[i].expr())) {
+            return pressure_at(from_edge, slope_.knots[i], i, i);
+        }
+    }
+    return {};
 }
 
 Ball IntegratedContact::pressure_at(const Ball& from_edge, const Ball& x, std::size_t piece,
@@ -233,7 +258,8 @@ Ball IntegratedContact::pressure_at(const Ball& from_edge, const Ball& x, std::s
     const Ball other = a_ + b_ - from_edge;
     std::vector<SlopeAt> here{{piece, series_of_slope(piece, x, 1)}};
     if (on_knot) { // each of two pieces that meet at x is evaluated by its own expression
-        here.push_back({*on_knot + 1, series_of_slope(*on_knot + 1, x, 1)});
+        const std::size_t other_piece = whole_piece(*on_knot + 1);
+        here.push_back({other_piece, series_of_slope(other_piece, x, 1)});
     }
     // eqn:SIEPressure regularised (docs/curved-slopes.md, "What is integrated")
     return modulus_ / (Ball::pi(bits_) * 2) * sqrt(from_edge * other) * coefficient(x, here, false);
@@ -249,16 +275,26 @@ std::vector<quadrature::ThetaSpan> IntegratedContact::piece_spans(const Ball& a,
         const auto here = i > 0 ? on_edge_[i - 1] : std::optional<Edge>(Edge::left);
         const Mark<Ball> next =
             here ? end_mark(Extent<Ball>{a, b}, *here) : clamped_mark({a, b}, slope_.knots[i - 1]);
-        if (i > 0 && next.end == Edge::right) {
+        if (i > 0 && (next.end == Edge::right || (!next.end && !bends(i - 1)))) {
             continue;
         }
-        list.push_back({.piece = i, .from = from, .to = next.h, .formula = i});
+        const std::size_t whole = whole_piece(i);
+        list.push_back({.piece = whole, .from = from, .to = next.h, .formula = whole});
         from = next.h;
         if (next.end) {
             break;
         }
     }
     return list;
+}
+
+bool IntegratedContact::bends(std::size_t knot) const { return roots().bends[knot]; }
+
+std::size_t IntegratedContact::whole_piece(std::size_t piece) const {
+    while (piece < slope_.knots.size() && !bends(piece)) {
+        ++piece;
+    }
+    return piece;
 }
 
 const IntegratedContact::Roots& IntegratedContact::roots() const {
@@ -281,6 +317,8 @@ const IntegratedContact::Roots& IntegratedContact::roots() const {
                 }
             }
             found.of_knots.push_back(sides);
+            found.bends.push_back(!one_formula(profile_, i) || sides[0].root != 0 ||
+                                  sides[1].root != 0);
         }
         roots_ = std::make_shared<const Roots>(std::move(found));
     }
@@ -314,7 +352,11 @@ std::vector<quadrature::ThetaSpan> IntegratedContact::spans(const Ball& a, const
         };
         const auto right =
             whole.piece < slope_.knots.size() ? rooted(whole.piece, 0) : std::nullopt;
-        const auto left = whole.piece > 0 ? rooted(whole.piece - 1, 1) : std::nullopt;
+        std::size_t last = whole.piece; // at the left end
+        while (last > 0 && !bends(last - 1)) {
+            --last;
+        }
+        const auto left = last > 0 ? rooted(last - 1, 1) : std::nullopt;
         if (!right && !left) {
             list.push_back(whole);
             continue;

@@ -39,8 +39,7 @@ public:
     /// The result is not finite on a knot, unless exact numbers prove that the point is the knot
     /// and that g' does not jump there.
     [[nodiscard]] Ball pressure(Edge edge, const Exact& u) const override;
-    /// p at a knot inside the contact at which g' does not jump.
-    [[nodiscard]] Ball pressure_at_knot(Edge edge, std::size_t knot) const;
+    [[nodiscard]] Ball pressure(Edge edge, const Ball& u, const Exact& x) const override;
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
     /// Returns the radius of the disk about an edge (length).
@@ -60,7 +59,9 @@ public:
     [[nodiscard]] IntegratedContact between(const Ball& a, const Ball& b, long bits) const;
     [[nodiscard]] ZoneValues zone_values() const;
     [[nodiscard]] Ball zone_rate(Edge edge) const; ///< of ZoneRates
-    [[nodiscard]] Ball zone_pressure(Edge edge, const Ball& u) const;
+    /// `known_x`: see ProvedContact::pressure.
+    [[nodiscard]] Ball zone_pressure(Edge edge, const Ball& u,
+                                     const std::optional<Exact>& known_x) const;
     /// The Cauchy integral of the pressure of the contact, or of the zone (docs/stress.md, "Curved
     /// slopes"). Enclosed; not finite on the surface in the contact at knots and edges, except for
     /// the value at an edge that is known exactly.
@@ -70,7 +71,7 @@ public:
                       const Ball& b, long bits);
 
 private:
-    /// The pieces from the right edge to the left one.
+    /// The pieces from the right edge to the left one; pieces of one formula are one span.
     [[nodiscard]] std::vector<quadrature::ThetaSpan> piece_spans(const Ball& a,
                                                                  const Ball& b) const;
     /// The same, but half of a piece next to a branch point on a knot is given in a variable in
@@ -84,6 +85,7 @@ private:
         };
         std::vector<Expr> formulas;                ///< of the pieces, followed by those in roots
         std::vector<std::array<Root, 2>> of_knots; ///< to the left of the knot, to the right of it
+        std::vector<bool> bends; ///< false at a knot whose two pieces are one holomorphic formula
     };
     /// The formulas, computed when first needed.
     [[nodiscard]] const Roots& roots() const;
@@ -112,9 +114,14 @@ private:
     void enclose_edges();
     /// Encloses b for the right edge `a`, near `start`; nothing if the bits do not suffice.
     [[nodiscard]] std::optional<Ball> left_edge_near(const Ball& a, const Ball& start) const;
+    /// Returns p if x is a knot inside the contact at which g' does not jump.
+    [[nodiscard]] std::optional<Ball> pressure_at_knot(const Ball& from_edge, const Exact& x) const;
     /// Returns x at the distance `u` from an edge.
     [[nodiscard]] Ball place(Edge edge, const Ball& u) const;
     [[nodiscard]] bool inside(std::size_t knot) const override;
+    [[nodiscard]] bool bends(std::size_t knot) const override;
+    /// Returns the last of the pieces that are one formula with this one; its formula serves all.
+    [[nodiscard]] std::size_t whole_piece(std::size_t piece) const;
     /// Returns the distance from x to the next knot inside the contact, at most the length of the
     /// contact.
     [[nodiscard]] Ball gap_at(const Ball& x) const;

@@ -24,7 +24,7 @@ Ball IntegratedContact::place(Edge edge, const Ball& u) const {
 }
 
 bool IntegratedContact::inside(std::size_t knot) const {
-    return !on_edge_[knot] && !certainly_less(a_, slope_.knots[knot]) &&
+    return bends(knot) && !on_edge_[knot] && !certainly_less(a_, slope_.knots[knot]) &&
            !certainly_less(slope_.knots[knot], -b_);
 }
 
@@ -52,7 +52,7 @@ std::optional<std::size_t> IntegratedContact::piece_of(const Ball& x) const {
             break;
         }
     }
-    return piece;
+    return whole_piece(piece);
 }
 
 const SlopeOverTheta& IntegratedContact::over_theta() const {
@@ -268,7 +268,7 @@ Ball IntegratedContact::over_knot(const Ball& x, bool least) const {
     const Ball to = clamped_mark({a_, b_}, lo).h;
     std::vector<quadrature::ThetaSpan> outer(all.pieces);
     for (quadrature::ThetaSpan& span : outer) {
-        if (span.piece == i + 1) {
+        if (span.piece == whole_piece(i + 1)) {
             span.to = from;
         } else if (span.piece == i) {
             span.from = to;

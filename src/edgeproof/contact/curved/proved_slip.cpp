@@ -60,7 +60,11 @@ Ball IntegratedContact::zone_rate(Edge edge) const {
     return Ball::pi(bits_) * sqrt(a_ + b_) / 2 * expansion(edge, 1)[0];
 }
 
-Ball IntegratedContact::zone_pressure(Edge edge, const Ball& u) const {
+Ball IntegratedContact::zone_pressure(Edge edge, const Ball& u,
+                                      const std::optional<Exact>& known_x) const {
+    if (const auto at_knot = known_x ? pressure_at_knot(u, *known_x) : std::nullopt) {
+        return *at_knot;
+    }
     const Ball x = place(edge, u);
     const auto piece = piece_of(x);
     return with_root(u, piece ? coefficient(0, *piece, x) : over_knot(x, false));
@@ -81,8 +85,9 @@ public:
         const IntegratedContact c = contact_.between(zone.a, zone.b, bits());
         return {c.zone_rate(Edge::right), c.zone_rate(Edge::left)};
     }
-    [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const override {
-        return contact_.between(zone.a, zone.b, bits()).zone_pressure(edge, u);
+    [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u,
+                                const std::optional<Exact>& x) const override {
+        return contact_.between(zone.a, zone.b, bits()).zone_pressure(edge, u, x);
     }
     /// Most steps of the search are taken with few bits.
     [[nodiscard]] BallZone zone(const Ball& force, const Ball& tilt,
@@ -156,8 +161,9 @@ public:
         };
         return {rate(a, b), rate(b, a)};
     }
-    [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const override {
-        return integrals_->pressure(zone, edge, u);
+    [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u,
+                                const std::optional<Exact>& x) const override {
+        return integrals_->pressure(zone, edge, u, x);
     }
 
 private:

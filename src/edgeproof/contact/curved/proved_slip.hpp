@@ -32,9 +32,11 @@ public:
 
     [[nodiscard]] const BallSlip& slip() const { return *slip_; }
     [[nodiscard]] const ProvedContact& contact() const { return *contact_; }
-    /// Returns q (stress) at the distance `u` from an edge (length).
-    [[nodiscard]] Ball traction(Edge edge, const Ball& u) const {
-        return slip_->traction(edge, u, contact_->pressure(edge, u));
+    /// Returns q (stress) at the distance `u` from an edge (length); `x`: the place, if it is known
+    /// exactly.
+    [[nodiscard]] Ball traction(Edge edge, const Ball& u, const std::optional<Exact>& x) const {
+        const Ball p = x ? contact_->pressure(edge, u, *x) : contact_->pressure(edge, u);
+        return slip_->traction(edge, u, p, x);
     }
 
 private:

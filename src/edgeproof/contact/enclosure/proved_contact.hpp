@@ -50,6 +50,11 @@ public:
     [[nodiscard]] virtual Ball pressure(Edge edge, const Exact& u) const = 0;
     /// p at the distance u from an edge. Not finite if the ball of x contains a corner.
     [[nodiscard]] virtual Ball pressure(Edge edge, const Ball& u) const = 0;
+    /// The same at a place whose x is known exactly although the edge is not: also finite at a knot
+    /// of a curved slope.
+    [[nodiscard]] virtual Ball pressure(Edge edge, const Ball& u, const Exact& /*x*/) const {
+        return pressure(edge, u);
+    }
     /// A ball whose lower end is a lower bound of the pressure over u; finite also if the ball of x
     /// contains a corner.
     [[nodiscard]] virtual Ball least_pressure(Edge edge, const Ball& u) const = 0;

@@ -136,7 +136,8 @@ SlipState BallSlip::state(Edge edge, const Ball& u) const {
 
 // The sum of the parts: q = f (p - p*) in the direction of Q after one step of Q
 // (docs/partial-slip.md, "The corrective contact"), and docs/histories.md.
-Ball BallSlip::traction(Edge edge, const Ball& u, const Ball& p) const {
+Ball BallSlip::traction(Edge edge, const Ball& u, const Ball& p,
+                        const std::optional<Exact>& x) const {
     Ball q = whole_ratio_ * p;
     for (const ShearPart& part : parts_) {
         const Ball inside = u - (whole_.at(edge) - part.zone.at(edge));
@@ -149,7 +150,8 @@ Ball BallSlip::traction(Edge edge, const Ball& u, const Ball& p) const {
         const bool this_edge = within || contains_zero(inside);
         const Ball& depth = this_edge ? inside : before;
         q += part.ratio * zones_.pressure(part.zone, this_edge ? edge : opposite(edge),
-                                          within ? depth : clamped(depth));
+                                          within ? depth : clamped(depth),
+                                          within ? x : std::nullopt);
     }
     return q;
 }

@@ -99,8 +99,10 @@ public:
 
     /// Returns the state at the distance `u` from an edge of the contact (length).
     [[nodiscard]] SlipState state(Edge edge, const Ball& u) const;
-    /// Returns q (stress) at the distance `u` from an edge (length), where the pressure is `p`.
-    [[nodiscard]] Ball traction(Edge edge, const Ball& u, const Ball& p) const;
+    /// Returns q (stress) at the distance `u` from an edge (length), where the pressure is `p`;
+    /// `x`: the place, if it is known exactly.
+    [[nodiscard]] Ball traction(Edge edge, const Ball& u, const Ball& p,
+                                const std::optional<Exact>& x) const;
     /// Returns kappa_1 ... kappa_terms (slip_series.hpp; of an axisymmetric contact
     /// docs/axisymmetric.md, "Partial slip").
     [[nodiscard]] SlipSeries series(std::size_t terms) const;

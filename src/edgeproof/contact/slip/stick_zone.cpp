@@ -20,7 +20,8 @@ public:
     [[nodiscard]] ZoneRates rates(const BallZone& zone) const override {
         return contact_.rates_of(zone);
     }
-    [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const override {
+    [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u,
+                                const std::optional<Exact>& /*x*/) const override {
         return contact_.between(zone.a, zone.b).pressure(edge, u);
     }
     [[nodiscard]] BallZone core() const override {
@@ -47,7 +48,8 @@ public:
         const Ball rate = rate_ * pow(zone.a / contact_.a(), power_ - 1);
         return {rate, rate};
     }
-    [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const override {
+    [[nodiscard]] Ball pressure(const BallZone& zone, Edge edge, const Ball& u,
+                                const std::optional<Exact>& /*x*/) const override {
         return contact_.between(zone.a, zone.b).pressure(edge, u);
     }
     [[nodiscard]] BallZone zone(const Ball& force, const Ball&, const BallZone&) const override {

@@ -35,8 +35,9 @@ public:
     [[nodiscard]] virtual ZoneRates rates(const BallZone& zone) const = 0;
     [[nodiscard]] ZoneEquations equations(const Ball& force, const Ball& tilt) const;
     /// Returns the pressure (stress) of that contact at the distance `u` inwards from an edge of
-    /// the zone (length).
-    [[nodiscard]] virtual Ball pressure(const BallZone& zone, Edge edge, const Ball& u) const = 0;
+    /// the zone (length); `x`: the place, if it is known exactly (ProvedContact::pressure).
+    [[nodiscard]] virtual Ball pressure(const BallZone& zone, Edge edge, const Ball& u,
+                                        const std::optional<Exact>& x) const = 0;
     /// Returns the zone for a force and a tilt, proved. Throws BudgetError where the bits do not
     /// isolate it (or an edge is on a corner).
     /// @param force force/length

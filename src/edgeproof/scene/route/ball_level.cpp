@@ -107,14 +107,17 @@ Ball BallLevel::pressure(Edge edge, const Distance& u) const {
     if (const auto& number = u.number()) {
         return contact_->pressure(edge, *number);
     }
-    const auto* curved = dynamic_cast<const contact::IntegratedContact*>(contact_.get());
-    for (std::size_t i = 0; curved != nullptr && u.x() && i < scene_.profile->knots().size(); ++i) {
-        if (!scene_.profile->has_corner(i) &&
-            contact::certainly_zero(scene_.profile->knots()[i].expr() - u.x()->expr())) {
-            return curved->pressure_at_knot(edge, i);
-        }
+    return u.x() ? contact_->pressure(edge, distance(u), *u.x())
+                 : contact_->pressure(edge, distance(u));
+}
+
+std::optional<Exact> BallLevel::known_x(Edge edge, const Distance& u) const {
+    const auto known = contact_->known(edge);
+    if (!u.number() || !known) {
+        return u.x();
     }
-    return contact().pressure(edge, distance(u));
+    const Expr inwards = known->expr() - u.number()->expr();
+    return Exact(edge == Edge::right ? inwards : -inwards);
 }
 
 } // namespace edgeproof::scene

@@ -132,7 +132,8 @@ public:
     [[nodiscard]] Ball q(Edge edge, const Distance& u) {
         if (scene_.slips()) {
             const BallSlip* s = slip();
-            return s != nullptr ? s->traction(edge, distance(u), p(edge, u)) : not_known();
+            return s != nullptr ? s->traction(edge, distance(u), p(edge, u), known_x(edge, u))
+                                : not_known();
         }
         return scene_.together() ? shear_ratio() * p(edge, u)
                                  : full_stick_traction(length(), load(), edge, distance(u));
@@ -336,6 +337,8 @@ private:
     /// proved, which no number of bits decides.
     [[nodiscard]] std::optional<contact::BallZone> exact_stick() const;
     [[nodiscard]] Ball pressure(Edge edge, const Distance& u) const;
+    /// The coordinate x of a point, if it is known exactly.
+    [[nodiscard]] std::optional<Exact> known_x(Edge edge, const Distance& u) const;
     struct Last {
         Edge edge;
         Distance u;

@@ -337,8 +337,7 @@ Outcome check_condition(const Claim& claim, const AuditContext& context) {
     // Near the edge, sides that differ by the next term of a series agree to many digits.
     const unsigned digits = context.digits() + (holds == "near-edge" && has_equality ? 50 : 0);
     const PrecisionScope scope(digits + 20);
-    const Real nearest = claim.has("nearest") ? Exact::parse(claim.text("nearest")).to<Real>()
-                                              : pow(Real(10), holds == "near-edge" ? -40 : -10);
+    const Real nearest = pow(Real(10), holds == "near-edge" ? -40 : -10);
     std::vector<RelationInScene> found;
     std::size_t left_out = 0;
     std::optional<Sample> failing; // the first, of a condition without a place

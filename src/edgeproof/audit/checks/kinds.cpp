@@ -43,7 +43,7 @@ std::vector<CheckKind> all_kinds() {
         {"condition",
          {required("says", Type::condition),
           optional("holds", Type::choice, {"everywhere", "somewhere", "nowhere", "near-edge"}),
-          optional("nearest", Type::number), optional("along", Type::text)},
+          optional("along", Type::text)},
          check_condition},
         {"relations",
          {required("says", Type::choice, {"independent", "function"}), of,

@@ -27,16 +27,22 @@ template <class T> mpfr_prec_t bits_of_arithmetic() {
     }
 }
 
+/// Encloses a constant with more bits until look(ball) is true; false if it is true for none.
+/// `offset` is added to the bits.
+template <class Look> bool look_closer_at(const Expr& e, const Look& look, long offset = 0) {
+    for (long bits = 64; bits <= most_bits; bits *= 2) {
+        if (const auto x = enclose(e, bits + offset); x && look(*x)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// Throws Error if e contains a name or an integral; DomainError, with the innermost part in
 /// question, if balls do not prove that e has a real value.
 void check_defined(const Expr& e) {
-    if (e.rational() != nullptr) {
+    if (e.rational() != nullptr || look_closer_at(e, [](const Ball&) { return true; })) {
         return;
-    }
-    for (long bits = 64; bits <= most_bits; bits *= 2) {
-        if (enclose(e, bits)) {
-            return;
-        }
     }
     if (!e.is_binder()) {
         for (const Expr& part : e.args()) {
@@ -57,19 +63,15 @@ void check_defined(const Expr& e) {
 void check_magnitude(const Expr& e, std::string_view text) {
     const Ball greatest = pow_int(Ball(10, 64), 100'000);
     const Ball least = 1 / greatest;
-    for (long bits = 64; bits <= most_bits; bits *= 2) {
-        const auto x = enclose(e, bits);
-        const Ball size = x ? abs(*x) : Ball();
+    static_cast<void>(look_closer_at(e, [&](const Ball& x) {
+        const Ball size = abs(x);
         if (certainly_less(greatest, size) ||
             (certainly_less(size, least) && !contains_zero(size))) {
             throw FormulaError("'" + shortened(text, 60) + "' is beyond the range of numbers",
                                "write a number between 1e-100000 and 1e100000", 0);
         }
-        if (x &&
-            (x->is_exact() || (certainly_less(least, size) && certainly_less(size, greatest)))) {
-            return;
-        }
-    }
+        return x.is_exact() || (certainly_less(least, size) && certainly_less(size, greatest));
+    }));
 }
 
 template <class T> T rounded_to(const Real& x) {
@@ -124,19 +126,21 @@ template <Arithmetic T> T Exact::to() const {
         check_range(y, x);
         return y;
     }
-    for (long more = 32; more <= most_bits; more *= 2) {
-        if (const auto x = enclose(expr_, bits + more)) {
-            // If both ends round to one number, so do all numbers between them.
-            const Real lower = x->lower();
-            const T low = rounded_to<T>(lower);
-            if (low == rounded_to<T>(x->upper())) {
-                check_range(low, lower);
-                return low;
-            }
+    T rounded{};
+    const auto both_ends_round_to_it = [&](const Ball& x) {
+        const Real lower = x.lower();
+        rounded = rounded_to<T>(lower);
+        const bool same = rounded == rounded_to<T>(x.upper());
+        if (same) {
+            check_range(rounded, lower);
         }
+        return same;
+    };
+    if (!look_closer_at(expr_, both_ends_round_to_it, bits)) {
+        throw BudgetError(std::to_string(most_bits) + " bits do not decide the rounding of '" +
+                          shortened(text_, most_shown) + "'");
     }
-    throw BudgetError(std::to_string(most_bits) + " bits do not decide the rounding of '" +
-                      shortened(text_, most_shown) + "'");
+    return rounded;
 }
 
 #define EDGEPROOF_EXACT_TO(T) template T Exact::to() const;
@@ -150,15 +154,16 @@ int Exact::sign() const {
     if (expr_.kind() == Expr::Kind::sub && expr_.arg(0) == expr_.arg(1)) {
         return 0;
     }
-    for (long bits = 64; bits <= most_bits; bits *= 2) {
-        if (const auto x = enclose(expr_, bits)) {
-            if (certainly_positive(*x) || certainly_negative(*x) || x->is_exact()) {
-                return x->midpoint().sign();
-            }
-        }
+    int sign = 0;
+    const auto has_sign = [&](const Ball& x) {
+        sign = x.midpoint().sign();
+        return certainly_positive(x) || certainly_negative(x) || x.is_exact();
+    };
+    if (!look_closer_at(expr_, has_sign)) {
+        throw BudgetError(std::to_string(most_bits) + " bits do not distinguish '" +
+                          shortened(text_, most_shown) + "' from zero");
     }
-    throw BudgetError(std::to_string(most_bits) + " bits do not distinguish '" +
-                      shortened(text_, most_shown) + "' from zero");
+    return sign;
 }
 
 std::optional<Ball> enclose(const Expr& constant, long bits) {

@@ -18,14 +18,14 @@ struct ResidualFit {
     std::vector<Real> slopes;
 };
 
+/// The sweep has 12 steps, each of which halves the distance from the edge.
 struct ResidualFitOptions {
-    std::size_t orders = 8;  ///< n = 0 ... orders - 1
-    std::size_t points = 12; ///< steps of the sweep; each halves the distance from the edge
-    unsigned digits = 50;    ///< of the residuals
+    std::size_t orders = 8; ///< n = 0 ... orders - 1
+    unsigned digits = 50;   ///< of the residuals
     int start = 5; ///< the first step is at 10^-start times the reach of the expansion at the edge
 
     /// The number of bits of a contact for this fit. They rise with the cancellation: the last
-    /// residual at the last step loses about (orders + 1) * (start + points log10(2)) digits.
+    /// residual at the last step loses about (orders + 1) * (start + 12 log10(2)) digits.
     [[nodiscard]] long bits() const;
 };
 

@@ -135,6 +135,12 @@ const Generator* Form::generator() const {
                : nullptr;
 }
 
+std::optional<Form> Form::argument_of(std::string_view function) const {
+    const Generator* g = generator();
+    const bool is_call = g != nullptr && g->kind == Kind::call && g->name == function;
+    return is_call ? std::optional(g->parts[0]) : std::nullopt;
+}
+
 Form Form::reduced(const Polynomial& p, const Generators& g, std::size_t root) {
     const ulong index = g[root]->index;
     const Form w({g[root]}, Polynomial::variable(1, 0), Polynomial(1, 1));

@@ -59,6 +59,8 @@ public:
     [[nodiscard]] int sign() const;
     /// True if the name is in it.
     [[nodiscard]] bool holds(std::string_view name) const;
+    /// Returns x if it is f(x) for the function f.
+    [[nodiscard]] std::optional<Form> argument_of(std::string_view function) const;
     /// The partial derivative. Throws Error if a function that contains the name has none here.
     [[nodiscard]] Form derivative(std::string_view name) const;
     /// Returns c_0, c_1, ... if it is the polynomial c_0 + c_1 x + ... in the name x.

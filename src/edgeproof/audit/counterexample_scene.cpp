@@ -126,24 +126,23 @@ std::optional<Evidence> reach_counterexample(const RefutedReading& refuted,
     const Rational at = short_decimal_between(quoted, computed);
     Sample sample = simplest_sample(claim, context);
     const std::string side = claim.edge() == Edge::right ? "right" : "left";
-    // The distance from the edge is u = at * base.
-    const std::string base = to_text(reach->base);
-    const std::string u = "(" + exact_text(at) + ")*(" + base + ")";
-    const std::string x = side == "right" ? "a-" + u : "-b+" + u;
-    const auto read = [&](const std::string& text) {
-        return expand_definitions(parse_formula(text, claim.vocabulary), claim.vocabulary);
+    const Expr u = Expr::number(at) * reach->base; // the distance from the edge
+    const Expr x = side == "right" ? Expr::symbol("a") - u : -Expr::symbol("b") + u;
+    const Expr local = Expr::call(side + "_local", {reach->terms, x});
+    const Expr pressure = Expr::call("p", {x});
+    const Expr error = Expr::call("abs", {Expr::number(1) - local / pressure});
+    const auto value = [&](const Expr& e) {
+        return enclosed_decimal(expand_definitions(e, claim.vocabulary), sample);
     };
-    const std::string terms = to_text(reach->terms);
-    const std::string local = side + "_local(" + terms + "," + x + ")";
     Evidence found;
     found.add("with", numbers_of(sample.scene))
         .add("distance", exact_text(at))
-        .add("of", base)
-        .add("terms", terms)
+        .add("of", to_text(reach->base))
+        .add("terms", to_text(reach->terms))
         .add("edge", side)
-        .add("approximation", enclosed_decimal(read(local), sample))
-        .add("pressure", enclosed_decimal(read("p(" + x + ")"), sample))
-        .add("error", enclosed_decimal(read("abs(1-" + local + "/p(" + x + "))"), sample))
+        .add("approximation", value(local))
+        .add("pressure", value(pressure))
+        .add("error", value(error))
         .add("tolerance", to_text(reach->tolerance))
         .add("printed_means",
              quoted > computed ? "at most the tolerance" : "more than the tolerance");

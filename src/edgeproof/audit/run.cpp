@@ -239,7 +239,7 @@ LaterFinding at_quoted_distance(const LaterResult& later, const Claim& claim,
 /// For a formula: compares its value at every sample with the printed later line.
 LaterFinding at_samples(const LaterResult& later, const Claim& claim, const AuditContext& context) {
     const bool formula = claim.find_written("says") != nullptr;
-    ClaimSamples samples(claim, context, formula ? 0 : 3);
+    const ClaimSamples samples(claim, context);
     const PrecisionScope scope(40);
     LaterFinding finding;
     finding.as_printed = true;

@@ -134,6 +134,12 @@ Expr substitute(const Expr& e, std::string_view name, const Expr& value) {
     return Substitution(name, value)(e);
 }
 
+std::optional<std::size_t> order_behind(std::string_view name, std::string_view stem) {
+    const bool fits = name.starts_with(stem) && name.size() == stem.size() + 1 &&
+                      name.back() >= '0' && name.back() <= '9';
+    return fits ? std::optional(static_cast<std::size_t>(name.back() - '0')) : std::nullopt;
+}
+
 std::vector<Path> paths(const Expr& e) {
     std::vector<Path> out;
     Path here;

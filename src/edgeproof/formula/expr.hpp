@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -126,6 +127,9 @@ template <class Predicate> [[nodiscard]] bool any_part(const Expr& e, const Pred
 /// Replaces every free `name` by `value`. Bound variables that would capture a name of `value` are
 /// renamed.
 [[nodiscard]] Expr substitute(const Expr& e, std::string_view name, const Expr& value);
+
+/// Returns k of a name such as P2 or right_c1: one digit after the stem.
+[[nodiscard]] std::optional<std::size_t> order_behind(std::string_view name, std::string_view stem);
 
 /// The path from the root of a tree to a node: the index of the child at each step.
 using Path = std::vector<std::size_t>;

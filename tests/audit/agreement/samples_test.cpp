@@ -77,7 +77,7 @@ TEST_CASE("an interrupted run stops comparing") {
         "small.toml");
     const Claim& claim = ledger.claims.front();
     const AuditContext context(ledger, 34);
-    ClaimSamples samples(claim, context);
+    const ClaimSamples samples(claim, context);
     const SampledComparison with{samples, claim.formula("of"), std::nullopt, 34};
     CHECK(Agreement(claim.formula("says"), with).worst().digits() > 29);
     request_interruption(2);

@@ -266,7 +266,7 @@ std::string Agreement::without_value() const {
                        pairs_.size(), why, others_agree ? "agrees" : "not decided");
 }
 
-Judgement Agreement::judge(const ExactFormula& /*printed*/, Outcome& outcome) const {
+Judgement Agreement::judge(Outcome& outcome) const {
     const Decision found = decide(outcome);
     if (const std::string none = without_value(); !none.empty() && !refutes(found)) {
         outcome.note = none;

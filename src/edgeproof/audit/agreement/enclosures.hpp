@@ -3,7 +3,6 @@
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 #include "edgeproof/audit/ledger/ledger.hpp"
-#include "edgeproof/audit/ledger/printed_formula.hpp"
 
 #include <array>
 #include <string_view>
@@ -14,7 +13,7 @@ namespace edgeproof::audit {
 /// compared with `scale`; if there is none, with the exact value; if that is zero, with the sum of
 /// the sizes of the terms.
 struct SampledComparison {
-    ClaimSamples& samples;
+    const ClaimSamples& samples;
     Expr exact;
     std::optional<Expr> scale;
     unsigned digits = 0;
@@ -58,8 +57,8 @@ public:
     /// difference that is proved; or why the balls do not decide. Adds the evidence `enclosures`.
     [[nodiscard]] Decision decide(Outcome& outcome) const;
     /// The same. Underspecified: the printed formula has no value at some sample, and differs at
-    /// none. The type shows that the decimals of the printed formula are exact.
-    [[nodiscard]] Judgement judge(const ExactFormula& printed, Outcome& outcome) const;
+    /// none. Only for a printed formula whose decimals are exact.
+    [[nodiscard]] Judgement judge(Outcome& outcome) const;
 
 private:
     [[nodiscard]] std::string without_value() const;

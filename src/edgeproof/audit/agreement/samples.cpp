@@ -4,7 +4,6 @@
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <set>
 
@@ -13,24 +12,6 @@ namespace {
 
 constexpr double all_digits = 1e6;
 constexpr unsigned condition_digits = 15;
-
-/// Returns a key with everything on which the samples depend.
-std::string sampling_key(const Claim& claim, std::size_t most) {
-    std::string key = fmt::format("samples/{}/{}/{}/{}", most, claim.text("over"),
-                                  claim.text_or("edge", "right"), claim.text_or("points", ""));
-    if (claim.has("where")) {
-        for (const Relation& r : claim.condition("where")) {
-            key += fmt::format("/{} {} {}", to_text(r.lhs), static_cast<int>(r.op), to_text(r.rhs));
-        }
-    }
-    if (claim.has("vary")) {
-        key += "/" + claim.id; // the drawn samples depend on the id
-        for (const auto& [name, values] : claim.table("vary")) {
-            key += fmt::format("/{} = {}", name, fmt::join(values, ", "));
-        }
-    }
-    return key;
-}
 
 } // namespace
 
@@ -42,22 +23,11 @@ bool is_admitted(const Claim& claim, const Sample& sample) {
     return confirms(decide(claim.condition("where"), in_balls, condition_digits));
 }
 
-std::shared_ptr<ClaimSamples> ClaimSamples::of(const Claim& claim, const AuditContext& context,
-                                               std::size_t most) {
-    return context.borrow<ClaimSamples>(sampling_key(claim, most), [&] {
-        return std::make_unique<ClaimSamples>(claim, context, most);
-    });
-}
-
-ClaimSamples::ClaimSamples(const Claim& claim, const AuditContext& context, std::size_t most) {
-    const std::vector<Sample> samples = context.samples(claim);
-    for (const std::size_t i : spread_first(samples.size(), most)) {
-        if (most != 0 && samples_.size() >= most) {
-            break;
-        }
+ClaimSamples::ClaimSamples(const Claim& claim, const AuditContext& context) {
+    for (Sample& sample : context.samples(claim)) {
         // A sample on the boundary of the condition does not decide and is left out.
-        if (is_admitted(claim, samples[i])) {
-            samples_.push_back(samples[i]);
+        if (is_admitted(claim, sample)) {
+            samples_.push_back(std::move(sample));
         } else {
             ++left_out_;
         }
@@ -73,7 +43,7 @@ std::size_t ClaimSamples::scenes() const {
 }
 
 const EnclosedSample& ClaimSamples::enclosed(std::size_t sample, long bits,
-                                             unsigned integral_digits) {
+                                             unsigned integral_digits) const {
     const std::tuple key(sample, bits, integral_digits);
     const auto it = enclosed_.find(key);
     return it != enclosed_.end()

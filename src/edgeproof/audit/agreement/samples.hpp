@@ -5,7 +5,6 @@
 #include "edgeproof/audit/sample/audit_context.hpp"
 
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -30,14 +29,11 @@ namespace edgeproof::audit {
 [[nodiscard]] std::optional<std::string> no_value_of(const Expr& e, const Sample& sample,
                                                      long bits);
 
-/// The samples of a claim that its `where` certainly admits; or `most` of them, spread evenly.
-/// Keeps their enclosures. Not thread-safe: one thread may use an object at a time.
+/// The samples of a claim that its `where` certainly admits. Keeps their enclosures. Not
+/// thread-safe: one thread may use an object at a time.
 class ClaimSamples {
 public:
-    /// Returns samples, shared by claims with the same sampling; made once for each run and thread.
-    [[nodiscard]] static std::shared_ptr<ClaimSamples>
-    of(const Claim& claim, const AuditContext& context, std::size_t most = 0);
-    ClaimSamples(const Claim& claim, const AuditContext& context, std::size_t most = 0);
+    ClaimSamples(const Claim& claim, const AuditContext& context);
 
     [[nodiscard]] const std::vector<Sample>& all() const noexcept { return samples_; }
     /// The number of samples that `where` does not certainly admit.
@@ -45,11 +41,11 @@ public:
     [[nodiscard]] std::size_t scenes() const;
     /// @param integral_digits as in EnclosedSample
     [[nodiscard]] const EnclosedSample& enclosed(std::size_t sample, long bits,
-                                                 unsigned integral_digits);
+                                                 unsigned integral_digits) const;
 
 private:
     std::vector<Sample> samples_;
-    std::map<std::tuple<std::size_t, long, unsigned>, EnclosedSample> enclosed_;
+    mutable std::map<std::tuple<std::size_t, long, unsigned>, EnclosedSample> enclosed_;
     std::size_t left_out_ = 0;
 };
 

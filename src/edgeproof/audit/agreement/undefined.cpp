@@ -49,12 +49,12 @@ public:
 private:
     [[nodiscard]] Found undefined_itself(const Expr& e) const {
         if (e.kind() == Kind::div) {
-            return zero(e.arg(1)) ? by_symbols("division by zero", e) : std::nullopt;
+            return zero(e.arg(1)) ? Found(inside("division by zero", e)) : std::nullopt;
         }
         if (e.kind() == Kind::pow) {
             const Rational* k = e.arg(1).rational();
             if (k != nullptr && *k < 0 && zero(e.arg(0))) {
-                return by_symbols("zero to a negative power", e);
+                return inside("zero to a negative power", e);
             }
             return k != nullptr && denominator(*k) != 1
                        ? beyond({e.arg(0)}, "a negative number to a power that is not an integer",
@@ -81,7 +81,7 @@ private:
         const std::string of = std::string(name_of(e.builtin())) + " of a number that is ";
         switch (e.builtin()) {
         case formula::Builtin::log:
-            return zero(x) ? by_symbols("log of zero", e) : beyond({x}, of + "negative", e);
+            return zero(x) ? Found(inside("log of zero", e)) : beyond({x}, of + "negative", e);
         case formula::Builtin::sqrt:
             return beyond({x}, of + "negative", e);
         case formula::Builtin::asin:
@@ -92,7 +92,7 @@ private:
             return beyond({x - one}, of + "less than 1", e);
         case formula::Builtin::gamma: {
             const Rational* k = x.rational();
-            return k != nullptr && denominator(*k) == 1 && *k <= 0 ? by_symbols(of + "a pole", e)
+            return k != nullptr && denominator(*k) == 1 && *k <= 0 ? Found(inside(of + "a pole", e))
                                                                    : std::nullopt;
         }
         default:
@@ -100,45 +100,12 @@ private:
         }
     }
 
-    static Found by_symbols(const std::string& what, const Expr& e) { return inside(what, e); }
-    /// True if e is zero for all values of its names.
+    /// True if e is zero for all values of its names, so that a quotient by it is undefined.
     [[nodiscard]] bool zero(const Expr& e) const {
-        if (const Rational* q = e.rational()) {
-            return *q == 0;
-        }
-        switch (e.kind()) {
-        case Kind::symbol:
-            if (is_higher_derivative_of_b(e.name()) && b_is_linear()) {
-                return true;
-            }
-            break;
-        case Kind::neg:
-        case Kind::div:
-            return zero(e.arg(0));
-        case Kind::mul:
-            return zero(e.arg(0)) || zero(e.arg(1));
-        case Kind::pow: {
-            const Rational* k = e.arg(1).rational();
-            return k != nullptr && *k > 0 && zero(e.arg(0));
-        }
-        case Kind::call:
-            if (e.builtin() == formula::Builtin::sqrt || e.builtin() == formula::Builtin::abs) {
-                return zero(e.arg(0));
-            }
-            break;
-        default:
-            break;
-        }
-        return surely_zero(e, profile_.symmetric());
-    }
-
-    /// True for b'', b''', ...
-    static bool is_higher_derivative_of_b(std::string_view name) {
-        return name.size() == 2 && name[0] == 'b' && name[1] >= '2' && name[1] <= '9';
-    }
-    /// True if b(a) is a multiple of a: for symmetric contacts and for wedges.
-    [[nodiscard]] bool b_is_linear() const {
-        return profile_.symmetric() || profile_.kind() == contact::Profile::Kind::tilted_wedge;
+        const bool wedge = profile_.kind() == contact::Profile::Kind::tilted_wedge;
+        return vanishes_where_defined(e, profile_.symmetric() ? EdgeLaw::symmetric
+                                         : wedge              ? EdgeLaw::linear
+                                                              : EdgeLaw::any);
     }
 
     /// Returns `what` if one of the margins is certainly negative.

@@ -40,10 +40,21 @@ Derivation derivation_of(const Claim& claim, const AuditContext& context) {
     return found;
 }
 
-/// Compares at the samples, with the `digits` of the context, or fewer.
-Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned digits,
-                       const Derivation& derivation) {
-    const FormulaComparison comparison(claim, context, digits);
+} // namespace
+
+Outcome check_compare(const Claim& claim, const AuditContext& context) {
+    if (claim.has("quoted")) {
+        for (const char* const key : {"says", "scale", "given"}) {
+            if (claim.has(key)) {
+                claim.reject(key,
+                             "a quoted number is compared by rounding, without " + std::string(key),
+                             "write says or quoted, not both");
+            }
+        }
+        return compare_figure(claim, context);
+    }
+    const Derivation derivation = derivation_of(claim, context);
+    const FormulaComparison comparison(claim, context);
     Outcome outcome;
     if (comparison.samples() == 0) {
         outcome.note = "no sample fulfils the condition";
@@ -72,39 +83,6 @@ Outcome compare_values(const Claim& claim, const AuditContext& context, unsigned
         diagnose(refuted, outcome);
     }
     return outcome;
-}
-
-/// True if a confirmed claim holds to all digits, at samples spread evenly over the others.
-bool holds_to_all_digits(const Claim& claim, const AuditContext& context, Evidence& evidence) {
-    Outcome more;
-    FormulaComparison(claim, context, context.digits(), ManyDigits::samples).judge(more);
-    evidence.add("all_digits", std::move(more.evidence));
-    return more.verdict == Verdict::confirmed;
-}
-
-} // namespace
-
-Outcome check_compare(const Claim& claim, const AuditContext& context) {
-    if (claim.has("quoted")) {
-        for (const char* const key : {"says", "scale", "given"}) {
-            if (claim.has(key)) {
-                claim.reject(key,
-                             "a quoted number is compared by rounding, without " + std::string(key),
-                             "write says or quoted, not both");
-            }
-        }
-        return compare_figure(claim, context);
-    }
-    const Derivation derivation = derivation_of(claim, context);
-    const bool integrals = has_binder(claim.formula("says")) || has_binder(claim.formula("of"));
-    if (integrals && context.digits() > ManyDigits::everywhere) {
-        Outcome outcome = compare_values(claim, context, ManyDigits::everywhere, derivation);
-        if (outcome.verdict == Verdict::refuted || is_rounded(outcome) ||
-            (holds(outcome.verdict) && holds_to_all_digits(claim, context, outcome.evidence))) {
-            return outcome;
-        }
-    }
-    return compare_values(claim, context, context.digits(), derivation);
 }
 
 } // namespace edgeproof::audit

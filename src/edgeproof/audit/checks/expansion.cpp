@@ -200,14 +200,14 @@ std::vector<std::string> fitted_slopes(const Sample& sample, const ExpansionComp
 }
 
 /// Judges a printed expansion with decimals: one equation for every coefficient at every sample.
-Judgement judge_with_decimals(const DecimalFormula& printed, const Expr& exact,
+Judgement judge_with_decimals(const PrintedFormula& printed, const Expr& exact,
                               const ExpansionIn& in, const SymbolicCase& under,
                               const std::vector<Sample>& samples, unsigned digits,
                               Outcome& outcome) {
     const unsigned fitted = std::min(digits, 100U);
     const long bits = formula::bits_for(2 * fitted + 30);
     std::vector<DecimalEquation> equations;
-    for (const auto& term : compare_expansions(printed.expr(), exact, in, under).terms) {
+    for (const auto& term : compare_expansions(printed.named, exact, in, under).terms) {
         for (const Sample& sample : samples) {
             const auto at = std::make_shared<EnclosedSample>(sample, bits);
             const Ball target = at->evaluate(term.derived);
@@ -264,9 +264,9 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
     outcome.wrong_coefficient = {power_text(variable, unequal->exponent), unequal->printed,
                                  unequal->derived};
     const PrintedFormula as_printed = printed_formula(claim);
-    if (const auto* with_decimals = std::get_if<DecimalFormula>(&as_printed)) {
-        outcome.verdict = judge_with_decimals(*with_decimals, exact, in, under, samples,
-                                              context.digits(), outcome);
+    if (!as_printed.is_exact()) {
+        outcome.verdict =
+            judge_with_decimals(as_printed, exact, in, under, samples, context.digits(), outcome);
         return outcome;
     }
     const ComparedTerms compared =

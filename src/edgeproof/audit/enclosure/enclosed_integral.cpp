@@ -37,7 +37,7 @@ public:
             std::swap(lo, hi);
             return -real_part(between(lo, hi));
         }
-        if (surely_zero(hi_ - lo_, around_.symmetric)) {
+        if (surely_zero(hi_ - lo_, around_.law)) {
             return Ball(0, around_.bits);
         }
         if (!certainly_less(lo.at, hi.at)) {
@@ -174,7 +174,7 @@ private:
             if (!overlaps(x.at, at)) {
                 return false;
             }
-            if (x.written == e || surely_zero(x.written - e, around_.symmetric)) {
+            if (x.written == e || surely_zero(x.written - e, around_.law)) {
                 return true;
             }
             throw BudgetError("places where an integrand changes that are not distinguished");
@@ -203,7 +203,7 @@ private:
         IntegrandMeaning m;
         m.constant = [this](const Expr& e) { return number(e); };
         m.rational = around_.rational;
-        m.surely_zero = [this](const Expr& e) { return surely_zero(e, around_.symmetric); };
+        m.surely_zero = [this](const Expr& e) { return surely_zero(e, around_.law); };
         m.written_out = [this, place, above](const Expr& e) {
             const bool size = is_size_of_slope(e);
             const Expr& f = size ? e.arg(0) : e;
@@ -374,8 +374,8 @@ private:
             !around_.contact->pressure_above(Expr::symbol(variable_))) {
             return std::nullopt;
         }
-        if (!surely_zero(highest_.written - Expr::symbol("a"), around_.symmetric) ||
-            !surely_zero(lowest_.written + Expr::symbol("b"), around_.symmetric)) {
+        if (!surely_zero(highest_.written - Expr::symbol("a"), around_.law) ||
+            !surely_zero(lowest_.written + Expr::symbol("b"), around_.law)) {
             return std::nullopt;
         }
         const long bits = around_.bits;

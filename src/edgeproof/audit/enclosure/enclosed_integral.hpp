@@ -12,6 +12,13 @@
 /// Properties of an integrand as it is written.
 namespace edgeproof::audit {
 
+/// What is known of the law b of the left edge in symbols, in addition to its inverse.
+enum class EdgeLaw {
+    any,
+    linear,   ///< b(s) is a multiple of s: b'' = 0
+    symmetric ///< b(s) = s
+};
+
 /// The context of an integral.
 struct IntegralSurroundings {
     /// Returns the value of a formula without the variable of the integral and without names of
@@ -20,7 +27,7 @@ struct IntegralSurroundings {
     /// Returns that value if it is a rational number.
     std::function<std::optional<Rational>(const Expr&)> rational;
     const ContactFormulas* contact = nullptr; ///< needed for functions of the contact
-    bool symmetric = false;                   ///< b(s) = s
+    EdgeLaw law = EdgeLaw::any;
     long bits = 0;
 };
 
@@ -69,10 +76,11 @@ struct IntegrandCut {
 [[nodiscard]] std::vector<IntegrandCut> integrand_cuts(const Expr& f, const std::string& variable,
                                                        const ContactFormulas& contact);
 
-/// True if e is proved to vanish for all values of its names, where b^{-1} is the inverse of the
-/// law b of the left edge, and b(y) = y, b = a for a symmetric contact. Applies to sums, products,
-/// quotients and integer powers of names, numbers and functions of the contact. False means that no
-/// proof was found.
-[[nodiscard]] bool surely_zero(const Expr& e, bool symmetric);
+/// True if e is proved to vanish for all values of its names, wherever it is defined (algebra/).
+/// False means that no proof was found.
+[[nodiscard]] bool vanishes_where_defined(const Expr& e, EdgeLaw law);
+/// The same, and e is defined where its parts are: for sums, products, quotients and integer powers
+/// of names, numbers and functions of the contact only.
+[[nodiscard]] bool surely_zero(const Expr& e, EdgeLaw law);
 
 } // namespace edgeproof::audit

@@ -7,8 +7,6 @@
 #include "edgeproof/precision/rounding/escalate.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
-#include <iterator>
-
 namespace edgeproof::audit {
 
 EnclosedSample::EnclosedSample(Sample sample, long bits, unsigned integral_digits)
@@ -37,20 +35,6 @@ Ball EnclosedSample::finite(const Expr& e) const {
         throw BudgetError("the balls do not exclude a point where it is undefined");
     }
     return value;
-}
-
-bool EnclosedSample::diverges(const Expr& node) const {
-    bool found = false;
-    try {
-        integral(
-            node, [&](std::string_view name) { return symbol(name); },
-            [&](const Expr& e, const IntegralSurroundings& around) {
-                found = certainly_divergent(e, around);
-            });
-    } catch (const Error&) {
-        return false; // no enclosure of the integrand
-    }
-    return found;
 }
 
 void EnclosedSample::set(const std::string& name, const Ball& value) {
@@ -269,13 +253,18 @@ namespace {
 /// The names that ContactFormulas use.
 constexpr const char* names_of_formulas[] = {"a", "b", "Q", "sig0"};
 
-/// A sample with other names. Its type does not grow with nested integrals.
-struct Renamed {
+} // namespace
+
+/// A sample with the constants of ContactFormulas.
+struct EnclosedSample::WithConstants {
     const EnclosedSample& sample;
-    const std::function<Ball(std::string_view)>& symbol_of;
+    const std::map<std::string, Ball, std::less<>>& constants;
     [[nodiscard]] Ball number(const Rational& q) const { return sample.number(q); }
     [[nodiscard]] Ball pi() const { return sample.pi(); }
-    [[nodiscard]] Ball symbol(std::string_view name) const { return symbol_of(name); }
+    [[nodiscard]] Ball symbol(std::string_view name) const {
+        const auto it = constants.find(name);
+        return it != constants.end() ? it->second : sample.symbol(name);
+    }
     [[nodiscard]] Ball call(const Expr& node, std::span<const Ball> args) const {
         return sample.call(node, args);
     }
@@ -284,34 +273,21 @@ struct Renamed {
     }
 };
 
-} // namespace
-
-void EnclosedSample::integral(const Expr& node,
-                              const std::function<Ball(std::string_view)>& symbol_of,
-                              const UseOfIntegral& use) const {
+template <class Use> auto EnclosedSample::in_surroundings(const Expr& node, const Use& use) const {
     if (slips() && holds_call(node, "q")) {
         throw Error("q of partial slip has no enclosure inside an integral");
     }
-    const bool renamed =
-        std::any_of(std::begin(names_of_formulas), std::end(names_of_formulas),
-                    [&](const char* name) {
-                        return sample_.variables.contains(name) || node.arg(1).name() == name;
-                    }) ||
-        sample_.scene.parameters.contains("b");
+    const bool renamed = std::ranges::any_of(names_of_formulas,
+                                             [&](const char* name) {
+                                                 return sample_.variables.contains(name) ||
+                                                        node.arg(1).name() == name;
+                                             }) ||
+                         sample_.scene.parameters.contains("b");
     std::optional<ContactFormulas> formulas;
     if (!renamed && holds_function(node)) {
         formulas.emplace(profile_, closed_form("an integral"),
                          ball_of(scene_->contact_modulus, bits_));
     }
-    const std::function<Ball(std::string_view)> with_formulas = [&](std::string_view name) {
-        if (formulas) {
-            const auto it = formulas->constants().find(name);
-            if (it != formulas->constants().end()) {
-                return it->second;
-            }
-        }
-        return symbol_of(name);
-    };
     // Limits such as k*a with k = 1 are compared with the edges by symbols.
     Expr with_values = node;
     for (const auto& [name, value] : sample_.variables) {
@@ -319,7 +295,8 @@ void EnclosedSample::integral(const Expr& node,
             with_values = substitute(with_values, name, value.expr());
         }
     }
-    const Renamed scope{*this, with_formulas};
+    static const std::map<std::string, Ball, std::less<>> none;
+    const WithConstants scope{*this, formulas ? formulas->constants() : none};
     IntegralSurroundings around;
     around.value = [&](const Expr& e) { return formula::evaluate<Ball>(e, scope); };
     around.rational = [&](const Expr& e) -> std::optional<Rational> {
@@ -327,9 +304,37 @@ void EnclosedSample::integral(const Expr& node,
         return exact && exact->is_rational() ? std::optional(exact->rational()) : std::nullopt;
     };
     around.contact = formulas ? &*formulas : nullptr;
-    around.symmetric = profile_.symmetric() && !renamed;
+    around.law = profile_.symmetric() && !renamed ? EdgeLaw::symmetric : EdgeLaw::any;
     around.bits = bits_;
-    use(with_values, around);
+    return use(with_values, around);
+}
+
+Ball EnclosedSample::integral(const Expr& node) const {
+    if (const auto known = integrals_.find(node); known != integrals_.end()) {
+        if (const auto* problem = std::get_if<std::exception_ptr>(&known->second)) {
+            std::rethrow_exception(*problem);
+        }
+        return std::get<Ball>(known->second);
+    }
+    try {
+        const Ball value =
+            in_surroundings(node, [&](const Expr& e, const IntegralSurroundings& around) {
+                return enclosed_integral(e, around, integral_digits_);
+            });
+        integrals_.emplace(node, value);
+        return value;
+    } catch (...) {
+        integrals_.emplace(node, std::current_exception());
+        throw;
+    }
+}
+
+bool EnclosedSample::diverges(const Expr& node) const {
+    try {
+        return in_surroundings(node, certainly_divergent);
+    } catch (const Error&) {
+        return false; // no enclosure of the integrand
+    }
 }
 
 std::optional<Exact> exact_value(Expr e, const Sample& sample) {

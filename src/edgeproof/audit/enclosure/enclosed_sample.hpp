@@ -12,9 +12,7 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
-#include <concepts>
 #include <exception>
-#include <functional>
 #include <memory>
 #include <set>
 #include <unordered_map>
@@ -22,16 +20,6 @@
 #include <vector>
 
 namespace edgeproof::audit {
-
-/// Returns k of a name such as P2 or right_c1: one digit after the stem.
-[[nodiscard]] inline std::optional<std::size_t> order_behind(std::string_view name,
-                                                             std::string_view stem) {
-    if (!name.starts_with(stem) || name.size() != stem.size() + 1 || name.back() < '0' ||
-        name.back() > '9') {
-        return std::nullopt;
-    }
-    return static_cast<std::size_t>(name.back() - '0');
-}
 
 /// Returns c_0 sqrt(u) + ... + c_{n-1} u^(n-1/2) by Horner's rule.
 [[nodiscard]] inline Ball sum_of_terms(std::span<const Ball> c, const Ball& u) {
@@ -90,34 +78,7 @@ public:
     [[nodiscard]] std::optional<Ball> elsewhere(const Expr& call) const;
 
     template <class Scope> [[nodiscard]] Ball binder(const Expr& node, const Scope& scope) const {
-        if (node.kind() == Expr::Kind::sum) {
-            return evaluate_sum<Ball>(node, scope);
-        }
-        const auto value = [&] {
-            Ball found;
-            integral(
-                node, [&](std::string_view name) { return Ball(scope.symbol(name)); },
-                [&](const Expr& e, const IntegralSurroundings& around) {
-                    found = enclosed_integral(e, around, integral_digits_);
-                });
-            return found;
-        };
-        if constexpr (!std::same_as<Scope, EnclosedSample>) {
-            return value(); // an integral inside another depends on more than its own text
-        } else {
-            const auto [known, added] = integrals_.try_emplace(node);
-            if (added) {
-                try {
-                    known->second = value();
-                } catch (...) {
-                    known->second = std::current_exception();
-                }
-            }
-            if (const auto* problem = std::get_if<std::exception_ptr>(&known->second)) {
-                std::rethrow_exception(*problem);
-            }
-            return std::get<Ball>(known->second);
-        }
+        return node.kind() == Expr::Kind::sum ? evaluate_sum<Ball>(node, scope) : integral(node);
     }
 
 private:
@@ -192,10 +153,11 @@ private:
                                               own_place ? std::nullopt : constant(written));
     }
 
-    /// Calls use(integral, surroundings) with the variables of the sample put in.
-    using UseOfIntegral = std::function<void(const Expr&, const IntegralSurroundings&)>;
-    void integral(const Expr& node, const std::function<Ball(std::string_view)>& symbol_of,
-                  const UseOfIntegral& use) const;
+    struct WithConstants;
+    /// Returns the value of an integral or principal value.
+    [[nodiscard]] Ball integral(const Expr& node) const;
+    /// Returns use(integral, surroundings), with the variables of the sample put in.
+    template <class Use> [[nodiscard]] auto in_surroundings(const Expr& node, const Use& use) const;
 
     /// Returns the exact value of e if it is a constant of the scene.
     [[nodiscard]] std::optional<Exact> constant(const Expr& e) const {

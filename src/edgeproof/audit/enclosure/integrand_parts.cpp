@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/algebra/identity.hpp"
+#include "edgeproof/algebra/form.hpp"
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
+#include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -115,62 +117,66 @@ std::vector<IntegrandCut> integrand_cuts(const Expr& f, const std::string& varia
 
 namespace {
 
-/// Returns y if the whole of e is equal to f(y) for an f(y) in e.
-std::optional<Expr> argument_if_all(const Expr& e, const std::string& f, const Expr& whole) {
-    if (e.kind() == Expr::Kind::call && e.name() == f &&
-        (e == whole || algebra::proved_zero(whole - e))) {
-        return e.arg(0);
-    }
-    for (const Expr& part : e.args()) {
-        if (auto y = argument_if_all(part, f, whole)) {
-            return y;
-        }
-    }
-    return std::nullopt;
-}
+using algebra::Form;
 
-/// Returns e with the known properties of b and its inverse put in; nothing if e contains a root, a
-/// binder or a built-in function, because some of their rules hold only for one sign.
-std::optional<Expr> as_rational_function(const Expr& e, bool symmetric) {
-    if (e.kind() == Kind::symbol && e.name() == "b" && symmetric) {
-        return Expr::symbol("a");
+/// The meaning of names and functions in a contact whose law b is known in part.
+struct KnownLaw {
+    EdgeLaw law;
+    [[nodiscard]] static Form number(const Rational& q) { return Form(q); }
+    [[nodiscard]] static Form pi() { return Form::pi(); }
+    [[nodiscard]] Form symbol(std::string_view name) const {
+        if (name == "b" && law == EdgeLaw::symmetric) {
+            return symbol("a");
+        }
+        const auto k = order_behind(name, "b");
+        return k && *k >= 2 && law != EdgeLaw::any ? Form() : Form::name(name, false);
     }
-    if (e.rational() != nullptr || e.kind() == Kind::symbol || e.kind() == Kind::pi) {
-        return e;
+    [[nodiscard]] Form call(const Expr& node, std::span<const Form> args) const {
+        const std::string& f = node.name();
+        if (f == "bof" || f == "binv") {
+            if (law == EdgeLaw::symmetric) {
+                return args[0];
+            }
+            if (auto y = args[0].argument_of(f == "bof" ? "binv" : "bof")) {
+                return *y;
+            }
+        }
+        return Form::call(f, args);
     }
-    if (e.is_binder() || (e.kind() == Kind::call && e.builtin() != formula::Builtin::none)) {
-        return std::nullopt;
+    template <class Scope> [[nodiscard]] Form binder(const Expr& node, const Scope&) const {
+        return Form::opaque(node);
+    }
+};
+
+/// True for quotients of polynomials in names and functions of the contact, which have a value
+/// wherever their parts have one, except for divisions by zero.
+bool is_rational_function(const Expr& e) {
+    constexpr long most_exponent = 64;
+    if (e.rational() != nullptr) {
+        return true;
     }
     if (e.kind() == Kind::pow) {
         const Rational* exponent = e.arg(1).rational();
-        if (exponent == nullptr || denominator(*exponent) != 1 || abs(*exponent) > 64) {
-            return std::nullopt;
+        if (exponent == nullptr || denominator(*exponent) != 1 || abs(*exponent) > most_exponent) {
+            return false;
         }
     }
-    std::vector<Expr> args;
-    for (const Expr& part : e.args()) {
-        auto rational = as_rational_function(part, symmetric);
-        if (!rational) {
-            return std::nullopt;
-        }
-        args.push_back(std::move(*rational));
-    }
-    if (e.kind() == Kind::call && (e.name() == "bof" || e.name() == "binv")) {
-        if (symmetric) {
-            return args[0];
-        }
-        if (auto y = argument_if_all(args[0], e.name() == "bof" ? "binv" : "bof", args[0])) {
-            return y;
-        }
-    }
-    return Expr::with_args(e, std::move(args));
+    return !e.is_binder() && (e.kind() != Kind::call || e.builtin() == formula::Builtin::none) &&
+           std::ranges::all_of(e.args(), is_rational_function);
 }
 
 } // namespace
 
-bool surely_zero(const Expr& e, bool symmetric) {
-    const auto rational = as_rational_function(e, symmetric);
-    return rational && algebra::proved_zero(*rational);
+bool vanishes_where_defined(const Expr& e, EdgeLaw law) {
+    try {
+        return formula::evaluate<Form>(e, KnownLaw{law}).is_zero();
+    } catch (const Error&) {
+        return false; // a division by zero, or too large
+    }
+}
+
+bool surely_zero(const Expr& e, EdgeLaw law) {
+    return is_rational_function(e) && vanishes_where_defined(e, law);
 }
 
 } // namespace edgeproof::audit

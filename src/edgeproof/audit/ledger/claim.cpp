@@ -101,7 +101,8 @@ std::string plain_formula(const std::string& text, const Vocabulary& vocabulary)
     return plain;
 }
 
-Condition parse_condition(std::string_view text, const Vocabulary& vocabulary) {
+Condition parse_condition(std::string_view text,
+                          const std::function<Expr(std::string_view)>& read_side) {
     Condition condition;
     constexpr std::string_view conjunction = " and ";
     while (true) {
@@ -119,7 +120,7 @@ Condition parse_condition(std::string_view text, const Vocabulary& vocabulary) {
                 ++i;
                 continue;
             }
-            sides.push_back(parse_formula(part.substr(from, i - from), vocabulary));
+            sides.push_back(read_side(part.substr(from, i - from)));
             ops.push_back(found->op);
             i += found->sign.size();
             from = i;
@@ -128,7 +129,7 @@ Condition parse_condition(std::string_view text, const Vocabulary& vocabulary) {
             throw formula::FormulaError("'" + std::string(part) + "' contains no comparison",
                                         "write a condition such as x > 0 and x < a", 0);
         }
-        sides.push_back(parse_formula(part.substr(from), vocabulary));
+        sides.push_back(read_side(part.substr(from)));
         for (std::size_t k = 0; k < ops.size(); ++k) {
             condition.push_back({sides[k], ops[k], sides[k + 1]});
         }
@@ -270,11 +271,9 @@ void Claim::read_formula_table(std::string_view key) {
 void Claim::read_condition(std::string_view key) {
     Parsed p;
     at_field(key, [&] {
-        p.condition = parse_condition(text(key), vocabulary);
-        for (Relation& r : p.condition) {
-            r.lhs = expand_definitions(r.lhs, vocabulary);
-            r.rhs = expand_definitions(r.rhs, vocabulary);
-        }
+        p.condition = parse_condition(text(key), [&](std::string_view side) {
+            return expand_definitions(parse_formula(side, vocabulary), vocabulary);
+        });
     });
     parsed_.insert_or_assign(std::string(key), std::move(p));
 }

@@ -20,6 +20,7 @@ namespace edgeproof::audit {
 using contact::Edge;
 using formula::Exact;
 using formula::Expr;
+using formula::order_behind;
 
 /// A field of a ledger: text, a list of texts, or a table of lists, and its line in the file.
 /// Integers are stored as text; floats of more than 15 significant digits must be quoted.
@@ -132,10 +133,12 @@ private:
 /// formula::plain_from_tex). Throws InputError.
 [[nodiscard]] std::string plain_formula(const std::string& text, const Vocabulary& vocabulary);
 
-/// Parse a text in a vocabulary. A dotted name ("right.c1") is one name, with an underscore instead
-/// of the dot. Throw FormulaError.
+/// Parses a text in a vocabulary. A dotted name ("right.c1") is one name, with an underscore
+/// instead of the dot. Throws FormulaError.
 [[nodiscard]] Expr parse_formula(std::string_view text, const Vocabulary& vocabulary);
-[[nodiscard]] Condition parse_condition(std::string_view text, const Vocabulary& vocabulary);
+/// Reads a condition, and each side of its relations by `read_side`. Throws FormulaError.
+[[nodiscard]] Condition parse_condition(std::string_view text,
+                                        const std::function<Expr(std::string_view)>& read_side);
 /// Returns the expression with all definitions put in. Throws InputError for circular definitions
 /// and for names that the vocabulary refuses.
 [[nodiscard]] Expr expand_definitions(const Expr& e, const Vocabulary& vocabulary);

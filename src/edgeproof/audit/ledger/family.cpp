@@ -72,15 +72,9 @@ std::vector<io::TomlTable> tables_of(const SceneSpec& spec) {
     if (!spec.geometry.empty()) {
         put(0, "geometry", spec.geometry);
     }
-    const auto put_list = [&](const char* key, const auto& list) {
+    const auto put_list = [&](const char* key, const std::vector<Expr>& list) {
         std::vector<std::string> texts;
-        for (const auto& item : list) {
-            if constexpr (std::same_as<std::decay_t<decltype(item)>, Exact>) {
-                texts.push_back(item.text());
-            } else {
-                texts.push_back(to_text(item));
-            }
-        }
+        std::ranges::transform(list, std::back_inserter(texts), formula::to_text);
         if (!texts.empty()) {
             put(0, key, std::move(texts));
         }
@@ -217,8 +211,6 @@ std::vector<SceneSpec> draw_scenes(const Family& family, const std::vector<Famil
             const std::size_t k = stratified_index(family.name + '/' + name, values.size(), i);
             chosen.emplace(name, values[k]);
         }
-        std::vector<Expr> others = family.knots;
-        others.insert(others.end(), family.slopes.begin(), family.slopes.end());
         SceneSpec scene;
         scene.family = family.name;
         scene.profile = family.profile;
@@ -227,18 +219,14 @@ std::vector<SceneSpec> draw_scenes(const Family& family, const std::vector<Famil
         for (const auto& [name, value] : parameters) {
             scene.parameters.emplace(name, Exact(value));
         }
-        for (Expr& e : others) {
-            e = put_in(parameters, e);
+        for (const Expr& knot : family.knots) {
+            scene.knots.push_back(put_in(parameters, knot));
+        }
+        for (const Expr& slope : family.slopes) {
+            scene.slopes.push_back(put_in(parameters, slope));
         }
         if (scene.slips()) {
             scene.parameters.try_emplace("sig0");
-        }
-        for (std::size_t k = 0; k < others.size(); ++k) {
-            if (k < family.knots.size()) {
-                scene.knots.emplace_back(others[k]);
-            } else {
-                scene.slopes.push_back(others[k]);
-            }
         }
         scenes.push_back(std::move(scene));
     }

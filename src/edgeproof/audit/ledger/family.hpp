@@ -30,7 +30,7 @@ struct SceneSpec {
     std::map<std::string, Exact, std::less<>> parameters;
     std::string geometry; ///< of the scene; may be empty
     /// For the profile "piecewise": slopes as functions of x between ascending knots.
-    std::vector<Exact> knots;
+    std::vector<Expr> knots;
     std::vector<Expr> slopes;
 
     [[nodiscard]] const Exact& parameter(std::string_view name) const;

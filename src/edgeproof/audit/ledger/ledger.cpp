@@ -297,6 +297,17 @@ const Family& Ledger::family(std::string_view wanted) const {
     return *it;
 }
 
+std::vector<const Family*> Ledger::members(const Family& of) const {
+    if (of.union_of.empty()) {
+        return {&of};
+    }
+    std::vector<const Family*> all;
+    for (const std::string& member : of.union_of) {
+        std::ranges::copy(members(family(member)), std::back_inserter(all));
+    }
+    return all;
+}
+
 Ledger parse_ledger(std::string_view text, const std::string& file, ClaimErrors errors) {
     return LedgerReader(text, file, errors).read();
 }

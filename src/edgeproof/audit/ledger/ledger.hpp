@@ -45,6 +45,8 @@ struct Ledger {
 
     /// Throws Error if there is no such family.
     [[nodiscard]] const Family& family(std::string_view wanted) const;
+    /// Returns the families of a union, which are no unions; of another family itself.
+    [[nodiscard]] std::vector<const Family*> members(const Family& family) const;
 };
 
 /// The treatment of an error in one claim: it is thrown, or it is stored in `errors` and the claim

@@ -198,20 +198,6 @@ void try_drawing(const Family& family, const std::string& file, const std::vecto
     }
 }
 
-namespace {
-
-/// Collects the family `name` and, for a union, its members.
-void collect_families(const Ledger& ledger, const std::string& name, std::set<std::string>& into) {
-    const auto it = std::ranges::find(ledger.families, name, &Family::name);
-    if (it != ledger.families.end() && into.insert(name).second) {
-        for (const std::string& member : it->union_of) {
-            collect_families(ledger, member, into);
-        }
-    }
-}
-
-} // namespace
-
 void collect_words(std::string_view text, std::set<std::string>& into) {
     const auto of_word = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
     for (auto it = text.begin(); it != text.end();) {
@@ -319,12 +305,10 @@ void refuse_unused_of(const Family& family, std::set<std::string> names, const s
 void refuse_unused_parameters(const Ledger& ledger) {
     std::map<std::string, std::set<std::string>> used;
     const auto add = [&](const Claim& claim, const std::set<std::string>& names) {
-        std::set<std::string> families;
         if (claim.has("over")) {
-            collect_families(ledger, claim.text("over"), families);
-        }
-        for (const std::string& family : families) {
-            used[family].insert(names.begin(), names.end());
+            for (const Family* family : ledger.members(ledger.family(claim.text("over")))) {
+                used[family->name].insert(names.begin(), names.end());
+            }
         }
     };
     for (const Claim& claim : ledger.claims) {

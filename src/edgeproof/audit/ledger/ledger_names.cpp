@@ -5,7 +5,7 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <ranges>
 #include <set>
 
 namespace edgeproof::audit {
@@ -13,19 +13,12 @@ namespace {
 
 /// Returns the parameter names of a family; for a union, those common to all members.
 std::set<std::string> parameters_of(const Ledger& ledger, const Family& family) {
+    const std::vector<const Family*> members = ledger.members(family);
     std::set<std::string> names;
-    if (family.union_of.empty()) {
-        for (const auto& [name, values] : family.parameters) {
+    for (const auto& [name, values] : members.front()->parameters) {
+        if (std::ranges::all_of(members, [&](const Family* f) { return f->has(name); })) {
             names.insert(name);
         }
-        return names;
-    }
-    for (std::size_t i = 0; i < family.union_of.size(); ++i) {
-        const std::set<std::string> of = parameters_of(ledger, ledger.family(family.union_of[i]));
-        if (i == 0) {
-            names = of;
-        }
-        std::erase_if(names, [&](const std::string& n) { return !of.contains(n); });
     }
     return names;
 }
@@ -43,24 +36,6 @@ formula::Symbols scene_names() {
     return symbols;
 }
 
-/// True if some scene of the family has friction, and if all scenes have it.
-struct Friction {
-    bool some = false;
-    bool all = true;
-};
-Friction friction_of(const Ledger& ledger, const Family& family) {
-    Friction friction;
-    if (family.union_of.empty()) {
-        friction.some = friction.all = family.has("friction");
-    }
-    for (const std::string& name : family.union_of) {
-        const Friction of = friction_of(ledger, ledger.family(name));
-        friction.some = friction.some || of.some;
-        friction.all = friction.all && of.all;
-    }
-    return friction;
-}
-
 /// Returns the name as it is written in ledgers: "right.s0".
 std::string dotted(std::string name) {
     if (name.starts_with("right_") || name.starts_with("left_")) {
@@ -69,81 +44,49 @@ std::string dotted(std::string name) {
     return name;
 }
 
-/// Refuses the names of full stick in a family with friction, and the names of slip in one without,
-/// unless the ledger defines them itself.
-void refuse_names(Vocabulary& v, const Friction& friction, const std::string& family) {
-    if (friction.some) {
-        for (const std::string& name : scene_symbols()) {
-            if (is_full_stick_symbol(name)) {
-                v.refused[name] = {dotted(name) + " is a coefficient of q under full stick, and " +
-                                       "family " + family + " has friction",
-                                   "use a family without friction, or write q(x), right.d, left.d, "
-                                   "stick_a, stick_b, which are those of partial slip"};
-            }
-        }
-    }
-    if (!friction.all) {
-        std::vector<std::string> names = slip_symbols();
-        names.emplace_back("slip");
-        for (const std::string& name : names) {
-            v.refused[name] = {
-                dotted(name) + " is a quantity of partial slip, and family " + family +
-                    " has no friction",
-                "add friction = [\"...\"] and Q = [\"...\"] to the parameters of the "
-                "family"};
-        }
-    }
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+    return std::ranges::find(names, name) != names.end();
 }
 
-/// Refuses the names of a plane contact with a slope that are not `known`, and the kinds of claim
-/// that use them.
-void refuse_others(Vocabulary& v, const Claim& claim, const std::string& family,
-                   const std::string& what, const std::string& instead,
-                   const std::function<bool(const std::string&)>& known) {
-    const std::set<std::string_view> kinds{"definition", "compare", "condition"};
-    if (!kinds.contains(claim.kind)) {
-        claim.reject("over",
-                     "family " + family + " is " + what + ", and claim " + claim.id +
-                         " is of kind " + claim.kind,
-                     "write kind = \"compare\" or \"condition\", or use another family");
-    }
-    const auto refuse = [&](const std::string& name) {
-        const bool of_all = name == "a" || name == "L" || name == "P" || name == "u" ||
-                            name == "x" || name == "p" || name == "given" || name == "next";
-        if (!of_all && !known(name)) {
-            v.refused[name] = {"'" + dotted(name) + "' is not available: family " + family +
-                                   " is " + what,
-                               instead};
-        }
-    };
-    std::ranges::for_each(scene_symbols(), refuse);
-    for (const auto& [name, arity] : scene_functions()) {
-        refuse(name);
-    }
-}
-
+/// Returns why a name of scenes has no meaning in the contacts of a family; nothing if it has one.
 /// For a body of revolution, P is the total force, delta the approach, and p(x) the pressure.
-void refuse_plane_names(Vocabulary& v, const Claim& claim, const std::string& family, bool slips) {
-    refuse_others(v, claim, family, "axisymmetric",
-                  "use a, Es, P (the total force), delta (the approach), u, x, p(x), gap(x) or "
-                  "right.c0, right.c1, ...; with friction also q(x), right.d and stick_a",
-                  [&](const std::string& name) {
-                      return name == "Es" || name == "gap" || (slips && name == "q") ||
-                             name.starts_with("right_c") || name.starts_with("left_c");
-                  });
-}
-
-/// The pressure of a flat punch is the traction of full stick under Q = P (SceneSpec::names()).
-void use_flat_punch(Vocabulary& v, const Claim& claim, const std::string& family,
-                    const std::set<std::string>& parameters) {
-    refuse_others(v, claim, family, "a flat punch",
-                  "use a, b, L, P, u, x, p(x), or right.s0, right.s1, ..., the coefficients of "
-                  "u^(-1/2), u^(1/2), ...",
-                  [&](const std::string& name) {
-                      return name == "b" || name == "q" || is_full_stick_symbol(name) ||
-                             parameters.contains(name);
-                  });
-    v.definitions.push_back({"p", "s", Expr::call("q", {Expr::symbol("s")})});
+std::optional<Vocabulary::Refusal> refusal_of(const std::string& name, const Family& family,
+                                              const std::vector<const Family*>& members) {
+    using Refusal = Vocabulary::Refusal;
+    const auto slips = [](const Family* f) { return f->has("friction"); };
+    const bool all_slip = std::ranges::all_of(members, slips);
+    const bool of_slip = std::ranges::find(slip_symbols(), name) != slip_symbols().end();
+    const bool of_all = of_slip || is_one_of(name, {"a", "L", "P", "u", "x", "p", "given", "next"});
+    const bool of_bodies_of_revolution = is_one_of(name, {"Es", "gap"}) ||
+                                         name.starts_with("right_c") ||
+                                         name.starts_with("left_c") || (all_slip && name == "q");
+    const bool of_stick = is_full_stick_symbol(name);
+    const bool of_punches = of_stick || is_one_of(name, {"b", "q"}) || family.has(name);
+    const std::string missing =
+        "'" + dotted(name) + "' is not available: family " + family.name + " is ";
+    if (family.axisymmetric() && !of_all && !of_bodies_of_revolution) {
+        return Refusal{missing + "axisymmetric",
+                       "use a, Es, P (the total force), delta (the approach), u, x, p(x), gap(x) "
+                       "or right.c0, right.c1, ...; with friction also q(x), right.d and stick_a"};
+    }
+    if (is_flat_punch(family.profile) && !of_all && !of_punches) {
+        return Refusal{missing + "a flat punch",
+                       "use a, b, L, P, u, x, p(x), or right.s0, right.s1, ..., the coefficients "
+                       "of u^(-1/2), u^(1/2), ..."};
+    }
+    if (of_stick && std::ranges::any_of(members, slips)) {
+        return Refusal{dotted(name) + " is a coefficient of q under full stick, and family " +
+                           family.name + " has friction",
+                       "use a family without friction, or write q(x), right.d, left.d, stick_a, "
+                       "stick_b, which are those of partial slip"};
+    }
+    if ((of_slip || name == "slip") && !all_slip) {
+        return Refusal{
+            dotted(name) + " is a quantity of partial slip, and family " + family.name +
+                " has no friction",
+            "add friction = [\"...\"] and Q = [\"...\"] to the parameters of the family"};
+    }
+    return {};
 }
 
 /// Splits "F(s)" into a function name and its argument; "gam" has no argument.
@@ -234,14 +177,29 @@ Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim) {
             add_name(v.symbols, name);
             parameters.insert(name);
         }
-        refuse_names(v, friction_of(ledger, *it), over);
+        const bool punch = is_flat_punch(it->profile);
+        if ((it->axisymmetric() || punch) &&
+            !is_one_of(claim.kind, {"definition", "compare", "condition"})) {
+            claim.reject("over",
+                         "family " + over + " is " + (punch ? "a flat punch" : "axisymmetric") +
+                             ", and claim " + claim.id + " is of kind " + claim.kind,
+                         "write kind = \"compare\" or \"condition\", or use another family");
+        }
         if (it->axisymmetric()) {
             add_name(v.symbols, "delta");
-            refuse_plane_names(v, claim, over, friction_of(ledger, *it).all);
         }
-        if (is_flat_punch(it->profile)) {
-            use_flat_punch(v, claim, over, parameters);
+        if (punch) { // the pressure is the traction of full stick under Q = P (SceneSpec::names())
+            v.definitions.push_back({"p", "s", Expr::call("q", {Expr::symbol("s")})});
         }
+        const std::vector<const Family*> members = ledger.members(*it);
+        const auto refuse = [&](const std::string& name) {
+            if (auto refusal = refusal_of(name, *it, members)) {
+                v.refused.emplace(name, *std::move(refusal));
+            }
+        };
+        const formula::Symbols of_scenes = scene_names();
+        std::ranges::for_each(of_scenes.variables(), refuse);
+        std::ranges::for_each(std::views::keys(of_scenes.functions()), refuse);
     }
     const auto add = [&](std::string_view key, const std::string& name) {
         try {

@@ -7,7 +7,6 @@
 
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace edgeproof::audit {
@@ -21,7 +20,7 @@ namespace edgeproof::audit {
 /// value - unit/2 ... value + unit/2.
 struct PrintedDecimal {
     std::string text;
-    std::size_t offset = 0; ///< in the formula's text
+    std::size_t offset = 0; ///< in the text
     Rational value;
     Rational unit; ///< one unit of its last place
 
@@ -33,59 +32,34 @@ struct PrintedDecimal {
     [[nodiscard]] std::string in_its_place(const Real& number) const;
 };
 
-/// Returns the numbers with a decimal point, in the order of the text: "0.418*sqrt(2*x)" has one.
-[[nodiscard]] std::vector<PrintedDecimal> printed_decimals(std::string_view formula);
+/// Returns the name that stands for the decimal of this index in PrintedFormula::named.
+[[nodiscard]] std::string name_of_decimal(std::size_t k);
 
-/// A printed formula in which every number is exact.
-class ExactFormula {
-public:
-    [[nodiscard]] const Expr& expr() const { return expr_; }
-    /// Makes one from a formula of the program, such as a correction, with definitions put in.
-    [[nodiscard]] static ExactFormula made(Expr e) { return ExactFormula(std::move(e)); }
+/// Returns a formula, which was read from `text`, with a name in place of each number with a
+/// decimal point (except zero), and adds these numbers to `decimals`, in the order of the text.
+[[nodiscard]] Expr with_names(Expr e, std::string_view text, std::vector<PrintedDecimal>& decimals);
 
-private:
-    friend class DecimalFormula;
-    explicit ExactFormula(Expr e) : expr_(std::move(e)) {}
-    Expr expr_;
-};
+/// A printed formula as a function of its decimals. A comparison with the decimals taken as exact
+/// may find where to look and may confirm the formula, but cannot refute it.
+struct PrintedFormula {
+    std::string text;
+    Expr as_printed; ///< with definitions put in
+    Expr named;      ///< the same with a name for each decimal
+    std::vector<PrintedDecimal> decimals;
 
-/// A printed formula with decimals, as a function of them. It cannot be converted to an
-/// ExactFormula: a comparison with the decimals taken as exact may find where to look and may
-/// confirm the formula, but cannot refute it.
-class DecimalFormula {
-public:
-    /// Returns the formula with definitions put in and with a name for each decimal.
-    [[nodiscard]] const Expr& expr() const { return expr_; }
-    /// Returns the same formula with the printed decimals.
-    [[nodiscard]] const Expr& as_printed() const { return as_printed_; }
-    [[nodiscard]] const std::vector<PrintedDecimal>& decimals() const { return decimals_; }
-    [[nodiscard]] static std::string name_of_decimal(std::size_t k);
+    [[nodiscard]] bool is_exact() const { return decimals.empty(); }
     /// Returns the printed text with other numbers for the decimals, rounded to the printed places.
     [[nodiscard]] std::string text_with(const std::vector<Real>& numbers) const;
-
-    /// Reads a text of a claim in the claim's vocabulary.
-    [[nodiscard]] static std::variant<ExactFormula, DecimalFormula> read(const Claim& claim,
-                                                                         const std::string& text);
-
-private:
-    DecimalFormula() = default;
-    std::string text_;
-    Expr expr_;
-    Expr as_printed_;
-    std::vector<PrintedDecimal> decimals_;
 };
+/// Returns `says` of a claim. With `decimals = "exact"` all its numbers are exact.
+[[nodiscard]] PrintedFormula printed_formula(const Claim& claim);
 
-using PrintedFormula = std::variant<ExactFormula, DecimalFormula>;
-
-/// Returns the printed formula of a field. With `decimals = "exact"` all numbers are exact.
-[[nodiscard]] PrintedFormula printed_formula(const Claim& claim, std::string_view key = "says");
-
-/// A printed condition and its decimals, which represent intervals.
+/// The same for a condition.
 struct PrintedCondition {
     Condition as_printed;
-    Condition named; ///< with a name for each decimal (DecimalFormula::name_of_decimal)
+    Condition named;
     std::vector<PrintedDecimal> decimals;
 };
-[[nodiscard]] PrintedCondition printed_condition(const Claim& claim, std::string_view key = "says");
+[[nodiscard]] PrintedCondition printed_condition(const Claim& claim);
 
 } // namespace edgeproof::audit

@@ -2,98 +2,78 @@
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/ledger/ledger_parts.hpp"
 #include "edgeproof/audit/relations/relations.hpp"
-#include "edgeproof/formula/expr.hpp"
+#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 namespace edgeproof::audit {
 namespace {
 
-bool is_one_name(const std::string& name) {
-    return name.find_first_of("+-*/^ ") == std::string::npos;
-}
-
-/// Returns the factors of a term without its numerical coefficient.
-std::string factors(const std::vector<unsigned>& exponents,
-                    const std::vector<RelatedQuantity>& quantities) {
-    std::string text;
-    // In reverse order of the quantities: 6*L*b1^2*left.c1.
+/// Returns a term as a product in reverse order of the quantities, such as 6*L*b1^2*left.c1. A
+/// minus is that of its first factor.
+Expr term_of(const Integer& coefficient, const std::vector<unsigned>& exponents,
+             const std::vector<RelatedQuantity>& quantities) {
+    std::vector<Expr> factors;
+    if (abs(coefficient) != 1 || std::ranges::count(exponents, 0U) == std::ssize(exponents)) {
+        factors.push_back(Expr::number(Rational(abs(coefficient))));
+    }
     for (std::size_t i = exponents.size(); i-- > 0;) {
-        if (exponents[i] == 0) {
-            continue;
-        }
         const std::string& name = quantities[i].name;
-        text += text.empty() ? "" : "*";
-        text += is_one_name(name) ? name : "(" + name + ")";
-        text += exponents[i] > 1 ? "^" + std::to_string(exponents[i]) : "";
+        const bool one_name = name.find_first_of("+-*/^ ") == std::string::npos;
+        const Expr symbol = Expr::symbol(one_name ? name : "(" + name + ")");
+        if (exponents[i] > 0) {
+            factors.push_back(exponents[i] == 1 ? symbol : pow(symbol, Expr::number(exponents[i])));
+        }
     }
-    return text;
+    const Expr first = coefficient < 0 ? -factors.front() : factors.front();
+    return std::accumulate(factors.begin() + 1, factors.end(), first, std::multiplies<>());
 }
 
-struct TermText {
-    Integer coefficient;
-    std::string factors;
-};
-
-std::string sum_text(const std::vector<TermText>& terms) {
-    std::string text;
-    for (const TermText& term : terms) {
-        const bool minus = term.coefficient < 0;
-        const Integer size = minus ? Integer(-term.coefficient) : term.coefficient;
-        text += text.empty() ? (minus ? "-" : "") : minus ? " - " : " + ";
-        if (term.factors.empty()) {
-            text += size.str();
-        } else {
-            text += size == 1 ? term.factors : size.str() + "*" + term.factors;
-        }
+Expr sum_of(const std::vector<PolynomialRelation::Term>& terms,
+            const std::vector<RelatedQuantity>& quantities) {
+    std::optional<Expr> sum;
+    for (const PolynomialRelation::Term& t : terms) {
+        const Expr size = term_of(abs(t.coefficient), t.exponents, quantities);
+        sum = !sum                ? term_of(t.coefficient, t.exponents, quantities)
+              : t.coefficient < 0 ? *sum - size
+                                  : *sum + size;
     }
-    return text;
+    return *sum;
 }
 
 } // namespace
 
 std::string relation_text(const PolynomialRelation& relation,
                           const std::vector<RelatedQuantity>& quantities) {
-    std::vector<TermText> terms;
-    for (const PolynomialRelation::Term& t : relation.terms) {
-        terms.push_back({t.coefficient, factors(t.exponents, quantities)});
-    }
-    return sum_text(terms) + " = 0";
+    return to_text(sum_of(relation.terms, quantities)) + " = 0";
 }
 
 std::optional<std::string> solved_text(const PolynomialRelation& relation,
                                        const std::vector<RelatedQuantity>& quantities,
                                        std::size_t quantity) {
-    std::vector<TermText> over;
-    std::vector<TermText> under;
-    for (const PolynomialRelation::Term& t : relation.terms) {
-        std::vector<unsigned> e = t.exponents;
-        if (e[quantity] > 1) {
+    std::vector<PolynomialRelation::Term> over;
+    std::vector<PolynomialRelation::Term> under;
+    for (PolynomialRelation::Term t : relation.terms) {
+        const unsigned power = std::exchange(t.exponents[quantity], 0);
+        if (power > 1) {
             return {};
         }
-        if (e[quantity] == 1) {
-            e[quantity] = 0;
-            under.push_back({t.coefficient, factors(e, quantities)});
-        } else {
-            over.push_back({-t.coefficient, factors(e, quantities)});
-        }
+        t.coefficient = power == 1 ? t.coefficient : Integer(-t.coefficient);
+        (power == 1 ? under : over).push_back(std::move(t));
     }
     if (under.empty() || over.empty()) {
         return {};
     }
-    std::string top = sum_text(over);
-    std::string bottom = sum_text(under);
-    if (over.size() > 1) {
-        top = "(" + top + ")";
-    }
-    if (under.size() > 1 || bottom.find('*') != std::string::npos) {
-        bottom = "(" + bottom + ")";
-    }
-    return quantities[quantity].name + " = " + top + (bottom == "1" ? "" : "/" + bottom);
+    const Expr top = sum_of(over, quantities);
+    const Expr bottom = sum_of(under, quantities);
+    return quantities[quantity].name + " = " +
+           to_text(bottom == Expr::number(1) ? top : top / bottom);
 }
 
 namespace {
@@ -171,81 +151,67 @@ AskedRelations asked_relations(const RelationQuestion& question) {
 
 namespace {
 
-ScalingWeights weights_of_name(const std::string& name) {
-    if (name == "a" || name == "b" || name == "L") {
-        return {0, 1, 0};
-    }
-    if (name == "P" || name == "M") {
-        return {1, name == "M" ? 1 : 0, 0};
-    }
-    if (name == "Q" || name == "sig0") {
-        return {0, name == "Q" ? 0 : -1, 1};
-    }
-    if (name.size() == 2 && name[1] >= '1' && name[1] <= '9') {
-        const int k = name[1] - '0';
-        if (name[0] == 'P') {
-            return {1, -k, 0};
-        }
-        if (name[0] == 'b') {
-            return {0, 1 - k, 0};
-        }
-    }
-    return {0, 0, 0};
-}
+/// The scaling of a formula, as a number type for formula::evaluate.
+struct Scaling {
+    ScalingWeights weights{};
 
-ScalingWeights times(ScalingWeights w, const Rational& q) {
-    for (Rational& x : w) {
-        x *= q;
+    friend Scaling operator-(const Scaling& x) { return x; }
+    friend Scaling operator+(const Scaling& x, const Scaling& y) {
+        // It is not necessary to know if a term is zero.
+        return x.weights == y.weights ? x : throw Error("terms that scale differently");
     }
-    return w;
-}
+    friend Scaling operator-(const Scaling& x, const Scaling& y) { return x + y; }
+    friend Scaling operator*(Scaling x, const Scaling& y) {
+        for (std::size_t i = 0; i < x.weights.size(); ++i) {
+            x.weights[i] += y.weights[i];
+        }
+        return x;
+    }
+    friend Scaling operator/(const Scaling& x, const Scaling& y) {
+        return x * pow(y, Rational(-1));
+    }
+    friend Scaling pow(Scaling x, const Rational& q) {
+        for (Rational& weight : x.weights) {
+            weight *= q;
+        }
+        return x;
+    }
+    friend Scaling pow(const Scaling&, const Scaling&) {
+        throw Error("a power that is not a number");
+    }
+    friend Scaling sqrt(const Scaling& x) { return pow(x, Rational(1, 2)); }
+};
 
-ScalingWeights plus(ScalingWeights w, const ScalingWeights& o, int sign) {
-    for (std::size_t i = 0; i < w.size(); ++i) {
-        w[i] += sign * o[i];
+struct ScalingOfNames {
+    [[nodiscard]] static Scaling number(const Rational&) { return {}; }
+    [[nodiscard]] static Scaling pi() { return {}; }
+    [[nodiscard]] static Scaling symbol(std::string_view name) {
+        if (name == "a" || name == "b" || name == "L") {
+            return {{0, 1, 0}};
+        }
+        if (name == "P" || name == "M") {
+            return {{1, name == "M" ? 1 : 0, 0}};
+        }
+        if (name == "Q" || name == "sig0") {
+            return {{0, name == "Q" ? 0 : -1, 1}};
+        }
+        if (const auto k = order_behind(name, "P")) {
+            return {{1, -static_cast<long>(*k), 0}};
+        }
+        const auto k = order_behind(name, "b");
+        return k ? Scaling{{0, 1 - static_cast<long>(*k), 0}} : Scaling();
     }
-    return w;
-}
+};
 
 } // namespace
 
 std::optional<ScalingWeights> scaling_weights(const Expr& e) {
-    using Kind = Expr::Kind;
-    if (e.rational() != nullptr || e.kind() == Kind::pi) {
-        return ScalingWeights{0, 0, 0};
-    }
-    if (e.kind() == Kind::symbol) {
-        return weights_of_name(e.name());
-    }
-    const auto first = e.args().empty() ? std::nullopt : scaling_weights(e.arg(0));
-    if (!first) {
+    try {
+        return formula::evaluate<Scaling>(e, ScalingOfNames()).weights;
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const Error&) {
         return {};
-    }
-    if (e.kind() == Kind::neg) {
-        return first;
-    }
-    if (e.kind() == Kind::call) {
-        return e.builtin() == formula::Builtin::sqrt ? std::optional(times(*first, Rational(1, 2)))
-                                                     : std::nullopt;
-    }
-    if (e.kind() == Kind::pow) {
-        const Rational* q = e.arg(1).rational();
-        return q != nullptr ? std::optional(times(*first, *q)) : std::nullopt;
-    }
-    if (e.is_binder()) {
-        return {};
-    }
-    const auto second = scaling_weights(e.arg(1));
-    if (!second) {
-        return {};
-    }
-    switch (e.kind()) {
-    case Kind::mul:
-        return plus(*first, *second, 1);
-    case Kind::div:
-        return plus(*first, *second, -1);
-    default: // a sum; it is not necessary to know if a part is zero
-        return *first == *second ? first : std::nullopt;
     }
 }
 

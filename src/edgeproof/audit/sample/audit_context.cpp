@@ -34,22 +34,6 @@ std::string Sample::text() const {
     return text;
 }
 
-std::shared_ptr<void> AuditContext::take(const std::string& key) const {
-    const std::lock_guard lock(lent_mutex_);
-    std::vector<std::shared_ptr<void>>& idle = idle_[key];
-    if (idle.empty()) {
-        return nullptr;
-    }
-    std::shared_ptr<void> object = std::move(idle.back());
-    idle.pop_back();
-    return object;
-}
-
-void AuditContext::give_back(const std::string& key, std::shared_ptr<void> object) const {
-    const std::lock_guard lock(lent_mutex_);
-    idle_[key].push_back(std::move(object));
-}
-
 std::vector<SceneSpec> AuditContext::scenes(const Claim& claim) const {
     return draw_scenes(ledger_.family(claim.text("over")), ledger_.families);
 }

@@ -6,11 +6,8 @@
 #include "edgeproof/audit/ledger/ledger.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 
-#include <atomic>
-#include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,13 +23,6 @@ struct Sample {
     std::map<std::string, Exact, std::less<>> variables;
     std::shared_ptr<const Sample> next = {}; ///< at the next value of a sweep, for next(f)
     [[nodiscard]] std::string text() const;
-};
-
-/// Quantities that need quadratures at every sample are checked to 100 digits at all samples; if
-/// more digits are requested, they are checked to these digits at some evenly spread samples.
-struct ManyDigits {
-    static constexpr unsigned everywhere = 100;
-    static constexpr std::size_t samples = 6;
 };
 
 /// Returns 0, 1, ..., n - 1 with `first` evenly spread indices, including both ends, before all
@@ -57,29 +47,9 @@ public:
     /// `vary`.
     [[nodiscard]] std::vector<Sample> samples(const Claim& claim) const;
 
-    /// Returns an object that is expensive to make and that only one thread may use at a time: a
-    /// kept one, or a new one. The context keeps it when the last pointer to it is destroyed, and
-    /// must outlive it.
-    template <class T>
-    [[nodiscard]] std::shared_ptr<T> borrow(const std::string& key,
-                                            const std::function<std::unique_ptr<T>()>& make) const {
-        std::shared_ptr<void> kept = take(key);
-        if (!kept) {
-            kept = std::shared_ptr<T>(make());
-        }
-        T* const object = static_cast<T*>(kept.get());
-        return {object, [this, key, kept = std::move(kept)](T*) mutable {
-                    give_back(key, std::move(kept));
-                }};
-    }
-
 private:
-    [[nodiscard]] std::shared_ptr<void> take(const std::string& key) const;
-    void give_back(const std::string& key, std::shared_ptr<void> object) const;
     const Ledger& ledger_;
     unsigned digits_;
-    mutable std::mutex lent_mutex_;
-    mutable std::map<std::string, std::vector<std::shared_ptr<void>>, std::less<>> idle_;
 };
 
 } // namespace edgeproof::audit

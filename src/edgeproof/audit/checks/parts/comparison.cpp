@@ -94,13 +94,8 @@ double away_from(const Sample& sample) {
 }
 constexpr std::size_t most_screening_samples = 4;
 
-bool symmetric_family(const Ledger& ledger, const Family& family) {
-    if (!family.union_of.empty()) {
-        return std::ranges::all_of(family.union_of, [&](const std::string& member) {
-            return symmetric_family(ledger, ledger.family(member));
-        });
-    }
-    return !family.profile.starts_with("tilted-") && family.profile != "piecewise";
+bool is_symmetric(const Family* family) {
+    return !family->profile.starts_with("tilted-") && family->profile != "piecewise";
 }
 
 } // namespace
@@ -129,9 +124,10 @@ void add_hypotheses(const Claim& claim, const std::function<std::string(const Ex
 
 SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context) {
     SymbolicCase under;
+    const Ledger& ledger = context.ledger();
     under.symmetric =
         claim.has("over") &&
-        symmetric_family(context.ledger(), context.ledger().family(claim.text("over")));
+        std::ranges::all_of(ledger.members(ledger.family(claim.text("over"))), is_symmetric);
     for (const auto& [name, formula] : named_formulas(claim, "given")) {
         if (name != "P" && name != "b") {
             claim.reject("given", "given contains " + name + ", from which nothing is derived",
@@ -191,17 +187,16 @@ bool Screening::operator()(const Expr& written) const {
     });
 }
 
-FormulaComparison::FormulaComparison(const Claim& claim, const AuditContext& context,
-                                     unsigned digits, std::size_t most)
+FormulaComparison::FormulaComparison(const Claim& claim, const AuditContext& context)
     : claim_(claim), printed_(printed_formula(claim)), exact_(claim.formula("of")),
       scale_(claim.has("scale") ? std::optional(claim.formula("scale")) : std::nullopt),
-      digits_(digits), samples_(ClaimSamples::of(claim, context, most)),
+      digits_(context.digits()), samples_(claim, context),
       agreement_(claim.formula("says"), with()) {}
 
 void FormulaComparison::report(Evidence& evidence) const {
-    evidence.add("samples", samples()).add("scenes", samples_->scenes());
-    if (samples_->left_out() > 0) {
-        evidence.add("samples_left_out", samples_->left_out());
+    evidence.add("samples", samples()).add("scenes", samples_.scenes());
+    if (samples_.left_out() > 0) {
+        evidence.add("samples_left_out", samples_.left_out());
     }
     if (samples() == 0) {
         return;
@@ -211,7 +206,7 @@ void FormulaComparison::report(Evidence& evidence) const {
     }
     const Pair& worst = agreement_.worst();
     evidence.add("digits", digits_text(std::min(worst.digits(), static_cast<double>(digits_))))
-        .add("worst_at", full_text(samples_->all()[worst.sample]));
+        .add("worst_at", full_text(samples_.all()[worst.sample]));
     if (!worst.printed) {
         evidence.add(worst.no_value ? "no_value" : "limit", worst.no_value.value_or(worst.problem));
         return;
@@ -225,10 +220,10 @@ void FormulaComparison::report(Evidence& evidence) const {
 }
 
 /// One equation for each sample. Undecided if a sample has no enclosure.
-Judgement FormulaComparison::by_decimals(const DecimalFormula& printed, Outcome& outcome) const {
+Judgement FormulaComparison::by_decimals(Outcome& outcome) const {
     const unsigned digits = std::min(digits_, most_fitted_digits);
     const long bits = formula::bits_for(2 * digits + 30);
-    const bool integrals = has_binder(printed.expr()) || has_binder(exact_);
+    const bool integrals = has_binder(printed_.named) || has_binder(exact_);
     const std::size_t most = std::min(samples(), integrals ? most_with_integrals : samples());
     std::vector<std::size_t> order = spread_first(samples(), most);
     order.resize(most);
@@ -236,15 +231,15 @@ Judgement FormulaComparison::by_decimals(const DecimalFormula& printed, Outcome&
         std::vector<DecimalEquation> equations;
         for (const std::size_t i : order) {
             const auto sample =
-                std::make_shared<EnclosedSample>(samples_->all()[i], bits, digits + 15);
+                std::make_shared<EnclosedSample>(samples_.all()[i], bits, digits + 15);
             const Ball exact = sample->evaluate(exact_);
-            equations.push_back(equation_at(sample, printed.expr(), exact,
+            equations.push_back(equation_at(sample, printed_.named, exact,
                                             scale_ ? abs(sample->evaluate(*scale_))
                                             : contains_zero(exact)
-                                                ? scale_of_terms(printed.as_printed(), *sample)
+                                                ? scale_of_terms(printed_.as_printed, *sample)
                                                 : abs(exact)));
         }
-        return judge_decimals(printed, equations, digits, bits, outcome);
+        return judge_decimals(printed_, equations, digits, bits, outcome);
     } catch (const Error& error) {
         outcome.note = std::string("no enclosure: ") + error.what();
         return {};
@@ -252,8 +247,8 @@ Judgement FormulaComparison::by_decimals(const DecimalFormula& printed, Outcome&
 }
 
 Judgement FormulaComparison::by_enclosures(Outcome& outcome) const {
-    if (const auto* exactly = std::get_if<ExactFormula>(&printed_)) {
-        return agreement_.judge(*exactly, outcome);
+    if (printed_.is_exact()) {
+        return agreement_.judge(outcome);
     }
     Outcome as_printed;
     const Decision found = agreement_.decide(as_printed);
@@ -262,7 +257,7 @@ Judgement FormulaComparison::by_enclosures(Outcome& outcome) const {
         outcome.note = as_printed.note;
         return Judgement(*holds);
     }
-    return by_decimals(std::get<DecimalFormula>(printed_), outcome);
+    return by_decimals(outcome);
 }
 
 void FormulaComparison::judge(Outcome& outcome) const {
@@ -272,7 +267,7 @@ void FormulaComparison::judge(Outcome& outcome) const {
 
 bool FormulaComparison::needs_correction(const Outcome& outcome) const {
     return (outcome.verdict == Verdict::refuted || outcome.verdict == Verdict::underspecified) &&
-           std::holds_alternative<ExactFormula>(printed_);
+           printed_.is_exact();
 }
 
 bool FormulaComparison::confirms(const Expr& made) const {
@@ -303,7 +298,7 @@ std::optional<Expr> FormulaComparison::ratio(Evidence& evidence) const {
         if (!pair.printed || contains_zero(*pair.exact)) {
             continue;
         }
-        const Sample& sample = samples_->all()[pair.sample];
+        const Sample& sample = samples_.all()[pair.sample];
         add(sample, EnclosedSample(sample, formula::bits_for(40)), *pair.printed / *pair.exact);
     }
     if (samples.empty()) {
@@ -312,7 +307,7 @@ std::optional<Expr> FormulaComparison::ratio(Evidence& evidence) const {
     const auto [least, most] = std::ranges::minmax_element(samples, {}, &RatioSample::ratio);
     evidence.add("ratio_range", std::vector<std::string>{value_text(least->ratio, 12),
                                                          value_text(most->ratio, 12)});
-    for (const Sample& other : other_contacts(samples_->all().front())) {
+    for (const Sample& other : other_contacts(samples_.all().front())) {
         try {
             const EnclosedSample contact(other, formula::bits_for(30));
             const Ball off = contact.evaluate(claim_.formula("says")) / contact.evaluate(exact_);
@@ -334,7 +329,7 @@ std::optional<Expr> FormulaComparison::ratio(Evidence& evidence) const {
 /// The textbook's formula for a cylinder (johnson1985, section 4.2), if the formula should equal
 /// a, P or the pressure, and all contacts are cylinders: what is printed may be that of a sphere.
 std::optional<Expr> FormulaComparison::of_cylinder() const {
-    const bool cylinders = std::ranges::all_of(samples_->all(), [](const Sample& sample) {
+    const bool cylinders = std::ranges::all_of(samples_.all(), [](const Sample& sample) {
         const SceneSpec& scene = sample.scene;
         const auto m = scene.parameters.find("m");
         return scene.profile == "power-law" && scene.geometry != "axisymmetric" &&
@@ -361,7 +356,7 @@ RefutedFormula FormulaComparison::refuted(Evidence& evidence) const {
     refuted.printed = claim_.written("says");
     refuted.exact = claim_.written("of");
     refuted.alphabet =
-        alphabet_for(claim_, refuted.printed, refuted.exact, &samples_->all().front().scene);
+        alphabet_for(claim_, refuted.printed, refuted.exact, &samples_.all().front().scene);
     refuted.ratio = ratio(evidence);
     refuted.derived = of_cylinder();
     return refuted;

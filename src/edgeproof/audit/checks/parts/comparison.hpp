@@ -3,6 +3,7 @@
 #include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/diagnosis/diagnosis.hpp"
+#include "edgeproof/audit/ledger/printed_formula.hpp"
 #include "edgeproof/audit/symbolic/symbolic.hpp"
 
 #include <functional>
@@ -45,11 +46,9 @@ private:
 /// is the reference for their difference.
 class FormulaComparison {
 public:
-    /// `most`: the number of samples; 0 for all.
-    FormulaComparison(const Claim& claim, const AuditContext& context, unsigned digits,
-                      std::size_t most = 0);
+    FormulaComparison(const Claim& claim, const AuditContext& context);
 
-    [[nodiscard]] std::size_t samples() const { return samples_->all().size(); }
+    [[nodiscard]] std::size_t samples() const { return samples_.all().size(); }
     /// Judges the printed formula by enclosures, and adds the note and the evidence: the digits,
     /// the samples, the worst sample and its enclosures. A printed formula with decimals is
     /// confirmed as it stands or with other numbers that round to them (then the evidence has
@@ -67,10 +66,10 @@ public:
     [[nodiscard]] RefutedFormula refuted(Evidence& evidence) const;
 
 private:
-    [[nodiscard]] SampledComparison with() const { return {*samples_, exact_, scale_, digits_}; }
+    [[nodiscard]] SampledComparison with() const { return {samples_, exact_, scale_, digits_}; }
     void report(Evidence& evidence) const;
     [[nodiscard]] Judgement by_enclosures(Outcome& outcome) const;
-    [[nodiscard]] Judgement by_decimals(const DecimalFormula& printed, Outcome& outcome) const;
+    [[nodiscard]] Judgement by_decimals(Outcome& outcome) const;
     [[nodiscard]] std::optional<Expr> ratio(Evidence& evidence) const;
     [[nodiscard]] std::optional<Expr> of_cylinder() const;
 
@@ -79,7 +78,7 @@ private:
     Expr exact_;
     std::optional<Expr> scale_;
     unsigned digits_;
-    std::shared_ptr<ClaimSamples> samples_;
+    ClaimSamples samples_;
     Agreement agreement_; ///< of the formula as it is printed
 };
 

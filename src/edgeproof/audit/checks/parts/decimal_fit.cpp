@@ -304,7 +304,7 @@ Described describe(const std::vector<PrintedDecimal>& decimals, const std::vecto
 
 void set_decimals(EnclosedSample& sample, const Decimals& numbers) {
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-        sample.set(DecimalFormula::name_of_decimal(k), numbers[k]);
+        sample.set(name_of_decimal(k), numbers[k]);
     }
 }
 
@@ -317,10 +317,10 @@ DecimalEquation equation_at(const std::shared_ptr<EnclosedSample>& sample, const
             std::move(exact), std::move(scale)};
 }
 
-Judgement judge_decimals(const DecimalFormula& printed,
+Judgement judge_decimals(const PrintedFormula& printed,
                          const std::vector<DecimalEquation>& equations, unsigned digits, long bits,
                          Outcome& outcome) {
-    const std::vector<PrintedDecimal>& decimals = printed.decimals();
+    const std::vector<PrintedDecimal>& decimals = printed.decimals;
     const std::size_t comparisons = equations.size();
     const DecimalFit fit(decimals, equations, AuditContext::digits_needed(digits), bits);
     if (const auto found = fit.find(rounding_units())) {

@@ -14,7 +14,7 @@ namespace edgeproof::audit {
 /// interval of half a unit in its last place.
 using Decimals = std::vector<Ball>;
 
-/// Gives a sample values for the names of the decimals (DecimalFormula::expr).
+/// Gives a sample values for the names of the decimals (name_of_decimal).
 void set_decimals(EnclosedSample& sample, const Decimals& numbers);
 
 /// One comparison that a printed formula with decimals must pass.
@@ -32,7 +32,7 @@ struct DecimalEquation {
 /// them are proved to satisfy all equations to D - 5 digits; refuted if it is proved that no such
 /// numbers do; imprecise if numbers at most one and a half units away do. Adds `rounded` to the
 /// evidence. `bits`: of the numbers.
-[[nodiscard]] Judgement judge_decimals(const DecimalFormula& printed,
+[[nodiscard]] Judgement judge_decimals(const PrintedFormula& printed,
                                        const std::vector<DecimalEquation>& equations,
                                        unsigned digits, long bits, Outcome& outcome);
 

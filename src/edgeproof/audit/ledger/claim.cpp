@@ -217,65 +217,75 @@ const Field::Table& Claim::table(std::string_view key) const {
     return value<Field::Table>(key, "table", "{ name = \"...\" }");
 }
 
-/// Calls read(), whose errors get the line of the field.
-template <class Read> void Claim::at_field(std::string_view key, const Read& read) const {
-    try {
-        read();
-    } catch (const InputError& error) {
-        reject(key, error.problem(), error.instead());
-    }
-}
-
-void Claim::read(std::string_view key, const std::vector<std::string>& texts) {
+void Claim::read(const KeySpec& key) {
+    using Type = KeySpec::Type;
+    const std::string_view name = key.name;
     Parsed p;
-    at_field(key, [&] {
-        for (const std::string& text : texts) {
-            p.written.push_back(parse_formula(text, vocabulary));
-            p.formulas.push_back(expand_definitions(p.written.back(), vocabulary));
+    const auto add = [&](const std::string& text) {
+        p.written.push_back(parse_formula(text, vocabulary));
+        p.formulas.push_back(expand_definitions(p.written.back(), vocabulary));
+    };
+    try {
+        switch (key.type) {
+        case Type::text:
+            static_cast<void>(text(name));
+            return;
+        case Type::integer:
+            static_cast<void>(integer(name));
+            return;
+        case Type::number:
+            static_cast<void>(Exact::parse(text(name)));
+            return;
+        case Type::list:
+            static_cast<void>(list(name));
+            return;
+        case Type::table:
+            static_cast<void>(table(name));
+            return;
+        case Type::choice:
+            if (const std::string& chosen = text(name);
+                std::ranges::find(key.choices, chosen) == key.choices.end()) {
+                reject(name, std::string(name) + " = \"" + chosen + "\" is not known",
+                       one_of(chosen, key.choices));
+            }
+            return;
+        case Type::formula: {
+            const std::string typed = text(name);
+            const std::string plain = plain_formula(typed, vocabulary);
+            add(plain);
+            if (plain != typed) {
+                fields.find(name)->second.value = plain;
+                typed_.insert_or_assign(std::string(name), typed);
+            }
+            break;
         }
-    });
-    parsed_.insert_or_assign(std::string(key), std::move(p));
-}
-
-void Claim::read_formula(std::string_view key) {
-    const std::string typed = text(key);
-    at_field(key, [&] {
-        const std::string plain = plain_formula(typed, vocabulary);
-        if (plain != typed) {
-            fields.find(key)->second.value = plain;
-            typed_.insert_or_assign(std::string(key), typed);
+        case Type::formulas:
+            std::ranges::for_each(list(name), add);
+            break;
+        case Type::formula_table:
+            for (const auto& [of, values] : table(name)) {
+                if (values.size() != 1) {
+                    reject(name, of + " has " + std::to_string(values.size()) + " formulas",
+                           "write " + std::string(name) + " = { \"" + of + "\" = \"...\" }");
+                }
+                add(values.front());
+            }
+            break;
+        case Type::condition:
+            p.condition = parse_condition(text(name), [&](std::string_view side) {
+                return expand_definitions(parse_formula(side, vocabulary), vocabulary);
+            });
+            break;
         }
-    });
-    read(key, {text(key)});
+    } catch (const InputError& error) {
+        reject(name, error.problem(), error.instead());
+    }
+    parsed_.insert_or_assign(std::string(name), std::move(p));
 }
 
 const std::string* Claim::typed(std::string_view key) const {
     const auto it = typed_.find(key);
     return it == typed_.end() ? nullptr : &it->second;
-}
-
-void Claim::read_formulas(std::string_view key) { read(key, list(key)); }
-
-void Claim::read_formula_table(std::string_view key) {
-    std::vector<std::string> texts;
-    for (const auto& [name, values] : table(key)) {
-        if (values.size() != 1) {
-            reject(key, name + " has " + std::to_string(values.size()) + " formulas",
-                   "write " + std::string(key) + " = { \"" + name + "\" = \"...\" }");
-        }
-        texts.push_back(values.front());
-    }
-    read(key, texts);
-}
-
-void Claim::read_condition(std::string_view key) {
-    Parsed p;
-    at_field(key, [&] {
-        p.condition = parse_condition(text(key), [&](std::string_view side) {
-            return expand_definitions(parse_formula(side, vocabulary), vocabulary);
-        });
-    });
-    parsed_.insert_or_assign(std::string(key), std::move(p));
 }
 
 const Claim::Parsed& Claim::parsed(std::string_view key) const {

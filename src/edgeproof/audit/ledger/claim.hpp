@@ -60,6 +60,8 @@ struct Relation {
 /// A conjunction of relations: "0 < x and x < a". "0 < x < a" is read as two relations.
 using Condition = std::vector<Relation>;
 
+struct KeySpec;
+
 /// One printed claim, as a row of the ledger gives it. Its formulas are parsed once, when the
 /// ledger is read.
 struct Claim {
@@ -99,15 +101,12 @@ struct Claim {
     [[nodiscard]] const Expr* find_written(std::string_view key) const;
 
     /// The text of a formula in the ledger if it is not the text that text() returns: LaTeX, or
-    /// products without `*`, which read_formula() replaces. nullptr otherwise.
+    /// products without `*`, which read() replaces. nullptr otherwise.
     [[nodiscard]] const std::string* typed(std::string_view key) const;
 
-    /// Parse a field in the vocabulary: a formula, a condition, a list of formulas, or a table of
-    /// formulas (stored in the table's order). Throw InputError at the field's line.
-    void read_formula(std::string_view key);
-    void read_condition(std::string_view key);
-    void read_formulas(std::string_view key);
-    void read_formula_table(std::string_view key);
+    /// Checks the field of a key and parses its formulas in the vocabulary. Throws InputError at
+    /// the field's line.
+    void read(const KeySpec& key);
 
     /// Throws `problem; instead` at the line of a field (of the claim, if it has no such field).
     [[noreturn]] void reject(std::string_view key, const std::string& problem,
@@ -122,8 +121,6 @@ private:
     template <class Value>
     [[nodiscard]] const Value& value(std::string_view key, const std::string& what,
                                      const std::string& example) const;
-    template <class Read> void at_field(std::string_view key, const Read& read) const;
-    void read(std::string_view key, const std::vector<std::string>& texts);
     [[nodiscard]] const Parsed& parsed(std::string_view key) const;
     std::map<std::string, Parsed, std::less<>> parsed_;
     std::map<std::string, std::string, std::less<>> typed_;

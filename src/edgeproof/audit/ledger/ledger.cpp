@@ -133,8 +133,7 @@ private:
         define("printed", from->written("says"));
         ledger_.later.push_back(
             {from->id, claim->id, table.text("words"),
-             expand_definitions(formula_at(table, "says", table.text("says")), vocabulary),
-             table.line()});
+             expand_definitions(formula_at(table, "says", table.text("says")), vocabulary)});
     }
 
     static std::string id_of(const io::TomlSection& table) {
@@ -231,53 +230,8 @@ private:
                     }
                     continue;
                 }
-                read_checked(claim, key);
+                claim.read(key);
             }
-        }
-    }
-
-    static void read_checked(Claim& claim, const KeySpec& key) {
-        using Type = KeySpec::Type;
-        switch (key.type) {
-        case Type::text:
-            static_cast<void>(claim.text(key.name));
-            break;
-        case Type::formula:
-            claim.read_formula(key.name);
-            break;
-        case Type::condition:
-            claim.read_condition(key.name);
-            break;
-        case Type::integer:
-            static_cast<void>(claim.integer(key.name));
-            break;
-        case Type::number:
-            try {
-                static_cast<void>(Exact::parse(claim.text(key.name)));
-            } catch (const formula::FormulaError& error) {
-                claim.reject(key.name, error.problem(), error.instead());
-            }
-            break;
-        case Type::list:
-            static_cast<void>(claim.list(key.name));
-            break;
-        case Type::formulas:
-            claim.read_formulas(key.name);
-            break;
-        case Type::formula_table:
-            claim.read_formula_table(key.name);
-            break;
-        case Type::table:
-            static_cast<void>(claim.table(key.name));
-            break;
-        case Type::choice: {
-            const std::string& text = claim.text(key.name);
-            if (std::ranges::find(key.choices, text) == key.choices.end()) {
-                claim.reject(key.name, std::string(key.name) + " = \"" + text + "\" is not known",
-                             one_of(text, Keys(key.choices.begin(), key.choices.end())));
-            }
-            break;
-        }
         }
     }
 

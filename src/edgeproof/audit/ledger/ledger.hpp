@@ -28,7 +28,6 @@ struct LaterResult {
     std::string claim; ///< the later claim
     std::string words; ///< a description: "the two-term error at the distance quoted"
     Expr says;         ///< the resulting later formula, with all definitions put in
-    std::size_t line = 0;
 };
 
 /// A file of printed claims and of the families of scenes at which they are checked.

@@ -86,11 +86,7 @@ private:
     std::size_t read_parameters() {
         const io::TomlSection parameters = table_.section("parameters");
         for (const std::string& name : parameters.keys()) {
-            try {
-                names_.add(name);
-            } catch (const InputError& error) {
-                throw error.at(file_, parameters.line(name));
-            }
+            io::at_place(file_, parameters.line(name), [&] { names_.add(name); });
             refuse_computed(parameters, name);
             family_.lines.emplace(name, parameters.line(name));
         }
@@ -153,11 +149,8 @@ private:
 
     [[nodiscard]] Expr formula(std::size_t line, const std::string& text,
                                const formula::Symbols& symbols) const {
-        try {
-            return parse(text, symbols);
-        } catch (const InputError& error) {
-            throw error.at(file_, line != 0 ? line : table_.line());
-        }
+        return io::at_place(file_, line != 0 ? line : table_.line(),
+                            [&] { return parse(text, symbols); });
     }
 
     const io::TomlSection& table_;
@@ -174,19 +167,17 @@ Family read_family(const io::TomlSection& table, const std::string& file,
 }
 
 void try_drawing(const Family& family, const std::string& file, const std::vector<Family>& all) {
-    std::vector<SceneSpec> scenes;
-    try {
-        scenes = draw_scenes(family, all);
-        for (const SceneSpec& scene : scenes) {
+    const std::vector<SceneSpec> scenes = io::at_place(file, family.line, [&] {
+        std::vector<SceneSpec> drawn = draw_scenes(family, all);
+        for (const SceneSpec& scene : drawn) {
             static_cast<void>(scene.as_scene());
             if (scene.flat_punch() && scene.parameter("P").sign() <= 0) {
                 throw InputError("P = " + scene.parameter("P").text() + " is not positive",
                                  "give P > 0");
             }
         }
-    } catch (const Error&) {
-        io::rethrow_at(file, family.line);
-    }
+        return drawn;
+    });
     if (!family.has("friction")) {
         return; // the members of a union are tried as families of their own
     }

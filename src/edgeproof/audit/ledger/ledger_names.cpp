@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/ledger.hpp"
 #include "edgeproof/audit/ledger/ledger_parts.hpp"
+#include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -111,14 +112,12 @@ Vocabulary::Definition definition(const std::string& key, const std::string& tex
                                   formula::Symbols symbols, const std::string& file,
                                   std::size_t line) {
     const auto [name, argument] = signature(key);
-    try {
+    return io::at_place(file, line, [&]() -> Vocabulary::Definition {
         if (argument && !symbols.has(*argument)) {
             symbols.add(*argument);
         }
         return {name, argument, parse_formula(text, {symbols, {}})};
-    } catch (const InputError& error) {
-        throw error.at(file, line);
-    }
+    });
 }
 
 /// Places the claim's own definitions before the ledger's definitions of the same names.
@@ -147,11 +146,7 @@ std::vector<Vocabulary::Definition> read_definitions(const Ledger& ledger,
         }
     }
     for (const std::string& key : table.keys()) {
-        try {
-            add_name(symbols, key);
-        } catch (const InputError& error) {
-            throw error.at(ledger.file, table.line(key));
-        }
+        io::at_place(ledger.file, table.line(key), [&] { add_name(symbols, key); });
     }
     std::vector<Vocabulary::Definition> all;
     for (const std::string& key : table.keys()) {

@@ -41,12 +41,6 @@ struct TexFault {
 /// fault.
 [[nodiscard]] std::string without_macros(std::string_view tex, const TexMacros& macros);
 
-/// True if `\name` is a command of LaTeX or amsmath for a formula or a line of text.
-[[nodiscard]] bool is_math_command(std::string_view name);
-/// The same for `\begin{name}`, and for a backslash followed by a sign.
-[[nodiscard]] bool is_math_environment(std::string_view name);
-[[nodiscard]] bool is_math_sign(char sign);
-
 /// The citation, numbering and notation of a ledger's source, used in reports. It has no effect on
 /// a verdict.
 struct PrintedSource {

@@ -325,7 +325,7 @@ struct Meanings {
     [[nodiscard]] static Form call(const Expr& e, std::span<const Form> args) {
         return Form::call(e.name(), args);
     }
-    template <class Scope> [[nodiscard]] Form binder(const Expr& e, const Scope&) const {
+    [[nodiscard]] Form binder(const Expr& e) const {
         Expr with_meanings = e;
         for (const std::string& name : free_symbols(e)) {
             if (const Expr m = meaning(name).expr(); !(m == Expr::symbol(name))) {

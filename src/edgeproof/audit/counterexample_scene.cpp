@@ -58,12 +58,12 @@ Evidence numbers_of(const SceneSpec& scene) {
 
 /// Returns a formula's value, rounded from its enclosure; empty if there is no enclosure.
 std::string enclosed_decimal(const Expr& e, const Sample& sample) {
-    const Enclosed value = enclosed(e, sample, proving_digits);
-    if (!value.ball) {
+    const std::optional<Ball> value = enclosed(e, sample, proving_digits);
+    if (!value) {
         return "";
     }
-    std::string text = round_ball(*value.ball, shown_digits).text;
-    return text.empty() && value.ball->is_finite() && algebra::proved_zero(e) ? "0" : text;
+    std::string text = round_ball(*value, shown_digits).text;
+    return text.empty() && value->is_finite() && algebra::proved_zero(e) ? "0" : text;
 }
 
 Sample simplest_sample(const Claim& claim, const AuditContext& context) {
@@ -74,13 +74,6 @@ Sample simplest_sample(const Claim& claim, const AuditContext& context) {
     Sample sample = samples.front();
     sample.scene = simplest_scene(sample.scene, context.ledger().family(sample.scene.family));
     return sample;
-}
-
-/// Reads "46 %" or "0.03" as a number.
-Rational quoted_number(const std::string& text) {
-    const std::size_t percent = text.find(" %");
-    const Rational number = parse_decimal(text.substr(0, percent));
-    return percent == std::string::npos ? number : Rational(number / 100);
 }
 
 /// Returns the decimal with the fewest places that lies well between the two numbers.
@@ -101,6 +94,12 @@ Rational short_decimal_between(const Rational& x, const Rational& y) {
 }
 
 } // namespace
+
+Rational quoted_number(const std::string& text) {
+    const std::size_t percent = text.find(" %");
+    const Rational number = parse_decimal(text.substr(0, percent));
+    return percent == std::string::npos ? number : Rational(number / 100);
+}
 
 std::optional<QuotedReach> quoted_reach(const Claim& claim) {
     if (!claim.has("quoted") || !claim.has("of") || claim.formula("of").kind() != Expr::Kind::div) {

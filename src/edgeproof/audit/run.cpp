@@ -226,9 +226,8 @@ const Claim& plain(const Claim& claim) {
 LaterFinding at_quoted_distance(const LaterResult& later, const Claim& claim,
                                 const QuotedReach& reach, const AuditContext& context) {
     EnclosedSample at({context.scenes(claim).front(), std::nullopt, claim.edge(), {}}, later_bits);
-    const std::string& quoted = claim.text("quoted");
-    const Rational share = parse_decimal(quoted.substr(0, quoted.find(" %")));
-    at.set_place(claim.edge(), at.evaluate(reach.base) * Ball(share / 100, later_bits));
+    const Ball share(quoted_number(claim.text("quoted")), later_bits);
+    at.set_place(claim.edge(), at.evaluate(reach.base) * share);
     const PrecisionScope scope(2 * result_digits);
     const Real error = at.finite(later.says).midpoint();
     const Real tolerance = Exact(reach.tolerance).to<Real>();
@@ -286,31 +285,23 @@ LaterFinding at_samples(const LaterResult& later, const Claim& claim, const Audi
     return finding;
 }
 
-void note_as_if(const std::string& id, const Evidence& evidence, const AuditResult& result,
-                std::map<std::string, std::vector<EvidenceItem>>& found) {
-    for (const auto& [key, item] : evidence.entries()) {
-        const auto* nested = std::get_if<Evidence>(&item.value());
-        if (nested == nullptr) {
-            continue;
-        }
-        if (key != "as_if") {
-            note_as_if(id, *nested, result, found);
-            continue;
-        }
-        for (const auto& [words, outcome] : nested->entries()) {
-            for (const ClaimResult& earlier : result.claims) {
-                const std::string row = earlier.claim.id.substr(0, earlier.claim.id.find('.'));
-                if (holds(earlier.outcome.verdict) || earlier.claim.id == id ||
-                    words.find(row) == std::string::npos) {
-                    continue;
-                }
-                Evidence one;
-                one.add("claim", id)
-                    .add("what", words)
-                    .add("comes_to", outcome.text())
-                    .add("as_printed", outcome.text() == "gives the printed line");
-                found[earlier.claim.id].emplace_back(std::move(one));
+using LaterResults = std::map<std::string, std::vector<EvidenceItem>>;
+
+void note_as_if(const std::string& id, const Outcome& outcome, const AuditResult& result,
+                LaterResults& found) {
+    for (const Hypothesis& hypothesis : outcome.as_if) {
+        for (const ClaimResult& earlier : result.claims) {
+            const std::string row = earlier.claim.id.substr(0, earlier.claim.id.find('.'));
+            if (holds(earlier.outcome.verdict) || earlier.claim.id == id ||
+                hypothesis.words.find(row) == std::string::npos) {
+                continue;
             }
+            Evidence one;
+            one.add("claim", id)
+                .add("what", hypothesis.words)
+                .add("comes_to", hypothesis.text())
+                .add("as_printed", hypothesis.gives_the_line);
+            found[earlier.claim.id].emplace_back(std::move(one));
         }
     }
 }
@@ -318,7 +309,7 @@ void note_as_if(const std::string& id, const Evidence& evidence, const AuditResu
 } // namespace
 
 void add_later_results(AuditResult& result, const AuditContext& context) {
-    std::map<std::string, std::vector<EvidenceItem>> found;
+    LaterResults found;
     const auto claim_of = [&](const std::string& id) -> ClaimResult* {
         const auto it =
             std::ranges::find(result.claims, id, [](const auto& r) { return r.claim.id; });
@@ -345,7 +336,10 @@ void add_later_results(AuditResult& result, const AuditContext& context) {
         found[later.from].emplace_back(std::move(one));
     }
     for (const ClaimResult& r : result.claims) {
-        note_as_if(r.claim.id, r.outcome.evidence, result, found);
+        note_as_if(r.claim.id, r.outcome, result, found);
+        for (const auto& [words, outcome] : r.readings) {
+            note_as_if(r.claim.id, outcome, result, found);
+        }
     }
     for (auto& [id, list] : found) {
         if (ClaimResult* of = claim_of(id)) {

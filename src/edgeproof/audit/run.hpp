@@ -63,6 +63,9 @@ struct QuotedReach {
 };
 [[nodiscard]] std::optional<QuotedReach> quoted_reach(const Claim& claim);
 
+/// Reads "46 %" or "0.03" as a number.
+[[nodiscard]] Rational quoted_number(const std::string& text);
+
 /// Returns a measure of the effort to calculate with a number by hand.
 [[nodiscard]] double effort_of(const Rational& value);
 

@@ -9,6 +9,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <random>
 #include <string>
 #include <vector>
@@ -30,9 +31,9 @@ Program program_of(const Expr& e, const std::vector<std::string>& names) {
 }
 
 /// The operation of a step, with the operands 0, 1, ... as names.
-Expr operation(const Program::Step& step) {
+Expr operation(const Program::Part& step) {
     std::vector<Expr> x;
-    for (std::size_t i = 0; i < step.count; ++i) {
+    for (std::size_t i = 0; i < step.operands.size(); ++i) {
         x.push_back(Expr::symbol(std::to_string(i)));
     }
     switch (step.kind) {
@@ -55,17 +56,16 @@ Expr operation(const Program::Step& step) {
 
 template <class Values> Ball run(const Program& program, const Values& values) {
     std::vector<Ball> slots;
-    for (const auto& list : {program.inputs(), program.constants()}) {
-        for (const Expr& e : list) {
-            slots.push_back(evaluate<Ball>(e, values));
+    for (const Program::Part& part : program.parts()) {
+        if (!part.is_operation()) {
+            slots.push_back(evaluate<Ball>(part.source, values));
+            continue;
         }
-    }
-    for (const Program::Step& step : program.steps()) {
         test::BallValues operands{{values.bits}};
-        for (std::size_t i = 0; i < step.count; ++i) {
-            operands.values[std::to_string(i)] = slots[program.operands()[step.first + i]];
+        for (std::size_t i = 0; i < part.operands.size(); ++i) {
+            operands.values[std::to_string(i)] = slots[part.operands[i]];
         }
-        slots.push_back(evaluate<Ball>(operation(step), operands));
+        slots.push_back(evaluate<Ball>(operation(part), operands));
     }
     return slots[program.result()];
 }
@@ -93,7 +93,8 @@ TEST_CASE("random expressions: a program gives what evaluation gives") {
 
 TEST_CASE("equal parts are computed once, constant parts beforehand") {
     const auto steps = [](const char* text) {
-        return program_of(parse(text, program_symbols), {"x", "y"}).steps().size();
+        return std::ranges::count_if(program_of(parse(text, program_symbols), {"x", "y"}).parts(),
+                                     &Program::Part::is_operation);
     };
     CHECK(steps("x") == 0);
     CHECK(steps("2*Pi/sqrt(3)") == 0);
@@ -102,7 +103,8 @@ TEST_CASE("equal parts are computed once, constant parts beforehand") {
     CHECK(steps("(x + sqrt(2)/3)*(x + sqrt(2)/3)") == 2);
     CHECK(steps("sum(x^k, k, 0, 3)") == 4 + 3);
     const Program program = program_of(parse("x*(sqrt(2)/3) + sqrt(2)/3", program_symbols), {"x"});
-    CHECK(program.constants() == std::vector<Expr>{parse("sqrt(2)/3")});
+    REQUIRE(program.parts().size() == 4);
+    CHECK(program.parts()[1].source == parse("sqrt(2)/3"));
 }
 
 TEST_CASE("parts that are given, and parts that are written out") {
@@ -127,12 +129,12 @@ TEST_CASE("parts that are given, and parts that are written out") {
     const Negative values{{{200}, {{"x", Ball(4, 200)}, {"y", Ball(7, 200)}}}};
     CHECK(contains(run(program, values), Real(50 + 0.5 - 7)));
     // The source of a step is the part as it is written.
-    CHECK(program.steps().back().source == parse("f(x + 1) + b(x) + f(y)", symbols));
+    CHECK(program.parts().back().source == parse("f(x + 1) + b(x) + f(y)", symbols));
     // A factor that is the number 0 removes the other factor.
     for (const char* zero : {"0*log(x)", "log(x)*(1 - 1)", "-(0*x)", "0/x", "f(0*x)"}) {
         CAPTURE(zero);
         const Program none = compiled(zero);
-        CHECK(none.result() == 2);
+        CHECK(none.parts()[none.result()].role == Program::Part::Role::constant);
         CHECK(run(none, values).is_exact());
         CHECK(contains_zero(run(none, values)));
     }

@@ -294,12 +294,4 @@ Evidence pair_evidence(const std::string& at, std::string_view first_name, const
         .add("disjoint", disjoint(first, second));
 }
 
-Evidence pair_evidence(const std::string& at, std::string_view first_name, const Enclosed& first,
-                       std::string_view second_name, const Enclosed& second, unsigned digits) {
-    if (!first.ball || !second.ball) {
-        return Evidence().add("none", first.ball ? second.problem : first.problem);
-    }
-    return pair_evidence(at, first_name, *first.ball, second_name, *second.ball, digits);
-}
-
 } // namespace edgeproof::audit

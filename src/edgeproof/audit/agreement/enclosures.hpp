@@ -78,11 +78,6 @@ private:
 [[nodiscard]] Evidence pair_evidence(const std::string& at, std::string_view first_name,
                                      const Ball& first, std::string_view second_name,
                                      const Ball& second, unsigned digits);
-/// The same; or the reason why there is no enclosure.
-[[nodiscard]] Evidence pair_evidence(const std::string& at, std::string_view first_name,
-                                     const Enclosed& first, std::string_view second_name,
-                                     const Enclosed& second, unsigned digits);
-
 /// The evidence of a verdict.
 enum class Basis {
     theorem,    ///< theorems that Coq checked and that state the whole verdict

@@ -76,7 +76,7 @@ Outcome check_compare(const Claim& claim, const AuditContext& context) {
         if (derivation.exact) {
             refuted.derived = derivation.exact;
         }
-        refuted.passes_screening = Screening(claim, context);
+        refuted.passes_screening = screening(claim, context);
         refuted.is_right = [&](const Expr& e) {
             return comparison.confirms(expand_definitions(e, claim.vocabulary));
         };

@@ -69,15 +69,16 @@ RelationInScene everywhere(const ConditionInScene& condition, const Real& neares
     RelationInScene result;
     const MarginScan scan(condition, nearest);
     result.places = scan.places().size();
-    if (const Margin* least = scan.least()) {
-        result.decisive = *least;
-        std::size_t enclosed = 0;
-        result.decision = all_of(condition, scan.places(), enclosed);
-        if (confirms(result.decision)) {
-            result.places = enclosed;
-            if (scan.nearly_changes(true)) {
-                result.decision = {};
-            }
+    if (result.places == 0) {
+        return result;
+    }
+    result.decisive = *std::ranges::min_element(scan.places(), {}, &Margin::value);
+    std::size_t enclosed = 0;
+    result.decision = all_of(condition, scan.places(), enclosed);
+    if (confirms(result.decision)) {
+        result.places = enclosed;
+        if (scan.nearly_changes(true)) {
+            result.decision = {};
         }
     }
     return result;
@@ -101,17 +102,15 @@ RelationInScene somewhere(const ConditionInScene& condition, const Real& nearest
     RelationInScene result;
     const MarginScan scan(condition, nearest);
     result.places = scan.places().size();
-    if (const Margin* most = scan.most()) {
-        result.decisive = *most;
-        const bool holds = most->clear && most->value > 0;
-        if (holds) {
-            result.decision = condition.decide_at(&most->fraction).value_or(Decision());
-        } else if (!scan.nearly_changes(false)) {
-            result.decision = fails_at_all(condition, scan.places());
-        }
-        if (refutes(result.decision) && holds) {
-            result.decision = {};
-        }
+    if (result.places == 0) {
+        return result;
+    }
+    result.decisive = *std::ranges::max_element(scan.places(), {}, &Margin::value);
+    if (result.decisive->clear && result.decisive->value > 0) {
+        const auto there = condition.decide_at(&result.decisive->fraction);
+        result.decision = there && confirms(*there) ? *there : Decision();
+    } else if (!scan.nearly_changes(false)) {
+        result.decision = fails_at_all(condition, scan.places());
     }
     return result;
 }
@@ -256,18 +255,17 @@ Outcome summed_up(const std::vector<RelationInScene>& found, const std::string& 
 void add_failure(const Claim& claim, const Sample& sample, unsigned digits, Outcome& outcome) {
     constexpr unsigned digits_shown = 6;
     for (const Relation& r : claim.condition("says")) {
-        const Enclosed left = enclosed(r.lhs, sample, digits);
-        const Enclosed right = enclosed(r.rhs, sample, digits);
+        const std::optional<Ball> left = enclosed(r.lhs, sample, digits);
+        const std::optional<Ball> right = enclosed(r.rhs, sample, digits);
         SampleInBalls in_balls(sample, digits);
-        if (!left.ball || !right.ball ||
+        if (!left || !right ||
             !refutes(decide({r}, in_balls, AuditContext::digits_needed(digits)))) {
             continue;
         }
-        outcome.evidence.add("enclosures", pair_evidence(full_text(sample), "left_side", left,
-                                                         "right_side", right, digits));
-        outcome.note +=
-            ", where the left side is " + to_decimal(left.ball->midpoint(), digits_shown) +
-            " and the right side is " + to_decimal(right.ball->midpoint(), digits_shown);
+        outcome.evidence.add("enclosures", pair_evidence(full_text(sample), "left_side", *left,
+                                                         "right_side", *right, digits));
+        outcome.note += ", where the left side is " + to_decimal(left->midpoint(), digits_shown) +
+                        " and the right side is " + to_decimal(right->midpoint(), digits_shown);
         return;
     }
 }
@@ -353,7 +351,7 @@ Outcome check_condition(const Claim& claim, const AuditContext& context) {
             if (!placed && !failing && refutes(result.decision)) {
                 failing = sample;
             }
-            result.scene = in_scene.text();
+            result.scene = full_text(sample);
             found.push_back(std::move(result));
         }
     }

@@ -284,26 +284,21 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
     if (!remainder.at.empty()) {
         outcome.evidence.add("worst_at", remainder.at);
     }
-    add_hypotheses(
-        claim,
-        [&](const Expr& other) {
-            return compare_expansions(printed, other, in, under).equal()
-                       ? "gives the printed line"
-                       : "does not give the printed line";
-        },
-        outcome.evidence);
+    Evidence hypotheses;
+    for (const auto& [words, other] : named_formulas(claim, "as_if")) {
+        const bool equal = compare_expansions(printed, other, in, under).equal();
+        outcome.as_if.push_back({words, equal});
+        hypotheses.add(words, outcome.as_if.back().text());
+    }
+    if (!hypotheses.empty()) {
+        outcome.evidence.add("as_if", std::move(hypotheses));
+    }
     RefutedFormula refuted;
     refuted.printed = claim.written("says");
     refuted.exact = claim.written("of");
     refuted.alphabet = alphabet_for(claim, refuted.printed, exact);
     std::erase(refuted.alphabet.symbols, variable);
-    std::vector<ExpansionTerm> derived;
-    for (const auto& term : comparison.terms) {
-        if (!(term.derived == Expr::number(0))) {
-            derived.push_back({term.exponent, term.derived});
-        }
-    }
-    refuted.derived = sum_of(derived, variable);
+    refuted.derived = comparison.derived(variable);
     if (wrong->derived == Expr::number(0)) {
         // An edit that moves a term beyond `through` is no correction: the derived form is given.
         refuted.passes_screening = [](const Expr&) { return false; };

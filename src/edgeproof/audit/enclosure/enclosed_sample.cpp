@@ -161,6 +161,36 @@ Ball EnclosedSample::slip(const Ball& x) const {
            contact::gap_at(slip.parts->closed()->front(), x);
 }
 
+namespace {
+
+/// The names of a slope.
+struct AtPlace : formula::BallConstants {
+    Ball x;
+    [[nodiscard]] Ball symbol(std::string_view name) const {
+        return name == "x" ? x : BallConstants::symbol(name);
+    }
+};
+
+} // namespace
+
+Ball EnclosedSample::slope(const Ball& x) const {
+    const auto in_piece = [&](std::size_t piece) {
+        return formula::evaluate<Ball>(profile_.pieces()[piece].slope, AtPlace{{bits_}, x});
+    };
+    std::size_t first = 0;
+    std::size_t last = 0;
+    for (const Exact& knot : profile_.knots()) {
+        const Ball k = ball_of(knot, bits_);
+        first += certainly_less(k, x) ? 1 : 0;
+        last += certainly_less(x, k) ? 0 : 1;
+    }
+    Ball g = in_piece(first);
+    while (first < last) {
+        g = Ball::hull(g, in_piece(++first));
+    }
+    return g;
+}
+
 Ball EnclosedSample::gap(const Ball& x) const {
     const Ball beyond = x - contact().a();
     if (!certainly_positive(beyond) &&
@@ -268,8 +298,9 @@ struct EnclosedSample::WithConstants {
     [[nodiscard]] Ball call(const Expr& node, std::span<const Ball> args) const {
         return sample.call(node, args);
     }
-    template <class Scope> [[nodiscard]] Ball binder(const Expr& node, const Scope& scope) const {
-        return sample.binder(node, scope);
+    [[nodiscard]] Ball binder(const Expr& node) const {
+        return node.kind() == Expr::Kind::sum ? evaluate_sum<Ball>(node, *this)
+                                              : sample.binder(node);
     }
 };
 
@@ -350,15 +381,15 @@ std::optional<Exact> exact_value(Expr e, const Sample& sample) {
     return Exact(e);
 }
 
-Enclosed enclosed(const Expr& e, const Sample& sample, unsigned digits) {
-    Enclosed best;
+std::optional<Ball> enclosed(const Expr& e, const Sample& sample, unsigned digits) {
+    std::optional<Ball> best;
     const long needed = formula::bits_for(digits);
-    best.problem = look_closer(
+    static_cast<void>(look_closer(
         [&](long bits) {
-            best.ball = EnclosedSample(sample, bits).finite(e);
-            return best.ball->relative_accuracy_bits() >= needed;
+            best = EnclosedSample(sample, bits).finite(e);
+            return best->relative_accuracy_bits() >= needed;
         },
-        {2 * needed, 16 * needed});
+        {2 * needed, 16 * needed}));
     return best;
 }
 

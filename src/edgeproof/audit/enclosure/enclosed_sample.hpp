@@ -77,8 +77,8 @@ public:
     /// Returns the value of given(f, name, value) or next(f); nothing for other calls.
     [[nodiscard]] std::optional<Ball> elsewhere(const Expr& call) const;
 
-    template <class Scope> [[nodiscard]] Ball binder(const Expr& node, const Scope& scope) const {
-        return node.kind() == Expr::Kind::sum ? evaluate_sum<Ball>(node, scope) : integral(node);
+    [[nodiscard]] Ball binder(const Expr& node) const {
+        return node.kind() == Expr::Kind::sum ? evaluate_sum<Ball>(node, *this) : integral(node);
     }
 
 private:
@@ -184,24 +184,7 @@ private:
         return x ? contact().pressure(edge, u, *x) : contact().pressure(edge, u);
     }
     /// Returns g'(x); if the ball of x contains a knot, the values of the pieces on both sides.
-    [[nodiscard]] Ball slope(const Ball& at) const {
-        const auto in_piece = [&](std::size_t piece) {
-            return formula::evaluate<Ball>(profile_.pieces()[piece].slope,
-                                           formula::with_symbol(*this, "x", at));
-        };
-        std::size_t first = 0;
-        std::size_t last = 0;
-        for (const Exact& knot : profile_.knots()) {
-            const Ball k = ball_of(knot, bits_);
-            first += certainly_less(k, at) ? 1 : 0;
-            last += certainly_less(at, k) ? 0 : 1;
-        }
-        Ball g = in_piece(first);
-        while (first < last) {
-            g = Ball::hull(g, in_piece(++first));
-        }
-        return g;
-    }
+    [[nodiscard]] Ball slope(const Ball& x) const;
     /// Returns a contact of the family with the same profile.
     [[nodiscard]] contact::BallContact with_right_edge(const std::string& function,
                                                        const Expr& written, const Ball& at) const {
@@ -241,13 +224,9 @@ private:
         integrals_;
 };
 
-/// The enclosure of a formula at a sample, right to `digits` digits if the bits are sufficient. If
-/// `ball` is empty, `problem` gives the reason.
-struct Enclosed {
-    std::optional<Ball> ball;
-    std::string problem;
-};
-[[nodiscard]] Enclosed enclosed(const Expr& e, const Sample& sample, unsigned digits);
+/// Returns the enclosure of a formula at a sample, right to `digits` digits if the bits are
+/// sufficient; nothing if there is none.
+[[nodiscard]] std::optional<Ball> enclosed(const Expr& e, const Sample& sample, unsigned digits);
 
 /// Returns a text such as "0.123456 +- 1.2e-52".
 [[nodiscard]] std::string ball_text(const Ball& ball, unsigned digits);

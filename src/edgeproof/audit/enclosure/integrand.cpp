@@ -21,16 +21,16 @@ Integrand::Integrand(const Expr& f, std::string variable, IntegrandMeaning meani
     : variable_(std::move(variable)), meaning_(std::move(meaning)), bits_(bits),
       program_(f, inputs(variable_, meaning_),
                [this](const Expr& part) { return written_out(part); }),
-      valued_(first_result() + program_.steps().size(), ValuedBox(bits)),
-      zero_(valued_.size(), false), sloped_(valued_.size(), false) {
-    std::size_t slot = program_.inputs().size();
-    for (const Expr& e : program_.constants()) {
-        valued_[slot].w = valued_[slot].end = Box(meaning_.constant(e));
-        ++slot;
-    }
-    for (const Step& step : program_.steps()) {
-        exponents_.push_back(step.kind == Kind::pow ? meaning_.rational(step.source.arg(1))
-                                                    : std::nullopt);
+      valued_(program_.parts().size(), ValuedBox(bits)), zero_(valued_.size(), false),
+      sloped_(valued_.size(), false) {
+    for (std::size_t slot = 0; slot < valued_.size(); ++slot) {
+        const Step& step = program_.parts()[slot];
+        if (step.role == Step::Role::constant) {
+            valued_[slot].w = valued_[slot].end = Box(meaning_.constant(step.source));
+        }
+        exponents_.push_back(step.is_operation() && step.kind == Kind::pow
+                                 ? meaning_.rational(step.source.arg(1))
+                                 : std::nullopt);
     }
     if (meaning_.path != nullptr) {
         const auto line = contact::as_linear(*meaning_.path_argument, variable_);
@@ -52,12 +52,9 @@ std::vector<Expr> Integrand::inputs(const std::string& variable, const Integrand
 }
 
 bool Integrand::vanishes() const {
-    const std::size_t inputs = program_.inputs().size();
-    if (program_.result() < inputs || program_.result() >= first_result()) {
-        return false;
-    }
-    const Rational* q = program_.constants()[program_.result() - inputs].rational();
-    return q != nullptr && *q == 0;
+    const Step& result = program_.parts()[program_.result()];
+    const Rational* q = result.source.rational();
+    return result.role == Step::Role::constant && q != nullptr && *q == 0;
 }
 
 void Integrand::centre(const Expr& written, const Ball& at, int direction, const Ball& angle,
@@ -76,17 +73,14 @@ void Integrand::centre(const Expr& written, const Ball& at, int direction, const
 }
 
 void Integrand::mark_slopes() {
-    const std::vector<Step>& steps = program_.steps();
-    for (std::size_t i = steps.size(); i-- > 0;) {
-        const std::size_t slot = first_result() + i;
+    for (std::size_t slot = valued_.size(); slot-- > 0;) {
         sloped_[slot] = sloped_[slot] || zero_[slot];
         if (sloped_[slot]) {
-            for (std::size_t k = 0; k < steps[i].count; ++k) {
-                sloped_[operand(steps[i], k)] = true;
+            for (const std::size_t operand : program_.parts()[slot].operands) {
+                sloped_[operand] = true;
             }
         }
     }
-    sloped_[of_variable] = sloped_[of_variable] || zero_[of_variable];
     wants_slopes_ = std::ranges::any_of(sloped_, [](bool x) { return x; });
 }
 
@@ -98,8 +92,10 @@ void Integrand::run(const Box& v, bool analytic) {
     (direction_ > 0 ? acb_add : acb_sub)(at.get(), at.get(), vn_.get(), bits_);
     place(at);
     apply_zero(of_variable);
-    for (std::size_t i = 0; i < program_.steps().size(); ++i) {
-        take(i);
+    for (std::size_t slot = 0; slot < valued_.size(); ++slot) {
+        if (program_.parts()[slot].is_operation()) {
+            take(slot);
+        }
     }
 }
 
@@ -186,13 +182,14 @@ void Integrand::find_zeros() {
         value.end = value.w;
     };
     place(start_);
-    for (std::size_t i = 0; i < program_.inputs().size(); ++i) {
-        look(i, i == of_variable, program_.inputs()[i]);
-    }
-    for (std::size_t i = 0; i < program_.steps().size(); ++i) {
-        const Step& step = program_.steps()[i];
-        take(i);
-        look(first_result() + i, step.kind == Kind::add || step.kind == Kind::sub, step.source);
+    for (std::size_t slot = 0; slot < valued_.size(); ++slot) {
+        const Step& step = program_.parts()[slot];
+        if (step.is_operation()) {
+            take(slot);
+            look(slot, step.kind == Kind::add || step.kind == Kind::sub, step.source);
+        } else if (step.role == Step::Role::input) {
+            look(slot, slot == of_variable, step.source);
+        }
     }
     for (const std::size_t slot : found) {
         zero_[slot] = true;
@@ -204,12 +201,14 @@ void Integrand::choose_power(Centre kind) {
     order[of_variable] = zero_[of_variable] ? 1 : 0;
     Integer common = 1;
     bool roots = false; // of parts that vanish at the centre
-    for (std::size_t i = 0; i < program_.steps().size(); ++i) {
-        const Step& step = program_.steps()[i];
-        Rational& here = order[first_result() + i];
-        const auto part = [&](std::size_t k) -> const Rational& { return order[operand(step, k)]; };
-        if (zero_[first_result() + i]) {
+    for (std::size_t slot = 0; slot < valued_.size(); ++slot) {
+        const Step& step = program_.parts()[slot];
+        Rational& here = order[slot];
+        const auto part = [&](std::size_t k) -> const Rational& { return order[step.operands[k]]; };
+        if (zero_[slot]) {
             here = 1;
+        }
+        if (zero_[slot] || !step.is_operation()) {
             continue;
         }
         switch (step.kind) {
@@ -227,7 +226,7 @@ void Integrand::choose_power(Centre kind) {
             here = part(0) - part(1);
             break;
         case Kind::pow:
-            if (const auto& exponent = exponents_[i]) {
+            if (const auto& exponent = exponents_[slot]) {
                 here = part(0) * *exponent;
                 roots = roots || (part(0) != 0 && denominator(*exponent) != 1);
             }

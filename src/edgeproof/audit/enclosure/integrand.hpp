@@ -75,7 +75,7 @@ private:
         Box end;
         Box slope;
     };
-    using Step = formula::Program::Step;
+    using Step = formula::Program::Part;
 
     /// The inputs of the program: the variable, and with a path b and P' at its argument.
     enum Input { of_variable, of_edge, of_force_rate };
@@ -83,15 +83,8 @@ private:
                                                   const IntegrandMeaning& meaning);
     /// Checks that a part has an enclosure, and replaces functions of the contact by formulas.
     [[nodiscard]] std::optional<Expr> written_out(const Expr& part) const;
-    /// The slot of the program that the first step writes.
-    [[nodiscard]] std::size_t first_result() const {
-        return program_.inputs().size() + program_.constants().size();
-    }
-    [[nodiscard]] std::size_t operand(const Step& step, std::size_t k) const {
-        return program_.operands()[step.first + k];
-    }
     [[nodiscard]] const ValuedBox& part(const Step& step, std::size_t k) const {
-        return valued_[operand(step, k)];
+        return valued_[step.operands[k]];
     }
     void run(const Box& v, bool analytic);
     void multiply_by_power(Box& y, long k) const;
@@ -113,12 +106,12 @@ private:
     /// Marks the parts that are needed for the divided differences of zeros.
     void mark_slopes();
 
-    /// Computes the slot of step i.
-    void take(std::size_t i);
+    /// Computes an operation of the program.
+    void take(std::size_t slot);
     void take_sum(const Step& step, std::size_t slot);
     void take_product(const Step& step, std::size_t slot);
     void take_quotient(const Step& step, std::size_t slot);
-    void take_power(std::size_t i, std::size_t slot);
+    void take_power(const Step& step, std::size_t slot);
     void take_root(const Step& step, std::size_t slot);
     void take_function(const Step& step, std::size_t slot);
     /// Applies the proof that a slot is zero at v = 0.
@@ -128,8 +121,8 @@ private:
     IntegrandMeaning meaning_;
     long bits_;
     formula::Program program_;
-    std::vector<std::optional<Rational>> exponents_; ///< by steps; of a power, if it is rational
-    std::vector<ValuedBox> valued_;                  ///< by slots of the program
+    std::vector<std::optional<Rational>> exponents_; ///< of powers, if they are rational
+    std::vector<ValuedBox> valued_;                  ///< by places in the program
     std::vector<bool> zero_;                         ///< proved to vanish at the centre
     std::vector<bool> sloped_;                       ///< the divided difference is needed
     bool wants_slopes_ = false;

@@ -143,9 +143,7 @@ struct KnownLaw {
         }
         return Form::call(f, args);
     }
-    template <class Scope> [[nodiscard]] Form binder(const Expr& node, const Scope&) const {
-        return Form::opaque(node);
-    }
+    [[nodiscard]] static Form binder(const Expr& node) { return Form::opaque(node); }
 };
 
 /// True for quotients of polynomials in names and functions of the contact, which have a value

@@ -72,9 +72,8 @@ std::optional<Expr> Integrand::written_out(const Expr& e) const {
     return meaning_.written_out(e);
 }
 
-void Integrand::take(std::size_t i) {
-    const Step& step = program_.steps()[i];
-    const std::size_t slot = first_result() + i;
+void Integrand::take(std::size_t slot) {
+    const Step& step = program_.parts()[slot];
     switch (step.kind) {
     case StepKind::neg: {
         const ValuedBox& x = part(step, 0);
@@ -98,7 +97,7 @@ void Integrand::take(std::size_t i) {
         take_quotient(step, slot);
         break;
     case StepKind::pow:
-        take_power(i, slot);
+        take_power(step, slot);
         break;
     default:
         if (step.source.builtin() == Builtin::sqrt) {
@@ -167,9 +166,8 @@ void Integrand::take_quotient(const Step& step, std::size_t i) {
     }
 }
 
-void Integrand::take_power(std::size_t i, std::size_t slot) {
-    const Step& step = program_.steps()[i];
-    const std::optional<Rational>& exponent = exponents_[i];
+void Integrand::take_power(const Step& step, std::size_t slot) {
+    const std::optional<Rational>& exponent = exponents_[slot];
     const ValuedBox& x = part(step, 0);
     ValuedBox& r = valued_[slot];
     const bool whole = exponent && denominator(*exponent) == 1 && abs(*exponent) < 1000;
@@ -224,7 +222,7 @@ void Integrand::take_root(const Step& step, std::size_t i) {
 
 void Integrand::take_function(const Step& step, std::size_t i) {
     ValuedBox& r = valued_[i];
-    const Box x = plain(part(step, step.count - 1));
+    const Box x = plain(part(step, step.operands.size() - 1));
     r.k = 0;
     acb_ptr y = r.w.get();
     if (const BoxFunction* f = box_function(step.source.builtin())) {

@@ -38,7 +38,6 @@ public:
     }
     /// The reason why the last question was not decided.
     [[nodiscard]] const std::string& problem() const { return problem_; }
-    [[nodiscard]] const Sample& sample() const { return sample_; }
 
 private:
     [[nodiscard]] EnclosedSample& at(long bits) {

@@ -172,6 +172,15 @@ struct WrongCoefficient {
     formula::Expr correct;
 };
 
+/// Whether a printed expansion follows from another formula, which is given in words.
+struct Hypothesis {
+    std::string words;
+    bool gives_the_line = false;
+    [[nodiscard]] std::string text() const {
+        return gives_the_line ? "gives the printed line" : "does not give the printed line";
+    }
+};
+
 /// The result of a check.
 struct Outcome {
     Judgement verdict;
@@ -180,6 +189,7 @@ struct Outcome {
     std::optional<std::string> computed; ///< the computed figure or formula
     Evidence evidence;
     std::optional<WrongCoefficient> wrong_coefficient; ///< the first of an expansion
+    std::vector<Hypothesis> as_if;
 };
 
 /// Confirmed as a rounded formula: right to the printed digits of its decimals.

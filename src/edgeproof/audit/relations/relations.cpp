@@ -272,7 +272,6 @@ FoundRelations find_relations(const std::vector<RelatedQuantity>& quantities, un
     }
     FoundRelations result;
     result.monomials = all.size();
-    result.grades = grades.size();
     SampleValues values(formulas);
     struct Candidate {
         NullVector vector;

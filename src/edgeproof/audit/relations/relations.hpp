@@ -45,7 +45,6 @@ struct FoundRelations {
     bool complete = true;
     std::size_t monomials = 0; ///< the number of monomials up to that degree
     std::size_t samples = 0;   ///< the most samples of one matrix
-    std::size_t grades = 0;    ///< the number of matrices
 };
 
 /// Finds all polynomial relations of total degree up to `degree`. Throws InputError if there are

@@ -37,9 +37,7 @@ public:
     [[nodiscard]] const Ledger& ledger() const noexcept { return ledger_; }
     /// D: the requested digits.
     [[nodiscard]] unsigned digits() const noexcept { return digits_; }
-    /// The digits of agreement required to confirm a claim: D - 5.
-    [[nodiscard]] unsigned digits_needed() const noexcept { return digits_needed(digits_); }
-    /// The same for another number of digits.
+    /// The digits of agreement required to confirm a claim to so many digits.
     [[nodiscard]] static unsigned digits_needed(unsigned of) noexcept { return of - 5; }
     /// Returns the scenes of the family in the claim's `over`.
     [[nodiscard]] std::vector<SceneSpec> scenes(const Claim& claim) const;

@@ -195,19 +195,24 @@ public:
         throw Error("the function '" + name + "' has no expansion");
     }
 
-    template <class Scope> [[nodiscard]] L binder(const Expr& node, const Scope& scope) const {
+    [[nodiscard]] L binder(const Expr& node) const {
         if (node.kind() == Expr::Kind::sum) {
-            return evaluate_sum<L>(node, scope);
+            return evaluate_sum<L>(node, *this);
         }
-        const std::string& name = node.arg(1).name();
-        const L lo = evaluate<L>(node.arg(2), scope);
-        const L hi = evaluate<L>(node.arg(3), scope);
+        std::string name = node.arg(1).name();
+        Expr integrand = node.arg(0);
+        if (name == variable_ || name == "x") { // it hides a name that is expanded
+            name = "variable of the integral";
+            integrand = substitute(integrand, node.arg(1).name(), Expr::symbol(name));
+        }
+        const L lo = evaluate<L>(node.arg(2), *this);
+        const L hi = evaluate<L>(node.arg(3), *this);
         if (node.kind() == Expr::Kind::pv || !lo.series()[0].is_zero() || hi.lowest() != 0) {
             throw Error("an expansion is integrated term by term from 0 to a constant only");
         }
-        const L variable(field_.symbol(name), order_);
-        const L f = evaluate<L>(node.arg(0), formula::with_symbol(scope, name, variable));
-        return f.mapped([&](const Form& c) { return field_.integral(c, name, hi.series()[0]); });
+        return evaluate<L>(integrand, *this).mapped([&](const Form& c) {
+            return field_.integral(c, name, hi.series()[0]);
+        });
     }
 
 private:
@@ -345,29 +350,23 @@ ExpansionComparison compare_expansions(const Expr& printed, const Expr& derived,
     return comparison;
 }
 
-Expr sum_of(const std::vector<ExpansionTerm>& terms, const std::string& variable) {
+Expr ExpansionComparison::derived(const std::string& variable) const {
     const Expr eps = Expr::symbol(variable);
-    Expr sum;
-    bool first = true;
-    for (const ExpansionTerm& term : terms) {
-        const bool minus = term.coefficient.kind() == Expr::Kind::neg;
-        const Expr c = minus ? term.coefficient.arg(0) : term.coefficient;
-        Expr product = c;
-        if (term.exponent != 0) {
-            const Expr power = term.exponent == 1 ? eps
-                               : term.exponent == Rational(1, 2)
-                                   ? Expr::call("sqrt", {eps})
-                                   : pow(eps, Expr::number(term.exponent));
-            product = c == Expr::number(1) ? power : c * power;
+    std::optional<Expr> sum;
+    for (const Term& term : terms) {
+        const bool minus = term.derived.kind() == Expr::Kind::neg;
+        const Expr c = minus ? term.derived.arg(0) : term.derived;
+        if (c == Expr::number(0)) {
+            continue;
         }
-        if (first) {
-            sum = minus ? -product : product;
-        } else {
-            sum = minus ? sum - product : sum + product;
-        }
-        first = false;
+        const Expr power = term.exponent == 1 ? eps
+                           : term.exponent == Rational(1, 2)
+                               ? Expr::call("sqrt", {eps})
+                               : pow(eps, Expr::number(term.exponent));
+        const Expr product = term.exponent == 0 ? c : c == Expr::number(1) ? power : c * power;
+        sum = !sum ? (minus ? -product : product) : minus ? *sum - product : *sum + product;
     }
-    return sum;
+    return sum.value_or(Expr());
 }
 
 } // namespace edgeproof::audit

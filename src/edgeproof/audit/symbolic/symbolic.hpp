@@ -34,12 +34,6 @@ struct SymbolicCase {
     std::set<std::string, std::less<>> either_sign = {};
 };
 
-/// One term of an expansion: coefficient times variable^exponent.
-struct ExpansionTerm {
-    Rational exponent;
-    Expr coefficient;
-};
-
 /// The variable of an expansion, the edge (if the variable is u), and the highest power.
 struct ExpansionIn {
     std::string variable;
@@ -57,6 +51,8 @@ struct ExpansionComparison {
     };
     std::vector<Term> terms;
     [[nodiscard]] bool equal() const;
+    /// The sum of the derived terms as a formula in the variable.
+    [[nodiscard]] Expr derived(const std::string& variable) const;
 };
 
 /// Returns the form of e (algebra/form.hpp) with right_c0, ... derived and derivatives taken.
@@ -73,7 +69,5 @@ struct ExpansionComparison {
 [[nodiscard]] ExpansionComparison compare_expansions(const Expr& printed, const Expr& derived,
                                                      const ExpansionIn& in,
                                                      const SymbolicCase& under);
-/// Returns the sum of the terms as a formula.
-[[nodiscard]] Expr sum_of(const std::vector<ExpansionTerm>& terms, const std::string& variable);
 
 } // namespace edgeproof::audit

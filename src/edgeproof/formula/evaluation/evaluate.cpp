@@ -38,48 +38,41 @@ std::pair<long, long> sum_bounds(const Expr& node) {
     return {lo, hi};
 }
 
+namespace {
+
+using Part = Program::Part;
+
 class ProgramBuilder {
 public:
-    ProgramBuilder(Program& program, const Expr& e, const Program::WrittenOut& written_out)
-        : program_(program), written_out_(written_out) {
-        for (std::size_t i = 0; i < program_.inputs_.size(); ++i) {
-            known_.emplace(program_.inputs_[i], Slot{Slot::input, i});
+    ProgramBuilder(std::vector<Part>& parts, const std::vector<Expr>& inputs,
+                   const Program::WrittenOut& written_out)
+        : parts_(parts), inputs_(inputs), written_out_(written_out) {
+        for (const Expr& input : inputs) {
+            known_.emplace(input, add({Part::Role::input, input.kind(), input, {}}));
         }
-        const Slot result = compile(e);
-        // The number of constants, which precede the results, is known only now.
-        for (const Slot& s : operands_) {
-            program_.operands_.push_back(resolve(s));
-        }
-        program_.result_ = resolve(result);
     }
 
-private:
-    struct Slot {
-        enum Where { input, constant, result } where;
-        std::size_t index;
-    };
-
-    [[nodiscard]] std::size_t resolve(const Slot& s) const {
-        return s.index + (s.where == Slot::input ? 0 : program_.inputs_.size()) +
-               (s.where == Slot::result ? program_.constants_.size() : 0);
-    }
-
-    Slot compile(const Expr& e) {
+    std::size_t compile(const Expr& e) {
         if (const auto it = known_.find(e); it != known_.end()) {
             return it->second;
         }
-        const Slot s = compile_new(e);
-        known_.emplace(e, s);
-        return s;
+        const std::size_t place = compile_new(e);
+        known_.emplace(e, place);
+        return place;
     }
 
-    Slot compile_new(const Expr& e) {
-        const bool constant = std::ranges::none_of(program_.inputs_, [&](const Expr& input) {
+private:
+    std::size_t add(Part part) {
+        parts_.push_back(std::move(part));
+        return parts_.size() - 1;
+    }
+
+    std::size_t compile_new(const Expr& e) {
+        const bool constant = std::ranges::none_of(inputs_, [&](const Expr& input) {
             return input.kind() == Expr::Kind::symbol && holds_symbol(e, input.name());
         });
         if (constant) {
-            program_.constants_.push_back(e);
-            return {Slot::constant, program_.constants_.size() - 1};
+            return add({Part::Role::constant, e.kind(), e, {}});
         }
         if (const auto other = written_out_(e)) {
             return compile(*other);
@@ -91,7 +84,7 @@ private:
                 return expanded(e, lo, hi);
             }
         }
-        std::vector<Slot> in;
+        std::vector<std::size_t> in;
         if (!e.is_binder()) {
             for (const Expr& x : e.args()) {
                 in.push_back(compile(x));
@@ -100,18 +93,17 @@ private:
                 return *zero;
             }
         }
-        return add_step(e.kind(), in, e);
+        return add({Part::Role::operation, e.kind(), e, std::move(in)});
     }
 
-    [[nodiscard]] bool is_zero(const Slot& s) const {
-        const Rational* q =
-            s.where == Slot::constant ? program_.constants_[s.index].rational() : nullptr;
-        return q != nullptr && *q == 0;
+    [[nodiscard]] bool is_zero(std::size_t place) const {
+        const Rational* q = parts_[place].source.rational();
+        return parts_[place].role == Part::Role::constant && q != nullptr && *q == 0;
     }
 
     /// Returns the operand that is the number 0 if it is the value of the operation as well.
-    [[nodiscard]] std::optional<Slot> zero_factor(Expr::Kind kind,
-                                                  const std::vector<Slot>& in) const {
+    [[nodiscard]] std::optional<std::size_t> zero_factor(Expr::Kind kind,
+                                                         const std::vector<std::size_t>& in) const {
         const bool times = kind == Expr::Kind::mul;
         if (is_zero(in[0]) &&
             (times || kind == Expr::Kind::neg || (kind == Expr::Kind::div && !is_zero(in[1])))) {
@@ -120,32 +112,26 @@ private:
         return times && is_zero(in[1]) ? std::optional(in[1]) : std::nullopt;
     }
 
-    Slot expanded(const Expr& e, long lo, long hi) {
+    std::size_t expanded(const Expr& e, long lo, long hi) {
         const auto term = [&](long k) {
             return compile(substitute(e.arg(0), e.arg(1).name(), Expr::number(Rational(k))));
         };
-        Slot total = hi < lo ? compile(Expr::number(Rational(0))) : term(lo);
+        std::size_t total = hi < lo ? compile(Expr::number(Rational(0))) : term(lo);
         for (long k = lo + 1; k <= hi; ++k) {
-            total = add_step(Expr::Kind::add, {total, term(k)}, e);
+            total = add({Part::Role::operation, Expr::Kind::add, e, {total, term(k)}});
         }
         return total;
     }
 
-    Slot add_step(Expr::Kind kind, const std::vector<Slot>& in, const Expr& source) {
-        program_.steps_.push_back({kind, operands_.size(), in.size(), source});
-        operands_.insert(operands_.end(), in.begin(), in.end());
-        return {Slot::result, program_.steps_.size() - 1};
-    }
-
-    Program& program_;
+    std::vector<Part>& parts_;
+    const std::vector<Expr>& inputs_;
     const Program::WrittenOut& written_out_;
-    std::vector<Slot> operands_;
-    std::unordered_map<Expr, Slot, ExprHash> known_;
+    std::unordered_map<Expr, std::size_t, ExprHash> known_;
 };
 
-Program::Program(const Expr& e, std::vector<Expr> inputs, const WrittenOut& written_out)
-    : inputs_(std::move(inputs)) {
-    const ProgramBuilder built(*this, e, written_out);
-}
+} // namespace
+
+Program::Program(const Expr& e, const std::vector<Expr>& inputs, const WrittenOut& written_out)
+    : result_(ProgramBuilder(parts_, inputs, written_out).compile(e)) {}
 
 } // namespace edgeproof::formula

@@ -22,8 +22,7 @@ namespace edgeproof::formula {
 ///   T symbol(std::string_view) const       throws for an unknown name
 /// and, if the formula contains them,
 ///   T call(const Expr& node, std::span<const T> args) const      functions that are not built in
-///   T binder(const Expr& node, const Scope& scope) const         integral, pv and sum: a template
-/// in `Scope`, which is an environment, too; `with_symbol` adds the bound variable to it.
+///   T binder(const Expr& node) const                             integral, pv and sum
 template <class Env, class T>
 concept EnvironmentOf = requires(const Env& env, const Rational& q, std::string_view name) {
     { env.number(q) } -> std::convertible_to<T>;
@@ -32,50 +31,6 @@ concept EnvironmentOf = requires(const Env& env, const Rational& q, std::string_
 };
 
 template <class T, class Env> [[nodiscard]] T evaluate(const Expr& e, const Env& env);
-
-/// An environment with one more name, which hides an equal name of an outer scope.
-template <class T, class Env> class Scoped {
-public:
-    Scoped(const Env& env, const Scoped* outer, std::string_view name, const T& value)
-        : env_(env), outer_(outer), name_(name), value_(value) {}
-
-    [[nodiscard]] T number(const Rational& q) const { return env_.number(q); }
-    [[nodiscard]] T pi() const { return env_.pi(); }
-    [[nodiscard]] T symbol(std::string_view name) const {
-        if (name == name_) {
-            return value_;
-        }
-        return outer_ != nullptr ? outer_->symbol(name) : T(env_.symbol(name));
-    }
-    [[nodiscard]] T call(const Expr& node, std::span<const T> args) const requires
-        requires(const Env& env) {
-        env.call(node, args);
-    }
-    { return env_.call(node, args); }
-    [[nodiscard]] T binder(const Expr& node, const Scoped& scope) const requires
-        requires(const Env& env) {
-        env.binder(node, scope);
-    }
-    { return env_.binder(node, scope); }
-    [[nodiscard]] const Env& base() const { return env_; }
-
-private:
-    const Env& env_;
-    const Scoped* outer_;
-    std::string_view name_;
-    const T& value_;
-};
-
-/// Returns `scope` with `name` = `value`. The result refers to all three, which must live longer.
-template <class T, class Env>
-[[nodiscard]] Scoped<T, Env> with_symbol(const Env& scope, std::string_view name, const T& value) {
-    return Scoped<T, Env>(scope, nullptr, name, value);
-}
-template <class T, class Env>
-[[nodiscard]] Scoped<T, Env> with_symbol(const Scoped<T, Env>& scope, std::string_view name,
-                                         const T& value) {
-    return Scoped<T, Env>(scope.base(), &scope, name, value);
-}
 
 /// Returns the message of a DomainError in a formula together with the part in which it occurred.
 [[nodiscard]] std::string inside(const std::string& what, const Expr& part);
@@ -157,8 +112,8 @@ template <class T, class Env> T evaluate_node(const Expr& e, const Env& env) {
         return T(env.symbol(e.name()));
     }
     if (e.is_binder()) {
-        if constexpr (requires { T(env.binder(e, env)); }) {
-            return T(env.binder(e, env));
+        if constexpr (requires { T(env.binder(e)); }) {
+            return T(env.binder(e));
         } else if (e.kind() == Kind::sum) {
             return evaluate_sum<T>(e, env);
         }

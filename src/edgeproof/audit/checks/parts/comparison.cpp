@@ -111,17 +111,6 @@ std::vector<std::pair<std::string, Expr>> named_formulas(const Claim& claim, std
     return named;
 }
 
-void add_hypotheses(const Claim& claim, const std::function<std::string(const Expr&)>& finding,
-                    Evidence& evidence) {
-    Evidence hypotheses;
-    for (const auto& [text, other] : named_formulas(claim, "as_if")) {
-        hypotheses.add(text, finding(other));
-    }
-    if (claim.has("as_if")) {
-        evidence.add("as_if", std::move(hypotheses));
-    }
-}
-
 SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context) {
     SymbolicCase under;
     const Ledger& ledger = context.ledger();
@@ -148,43 +137,39 @@ SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context) {
     return under;
 }
 
-Screening::Screening(const Claim& claim, const AuditContext& context) : claim_(claim) {
-    const PrecisionScope scope(screening_digits + 10);
+std::function<bool(const Expr&)> screening(const Claim& claim, const AuditContext& context) {
+    using Point = std::pair<EnclosedSample, Real>; // with the exact value
+    const auto points = std::make_shared<std::vector<Point>>();
+    const PrecisionScope digits(screening_digits + 10);
+    const auto add_contact = [&](const Sample& sample) {
+        try {
+            EnclosedSample at(sample, 2 * formula::bits_for(screening_digits), screening_digits);
+            Real exact = at.finite(claim.formula("of")).midpoint();
+            points->emplace_back(std::move(at), std::move(exact));
+        } catch (const Error&) {
+            return; // no enclosure here
+        }
+    };
     std::vector<Sample> samples = context.samples(claim);
     // Samples far from the edge come first, as integrals converge fastest there.
     std::ranges::stable_sort(samples, {}, away_from);
-    const Sample first = samples.empty() ? Sample() : samples.front();
-    for (std::size_t i = 0; i < samples.size() && points_.size() < most_screening_samples; ++i) {
-        if (is_admitted(claim, samples[i])) {
-            add_contact(samples[i]);
+    for (const Sample& sample : samples) {
+        if (points->size() < most_screening_samples && is_admitted(claim, sample)) {
+            add_contact(sample);
         }
     }
-    if (!points_.empty()) {
-        for (const Sample& other : other_contacts(first)) {
-            add_contact(other);
-        }
+    if (!points->empty()) {
+        std::ranges::for_each(other_contacts(samples.front()), add_contact);
     }
-}
-
-void Screening::add_contact(const Sample& sample) {
-    try {
-        auto contact = std::make_shared<EnclosedSample>(
-            sample, 2 * formula::bits_for(screening_digits), screening_digits);
-        Real exact = contact->finite(claim_.formula("of")).midpoint();
-        points_.emplace_back(std::move(contact), std::move(exact));
-    } catch (const Error&) {
-        return; // no enclosure here
-    }
-}
-
-bool Screening::operator()(const Expr& written) const {
-    const Expr e = expand_definitions(written, claim_.vocabulary);
-    const PrecisionScope scope(screening_digits + 10);
-    const Real tolerance = pow(Real(10), -static_cast<int>(screening_digits - 2));
-    return !points_.empty() && std::ranges::all_of(points_, [&](const auto& point) {
-        const auto& [contact, exact] = point;
-        return abs(contact->finite(e).midpoint() - exact) <= tolerance * abs(exact);
-    });
+    return [&claim, points](const Expr& written) {
+        const Expr e = expand_definitions(written, claim.vocabulary);
+        const PrecisionScope scope(screening_digits + 10);
+        const Real tolerance = pow(Real(10), -static_cast<int>(screening_digits - 2));
+        return !points->empty() && std::ranges::all_of(*points, [&](const Point& point) {
+            const auto& [at, exact] = point;
+            return abs(at.finite(e).midpoint() - exact) <= tolerance * abs(exact);
+        });
+    };
 }
 
 FormulaComparison::FormulaComparison(const Claim& claim, const AuditContext& context)

@@ -7,7 +7,6 @@
 #include "edgeproof/audit/symbolic/symbolic.hpp"
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,26 +20,14 @@ namespace edgeproof::audit {
 [[nodiscard]] std::vector<std::pair<std::string, Expr>> named_formulas(const Claim& claim,
                                                                        std::string_view key);
 
-/// Adds what is found for each other formula in the table `as_if`, if the claim has one.
-void add_hypotheses(const Claim& claim, const std::function<std::string(const Expr&)>& finding,
-                    Evidence& evidence);
-
 /// b = a for a family of symmetric contacts; P(a), b(a) if `given` names them.
 [[nodiscard]] SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context);
 
-/// Tests candidates for a correction in numbers, to a few digits: true for a formula (as written
-/// in the claim) that has the exact value at a few samples of the claim and at other contacts.
-class Screening {
-public:
-    Screening(const Claim& claim, const AuditContext& context);
-    [[nodiscard]] bool operator()(const Expr& written) const;
-
-private:
-    void add_contact(const Sample& sample);
-
-    const Claim& claim_;
-    std::vector<std::pair<std::shared_ptr<const EnclosedSample>, Real>> points_; ///< exact values
-};
+/// Returns a test of candidates for a correction in numbers, to a few digits: true for a formula
+/// (as written in the claim) that has the exact value at a few samples of the claim and at other
+/// contacts. It refers to the claim.
+[[nodiscard]] std::function<bool(const Expr&)> screening(const Claim& claim,
+                                                         const AuditContext& context);
 
 /// The formulas `says` and `of` of a claim, compared at its samples; `scale`, if the claim has it,
 /// is the reference for their difference.

@@ -157,8 +157,6 @@ Real ConditionInScene::counts_as_equal() const {
                : Real(0);
 }
 
-std::string ConditionInScene::text() const { return full_text(sample_); }
-
 namespace {
 
 constexpr int places_per_decade = 3;
@@ -236,14 +234,6 @@ void MarginScan::seek_extrema() {
         look(fraction, false);
     }
     std::ranges::sort(places_, {}, &Margin::fraction);
-}
-
-const Margin* MarginScan::least() const {
-    return places_.empty() ? nullptr : &*std::ranges::min_element(places_, {}, &Margin::value);
-}
-
-const Margin* MarginScan::most() const {
-    return places_.empty() ? nullptr : &*std::ranges::max_element(places_, {}, &Margin::value);
 }
 
 bool MarginScan::nearly_changes(bool holding) const {

@@ -42,7 +42,6 @@ public:
     /// `where` does not certainly hold. Decimals represent their intervals: the condition fails if
     /// it fails for all numbers in them, and holds if it holds as printed.
     [[nodiscard]] std::optional<Decision> decide_at(const Real* fraction) const;
-    [[nodiscard]] std::string text() const;
     /// Sides whose difference is smaller than this, relative to its size nearby, satisfy the
     /// condition: 0 unless all its relations allow equality.
     [[nodiscard]] Real counts_as_equal() const;
@@ -75,9 +74,6 @@ public:
 
     /// The places in the order of their distance from the edge.
     [[nodiscard]] const std::vector<Margin>& places() const noexcept { return places_; }
-    /// Returns nullptr if no place is admitted.
-    [[nodiscard]] const Margin* least() const;
-    [[nodiscard]] const Margin* most() const;
     /// For a condition that holds (or fails) at all places of the scan: whether the difference of
     /// its sides is so small at one place, compared with its neighbours, that the condition may
     /// fail (or hold) at a point between them.

@@ -170,7 +170,6 @@ Ball sgn(const Ball& x) {
 }
 Ball sqrt(const Ball& x) { return apply(x, arb_sqrt); }
 Ball exp(const Ball& x) { return apply(x, arb_exp); }
-Ball expm1(const Ball& x) { return apply(x, arb_expm1); }
 Ball log(const Ball& x) { return apply(x, arb_log); }
 Ball log1p(const Ball& x) { return apply(x, arb_log1p); }
 Ball sin(const Ball& x) { return apply(x, arb_sin); }

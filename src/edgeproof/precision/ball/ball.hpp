@@ -118,7 +118,6 @@ private:
 [[nodiscard]] Ball sgn(const Ball& x);
 [[nodiscard]] Ball sqrt(const Ball& x);
 [[nodiscard]] Ball exp(const Ball& x);
-[[nodiscard]] Ball expm1(const Ball& x);
 [[nodiscard]] Ball log(const Ball& x);
 [[nodiscard]] Ball log1p(const Ball& x);
 [[nodiscard]] Ball sin(const Ball& x);

@@ -357,12 +357,6 @@ double nearest_binary64(const Rational& q) {
     return mpfr_get_d(rounded_to_odd(q, bits).backend().data(), MPFR_RNDN);
 }
 
-std::string hexadecimal(double x) {
-    std::array<char, 64> buffer{};
-    const int n = std::snprintf(buffer.data(), buffer.size(), "%a", x);
-    return {buffer.data(), static_cast<std::size_t>(n)};
-}
-
 std::ostream& operator<<(std::ostream& out, const Ball& x) {
     constexpr unsigned digits_of_ends = 2;
     constexpr long bits_beyond = 16;

@@ -86,9 +86,6 @@ struct Rounded {
 /// Returns the binary64 nearest to q, ties to even (subnormals and infinities as above).
 [[nodiscard]] double nearest_binary64(const Rational& q);
 
-/// Returns a binary64 as C's %a writes it: exact.
-[[nodiscard]] std::string hexadecimal(double x);
-
 /// Prints a ball as "0.785398 +/- 1.7e-07": its number, rounded correctly to as many significant
 /// digits as the precision of the stream (std::setprecision; 6 by default), or to those that are
 /// certain, and the bound of |that number - x| for every x in the ball, rounded up. A ball without

@@ -15,30 +15,27 @@ const Judgement proved = Judgement::proved_by_symbols();
 const Judgement undecided;
 const Judgement underspecified = Judgement::underspecified();
 
-Judgement combine_readings(const std::vector<Judgement>& readings) {
-    return Judgement::of_readings(readings);
-}
-
 } // namespace
 
-TEST_CASE("readings: all hold, some hold, none holds") {
-    CHECK(combine_readings({proved, proved}) == Verdict::proved);
-    CHECK(combine_readings({proved, confirmed}) == Verdict::confirmed);
-    CHECK(combine_readings({confirmed, refuted}) == Verdict::imprecise);
-    CHECK(combine_readings({refuted, confirmed, imprecise}) == Verdict::imprecise);
-    CHECK(combine_readings({refuted, refuted}) == Verdict::refuted);
-    // An unlikely reading that is nearly right does not save a claim that the plain reading
-    // refutes.
-    CHECK(combine_readings({refuted, imprecise}) == Verdict::refuted);
-    CHECK(combine_readings({imprecise, refuted}) == Verdict::imprecise);
-}
-
-TEST_CASE("readings: an undecided reading leaves the claim undecided") {
-    CHECK(combine_readings({}) == Verdict::undecided);
-    CHECK(combine_readings({undecided}) == Verdict::undecided);
-    CHECK(combine_readings({confirmed, undecided}) == Verdict::undecided);
-    CHECK(combine_readings({refuted, undecided}) == Verdict::undecided);
-    CHECK(combine_readings({underspecified, underspecified}) == Verdict::underspecified);
+TEST_CASE("readings: all hold, some hold, none holds, some are undecided") {
+    const std::pair<std::vector<Judgement>, Verdict> combined[] = {
+        {{proved, proved}, Verdict::proved},
+        {{proved, confirmed}, Verdict::confirmed},
+        {{confirmed, refuted}, Verdict::imprecise},
+        {{refuted, confirmed, imprecise}, Verdict::imprecise},
+        {{refuted, refuted}, Verdict::refuted},
+        // An unlikely reading that is nearly right does not save a claim that the plain reading
+        // refutes.
+        {{refuted, imprecise}, Verdict::refuted},
+        {{imprecise, refuted}, Verdict::imprecise},
+        {{}, Verdict::undecided},
+        {{confirmed, undecided}, Verdict::undecided},
+        {{refuted, undecided}, Verdict::undecided},
+        {{underspecified, underspecified}, Verdict::underspecified},
+    };
+    for (const auto& [readings, verdict] : combined) {
+        CHECK(Judgement::of_readings(readings) == verdict);
+    }
 }
 
 TEST_CASE("patterns of ids") {

@@ -146,7 +146,7 @@ DecimalToken decimal_token(std::string_view text, std::size_t start, std::size_t
         return end - from;
     };
     const auto fail = [&](const std::string& problem, const std::string& instead) {
-        throw FormulaError(problem + at_column(text, start), instead, start);
+        throw FormulaError(problem + at_column(text, start), instead);
     };
     const auto point = [&] { return end < text.size() && text[end] == '.'; };
     std::size_t count = digits();
@@ -172,7 +172,7 @@ DecimalToken decimal_token(std::string_view text, std::size_t start, std::size_t
     try {
         q = zero ? Rational(0) : parse_decimal(text.substr(start, end - start));
     } catch (const InputError& error) {
-        throw FormulaError(error.problem() + at_column(text, start), error.instead(), start);
+        throw FormulaError(error.problem() + at_column(text, start), error.instead());
     }
     static const Rational most = parse_decimal("1e100000") * 10;
     static const Rational least = parse_decimal("1e-100000");

@@ -90,27 +90,6 @@ std::string_view other_spelling(std::string_view name) {
     return it == other_spellings.end() ? std::string_view{} : it->meant;
 }
 
-/// Returns the number of bytes of the printable character at `offset`; 0 for a control character or
-/// invalid UTF-8.
-std::size_t character_length(std::string_view text, std::size_t offset) {
-    const auto byte = [&](std::size_t i) {
-        return offset + i < text.size() ? static_cast<unsigned char>(text[offset + i]) : 0U;
-    };
-    if (byte(0) < 0x80U) {
-        return byte(0) >= 0x20U && byte(0) != 0x7FU ? 1 : 0;
-    }
-    if (byte(0) < 0xC3U || byte(0) > 0xF4U) { // 0xC2: Latin-1, with controls
-        return byte(0) == 0xC2U && byte(1) >= 0xA0U && byte(1) <= 0xBFU ? 2 : 0;
-    }
-    const std::size_t n = byte(0) < 0xE0U ? 2 : byte(0) < 0xF0U ? 3 : 4;
-    for (std::size_t i = 1; i < n; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80U) {
-            return 0;
-        }
-    }
-    return n;
-}
-
 } // namespace
 
 bool is_reserved(std::string_view name) {
@@ -138,13 +117,8 @@ Symbols& Symbols::add(std::string_view variable) {
 
 Symbols& Symbols::add_function(std::string_view name, unsigned arity) {
     check_new_name(name);
-    functions_.insert_or_assign(std::string(name), Function{arity});
+    functions_.insert_or_assign(std::string(name), arity);
     return *this;
-}
-
-const Symbols::Function* Symbols::function(std::string_view name) const {
-    const auto it = functions_.find(name);
-    return it == functions_.end() ? nullptr : &it->second;
 }
 
 Arity arity_of(std::string_view name, const Symbols& allowed) {
@@ -154,8 +128,8 @@ Arity arity_of(std::string_view name, const Symbols& allowed) {
     if (const auto f = find_builtin(name)) {
         return {f->min_arity, f->max_arity};
     }
-    const auto* f = allowed.function(name);
-    return f == nullptr ? Arity() : Arity{f->arity, f->arity};
+    const auto it = allowed.functions().find(name);
+    return it == allowed.functions().end() ? Arity() : Arity{it->second, it->second};
 }
 
 std::string usage(std::string_view name, const Symbols& allowed) {
@@ -228,16 +202,10 @@ std::string at_column(std::string_view text, std::size_t offset) {
 }
 
 std::string quoted_at(std::string_view text, std::size_t offset) {
-    const auto c = static_cast<unsigned char>(text[offset]);
-    const std::size_t length = character_length(text, offset);
-    if (length == 0) {
-        static constexpr std::string_view hex = "0123456789abcdef";
-        return std::string("byte 0x") + hex[c >> 4U] + hex[c & 0xFU];
-    }
-    std::string quoted(1, '\'');
-    quoted.append(text.substr(offset, length));
-    quoted += '\'';
-    return quoted;
+    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+    const auto begin = text.begin() + static_cast<std::ptrdiff_t>(offset);
+    const auto end = std::find_if_not(begin + 1, text.end(), continues);
+    return "'" + printable(std::string_view(begin, end)) + "'";
 }
 
 std::string hint_for_character(std::string_view text, std::size_t offset) {

@@ -35,7 +35,7 @@ inline constexpr std::string_view without_units =
 
 /// Returns " at column N"; columns count characters from 1.
 [[nodiscard]] std::string at_column(std::string_view text, std::size_t offset);
-/// Returns the (UTF-8) character at `offset` in quotes, or its code if it cannot be printed.
+/// Returns the (UTF-8) character at `offset` in quotes, or an escape if it cannot be printed.
 [[nodiscard]] std::string quoted_at(std::string_view text, std::size_t offset);
 /// Returns what to write instead of a character that may not occur in a formula.
 [[nodiscard]] std::string hint_for_character(std::string_view text, std::size_t offset);

@@ -37,11 +37,11 @@ public:
     Expr operator()() {
         if (text_.size() > max_length) {
             fail("the expression is " + std::to_string(text_.size()) + " bytes long",
-                 "write one of at most " + std::to_string(max_length), 0);
+                 "write one of at most " + std::to_string(max_length));
         }
         skip_space();
         if (pos_ == text_.size()) {
-            fail("the expression is empty", "write a number or a formula", 0);
+            fail("the expression is empty", "write a number or a formula");
         }
         const Expr e = sum();
         if (pos_ < text_.size()) {
@@ -53,8 +53,8 @@ public:
     }
 
 private:
-    [[noreturn]] static void fail(std::string problem, std::string instead, std::size_t offset) {
-        throw FormulaError(std::move(problem), std::move(instead), offset);
+    [[noreturn]] static void fail(std::string problem, std::string instead) {
+        throw FormulaError(std::move(problem), std::move(instead));
     }
     [[nodiscard]] std::string column(std::size_t offset) const { return at_column(text_, offset); }
 
@@ -85,8 +85,7 @@ private:
             if (++parser_.depth_ > max_depth) {
                 fail("the expression is nested more than " + std::to_string(max_depth) +
                          " levels deep" + parser_.column(parser_.pos_),
-                     "write it with fewer brackets, signs or powers inside one another",
-                     parser_.pos_);
+                     "write it with fewer brackets, signs or powers inside one another");
             }
         }
         ~Level() { --parser_.depth_; }
@@ -122,7 +121,7 @@ private:
         for (;;) {
             if (take('*')) {
                 if (peek() == '*') {
-                    fail("'**'" + column(pos_ - 1), "write a power as x^y", pos_ - 1);
+                    fail("'**'" + column(pos_ - 1), "write a power as x^y");
                 }
                 left = combine(left, signed_factor(), start, std::multiplies<>());
                 divided = false;
@@ -146,10 +145,10 @@ private:
         const std::string where = column(pos_) + " can be read in two ways";
         if (divided) {
             fail("the product without '*' after a '/'" + where,
-                 "write a/(b*c) or (a/b)*c with '*' and brackets", pos_);
+                 "write a/(b*c) or (a/b)*c with '*' and brackets");
         }
         if (is_power_) {
-            fail("the product without '*' after a power" + where, "write x^2*y or x^(2*y)", pos_);
+            fail("the product without '*' after a power" + where, "write x^2*y or x^(2*y)");
         }
     }
 
@@ -165,7 +164,7 @@ private:
         if (child.height() >= Expr::max_height) {
             fail("more than " + std::to_string(Expr::max_height) + " operations in a chain" +
                      column(start),
-                 "group the terms by brackets", start);
+                 "group the terms by brackets");
         }
     }
 
@@ -223,7 +222,7 @@ private:
             return;
         }
         if (at_end()) {
-            fail("the '('" + column(opened_at) + " is never closed", "add a ')'", opened_at);
+            fail("the '('" + column(opened_at) + " is never closed", "add a ')'");
         }
         unexpected_after_operand();
     }
@@ -245,7 +244,7 @@ private:
         return text_.substr(start, end - start);
     }
     [[nodiscard]] bool is_function(std::string_view name) const {
-        return arity_of(name, allowed_).most != 0 || allowed_.function(name) != nullptr;
+        return arity_of(name, allowed_).most != 0 || allowed_.has_function(name);
     }
     [[nodiscard]] bool is_known(std::string_view name) const {
         return is_pi(name) || allowed_.has(name) || is_function(name);
@@ -267,7 +266,7 @@ private:
         }
         if (is_function(name) && !allowed_.has(name)) {
             fail("the function '" + name + "'" + column(start) + " has no arguments",
-                 "write " + usage(name, allowed_), start);
+                 "write " + usage(name, allowed_));
         }
         return located(Expr::symbol(name), start);
     }
@@ -281,10 +280,10 @@ private:
         if (!is_function(name)) {
             if (allowed_.has(name) || is_pi(name)) {
                 fail("'" + name + "'" + column(start) + " is not a function",
-                     "write a product as " + name + "*(...)", start);
+                     "write a product as " + name + "*(...)");
             }
             fail("unknown function '" + name + "'" + column(start),
-                 instead_of_function(name, allowed_), start);
+                 instead_of_function(name, allowed_));
         }
         const std::size_t opened_at = pos_;
         take('(');
@@ -309,14 +308,14 @@ private:
         if (args.size() < least || args.size() > most) {
             fail("'" + name + "'" + column(start) + " is given " + std::to_string(args.size()) +
                      (args.size() == 1 ? " argument" : " arguments"),
-                 "write " + usage(name, allowed_), start);
+                 "write " + usage(name, allowed_));
         }
         if (binder_arity(name) != 0) {
             const Expr& variable = args[1];
             if (variable.kind() != Expr::Kind::symbol || is_reserved(variable.name())) {
                 fail("the second argument of '" + name + "'" + column(variable.offset()) +
                          " is not a variable",
-                     "write " + usage(name, allowed_), variable.offset());
+                     "write " + usage(name, allowed_));
             }
         }
     }
@@ -329,13 +328,13 @@ private:
     [[noreturn]] void expected_operand() const {
         if (at_end()) {
             fail("the expression ends where a number, a name or '(' must follow",
-                 "complete it or take off the last operator", pos_);
+                 "complete it or take off the last operator");
         }
         const std::string what = quoted_character() + column(pos_);
         if (peek() == ')' || peek() == ',') {
-            fail("nothing before the " + what, "write a number, a name or '(' there", pos_);
+            fail("nothing before the " + what, "write a number, a name or '(' there");
         }
-        fail("unexpected " + what, hint_for_character(text_, pos_), pos_);
+        fail("unexpected " + what, hint_for_character(text_, pos_));
     }
 
     /// True if a name that can only be a unit follows a number.
@@ -348,20 +347,19 @@ private:
         const char c = peek();
         const std::string what = quoted_character() + column(pos_);
         if (c == ')') {
-            fail("the " + what + " closes nothing", "take it off or add a '('", pos_);
+            fail("the " + what + " closes nothing", "take it off or add a '('");
         }
         if (c == ',') {
-            fail("unexpected " + what, "commas stand only between the arguments of a function",
-                 pos_);
+            fail("unexpected " + what, "commas stand only between the arguments of a function");
         }
         if (at_unit()) {
             fail("numbers have no units here: '" + std::string(name_at(pos_)) + "'" + column(pos_),
-                 std::string(without_units), pos_);
+                 std::string(without_units));
         }
         if (is_name(c) || c == '(' || c == '.') {
-            fail("a '*' is missing" + column(pos_), "write every product with *", pos_);
+            fail("a '*' is missing" + column(pos_), "write every product with *");
         }
-        fail("unexpected " + what, hint_for_character(text_, pos_), pos_);
+        fail("unexpected " + what, hint_for_character(text_, pos_));
     }
 
     void check_names(const Expr& e, std::vector<std::string_view>& bound) const {
@@ -370,7 +368,7 @@ private:
                 allowed_.has(e.name()) || std::ranges::find(bound, e.name()) != bound.end();
             if (!known) {
                 fail("unknown name '" + e.name() + "'" + column(e.offset()),
-                     instead_of_variable(e.name(), allowed_, bound), e.offset());
+                     instead_of_variable(e.name(), allowed_, bound));
             }
         }
         for (std::size_t i = 0; i < e.args().size(); ++i) {

@@ -3,7 +3,6 @@
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/error.hpp"
 
-#include <cstddef>
 #include <initializer_list>
 #include <map>
 #include <set>
@@ -16,22 +15,12 @@ namespace edgeproof::formula {
 /// the column, `instead()` what may stand there.
 class FormulaError : public InputError {
 public:
-    FormulaError(std::string problem, std::string instead, std::size_t offset)
-        : InputError(std::move(problem), std::move(instead)), offset_(offset) {}
-    /// Bytes from the start of the text.
-    [[nodiscard]] std::size_t offset() const noexcept { return offset_; }
-
-private:
-    std::size_t offset_;
+    using InputError::InputError;
 };
 
 /// The names that a formula may use in addition to the built-in functions and the constant Pi.
 class Symbols {
 public:
-    struct Function {
-        unsigned arity;
-    };
-
     Symbols() = default;
     Symbols(std::initializer_list<std::string_view> variables);
     explicit Symbols(const std::set<std::string>& variables);
@@ -44,16 +33,18 @@ public:
     [[nodiscard]] bool has(std::string_view variable) const {
         return variables_.contains(variable);
     }
-    /// nullptr if there is no such function.
-    [[nodiscard]] const Function* function(std::string_view name) const;
+    [[nodiscard]] bool has_function(std::string_view name) const {
+        return functions_.contains(name);
+    }
     [[nodiscard]] const std::set<std::string, std::less<>>& variables() const { return variables_; }
-    [[nodiscard]] const std::map<std::string, Function, std::less<>>& functions() const {
+    /// The functions with the numbers of their arguments.
+    [[nodiscard]] const std::map<std::string, unsigned, std::less<>>& functions() const {
         return functions_;
     }
 
 private:
     std::set<std::string, std::less<>> variables_;
-    std::map<std::string, Function, std::less<>> functions_;
+    std::map<std::string, unsigned, std::less<>> functions_;
 };
 
 /// True for names that no variable may have: E, e, I, inf, nan and similar names, pi, integral, pv,

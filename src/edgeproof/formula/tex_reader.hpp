@@ -58,8 +58,8 @@ class TexTokens {
 protected:
     explicit TexTokens(std::string_view tex) : tex_(tex) {}
 
-    [[noreturn]] void fail(std::string problem, std::string instead) const {
-        throw FormulaError(std::move(problem), std::move(instead), at_);
+    [[noreturn]] static void fail(std::string problem, std::string instead) {
+        throw FormulaError(std::move(problem), std::move(instead));
     }
     [[noreturn]] void refuse(const std::string& what, std::string instead) const {
         fail(what + at_column(tex_, at_) + " can be read in two ways", std::move(instead));
@@ -135,9 +135,9 @@ protected:
     public:
         explicit Level(TexTokens& reader) : reader_(reader) {
             if (++reader_.depth_ > deepest_tex) {
-                reader_.fail("the formula is nested more than " + std::to_string(deepest_tex) +
-                                 " levels deep",
-                             "write it with fewer brackets inside one another");
+                fail("the formula is nested more than " + std::to_string(deepest_tex) +
+                         " levels deep",
+                     "write it with fewer brackets inside one another");
             }
         }
         ~Level() { --reader_.depth_; }
@@ -228,7 +228,7 @@ private:
     std::optional<PlainPart> scripts(ScriptedName& name);
     std::optional<PlainPart> superscript(ScriptedName& name);
     [[nodiscard]] bool is_function(std::string_view name) const {
-        return allowed_.function(name) != nullptr;
+        return allowed_.has_function(name);
     }
     [[nodiscard]] std::vector<std::string> candidates(const ScriptedName& name) const;
     /// The name in `allowed`; if there is none, the first candidate, which may be bound.

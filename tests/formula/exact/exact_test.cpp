@@ -10,12 +10,16 @@
 #include <string>
 
 TEST_CASE("a constant means exactly the number that is written") {
-    CHECK(Exact::parse("0.4").rational() == Rational(2, 5));
-    CHECK(Exact::parse(" 3/2 ").rational() == Rational(3, 2));
-    CHECK(Exact::parse(" 3/2 ").text() == " 3/2 ");
-    CHECK(Exact::parse("1e-30").rational() * Rational(Integer("1" + std::string(30, '0'))) == 1);
-    CHECK(Exact::parse("0.1 + 0.2").rational() == Rational(3, 10));
-    CHECK(Exact::parse("sqrt(2.25)").rational() == Rational(3, 2));
+    const std::pair<const char*, Rational> numbers[] = {
+        {"0.4", {2, 5}},
+        {" 3/2 ", {3, 2}},
+        {"0.1 + 0.2", {3, 10}},
+        {"sqrt(2.25)", {3, 2}},
+        {"1e-30", Rational(1, Integer("1" + std::string(30, '0')))}};
+    for (const auto& [text, value] : numbers) {
+        CHECK(Exact::parse(text).rational() == value);
+        CHECK(Exact::parse(text).text() == text);
+    }
     CHECK_FALSE(Exact::parse("pi/16").is_rational());
     CHECK_THROWS_AS((void)Exact::parse("pi/16").rational(), Error);
     CHECK(Exact().rational() == 0);
@@ -51,15 +55,18 @@ TEST_CASE("values are rounded correctly") {
     CHECK(Exact::parse("-pi*0").to<double>() == 0.0);
     for (const unsigned digits : {10U, 50U, 500U}) {
         const PrecisionScope scope(digits);
-        CHECK(Exact::parse("pi").to<Real>() == pi<Real>());
-        CHECK(Exact::parse("0.1").to<Real>() == from_rational<Real>(Rational(1, 10)));
-        CHECK(Exact::parse("sqrt(2)").to<Real>() == sqrt(Real(2)));
-        CHECK(Exact::parse("sqrt(8)/2").to<Real>() == sqrt(Real(2)));
-        CHECK(Exact::parse("2*asin(1)").to<Real>() == pi<Real>());
-        CHECK(Exact::parse("gamma(0.5)^2").to<Real>() == pi<Real>());
-        CHECK(Exact::parse("exp(log(7))").to<Real>() == 7);
-        CHECK(Exact::parse("sum(1/k, k, 1, 4)*sqrt(144)").to<Real>() == 25);
-        CHECK(Exact::parse("atan2(1, -1)*4/3").to<Real>() == pi<Real>());
+        const std::pair<const char*, Real> values[] = {
+            {"0.1", from_rational<Real>(Rational(1, 10))},
+            {"sqrt(2)", sqrt(Real(2))},
+            {"sqrt(8)/2", sqrt(Real(2))},
+            {"exp(log(7))", Real(7)},
+            {"sum(1/k, k, 1, 4)*sqrt(144)", Real(25)}};
+        for (const auto& [text, number] : values) {
+            CHECK(Exact::parse(text).to<Real>() == number);
+        }
+        for (const char* text : {"pi", "2*asin(1)", "gamma(0.5)^2", "atan2(1, -1)*4/3"}) {
+            CHECK(Exact::parse(text).to<Real>() == pi<Real>());
+        }
         CHECK(Exact::parse("max(3, Pi, sqrt(9.8)) + sgn(-Pi)*step(Pi)").to<Real>() ==
               Exact::parse("Pi - 1").to<Real>());
         const auto with_guard = [&] {
@@ -97,44 +104,49 @@ TEST_CASE("for any number of requested digits, more are used to compensate a can
 }
 
 TEST_CASE("a double halfway between two is decided by digits far behind") {
-    // 1 + 2^-53 lies halfway between 1 and the next double.
-    CHECK(Exact::parse("1 + 2^-53 + 1e-60*sqrt(2)").to<double>() == 1.0 + 0x1p-52);
-    CHECK(Exact::parse("1 + 2^-53 - 1e-60*sqrt(2)").to<double>() == 1.0);
-    CHECK(Exact::parse("1 + 2^-53 + 1e-60").to<double>() == 1.0 + 0x1p-52); // the same, rational
-    CHECK(Exact::parse("1 + 2^-53 - 1e-60").to<double>() == 1.0);
-    CHECK(Exact::parse("-1 - 2^-53 - 1e-60").to<double>() == -1.0 - 0x1p-52);
-    CHECK(Exact::parse("2^-1074*(3/2 + 1e-60)").to<double>() == 0x1p-1073);
-    CHECK(Exact::parse("2^-1074*(3/2 - 1e-60)").to<double>() == 0x1p-1074);
-    CHECK(Exact::parse("1 + 2^-53").to<double>() == 1.0); // ties to even
+    const std::pair<const char*, double> rounded[] = {
+        // 1 + 2^-53 lies halfway between 1 and the next double.
+        {"1 + 2^-53 + 1e-60*sqrt(2)", 1.0 + 0x1p-52},
+        {"1 + 2^-53 - 1e-60*sqrt(2)", 1.0},
+        {"1 + 2^-53 + 1e-60", 1.0 + 0x1p-52}, // the same, rational
+        {"1 + 2^-53 - 1e-60", 1.0},
+        {"-1 - 2^-53 - 1e-60", -1.0 - 0x1p-52},
+        {"2^-1074*(3/2 + 1e-60)", 0x1p-1073},
+        {"2^-1074*(3/2 - 1e-60)", 0x1p-1074},
+        {"1 + 2^-53", 1.0}, // ties to even
+        {"1e-320", 1e-320},
+    };
+    for (const auto& [text, value] : rounded) {
+        CAPTURE(text);
+        CHECK(Exact::parse(text).to<double>() == value);
+    }
 }
 
 TEST_CASE("a value beyond the range of the arithmetic is an error") {
-    CHECK_THROWS_AS((void)Exact::parse("1e400").to<double>(), DomainError);
-    CHECK_THROWS_AS((void)Exact::parse("1e-400").to<double>(), DomainError);
-    CHECK_THROWS_AS((void)Exact::parse("pi*1e400").to<double>(), DomainError);
-    CHECK_THROWS_AS((void)Exact::parse("pi*1e-400").to<double>(), DomainError);
-    CHECK(Exact::parse("1e-320").to<double>() == 1e-320);
+    for (const char* text : {"1e400", "1e-400", "pi*1e400", "pi*1e-400"}) {
+        CHECK_THROWS_AS((void)Exact::parse(text).to<double>(), DomainError);
+    }
 }
 
 TEST_CASE("signs are decided however close to zero") {
-    CHECK(Exact::parse("0.1 + 0.2 - 0.3").sign() == 0);
-    CHECK(Exact::parse("-1e-1000").sign() == -1);
-    CHECK(Exact::parse("sqrt(2) - 1.41421356237309504880168872420969807856967187537694").sign() >
-          0);
-    CHECK(Exact::parse("sqrt(2) - 1.41421356237309504880168872420969807856967187537695").sign() <
-          0);
-    CHECK(Exact::parse("sqrt(1 + 1e-1000) - 1").sign() == 1);
-    CHECK(Exact::parse("3 - Pi").sign() == -1);
-    CHECK(Exact::parse("sqrt(Pi) - sqrt(Pi)").sign() == 0);
-    // Large terms cancel: their first 60 digits, then 40 more.
-    CHECK(
-        Exact::parse("1e60*sqrt(2) - 1414213562373095048801688724209698078569671875376948073176679")
-            .sign() > 0);
-    CHECK(
-        Exact::parse("1e60*sqrt(2) - 1414213562373095048801688724209698078569671875376948073176680")
-            .sign() < 0);
-    // The root of a number that appears negative at 30 digits.
-    CHECK(Exact::parse("sqrt(sqrt(2) - 1.414213562373095048801688724209698078569)").sign() == 1);
+    const std::pair<const char*, int> signs[] = {
+        {"0.1 + 0.2 - 0.3", 0},
+        {"-1e-1000", -1},
+        {"sqrt(2) - 1.41421356237309504880168872420969807856967187537694", 1},
+        {"sqrt(2) - 1.41421356237309504880168872420969807856967187537695", -1},
+        {"sqrt(1 + 1e-1000) - 1", 1},
+        {"3 - Pi", -1},
+        {"sqrt(Pi) - sqrt(Pi)", 0},
+        // Large terms cancel: their first 60 digits, then 40 more.
+        {"1e60*sqrt(2) - 1414213562373095048801688724209698078569671875376948073176679", 1},
+        {"1e60*sqrt(2) - 1414213562373095048801688724209698078569671875376948073176680", -1},
+        // The root of a number that appears negative at 30 digits.
+        {"sqrt(sqrt(2) - 1.414213562373095048801688724209698078569)", 1},
+    };
+    for (const auto& [text, sign] : signs) {
+        CAPTURE(text);
+        CHECK(Exact::parse(text).sign() == sign);
+    }
     // The number is zero, but no number of digits can show it.
     CHECK_THROWS_AS((void)Exact::parse("sqrt(2)*sqrt(3) - sqrt(6)").sign(), BudgetError);
 }

@@ -127,7 +127,7 @@ Condition parse_condition(std::string_view text,
         }
         if (ops.empty()) {
             throw formula::FormulaError("'" + std::string(part) + "' contains no comparison",
-                                        "write a condition such as x > 0 and x < a", 0);
+                                        "write a condition such as x > 0 and x < a");
         }
         sides.push_back(read_side(part.substr(from)));
         for (std::size_t k = 0; k < ops.size(); ++k) {

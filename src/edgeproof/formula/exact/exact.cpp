@@ -68,7 +68,7 @@ void check_magnitude(const Expr& e, std::string_view text) {
         if (certainly_less(greatest, size) ||
             (certainly_less(size, least) && !contains_zero(size))) {
             throw FormulaError("'" + shortened(text, 60) + "' is beyond the range of numbers",
-                               "write a number between 1e-100000 and 1e100000", 0);
+                               "write a number between 1e-100000 and 1e100000");
         }
         return x.is_exact() || (certainly_less(least, size) && certainly_less(size, greatest));
     }));
@@ -97,7 +97,7 @@ Exact Exact::parse(std::string_view text) {
     try {
         check_defined(e);
     } catch (const Error& error) {
-        throw FormulaError(error.what(), "write a constant with a real value", 0);
+        throw FormulaError(error.what(), "write a constant with a real value");
     }
     check_magnitude(e, text);
     return {std::string(text), std::move(e)};

@@ -204,8 +204,7 @@ private:
         };
         for (std::size_t i = 0; collect && i < g_.size(); ++i) {
             const std::string& name = g_[i]->name;
-            const bool rate = g_[i]->kind == Kind::name && name.size() == 2 && name[0] == 'P' &&
-                              name[1] >= '1' && name[1] <= '9';
+            const bool rate = g_[i]->kind == Kind::name && formula::order_behind(name, "P");
             if (!rate || rest.degree(i) != 1) {
                 continue;
             }

@@ -17,10 +17,6 @@ namespace {
 /// The greatest number of candidates that pass the screening and are checked completely.
 constexpr std::size_t most_full_checks = 4;
 
-bool numbered(const std::string& name, char letter) {
-    return name.size() == 2 && name[0] == letter && name[1] >= '1' && name[1] <= '9';
-}
-
 bool safe(const std::function<bool(const Expr&)>& test, const Expr& e) {
     try {
         return test(e);
@@ -95,19 +91,19 @@ EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& e
     std::set<std::string> names = free_symbols(printed);
     names.merge(free_symbols(exact));
     const std::set<std::string> written = names;
-    const auto any = [&](char letter) {
-        return std::ranges::any_of(names,
-                                   [&](const std::string& n) { return numbered(n, letter); });
+    const auto any = [&](const char* letter) {
+        return std::ranges::any_of(
+            names, [&](const std::string& n) { return order_behind(n, letter).has_value(); });
     };
     // The coefficients depend on the derivatives of the contact law.
     const bool coefficient = std::ranges::any_of(names, [](const std::string& n) {
         return n.starts_with("right_c") || n.starts_with("left_c");
     });
-    const bool rates = coefficient || any('P');
+    const bool rates = coefficient || any("P");
     if (rates) {
         names.insert({"P1", "P2", "P3"});
     }
-    if (coefficient || any('b')) {
+    if (coefficient || any("b")) {
         names.insert({"b", "b1", "b2", "b3"});
     }
     names.insert("a");
@@ -127,7 +123,7 @@ EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& e
             continue;
         }
         alphabet.symbols.push_back(name);
-        if (numbered(name, 'P') || name == "x" || name == "P" || name == "M") {
+        if (order_behind(name, "P") || name == "x" || name == "P" || name == "M") {
             continue;
         }
         const Expr e = Expr::symbol(name);

@@ -57,11 +57,7 @@ public:
         }
         lowest_ = lo;
         highest_ = hi;
-        std::vector<PieceEnd> ends{lo};
-        for (PieceEnd& cut : cuts()) {
-            ends.push_back(std::move(cut));
-        }
-        ends.push_back(hi);
+        const std::vector<PieceEnd> ends = ends_of_pieces();
         return diverges_at(lo, ends[1], 1) || diverges_at(hi, ends[ends.size() - 2], -1);
     }
 
@@ -128,11 +124,7 @@ private:
                 return *above;
             }
         }
-        std::vector<PieceEnd> ends{lo};
-        for (PieceEnd& cut : cuts()) {
-            ends.push_back(std::move(cut));
-        }
-        ends.push_back(hi);
+        const std::vector<PieceEnd> ends = ends_of_pieces();
         Box sum(around_.bits);
         for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
             sum = sum + piece(ends[i], ends[i + 1]);
@@ -164,12 +156,12 @@ private:
         return linear_at(argument, place);
     }
 
-    /// Returns the cuts inside the interval, in ascending order.
-    [[nodiscard]] std::vector<PieceEnd> cuts() {
-        std::vector<PieceEnd> inside;
+    /// Returns the ends of the interval and the cuts between them, in ascending order.
+    [[nodiscard]] std::vector<PieceEnd> ends_of_pieces() {
         if (around_.contact == nullptr) {
-            return inside;
+            return {lowest_, highest_};
         }
+        std::vector<PieceEnd> inside;
         const auto same = [&](const PieceEnd& x, const Expr& e, const Ball& at) {
             if (!overlaps(x.at, at)) {
                 return false;
@@ -195,6 +187,8 @@ private:
         std::ranges::sort(inside, [](const PieceEnd& x, const PieceEnd& y) {
             return certainly_less(x.at, y.at);
         });
+        inside.insert(inside.begin(), lowest_);
+        inside.push_back(highest_);
         return inside;
     }
 

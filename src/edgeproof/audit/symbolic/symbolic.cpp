@@ -21,9 +21,8 @@ using algebra::Form;
 bool has_either_sign(std::string_view name) {
     static constexpr std::string_view names[] = {"x", "s", "M", "alpha", "Q", "sig0", "y"};
     return std::ranges::find(names, name) != std::end(names) || name.starts_with("right_s") ||
-           name.starts_with("left_s") || name.starts_with("stick_") ||
-           (name.size() == 2 && (name[0] == 'P' || name[0] == 'b') && name[1] >= '1' &&
-            name[1] <= '9');
+           name.starts_with("left_s") || name.starts_with("stick_") || order_behind(name, "P") ||
+           order_behind(name, "b");
 }
 
 /// A name without a meaning. Lengths, moduli and similar quantities are positive.
@@ -91,8 +90,8 @@ public:
 
 private:
     [[nodiscard]] Form meaning(std::string_view name) const {
-        const bool numbered = name.size() == 2 && name[1] >= '1' && name[1] <= '9';
-        const unsigned k = numbered ? static_cast<unsigned>(name[1] - '0') : 0;
+        const auto k_of_P = name == "P" ? std::optional(std::size_t{0}) : order_behind(name, "P");
+        const auto k_of_b = name == "b" ? std::optional(std::size_t{0}) : order_behind(name, "b");
         if (name == "L") {
             return symbol("a") + symbol("b");
         }
@@ -111,20 +110,18 @@ private:
         if (const auto given = under_.names.find(name); given != under_.names.end()) {
             return from(given->second);
         }
-        if ((name == "P" || (numbered && name[0] == 'P')) && under_.P) {
-            return derivative(from(*under_.P), k);
+        if (k_of_P && under_.P) {
+            return derivative(from(*under_.P), *k_of_P);
         }
-        if (name == "b" || (numbered && name[0] == 'b')) {
-            if (under_.b) {
-                return derivative(from(*under_.b), k);
-            }
-            if (under_.symmetric) {
-                return k == 0 ? symbol_alone("a") : Form(k == 1 ? 1 : 0);
-            }
+        if (k_of_b && under_.b) {
+            return derivative(from(*under_.b), *k_of_b);
+        }
+        if (k_of_b && under_.symmetric) {
+            return *k_of_b == 0 ? symbol_alone("a") : Form(*k_of_b == 1 ? 1 : 0);
         }
         return under_.either_sign.contains(name) ? Form::name(name, false) : symbol_alone(name);
     }
-    [[nodiscard]] static Form derivative(Form f, unsigned k) {
+    [[nodiscard]] static Form derivative(Form f, std::size_t k) {
         for (; k > 0; --k) {
             f = f.derivative("a");
         }

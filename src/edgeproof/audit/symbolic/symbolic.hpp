@@ -19,6 +19,7 @@ namespace edgeproof::audit {
 
 using contact::Edge;
 using formula::Expr;
+using formula::order_behind;
 
 /// The assumptions of a symbolic identity. P1, P2, ..., b, b1, ... are free symbols, unless the
 /// contact is symmetric (b = a) or P(a), b(a) are given as formulas in a.

@@ -11,6 +11,18 @@ namespace edgeproof::formula {
 
 [[nodiscard]] inline bool is_pi(std::string_view name) { return name == "pi" || name == "Pi"; }
 
+/// Increases a depth by one, until its destructor is called.
+class Level {
+public:
+    explicit Level(std::size_t& depth) : depth_(depth) { ++depth_; }
+    ~Level() { --depth_; }
+    Level(const Level&) = delete;
+    Level& operator=(const Level&) = delete;
+
+private:
+    std::size_t& depth_;
+};
+
 /// The least and the greatest number of arguments.
 struct Arity {
     std::size_t least = 0;

@@ -78,23 +78,14 @@ private:
         return true;
     }
 
-    /// Increases the depth by one, until its destructor is called.
-    class Level {
-    public:
-        explicit Level(Parser& parser) : parser_(parser) {
-            if (++parser_.depth_ > max_depth) {
-                fail("the expression is nested more than " + std::to_string(max_depth) +
-                         " levels deep" + parser_.column(parser_.pos_),
-                     "write it with fewer brackets, signs or powers inside one another");
-            }
+    [[nodiscard]] Level deeper() {
+        if (depth_ == max_depth) {
+            fail("the expression is nested more than " + std::to_string(max_depth) +
+                     " levels deep" + column(pos_),
+                 "write it with fewer brackets, signs or powers inside one another");
         }
-        ~Level() { --parser_.depth_; }
-        Level(const Level&) = delete;
-        Level& operator=(const Level&) = delete;
-
-    private:
-        Parser& parser_;
-    };
+        return Level(depth_);
+    }
 
     // --- the grammar
 
@@ -171,13 +162,13 @@ private:
     Expr signed_factor() {
         const std::size_t start = pos_;
         if (take('-')) {
-            const Level level(*this);
+            const Level level = deeper();
             const Expr operand = signed_factor();
             check_height(operand, start);
             return located(-operand, start);
         }
         if (take('+')) {
-            const Level level(*this);
+            const Level level = deeper();
             return signed_factor();
         }
         return power();
@@ -187,7 +178,7 @@ private:
         const std::size_t start = pos_;
         const Expr base = primary();
         if (take('^')) {
-            const Level level(*this);
+            const Level level = deeper();
             const Expr exponent = signed_factor();
             check_height(base, start);
             check_height(exponent, start);
@@ -201,7 +192,7 @@ private:
     Expr primary() {
         const std::size_t start = pos_;
         if (take('(')) {
-            const Level level(*this);
+            const Level level = deeper();
             const Expr inside = sum();
             close(start);
             return inside;
@@ -287,7 +278,7 @@ private:
         }
         const std::size_t opened_at = pos_;
         take('(');
-        const Level level(*this);
+        const Level level = deeper();
         std::vector<Expr> args;
         if (peek() != ')') {
             do {

@@ -35,7 +35,7 @@ std::string TexReader::read() {
 }
 
 PlainPart TexReader::sum(bool integrand) {
-    const Level level(*this);
+    const Level level = deeper();
     PlainPart all;
     if (take('-')) {
         all = {"-" + at_least(product(integrand), Binding::product), Binding::sum};
@@ -147,7 +147,7 @@ bool TexReader::starts_factor() {
 }
 
 PlainPart TexReader::factor() {
-    const Level level(*this);
+    const Level level = deeper();
     const char c = peek();
     if (is_tex_digit(c) || c == '.') {
         return with_power({number()});
@@ -232,7 +232,7 @@ PlainPart TexReader::fraction() {
             Binding::product};
 }
 PlainPart TexReader::argument() {
-    const Level level(*this);
+    const Level level = deeper();
     const char c = peek();
     if (c == '{') {
         return group();

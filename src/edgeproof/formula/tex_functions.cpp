@@ -75,7 +75,7 @@ bool TexReader::differential() {
     return false;
 }
 PlainPart TexReader::integral() {
-    const Level level(*this);
+    const Level level = deeper();
     std::array<std::string, 2> limits;
     for (int k = 0; k < 2; ++k) {
         const bool lower = take('_');

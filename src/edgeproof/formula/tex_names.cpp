@@ -26,7 +26,7 @@ ScriptedName TexReader::bare_name() {
     return {is_in(tex_upright, name) ? raw_group() : name, {}};
 }
 std::string TexReader::raw_group() {
-    const Level level(*this);
+    const Level level = deeper();
     std::string text;
     const auto token = [&] {
         const char c = peek();

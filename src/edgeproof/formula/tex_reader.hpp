@@ -131,22 +131,13 @@ protected:
         }
     }
 
-    class Level {
-    public:
-        explicit Level(TexTokens& reader) : reader_(reader) {
-            if (++reader_.depth_ > deepest_tex) {
-                fail("the formula is nested more than " + std::to_string(deepest_tex) +
-                         " levels deep",
-                     "write it with fewer brackets inside one another");
-            }
+    [[nodiscard]] Level deeper() {
+        if (depth_ == deepest_tex) {
+            fail("the formula is nested more than " + std::to_string(deepest_tex) + " levels deep",
+                 "write it with fewer brackets inside one another");
         }
-        ~Level() { --reader_.depth_; }
-        Level(const Level&) = delete;
-        Level& operator=(const Level&) = delete;
-
-    private:
-        TexTokens& reader_;
-    };
+        return Level(depth_);
+    }
 
     std::string_view tex_;
     std::size_t at_ = 0;

@@ -4,7 +4,6 @@
 #include "edgeproof/audit/enclosure/contact_formulas.hpp"
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/stress/plane_stress.hpp"
-#include "edgeproof/precision/rounding/escalate.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 namespace edgeproof::audit {
@@ -379,18 +378,6 @@ std::optional<Exact> exact_value(Expr e, const Sample& sample) {
         return std::nullopt;
     }
     return Exact(e);
-}
-
-std::optional<Ball> enclosed(const Expr& e, const Sample& sample, unsigned digits) {
-    std::optional<Ball> best;
-    const long needed = formula::bits_for(digits);
-    static_cast<void>(look_closer(
-        [&](long bits) {
-            best = EnclosedSample(sample, bits).finite(e);
-            return best->relative_accuracy_bits() >= needed;
-        },
-        {2 * needed, 16 * needed}));
-    return best;
 }
 
 std::string ball_text(const Ball& ball, unsigned digits) {

@@ -224,10 +224,6 @@ private:
         integrals_;
 };
 
-/// Returns the enclosure of a formula at a sample, right to `digits` digits if the bits are
-/// sufficient; nothing if there is none.
-[[nodiscard]] std::optional<Ball> enclosed(const Expr& e, const Sample& sample, unsigned digits);
-
 /// Returns a text such as "0.123456 +- 1.2e-52".
 [[nodiscard]] std::string ball_text(const Ball& ball, unsigned digits);
 

@@ -3,6 +3,17 @@
 
 namespace edgeproof::audit {
 
+std::optional<Ball> enclosed(const Expr& e, const Sample& sample, unsigned digits) {
+    constexpr unsigned integral_digits = 20;
+    std::optional<Ball> best;
+    SampleInBalls in_balls(sample, digits, integral_digits);
+    static_cast<void>(in_balls.until([&](const EnclosedSample& at) {
+        best = at.finite(e);
+        return best->relative_accuracy_bits() >= formula::bits_for(digits);
+    }));
+    return best;
+}
+
 namespace {
 
 Expr named(const char* name) { return Expr::symbol(name); }

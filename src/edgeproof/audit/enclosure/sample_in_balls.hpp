@@ -54,6 +54,10 @@ private:
     std::map<long, EnclosedSample> levels_;
 };
 
+/// Returns the enclosure of a formula at a sample, right to `digits` digits if the bits are
+/// sufficient; nothing if there is none.
+[[nodiscard]] std::optional<Ball> enclosed(const Expr& e, const Sample& sample, unsigned digits);
+
 /// Returns the scale of the errors of a formula at a sample: the sum of the sizes of its terms. An
 /// integral counts as the sum of two parts, M has the scale P*L, and the coefficient c_k that of
 /// c_0/L^k.

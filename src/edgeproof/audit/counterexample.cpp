@@ -108,8 +108,7 @@ Expr with_values(Expr e, const Assignment& values) {
 std::optional<Ball> constant_ball(const Expr& e) {
     constexpr long bits = 200;
     try {
-        Ball ball = formula::enclosed_constant(e, bits);
-        return ball.is_finite() ? std::optional(std::move(ball)) : std::nullopt;
+        return formula::enclose(e, bits);
     } catch (const Error&) {
         return std::nullopt; // not defined for these numbers
     }

@@ -23,22 +23,17 @@ bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 |
 /// Replaces the dot in a name ("right.c1") by an underscore; columns stay the same.
 std::string undotted(std::string_view text) {
     std::string plain(text);
+    bool in_word = false; // a name or a number
     bool in_name = false;
     for (std::size_t i = 0; i < plain.size(); ++i) {
-        if (plain[i] == '.' && in_name && i + 1 < plain.size() && is_name_start(plain[i + 1])) {
+        if (is_name(plain[i])) {
+            in_name = in_word ? in_name : is_name_start(plain[i]);
+            in_word = true;
+        } else if (plain[i] == '.' && in_name && i + 1 < plain.size() &&
+                   is_name_start(plain[i + 1])) {
             plain[i] = '_';
-        }
-        in_name = in_name ? is_name(plain[i]) : is_name_start(plain[i]);
-        // Skip a number such as 2e5 as a whole, as it is not a name.
-        if (!in_name && std::isdigit(static_cast<unsigned char>(plain[i])) != 0) {
-            const auto digit = [&plain](std::size_t k) {
-                return k < plain.size() && std::isdigit(static_cast<unsigned char>(plain[k])) != 0;
-            };
-            while (i + 1 < plain.size() &&
-                   (digit(i + 1) || plain[i + 1] == '.' ||
-                    ((plain[i + 1] == 'e' || plain[i + 1] == 'E') && digit(i + 2)))) {
-                ++i;
-            }
+        } else {
+            in_word = in_name = false;
         }
     }
     return plain;
@@ -182,7 +177,10 @@ std::string Claim::text_or(std::string_view key, std::string_view otherwise) con
 
 Edge Claim::edge() const { return text_or("edge", "right") == "right" ? Edge::right : Edge::left; }
 
-long Claim::integer(std::string_view key) const {
+long Claim::integer_or(std::string_view key, long otherwise) const {
+    if (!has(key)) {
+        return otherwise;
+    }
     const std::string& value = text(key);
     long n = 0;
     const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), n);
@@ -191,10 +189,6 @@ long Claim::integer(std::string_view key) const {
                "write " + std::string(key) + " = 1, for instance");
     }
     return n;
-}
-
-long Claim::integer_or(std::string_view key, long otherwise) const {
-    return has(key) ? integer(key) : otherwise;
 }
 
 template <class Value>
@@ -231,7 +225,7 @@ void Claim::read(const KeySpec& key) {
             static_cast<void>(text(name));
             return;
         case Type::integer:
-            static_cast<void>(integer(name));
+            static_cast<void>(integer_or(name, 0));
             return;
         case Type::number:
             static_cast<void>(Exact::parse(text(name)));

@@ -88,7 +88,6 @@ struct Claim {
     [[nodiscard]] std::string text_or(std::string_view key, std::string_view otherwise) const;
     /// The edge that the claim is about: the right one, unless the field `edge` is given.
     [[nodiscard]] Edge edge() const;
-    [[nodiscard]] long integer(std::string_view key) const;
     [[nodiscard]] long integer_or(std::string_view key, long otherwise) const;
     [[nodiscard]] const Field::List& list(std::string_view key) const;
     [[nodiscard]] const Field::Table& table(std::string_view key) const;

@@ -92,8 +92,6 @@ using Decision = std::variant<std::monostate, Confirmation, Refutation>;
 class Judgement {
 public:
     Judgement() = default;
-    explicit Judgement(const Refutation&) : verdict_(Verdict::refuted) {}
-    explicit Judgement(const Confirmation&) : verdict_(Verdict::confirmed) {}
     explicit Judgement(const Decision& decision);
 
     /// For a claim that cannot be evaluated as printed.

@@ -166,15 +166,23 @@ TEST_CASE("causes: an unknown error has none, and the error of a mesh is no mist
     });
     REQUIRE(mesh.diagnosis);
     CHECK(mesh.diagnosis->at_edges_only);
-    CHECK_FALSE(mesh.diagnosis->largest_inside);
+    CHECK(mesh.diagnosis->worst == Worst::near_edge);
     // Errors of 0.4 % at every third node are neither an effect of the mesh nor a known mistake.
     int node = 0;
     const FileComparison scatter =
         diagnosed([&](double x) { return right.p(x) * (++node % 3 == 0 ? 1.004 : 1); });
     REQUIRE(scatter.diagnosis);
     CHECK(scatter.diagnosis->at_edges_only);
-    CHECK(scatter.diagnosis->largest_inside);
+    CHECK(scatter.diagnosis->worst == Worst::inside);
     CHECK(scatter.diagnosis->causes.empty());
+    // A pressure outside the contact, where the rest is right.
+    const FileComparison outside =
+        diagnosed([&](double x) { return x > 1.2 * a ? 0.8 * right.p(0) : right.p(x); });
+    REQUIRE(outside.diagnosis);
+    CHECK(outside.diagnosis->at_edges_only);
+    CHECK(outside.diagnosis->worst == Worst::outside);
+    CHECK(outside.diagnosis->inside < 1e-12);
+    CHECK(outside.diagnosis->causes.empty());
     // Corners and middles of the sides of quadratic elements: the middles 24 % too large, or both
     // off by a fifth in opposite directions.
     for (const double corner : {1.0, 0.8}) {

@@ -196,6 +196,7 @@ TEST_CASE("the rounding of pressures in the contact does not explain pressures o
     CHECK(is_named(cause(0), "rounded-to-5"));
     REQUIRE(cause(0.8 * p0));
     CHECK(cause(0.8 * p0)->causes.empty());
+    CHECK(cause(0.8 * p0)->worst == Worst::outside);
 }
 
 TEST_CASE("x from any origin, mirrored order, compression negative: the same result") {

@@ -88,9 +88,10 @@ struct Observed {
 struct Left {
     /// Relative to the value of the node, or to a tenth of the largest one.
     diagnose::Remainders rows;
-    double rms = 0;               ///< relative to the largest value
-    double noise = 0;             ///< the rms scatter from node to node, relative to it
-    bool largest_counted = false; ///< the largest of all errors is at a node that counts
+    double rms = 0;    ///< relative to the largest value
+    double inside = 0; ///< the same, over the nodes in the suspect's contact
+    double noise = 0;  ///< the rms scatter from node to node, relative to it
+    Worst worst = Worst::near_edge;
 };
 
 /// All nodes, or some at equal steps if there are many.
@@ -132,11 +133,12 @@ std::optional<Left> left_by(const Observed& data, const Suspect& suspect) {
     const double sign = products < 0 ? -1 : 1; // a mistake may make the pressure mainly tensile
     Left left;
     double square = 0;
+    double square_inside = 0;
     double second = 0;
     std::size_t all = 0;
     std::size_t inside = 0;
     std::size_t seconds = 0;
-    std::array<double, 2> worst{};             // of nodes near an edge, and of those that count
+    std::pair worst{0.0, Worst::near_edge};
     std::array<std::optional<double>, 3> last; // errors of three nodes in turn
     std::optional<std::size_t> neighbour;
     for (std::size_t i = 0; i < data.nodes.size(); ++i) {
@@ -145,7 +147,9 @@ std::optional<Left> left_by(const Observed& data, const Suspect& suspect) {
         const bool counts = data.counts(suspect, i);
         const bool within = data.inside(suspect, i);
         if (std::isfinite(value)) {
-            worst[counts ? 1 : 0] = std::max(worst[counts ? 1 : 0], std::abs(number - value));
+            worst = std::max(worst, {std::abs(number - value), within   ? Worst::inside
+                                                               : counts ? Worst::outside
+                                                                        : Worst::near_edge});
         }
         const double off = (number - value) / largest;
         last = {last[1], last[2], within ? std::optional(off) : std::nullopt};
@@ -156,6 +160,7 @@ std::optional<Left> left_by(const Observed& data, const Suspect& suspect) {
         all += counts ? 1 : 0;
         inside += within ? 1 : 0;
         square += counts ? off * off : 0;
+        square_inside += within ? off * off : 0;
         if (!counts || (value == 0 && number == 0)) {
             neighbour.reset();
             continue;
@@ -179,8 +184,9 @@ std::optional<Left> left_by(const Observed& data, const Suspect& suspect) {
         return {};
     }
     left.rms = std::sqrt(square / static_cast<double>(all));
+    left.inside = std::sqrt(square_inside / static_cast<double>(inside));
+    left.worst = worst.second;
     left.noise = seconds > 0 ? std::sqrt(second / static_cast<double>(seconds)) : 0;
-    left.largest_counted = worst[1] >= worst[0];
     return left;
 }
 
@@ -376,7 +382,8 @@ Diagnosis diagnose_observed(const Observed& data, const std::vector<Suspect>& su
     diagnosis.too_few = !as_it_is;
     if (as_it_is) {
         diagnosis.noise = as_it_is->noise;
-        diagnosis.largest_inside = as_it_is->largest_counted;
+        diagnosis.inside = as_it_is->inside;
+        diagnosis.worst = as_it_is->worst;
         diagnosis.at_edges_only =
             is_noise(remainder_of(as_it_is->rows),
                      std::max(right_as_a_mesh, std::min(mesh_error, most_of_a_mesh)));

@@ -137,17 +137,22 @@ struct CommonFactor {
     bool of_x = false; ///< of the places, not of the values
 };
 
+/// Where the largest error is: near an edge of the exact contact (by two elements or a fiftieth of
+/// the contact) or a corner, or elsewhere inside or outside it.
+enum class Worst { near_edge, inside, outside };
+
 struct Diagnosis {
     /// The error without any cause, and the scatter of the data: rms, relative to the largest
     /// pressure, over nodes at least two elements and a fiftieth of the contact away from the
     /// edges.
     double unexplained = 0;
+    double inside = 0; ///< the same, over those of the nodes that lie in the exact contact
     double noise = 0;
-    bool at_edges_only = false;  ///< those nodes agree to three thousandths, as in a correct mesh
-                                 ///< solution: the error is not due to a mistake
-    bool too_few = false;        ///< fewer than eight of those nodes lie in the exact contact
-    bool largest_inside = false; ///< the largest error is at one of those nodes, not near an edge
-    std::vector<Cause> causes;   ///< the most likely first
+    bool at_edges_only = false; ///< those nodes agree to three thousandths, as in a correct mesh
+                                ///< solution: the error is not due to a mistake
+    bool too_few = false;       ///< fewer than eight of those nodes lie in the exact contact
+    Worst worst = Worst::near_edge;
+    std::vector<Cause> causes; ///< the most likely first
     /// If no cause is found: a factor of p, q or x that explains the data as a cause would.
     std::optional<CommonFactor> factor;
 };

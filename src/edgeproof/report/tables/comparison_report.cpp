@@ -43,15 +43,19 @@ std::vector<std::string> lines_of(const std::optional<comparison::Diagnosis>& di
     const comparison::Diagnosis& d = *diagnosis;
     if (!d.causes.empty()) {
         // the causes are sufficient
-    } else if (d.at_edges_only && d.largest_inside) {
-        lines.push_back(fmt::format(
-            "away from the edges {} is right to {}, and scatters by {} "
-            "from node to node: no known mistake can be distinguished from that scatter",
-            symbol, percent_text(d.unexplained), percent_text(d.noise)));
     } else if (d.at_edges_only) {
-        lines.push_back(fmt::format("away from the edges {} is right to {}: the errors are at the "
-                                    "edges, as those of a mesh usually are",
-                                    symbol, percent_text(d.unexplained)));
+        const bool outside = d.worst == comparison::Worst::outside;
+        const std::string where =
+            outside ? fmt::format(": the largest error of {0} is outside the exact contact, where "
+                                  "{0} is 0",
+                                  symbol)
+            : d.worst == comparison::Worst::inside
+                ? fmt::format(", and scatters by {} from node to node: no known mistake can be "
+                              "distinguished from that scatter",
+                              percent_text(d.noise))
+                : ": the errors are at the edges, as those of a mesh usually are";
+        lines.push_back(fmt::format("away from the edges {} is right to {}{}", symbol,
+                                    percent_text(outside ? d.inside : d.unexplained), where));
     } else if (d.too_few) {
         lines.push_back(fmt::format("fewer than eight nodes lie in the exact contact, away from "
                                     "its edges: too few to find the cause of an error of {}",
